@@ -127,11 +127,11 @@ QUINTIC: Floats2
 QUARTIC: Floats2
 
 def take_step(
-    contact: Int, t: Float, h: Float, y: Floats, p: Floats, gx: Row, gy: Row, rtol: Float,
+    mode: Int, t: Float, h: Float, y: Floats, p: Floats, gx: Row, gy: Row, rtol: Float,
     atol: Floats, k: Floats, y_new: Floats,
 ) -> float: ...  # fmt: skip
 def dense_output(
-    contact: Int, t: Float, h: Float, y: Floats, p: Floats, gx: Row, gy: Row, k: Floats,
+    mode: Int, t: Float, h: Float, y: Floats, p: Floats, gx: Row, gy: Row, k: Floats,
     coefficients: Floats,
 ) -> None: ...  # fmt: skip
 

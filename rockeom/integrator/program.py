@@ -51,8 +51,9 @@ JOINED = (
 """Files that are joined to programs, and not imported."""
 _OF_ALL = (
     *_OF_STEPS, *_LOOPS, *_OF_POINTS, _TABLE, _SEARCH, "integrator/methods/tableau.py",
-    "integrator/methods/coefficients.py", "integrator/methods/radau.py", "compiler/printer.py",
-    "compiler/machine.py", "compiler/lines.py", "compiler/types.py", "integrator/program.py",
+    "integrator/methods/coefficients.py", "integrator/methods/radau.py",
+    "integrator/methods/radau_step.py", "compiler/printer.py", "compiler/machine.py",
+    "compiler/lines.py", "compiler/types.py", "integrator/program.py",
     "integrator/texts.py", "codes.py",
 )  # fmt: skip
 """Modules whose texts every program follows from, besides that of its structure."""

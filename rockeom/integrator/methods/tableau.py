@@ -323,82 +323,97 @@ def error_text(
 """
 
 
+_STEP_ARGUMENTS = "t, h, y, p, gx, gy, rtol, atol, k, y_new"
+
+
+def _step_body(
+    method: Tableau,
+    n: int,
+    mode: str,
+    errors: str,
+    function: str = "accelerations",
+    still: Sequence[int] = (),
+) -> str:
+    """Lines of a step in a mode, stage by stage, each written out.
+
+    errors : lines that find its error. function : gives the accelerations. still : the coordinates
+    that do not move.
+    """
+    s, size = method.stages, 2 * n
+    start = "".join(f"    q0_{i} = y[{i}]\n    v0_{i} = y[{n + i}]\n" for i in range(n))
+    start += "".join(f"    a0_{i} = k[{n + i}]\n" for i in range(n))
+    stages = "".join(
+        _stage(method, j, n, f"k[GROUND_X + {j}], k[GROUND_Y + {j}]", function, mode, still)
+        for j in range(1, s + 1)
+    )
+    ends = "".join(f"    y_new[{i}] = q{s}_{i}\n    y_new[{n + i}] = v{s}_{i}\n" for i in range(n))
+    ends += "".join(f"    k[{s * size + i}] = v{s}_{i}\n" for i in range(n))
+    ends += "".join(
+        f"    k[{j * size + n + i}] = a{j}_{i}\n" for j in range(1, s + 1) for i in range(n)
+    )
+    return f"""    ground_at_stages(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
+    ground_at_stages(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
+    hh = h * h
+{start}{stages}{ends}{errors}    return error
+"""
+
+
+def _quick_steps(
+    method: Tableau, n: int, rotation: int, quick: Sequence[tuple[int, int]]
+) -> tuple[str, str]:
+    """Lines of `take_step` that pass some modes to steps of their own, and these functions."""
+    branches = functions = ""
+    for m, moves in quick:
+        branches += f"""    if EQUATIONS[mode] == {m}:
+        return quick_step_{m}(mode, {_STEP_ARGUMENTS})
+"""
+        body = _step_body(method, n, "mode", error_text(method, n, [moves]), f"accelerations_{m}")
+        functions += f'''
+
+def quick_step_{m}(mode, {_STEP_ARGUMENTS}):
+    """`take_step` by one set of equations."""
+{body}'''
+    if n > 1:  # a structure of one coordinate takes no steps in full contact
+        branches += f"""    if HELD >= 0:
+        if mode == HELD:
+            return full_contact_step({_STEP_ARGUMENTS})
+"""
+        errors = error_text(method, n, still=[rotation])
+        functions += f'''
+
+def full_contact_step({_STEP_ARGUMENTS}):
+    """`take_step` on both feet, where little of the equations is left."""
+{_step_body(method, n, "HELD", errors, still=[rotation])}'''
+    return branches, functions
+
+
 def step_text(
     method: Tableau, n: int, rotation: int = 0, quick: Sequence[tuple[int, int]] = ()
 ) -> str:
     """Source of `take_step`, `dense_output` and the constants of a method, for n coordinates.
 
-    Everything stands in plain numbers, stage by stage, each written out; the rates of all stages
-    are left in an array only for the dense output.
+    Numbers are plain variables; the rates of all stages are left in an array only for the dense
+    output.
 
-    rotation : the coordinate that stands still on both feet.
+    rotation : the coordinate that does not move in full contact.
     quick : equations of the structure that have steps of their own, each with the coordinate that
     the others follow: nothing is worked out that its acceleration does not ask for, and the error
     is that of this coordinate.
     """
-    s, size = method.stages, 2 * n
-    start = "".join(f"    q0_{i} = y[{i}]\n    v0_{i} = y[{n + i}]\n" for i in range(n))
-    known = "".join(f"    a0_{i} = k[{n + i}]\n" for i in range(n))
-
-    def stage(j: int, contact: str, function: str, still: Sequence[int]) -> str:
-        ground = f"k[GROUND_X + {j}], k[GROUND_Y + {j}]"
-        return _stage(method, j, n, ground, function, contact, still)
-
-    kept = "".join(
-        f"    k[{j * size + n + i}] = a{j}_{i}\n" for j in range(1, s + 1) for i in range(n)
-    )
-    ends = "".join(f"    y_new[{i}] = q{s}_{i}\n    y_new[{n + i}] = v{s}_{i}\n" for i in range(n))
-    ends += "".join(f"    k[{s * size + i}] = v{s}_{i}\n" for i in range(n))
-    errors = error_text(method, n)
-    header = method_header(method, s, len(method.c))
-
-    def step(
-        contact: str,
-        function: str = "accelerations",
-        errors: str = errors,
-        still: Sequence[int] = (),
-    ) -> str:
-        stages = "".join(stage(j, contact, function, still) for j in range(1, s + 1))
-        return f"""    ground_at_stages(gx, t, h, 1, N_STAGES + 1, k, GROUND_X)
-    ground_at_stages(gy, t, h, 1, N_STAGES + 1, k, GROUND_Y)
-    hh = h * h
-{start}{known}{stages}{ends}{kept}{errors}    return error
-"""
-
-    apart, others = "", ""
-    arguments = "t, h, y, p, gx, gy, rtol, atol, k, y_new"
-    for m, moves in quick:
-        apart += f"""    if EQUATIONS[contact] == {m}:
-        return quick_step_{m}(contact, {arguments})
-"""
-        others += f'''
-
-def quick_step_{m}(contact, {arguments}):
-    """`take_step` by one set of equations."""
-{step("contact", f"accelerations_{m}", error_text(method, n, [moves]))}'''
-    if n > 1:  # a structure of one coordinate takes no steps there
-        apart += f"""    if HELD >= 0:
-        if contact == HELD:
-            return standing_step({arguments})
-"""
-        others += f'''
-
-def standing_step({arguments}):
-    """`take_step` on both feet, where little of the equations is left."""
-{step("HELD", errors=error_text(method, n, still=[rotation]), still=[rotation])}'''
-    return f'''{header}
+    branches, functions = _quick_steps(method, n, rotation, quick)
+    return f'''{method_header(method, method.stages, len(method.c))}
 # places behind the rates: the ground at each stage
 GROUND_X = N_ALL_STAGES * N_STATES
 GROUND_Y = GROUND_X + N_ALL_STAGES
 
 
-def take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new):
+def take_step(mode, {_STEP_ARGUMENTS}):
     """One step from y at t, into y_new. k: the rates of stage j begin at j * N.
 
     The accelerations of stage 0 are known; those of stage N_STAGES are at the new state.
     Returns the norm of the estimated error, 1 at the tolerance.
     """
-{apart}{step("contact")}{others}
+{branches}{_step_body(method, n, "mode", error_text(method, n))}{functions}
 
 {_dense_text(method, n)}'''
 
@@ -424,7 +439,7 @@ def _dense_text(method: Tableau, n: int) -> str:
         stages += start + recalled("a", range(j), n) + _moves(method, j, "", one)
         stages += f"{one}w[i], w[{n} + i], k[{j * size} + i] = q{j}, v{j}, v{j}\n"
         stages += f"""    ({found},) = accelerations(
-        contact, {states}, p, k[GROUND_X + {j}], k[GROUND_Y + {j}]
+        mode, {states}, p, k[GROUND_X + {j}], k[GROUND_Y + {j}]
     )
 """
     powers = start + recalled("a", range(total), n) + recalled("v", range(s + 1, total), 0)
@@ -438,7 +453,7 @@ def _dense_text(method: Tableau, n: int) -> str:
                 found = f"h * (\n{one}    {terms}\n{one})"
             powers += f"{one}coefficients[{j * size + first} + i] = {found}\n"
     return f'''
-def dense_output(contact, t, h, y, p, gx, gy, k, coefficients):
+def dense_output(mode, t, h, y, p, gx, gy, k, coefficients):
     """Coefficients (8 * N,) of the powers of x = (time - t)/h over the step just taken."""
     ground_at_stages(gx, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_X)
     ground_at_stages(gy, t, h, N_STAGES + 1, N_ALL_STAGES, k, GROUND_Y)
