@@ -39,13 +39,13 @@ def equation(number: str) -> Equation:
     Raises ValueError, with the nearest numbers there are, for one that is not in the catalogue.
     """
     asked = number.strip().lower()
-    found = next((e for n, e in EQUATIONS.items() if n.lower() == asked), None)
-    if found is None:
+    match = next((e for n, e in EQUATIONS.items() if n.lower() == asked), None)
+    if match is None:
         chapter = asked.partition("-")[0].upper()
         there = [n for n in EQUATIONS if n.startswith(f"{chapter}-")]
         hint = f"chapter {chapter} has {there[0]} to {there[-1]}" if there else _chapters()
         raise ValueError(f"there is no equation {number!r}: {hint}")
-    return found
+    return match
 
 
 def _chapters() -> str:

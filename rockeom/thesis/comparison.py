@@ -25,11 +25,11 @@ from rockeom.thesis import notation as th
 
 def symbols_of(model: RockingModel) -> dict[str, sp.Symbol]:
     """Parameters, constants, and coordinates with derivatives, by name."""
-    found = {p.name: p.symbol for p in model.parameters}
-    found |= {d.name: d.symbol for d in model.definitions}
+    symbols = {p.name: p.symbol for p in model.parameters}
+    symbols |= {d.name: d.symbol for d in model.definitions}
     for c in model.coordinates:
-        found |= {c.name: c.position, f"{c.name}_d": c.velocity, f"{c.name}_dd": c.acceleration}
-    return found
+        symbols |= {c.name: c.position, f"{c.name}_d": c.velocity, f"{c.name}_dd": c.acceleration}
+    return symbols
 
 
 BLOCK, SLENDER = symbols_of(derive("rigid_block")), symbols_of(derive("slender_block"))
@@ -113,7 +113,7 @@ def spread(expr: sp.Expr) -> sp.Expr:
 
 
 def in_engine_notation(
-    expr: sp.Expr, side: int, known: Mapping[sp.Symbol, sp.Expr] | None = None
+    expr: sp.Expr, side: int, values: Mapping[sp.Symbol, sp.Expr] | None = None
 ) -> sp.Expr:
     """A thesis expression in the engine's symbols; `known` adds values of further symbols.
 
@@ -125,12 +125,12 @@ def in_engine_notation(
     polar: dict[sp.Expr, sp.Expr] = {}
     for radius, angle, height in POLAR:
         polar |= {sp.sin(angle): half_width / radius, sp.cos(angle): height / radius}
-    known = known or {}
+    values = values or {}
     expr = expr.xreplace(polar)
-    unknown = expr.free_symbols - set(TO_ENGINE) - OWN - set(known)
+    unknown = expr.free_symbols - set(TO_ENGINE) - OWN - set(values)
     if unknown:
         raise ValueError(f"not translated: {sorted(map(str, unknown))}")
-    return expr.xreplace({**TO_ENGINE, **known})
+    return expr.xreplace({**TO_ENGINE, **values})
 
 
 def normal_form(expr: sp.Expr) -> sp.Expr:
@@ -197,7 +197,7 @@ def _in_floats(expr: sp.Expr, at: Mapping[sp.Expr, float]) -> tuple[float, float
 
 
 def differences(
-    relation: sp.Eq, derived, side: int, known: Mapping[sp.Symbol, sp.Expr] | None = None
+    relation: sp.Eq, derived, side: int, values: Mapping[sp.Symbol, sp.Expr] | None = None
 ) -> list[sp.Expr]:
     """Thesis minus engine for one relation, a term for each component, not yet reduced.
 
@@ -208,6 +208,6 @@ def differences(
     stated = relation.rhs if relation.lhs.is_Symbol else relation.lhs - relation.rhs
     stated, derived = (list(e) if isinstance(e, sp.MatrixBase) else [e] for e in (stated, derived))
     return [
-        in_engine_notation(a, side, known) - sp.sympify(b)
+        in_engine_notation(a, side, values) - sp.sympify(b)
         for a, b in zip(stated, derived, strict=True)
     ]

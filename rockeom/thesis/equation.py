@@ -81,8 +81,8 @@ class Equation:
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The symbols of both forms, by name."""
-        found = set().union(*(r.free_symbols for r in (*self.printed, *(self.corrected or ()))))
-        return tuple(sorted(found, key=lambda symbol: symbol.name))
+        union = set().union(*(r.free_symbols for r in (*self.printed, *(self.corrected or ()))))
+        return tuple(sorted(union, key=lambda symbol: symbol.name))
 
     def lines(self, form: str = "right") -> list[str]:
         """LaTeX, without delimiters, of each relation of the form "right", "printed", "corrected".

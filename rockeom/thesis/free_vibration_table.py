@@ -93,9 +93,9 @@ def _released(structure: rk.Structure, law: ImpactLaw | None, says: str) -> Mode
     t = np.linspace(0.0, float(run.t[-1]), 4001)  # between them splines are exact to 1e-9 s
     state = run.at(t)
     displacement = state["u"] if oscillates else WALL.height * np.sin(state["theta"])
-    found = identification.FreeVibration.from_samples(t, displacement)
-    chosen = np.flatnonzero(found.at_peak)[:PEAKS]
-    time, peak = found.time[chosen], found.displacement[chosen]
+    vibration = identification.FreeVibration.from_samples(t, displacement)
+    chosen = np.flatnonzero(vibration.at_peak)[:PEAKS]
+    time, peak = vibration.time[chosen], vibration.displacement[chosen]
     return ModelPeaks(
         model=type(structure).__name__,
         law=says,

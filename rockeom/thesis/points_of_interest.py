@@ -82,11 +82,11 @@ def _crossings(record: MeasuredRecord, channel: str, peaks: np.ndarray) -> np.nd
     Noise makes several; the middle one counts.
     """
     t, x = record.time, record[channel]
-    found = []
+    times = []
     for i, j in pairwise(peaks.tolist()):
         if x[i] * x[j] >= 0:
             continue
         changes = i + np.flatnonzero(x[i:j] * x[i + 1 : j + 1] <= 0)
         k = changes[len(changes) // 2]
-        found.append(t[k] - x[k] * (t[k + 1] - t[k]) / (x[k + 1] - x[k]))
-    return np.array(found)
+        times.append(t[k] - x[k] * (t[k + 1] - t[k]) / (x[k + 1] - x[k]))
+    return np.array(times)

@@ -49,13 +49,13 @@ def beside(one: PrintedTable, rows: Iterable[tuple[Cell, ...]]) -> TextTable:
     """
     head: list[str] = []
     columns: list[list[str]] = []
-    for name, printed, found in zip(
+    for name, printed, computed_cells in zip(
         one.columns, zip(*one.rows, strict=True), zip(*rows, strict=True), strict=True
     ):
-        alone = all(f is None or f == p for p, f in zip(printed, found, strict=True))
+        alone = all(f is None or f == p for p, f in zip(printed, computed_cells, strict=True))
         head += [name] if alone else [f"{name}, printed", "computed"]
         columns += [[_text(p, digits=10) for p in printed]]
-        columns += [] if alone else [[_text(f, digits=4) for f in found]]
+        columns += [] if alone else [[_text(f, digits=4) for f in computed_cells]]
     return TextTable(
         one.number if one.number.startswith("Figure") else f"Table {one.number}",
         one.title,

@@ -55,10 +55,10 @@ class _Sentence(NamedTuple):
     def decided(self) -> Statement:
         """The statement; open where a record that it needs is missing."""
         try:
-            found = self.find()
+            finding = self.find()
         except rk.MotionError as error:
-            found = (str(error), None)
-        return Statement(self.where, self.printed, *found)
+            finding = (str(error), None)
+        return Statement(self.where, self.printed, *finding)
 
 
 _OTHERS: list[_Sentence] = []

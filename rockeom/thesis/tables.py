@@ -274,13 +274,13 @@ def _uplift_of_column() -> list[Row]:
             pivot = edge if run == "4" else foot
             arm = edge + pivot
             theta = identification.rotation_from_displacement(size, pivot, height)
-        found: Cell = displacement
+        computed_displacement: Cell = displacement
         if isinstance(run, str) and run in models:
             response = _if_recorded(lambda r: shaken.column_run(r, models[r], 0.74), run)
-            found = None
+            computed_displacement = None
             if response is not None:
-                found = 1e3 * abs(response.extremes("displacement").peak)
-        rows.append((run, description, found, 1e3 * arm * math.sin(theta)))
+                computed_displacement = 1e3 * abs(response.extremes("displacement").peak)
+        rows.append((run, description, computed_displacement, 1e3 * arm * math.sin(theta)))
     return rows
 
 

@@ -121,13 +121,13 @@ def verify(
 def _findings(
     one: Equation, relations: Relations, checks: tuple[Check, ...]
 ) -> tuple[Finding, ...]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for check in checks:
         try:
-            found += check.find(one, relations)
+            findings += check.find(one, relations)
         except Exception as error:  # one equation that cannot be compared must not hide the others
             message = f"{type(error).__name__}: {error}"
-            found.append(
+            findings.append(
                 Finding(f"{check.route}: not comparable", message, False, comparable=False)
             )
-    return tuple(found)
+    return tuple(findings)

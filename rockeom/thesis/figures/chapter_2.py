@@ -181,9 +181,9 @@ def figure_2_16() -> Figure:
     # of 2-17, without its force
     exact = (x, sudden["theta_dot"] / alpha, x - np.where(sudden.phase == "right", 1.0, -1.0))
     # the ground stands still: the horizontal reaction is alpha x''
-    found = (spread["x"], spread["x_dot"], spread["horizontal_reaction"] / alpha)
+    computed = (spread["x"], spread["x_dot"], spread["horizontal_reaction"] / alpha)
     names = ("$x$ [-]", r"$\dot{x}$ [-]", r"$\ddot{x}$ [-]")
-    for ax, sharp, smooth, name in zip(axes, exact, found, names, strict=True):
+    for ax, sharp, smooth, name in zip(axes, exact, computed, names, strict=True):
         ax.plot(sudden.t, sharp, label="piecewise", lw=1.6, color=style.LINES[0])
         ax.plot(
             spread.t, smooth, "--", label=r"Dirac-$\delta$, $n = 10^{-3}$", color=style.LINES[1]

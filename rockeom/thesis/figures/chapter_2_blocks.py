@@ -151,14 +151,14 @@ def figure_2_10() -> Drawn:
             color=style.LINES[1], ms=5, label="after an impact")  # fmt: skip
     bare_portrait(ax, 1.15)
     ax.legend(loc="upper right")
-    found = (after / before) ** 2
+    energy_ratios = (after / before) ** 2
     return Drawn(
         figure,
         (
             Statement(
                 "2.5.1", "r = 0.9 at every crossing of the y axis, by 2-4",
-                f"{found.min():.4f} to {found.max():.4f} of the kinetic energy",
-                bool(np.allclose(found, 0.9, rtol=1e-6)),
+                f"{energy_ratios.min():.4f} to {energy_ratios.max():.4f} of the kinetic energy",
+                bool(np.allclose(energy_ratios, 0.9, rtol=1e-6)),
             ),
             Statement(
                 "2.5.1", "in the long term the block comes to rest",
@@ -236,11 +236,11 @@ def cascade() -> Cascade:
 @cache
 def branches(doublings: int) -> tuple[OrbitBranch, ...]:
     """The symmetric motions, the asymmetric ones, and those of so many doublings, to the end."""
-    found = [finished(orbit_branch(stroboscope, (START, AMPLITUDES[-1]), symmetric_state()))]
+    followed = [finished(orbit_branch(stroboscope, (START, AMPLITUDES[-1]), symmetric_state()))]
     for _ in range(doublings + 1):
-        leaves = next(one for one in found[-1].bifurcations if one.kind in FLIPS)
-        found.append(finished(found[-1].switched(leaves)))
-    return tuple(found)
+        leaves = next(one for one in followed[-1].bifurcations if one.kind in FLIPS)
+        followed.append(finished(followed[-1].switched(leaves)))
+    return tuple(followed)
 
 
 @cache
@@ -296,7 +296,7 @@ def figure_2_11() -> Drawn:
         lasting.append((beta, orbits[-1]))
     for ax in figure.axes[1:]:
         ax.set_ylabel("")
-    found = "; ".join(
+    orbits_in_words = "; ".join(
         f"beta = {beta:g}: {described(orbit)}, multipliers up to {abs(orbit.multipliers[0]):.3f}"
         for beta, orbit in lasting
     )
@@ -304,7 +304,7 @@ def figure_2_11() -> Drawn:
         figure,
         (
             Statement(
-                "Figure 2-11", "there are symmetric and asymmetric steady orbits", found,
+                "Figure 2-11", "there are symmetric and asymmetric steady orbits", orbits_in_words,
                 all(orbit.stable for _, orbit in lasting)
                 and [orbit.symmetric for _, orbit in lasting] == [True, False, False],
             ),
@@ -454,10 +454,10 @@ def changes_of_fate(
     return finished(overturning_boundaries(case, sweep, accuracy=1e-9, arrays=True))
 
 
-def draw_fates(ax: Axes, found: xr.Dataset, name: str, first: float, last: float) -> None:
+def draw_fates(ax: Axes, boundaries: xr.Dataset, name: str, first: float, last: float) -> None:
     """A bar along `name` with the changes of fate to six digits."""
-    at = found[name].values
-    fates = [*found["below"].values, found["above"].values[-1]]
+    at = boundaries[name].values
+    fates = [*boundaries["below"].values, boundaries["above"].values[-1]]
     edges = [first, *at, last]
     for kind, low, high in zip(fates, edges[:-1], edges[1:], strict=True):
         ax.axvspan(low, high, color="white" if math.isinf(kind) else FATES[int(kind)], lw=0)
@@ -537,7 +537,7 @@ def figure_2_14() -> Drawn:
         for ratio, run in runs.items()
     }
     fell = [ratio for ratio, run in runs.items() if run.outcome == "overturned"]
-    found = ", ".join(
+    fates = ", ".join(
         f"{ratio:g}: {'overturns' if ratio in fell else f'{peak:.2f} alpha'}"
         for ratio, peak in peaks.items()
     )
@@ -547,7 +547,7 @@ def figure_2_14() -> Drawn:
         (
             Statement(
                 "2.5.1", "0.5 % of the aspect ratio can lead to a very different response",
-                f"{found}; the fate changes at {at}",
+                f"{fates}; the fate changes at {at}",
                 (3.8 in fell) != (3.82 in fell) or (4.26 in fell) != (4.28 in fell),
             ),
         ),

@@ -115,7 +115,7 @@ def figure_2_20() -> Drawn:
         ax.set_xlabel(r"rotation $\theta/\theta_d$ [-]")
     figure.axes[0].set_ylabel("moment $M/M_d$ [-]")
     figure.axes[0].legend(loc="upper left", fontsize=7.5)
-    grows = all(np.all(np.diff(found) < 0) for found in areas.values())
+    grows = all(np.all(np.diff(area) < 0) for area in areas.values())
     residual = returns["elastic and plastic"]
     return Drawn(
         figure,
@@ -204,8 +204,8 @@ def figure_2_22() -> Drawn:
     mu = np.linspace(1.0, 8.0, 281)
     figure = style.new_figure(5.8, 3.6)
     ax = figure.add_subplot()
-    found = {name: rule.damping(mu) for name, rule in RULES.items()}
-    for (name, damping), color in zip(found.items(), style.LINES, strict=False):
+    damping_of = {name: rule.damping(mu) for name, rule in RULES.items()}
+    for (name, damping), color in zip(damping_of.items(), style.LINES, strict=False):
         ax.plot(mu, 100 * damping, color=color, label=name)
     ax.set_xlabel(r"ductility $\mu$ [-]")
     ax.set_ylabel(r"damping ratio $\xi_{hyst}$ [%]")
@@ -213,7 +213,8 @@ def figure_2_22() -> Drawn:
     ax.set_ylim(0, None)
     ax.legend(loc="center right")
     ranges = {
-        name: (found[name][mu >= 1.5] / found["flag"][mu >= 1.5]) for name in ("bilinear", "Takeda")
+        name: (damping_of[name][mu >= 1.5] / damping_of["flag"][mu >= 1.5])
+        for name in ("bilinear", "Takeda")
     }
     inside = all(((r >= 2) & (r <= 3)).all() for r in ranges.values())
     text = ", ".join(f"{n} {r.min():.1f} to {r.max():.1f} times" for n, r in ranges.items())

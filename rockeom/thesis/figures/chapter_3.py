@@ -63,8 +63,8 @@ def measured_impacts() -> identification.Impacts:
 @cache
 def feet() -> dict[str, float]:
     """Mean r of Figure 3-3 at each foot that lands."""
-    found = measured_impacts()
-    return {f: float(np.mean(found.at_foot(f).energy_ratio)) for f in ("left", "right")}
+    impacts = measured_impacts()
+    return {f: float(np.mean(impacts.at_foot(f).energy_ratio)) for f in ("left", "right")}
 
 
 def mark_points(ax: Axes, label: str = "Figure 3-3, measured") -> None:
@@ -165,8 +165,8 @@ def figure_3_3() -> Drawn:
     ax.set_xlabel("time [s]")
     ax.set_ylabel(r"rotation $\theta$ [deg]")
     style.legend_above(ax)
-    found = measured_impacts()
-    listed = ", ".join(f"{r:.3f}" for r in found.energy_ratio)
+    impacts = measured_impacts()
+    listed = ", ".join(f"{r:.3f}" for r in impacts.energy_ratio)
     quarters = np.diff(time)[::2]
     return Drawn(
         figure,
@@ -177,8 +177,8 @@ def figure_3_3() -> Drawn:
                 "the right edge",
                 f"r by 3-3 of the printed peaks: {listed}; the left foot lands first",
                 bool(
-                    found.at_foot("left").energy_ratio.max()
-                    < found.at_foot("right").energy_ratio.min()
+                    impacts.at_foot("left").energy_ratio.max()
+                    < impacts.at_foot("right").energy_ratio.min()
                 ),
             ),
             Statement(
@@ -203,12 +203,12 @@ def figure_3_4() -> Drawn:
     data = record()
     scores = importance_scores(data["theta"], 500)
     scored = points_by_score(data, "theta")
-    found = points_by_prominence(data, "theta")
+    by_prominence = points_by_prominence(data, "theta")
     figure = style.new_figure(7.2, 4.4)
     trace, score = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1.0))
     trace.plot(data.time, np.degrees(data["theta"]), lw=0.8, color=style.INK)
     for rows, mark, color, label in (
-        (found.peaks, "s", style.LINES[1], "find_peaks"),
+        (by_prominence.peaks, "s", style.LINES[1], "find_peaks"),
         (scored.peaks, "o", style.LINES[0], "score above the threshold"),
     ):
         size = 7 if mark == "s" else 4
@@ -231,7 +231,7 @@ def figure_3_4() -> Drawn:
                 "section 3.2",
                 "each test run contained at least 20 peaks and zero crossings",
                 f"of 5 s: by score {len(scored.peaks)} peaks, {len(scored.crossings)} crossings; "
-                f"by find_peaks {len(found.peaks)} and {len(found.crossings)}",
+                f"by find_peaks {len(by_prominence.peaks)} and {len(by_prominence.crossings)}",
                 len(scored.peaks) + len(scored.crossings) >= 20,
             ),
         ),
@@ -357,14 +357,14 @@ def figure_3_7() -> Drawn:
     rounds the jumps at the impacts. A is the first quarter, B the return half a cycle later.
     """
     figure = style.new_figure(7.6, 3.6)
-    known = record().with_derivatives("theta", 0.05)
-    inside = known.time < 2.4
+    derived = record().with_derivatives("theta", 0.05)
+    inside = derived.time < 2.4
     speeds = {}
     for ax, ratio in zip(
         figure.subplots(1, 2, sharey=True), (PRINTED_HOUSNER, 0.88 * PRINTED_HOUSNER), strict=True
     ):
         ax.plot(
-            np.degrees(known["theta"][inside]), known["theta_dot"][inside], lw=0.8,
+            np.degrees(derived["theta"][inside]), derived["theta_dot"][inside], lw=0.8,
             color=style.INK, label="record in kind",
         )  # fmt: skip
         run = housner(ratio, 14.0)
@@ -455,16 +455,16 @@ def figure_3_8() -> Drawn:
     ax.set_ylim(0, 1.15 * start)
     style.legend_above(ax)
     after = float(BLOCK.energies(run.impacts[0].after, phase="left")["kinetic_energy"])
-    found = after / float(BLOCK.energies(run.impacts[0].before, phase="right")["kinetic_energy"])
+    ratio = after / float(BLOCK.energies(run.impacts[0].before, phase="right")["kinetic_energy"])
     return Drawn(
         figure,
         (
             Statement(
                 "section 3.2.2",
                 "immediately after an impact the kinetic energy is reduced to r times that before",
-                f"{found:.6f} with r = {R_HOUSNER:.6f}; the total is constant within "
+                f"{ratio:.6f} with r = {R_HOUSNER:.6f}; the total is constant within "
                 f"{np.ptp((potential + kinetic)[run.t < first]) / start:.0e} of it before",
-                bool(abs(found - R_HOUSNER) < 1e-9),
+                bool(abs(ratio - R_HOUSNER) < 1e-9),
             ),
         ),
     )
@@ -473,8 +473,8 @@ def figure_3_8() -> Drawn:
 @cache
 def energies_in_kind() -> tuple[analysis.MeasuredRecord, identification.Energies]:
     """The record of the block on the spring, and the energies of the block alone."""
-    known = record(spring=True).with_derivatives("theta", 0.05)
-    return known, identification.record_energies(known, BLOCK)
+    derived = record(spring=True).with_derivatives("theta", 0.05)
+    return derived, identification.record_energies(derived, BLOCK)
 
 
 @thesis_figure(Source.IN_KIND)
@@ -485,13 +485,13 @@ def figure_3_9() -> Drawn:
     stiffness; here it is 300 N m/rad. The energies are those of the block alone, 3-1 and 3-2, the
     rate by differentiation over 0.05 s, which rounds the impacts.
     """
-    known, energies = energies_in_kind()
-    end = known.time < 3
+    derived, energies = energies_in_kind()
+    end = derived.time < 3
     figure = style.new_figure(7.0, 3.4)
     ax = figure.add_subplot()
     draw_energies(
         ax,
-        known.time[end],
+        derived.time[end],
         [
             ("potential $U$", energies.gravity[end], POTENTIAL),
             ("kinetic $E_k$", energies.kinetic[end], KINETIC),
@@ -523,15 +523,15 @@ def figure_3_10() -> Drawn:
     Fitted is the stiffness with which the total changes least within each half-cycle. The thesis
     takes the largest excess and the rotation at which it occurs instead.
     """
-    known, energies = energies_in_kind()
-    fit = identification.fitted_rotational_spring(known, BLOCK, count=5)
-    stored = formulas.spring_energy(known["theta"], fit.stiffness)
-    end = known.time < 3
+    derived, energies = energies_in_kind()
+    fit = identification.fitted_rotational_spring(derived, BLOCK, count=5)
+    stored = formulas.spring_energy(derived["theta"], fit.stiffness)
+    end = derived.time < 3
     figure = style.new_figure(7.0, 3.4)
     ax = figure.add_subplot()
     draw_energies(
         ax,
-        known.time[end],
+        derived.time[end],
         [
             ("potential $U$", energies.gravity[end], POTENTIAL),
             ("kinetic $E_k$", energies.kinetic[end], KINETIC),
@@ -544,7 +544,7 @@ def figure_3_10() -> Drawn:
     smooth = identification.support_forces_of_record(
         record(spring=True), window=0.05, **SHAPE
     ).smooth
-    first = smooth & (known.time > 0.05) & (known.time < 0.4)
+    first = smooth & (derived.time > 0.05) & (derived.time < 0.4)
     spread = [float(np.std(e[first])) for e in (energies.total, energies.total + stored)]
     return Drawn(
         figure,
@@ -661,14 +661,14 @@ def figure_3_14() -> Drawn:
 @cache
 def impact_forces() -> identification.ImpactForces:
     """Impacts of the four runs in kind above 0.15 rad/s, with a tenth of the noise."""
-    found = []
+    forces = []
     for release, seed in RUNS:
         theta = rocking(BLOCK, float(np.radians(release)), 5.0)
         t = np.arange(5 * RATE) / RATE
         noise = np.random.default_rng(seed).normal(0.0, NOISE / 10, len(t))
         calm = analysis.MeasuredRecord(t, {"theta": theta.at(t)["theta"] + noise})
-        found.append(identification.impact_forces_of_record(calm, window=WINDOW, **SHAPE))
-    columns = [np.concatenate(column) for column in zip(*found, strict=True)]
+        forces.append(identification.impact_forces_of_record(calm, window=WINDOW, **SHAPE))
+    columns = [np.concatenate(column) for column in zip(*forces, strict=True)]
     fast = np.abs(columns[1]) > 0.15
     return identification.ImpactForces(*(column[fast] for column in columns))
 
@@ -687,28 +687,28 @@ def figure_3_15() -> Drawn:
     is the jump of the rate, spread over the window of the derivatives, here 0.03 s. The thesis does
     not state its window; its four parts are two here. The noise is a tenth of that of the others.
     """
-    found = impact_forces()
+    forces = impact_forces()
     figure = style.new_figure(7.4, 3.2)
     axes = figure.subplots(1, 2)
     for ax, force, base, name in (
-        (axes[0], found.vertical, found.baseline_vertical, "vertical"),
-        (axes[1], found.horizontal, found.baseline_horizontal, "horizontal"),
+        (axes[0], forces.vertical, forces.baseline_vertical, "vertical"),
+        (axes[1], forces.horizontal, forces.baseline_horizontal, "horizontal"),
     ):
         for foot, side, mark in (("left", -1, "<"), ("right", 1, ">")):
-            one = np.sign(found.speed) == side
+            one = np.sign(forces.speed) == side
             ax.plot(
-                found.speed[one], np.abs(force[one]) / 1e3, mark, ms=4, color=style.FEET[foot],
+                forces.speed[one], np.abs(force[one]) / 1e3, mark, ms=4, color=style.FEET[foot],
                 label=f"{foot} foot lands",
             )  # fmt: skip
-        ax.plot(found.speed, np.abs(base) / 1e3, "_", color=style.INK, ms=6, label="baseline")
+        ax.plot(forces.speed, np.abs(base) / 1e3, "_", color=style.INK, ms=6, label="baseline")
         ax.set_xlabel(r"speed $\dot\theta$ before the impact [rad/s]")
         ax.set_ylabel(f"largest {name} force [kN]")
     axes[1].legend(loc="upper center")
-    left = found.speed < 0
+    left = forces.speed < 0
     vertical, horizontal = (
-        grows(found.speed[left], np.abs(f[left])) for f in (found.vertical, found.horizontal)
+        grows(forces.speed[left], np.abs(f[left])) for f in (forces.vertical, forces.horizontal)
     )
-    worst = int(np.argmax(np.abs(found.speed)))
+    worst = int(np.argmax(np.abs(forces.speed)))
     return Drawn(
         figure,
         (
@@ -723,8 +723,8 @@ def figure_3_15() -> Drawn:
             Statement(
                 "Table 3-1",
                 "measured peaks 3.43 kN vertical and 1.62 kN horizontal, over 3.08 and 0.48 kN",
-                f"{np.abs(found.vertical[worst]) / 1e3:.2f} and "
-                f"{np.abs(found.horizontal[worst]) / 1e3:.2f} kN with the window of 0.03 s, of an "
+                f"{np.abs(forces.vertical[worst]) / 1e3:.2f} and "
+                f"{np.abs(forces.horizontal[worst]) / 1e3:.2f} kN with the window of 0.03 s, of an "
                 "impact without duration: such peaks say nothing of its force",
                 None,
             ),
@@ -738,15 +738,15 @@ def figure_3_16() -> Drawn:
 
     The angle is that of the resultant from the vertical.
     """
-    found = impact_forces()
-    angle = np.degrees(found.angle)
+    forces = impact_forces()
+    angle = np.degrees(forces.angle)
     figure = style.new_figure(7.4, 3.2)
     axes = figure.subplots(1, 2)
     for foot, side, mark in (("left", -1, "<"), ("right", 1, ">")):
-        one = np.sign(found.speed) == side
-        for ax, y in zip(axes, (found.magnitude / 1e3, angle), strict=True):
+        one = np.sign(forces.speed) == side
+        for ax, y in zip(axes, (forces.magnitude / 1e3, angle), strict=True):
             ax.plot(
-                found.speed[one], y[one], mark, ms=4, color=style.FEET[foot],
+                forces.speed[one], y[one], mark, ms=4, color=style.FEET[foot],
                 label=f"{foot} foot lands",
             )  # fmt: skip
     axes[0].set_ylabel("magnitude [kN]")
@@ -755,12 +755,12 @@ def figure_3_16() -> Drawn:
     for ax in axes:
         ax.set_xlabel(r"speed $\dot\theta$ before the impact [rad/s]")
     axes[0].legend(loc="lower center")
-    left = found.speed < 0
+    left = forces.speed < 0
     change = [
-        float(np.polyval(np.polyfit(np.abs(found.speed[left]), angle[left], 1), v))
+        float(np.polyval(np.polyfit(np.abs(forces.speed[left]), angle[left], 1), v))
         for v in (0.2, 0.8)
     ]
-    more = grows(found.speed[left], found.magnitude[left])
+    more = grows(forces.speed[left], forces.magnitude[left])
     return Drawn(
         figure,
         (
@@ -795,11 +795,11 @@ def figure_3_17() -> Drawn:
         chosen = plain.energy_before >= THRESHOLD
         corrected = identification.Impacts.of_record(data, BLOCK, rotational_stiffness=SPRING)
         plain, corrected = plain.select(chosen), corrected.select(chosen)
-        for found, face, label in (
+        for impacts, face, label in (
             (plain, "none", "3-3"), (corrected, "full", "3-16"),
         ):  # fmt: skip
             for foot, mark in (("left", "<"), ("right", ">")):
-                one = found.at_foot(foot)
+                one = impacts.at_foot(foot)
                 ax.plot(
                     one.time, one.energy_ratio, mark, color=style.FEET[foot], ms=5, mew=0.9,
                     mfc="none" if face == "none" else style.FEET[foot],
@@ -849,7 +849,7 @@ def figure_3_22() -> Drawn:
     lands.
     """
     speed = np.linspace(-1.0, 1.0, 401)
-    found = measured_impacts()
+    impacts = measured_impacts()
     figure = style.new_figure(6.4, 3.8)
     ax = figure.add_subplot()
     ax.plot(speed, fit_3_17(speed), label="3-17, all impacts")
@@ -860,14 +860,14 @@ def figure_3_22() -> Drawn:
     kind = identification.Impacts.together(runs)
     ax.plot(kind.speed, kind.energy_change, "x", ms=4, color="0.6", label="in kind")
     ax.plot(
-        found.speed, found.energy_change, "o", color=style.INK, mfc="white", mew=0.9, ms=4.5,
+        impacts.speed, impacts.energy_change, "o", color=style.INK, mfc="white", mew=0.9, ms=4.5,
         label="Figure 3-3, measured",
     )  # fmt: skip
     ax.set_xlabel(r"speed $\dot\theta$ at the impact [rad/s]")
     ax.set_ylabel(r"change of energy $\Delta E$ [J]")
     ax.set_ylim(-10, 0.5)
     ax.legend(loc="lower right")
-    left, right = found.at_foot("left"), found.at_foot("right")
+    left, right = impacts.at_foot("left"), impacts.at_foot("right")
     off = [
         float(np.abs(one.energy_change - fit(one.speed)).max())
         for one, fit in ((left, fit_3_17), (right, fit_3_18), (right, fit_3_17))

@@ -194,12 +194,12 @@ def figure_4_13() -> Drawn:
     starts = starts[legible()[starts] & legible()[starts + 1]]
     size, time = np.abs(measured.displacement[starts]), np.diff(measured.time)[starts]
     root = np.sqrt(size)
-    found = identification.fit(lambda k, c: k * root + c, time, {"k": 0.3, "c": 0.01})
+    fit = identification.fit(lambda k, c: k * root + c, time, {"k": 0.3, "c": 0.01})
     d = np.linspace(1e-4, 0.032, 200)
     slopes = np.column_stack([np.sqrt(d), np.ones_like(d)])
-    anew = slopes @ np.array(list(found.values.values()))
-    spread = np.sqrt(np.einsum("ni,ij,nj->n", slopes, found.covariance, slopes))
-    reach = (found.interval("c")[1] - found.values["c"]) / found.standard_error["c"]
+    anew = slopes @ np.array(list(fit.values.values()))
+    spread = np.sqrt(np.einsum("ni,ij,nj->n", slopes, fit.covariance, slopes))
+    reach = (fit.interval("c")[1] - fit.values["c"]) / fit.standard_error["c"]
 
     figure = style.new_figure(6.0, 3.6)
     ax = figure.add_subplot()
@@ -215,7 +215,7 @@ def figure_4_13() -> Drawn:
     ax.legend(loc="lower right")
     r2 = identification.coefficient_of_determination(time, quarter_period_fit(size))
     printed = 0.505 * np.sqrt(2 / 5.155)
-    low, high = found.interval("k")
+    low, high = fit.interval("k")
     slow, fast = 1 / (4 * time[0]), 1 / (4 * time[np.argmin(size)])
     last = 1 / (4 * measured.quarter_periods().time[-4:])
     drift = 100 * np.abs(measured.displacement[0]) / WALL.height
@@ -225,10 +225,10 @@ def figure_4_13() -> Drawn:
             Statement("4.5.1", "R2 = 0.976 of 4-5", f"R2 = {r2:.3f}", bool(abs(r2 - 0.976) < 2e-3)),
             Statement(
                 "4.5.1", f"4-5: {printed:.3f} s/sqrt(m) and 0.010 s",
-                f"k = {found.values['k']:.3f} s/sqrt(m), {low:.3f} to {high:.3f}; "
-                f"c = {found.values['c'] * 1e3:.1f} ms, {found.interval('c')[0] * 1e3:.1f} to "
-                f"{found.interval('c')[1] * 1e3:.1f}; R2 = {found.r_squared:.3f}",
-                bool(low < printed < high and found.interval("c")[0] < 0.01),
+                f"k = {fit.values['k']:.3f} s/sqrt(m), {low:.3f} to {high:.3f}; "
+                f"c = {fit.values['c'] * 1e3:.1f} ms, {fit.interval('c')[0] * 1e3:.1f} to "
+                f"{fit.interval('c')[1] * 1e3:.1f}; R2 = {fit.r_squared:.3f}",
+                bool(low < printed < high and fit.interval("c")[0] < 0.01),
             ),
             Statement(
                 "4.5.1", "11 Hz in the smallest motions to 4 Hz at a drift of 1.2 %",
@@ -576,14 +576,14 @@ def losses() -> Losses:
 
 def draw_ratios(low: float, high: float) -> Figure:
     """r of each passage against the peak before it and the speed in it, from low to high."""
-    found = losses()
+    lost = losses()
     figure = style.new_figure(7.6, 3.4)
     left, right = figure.subplots(1, 2, sharey=True)
-    for ax, x in ((left, np.abs(found.peak) * MM), (right, found.speed)):
+    for ax, x in ((left, np.abs(lost.peak) * MM), (right, lost.speed)):
         for side, mark, label in ((1, ">", "from the right"), (-1, "<", "from the left")):
-            rows = (np.sign(found.peak) == side) & found.chosen
+            rows = (np.sign(lost.peak) == side) & lost.chosen
             ax.plot(
-                x[rows], found.energy_ratio[rows], mark, color=style.LINES[0], ms=5, mfc="white",
+                x[rows], lost.energy_ratio[rows], mark, color=style.LINES[0], ms=5, mfc="white",
                 label=f"wall comes {label}",
             )  # fmt: skip
         ax.axhline(HOUSNER, color=style.INK, lw=0.8, ls=":")
@@ -606,10 +606,10 @@ def figure_4_30() -> Drawn:
     r is the ratio of the total energies at successive peaks. Left out are passages next to a row
     that had to be guessed.
     """
-    found = losses()
-    large = found.chosen & (np.abs(found.peak) > 7e-3)
-    small = found.chosen & ~large
-    spread = [np.std(found.energy_ratio[rows], ddof=1) for rows in (large, small)]
+    lost = losses()
+    large = lost.chosen & (np.abs(lost.peak) > 7e-3)
+    small = lost.chosen & ~large
+    spread = [np.std(lost.energy_ratio[rows], ddof=1) for rows in (large, small)]
     return Drawn(
         draw_ratios(0.0, 1.25),
         (
@@ -629,8 +629,8 @@ def figure_4_31() -> Drawn:
     The intervals are those of the twelve passages between the peaks of Figure 4-29: of their mean,
     by side, and of the slope of a straight line of r over the speed.
     """
-    found = losses()
-    r, speed, peak = (x[: PEAKS - 1] for x in found[:3])
+    lost = losses()
+    r, speed, peak = (x[: PEAKS - 1] for x in lost[:3])
     mean = identification.fit(lambda r: np.full(len(speed), r), r, {"r": 0.85})
     line = identification.fit(lambda r, slope: r + slope * speed, r, {"r": 0.85, "slope": 0.0})
     low, high = mean.interval("r")

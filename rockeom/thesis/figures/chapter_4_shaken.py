@@ -107,7 +107,7 @@ def figure_4_58() -> Drawn:
     largest tendon force are printed. The band is 2.5 mm of sliding to either side. The prestress
     of the curve is 75.6 kN.
     """
-    found = rows_of_75_kn()
+    tests = rows_of_75_kn()
     figure, *axes = overview_and_origin()
     for ax, far in zip(axes, (0.032, 0.012), strict=True):
         d = symmetric(far + SPREAD)
@@ -117,7 +117,7 @@ def figure_4_58() -> Drawn:
                          label="2.5 mm of sliding")  # fmt: skip
         ax.plot(d * MM, force, color=style.LINES[0], label="4-16")
         draw_measured(ax, "tendon_force", 1e3, "Table A-1 ")
-        ax.plot(found["displacement"] * MM, found["largest"] / 1e3, "D", color=style.LINES[1],
+        ax.plot(tests["displacement"] * MM, tests["largest"] / 1e3, "D", color=style.LINES[1],
                 ms=5, label="Table 4-2, largest of a test", zorder=6)  # fmt: skip
         ax.set_xlim(-far * MM, far * MM)
     axes[0].set_ylabel("tendon force $P$ [kN]")
@@ -127,17 +127,17 @@ def figure_4_58() -> Drawn:
     computed = np.array(
         [
             float(analysis.Wall.thesis(before).tendon_force(d))
-            for d, before in zip(found["displacement"], found["before"], strict=True)
+            for d, before in zip(tests["displacement"], tests["before"], strict=True)
         ]
     )
-    ratio = computed / found["largest"] - 1
+    ratio = computed / tests["largest"] - 1
     # how far the curve must shift to pass through the point
     grid = np.linspace(0.0, 0.04, 4001)
     shifts = np.array(
         [
             np.interp(largest, analysis.Wall.thesis(before).tendon_force(grid), grid) - abs(d)
             for d, largest, before in zip(
-                found["displacement"], found["largest"], found["before"], strict=True
+                tests["displacement"], tests["largest"], tests["before"], strict=True
             )
         ]
     )
@@ -167,7 +167,7 @@ def forces_when_still(run: rk.Response) -> tuple[np.ndarray, np.ndarray]:
     d = run["displacement"]
     turns = np.flatnonzero(np.diff(np.sign(np.diff(d))) != 0) + 1
     h, mass = WALL.height, WALL.mass
-    found = []
+    pairs = []
     for i in turns[np.abs(d[turns]) > 2e-4]:
         state = {name: float(run[name][i]) for name in run.states}
         ground = float(run["ground_acceleration"][i])
@@ -176,8 +176,8 @@ def forces_when_still(run: rk.Response) -> tuple[np.ndarray, np.ndarray]:
         )["theta"]
         sin, cos = np.sin(state["theta"]), np.cos(state["theta"])
         a = h * (turning * cos - state["theta_dot"] ** 2 * sin)
-        found.append((d[i], back_calculated_force(mass, a, ground)))
-    displacement, force = np.array(found).T
+        pairs.append((d[i], back_calculated_force(mass, a, ground)))
+    displacement, force = np.array(pairs).T
     return displacement, force
 
 
@@ -274,21 +274,21 @@ def figure_4_70() -> Drawn:
     secant at 2 mm, everywhere or below 5 mm with r besides; that of the tangent stiffness has the
     same ratio there.
     """
-    found = trials()
+    responses = trials()
     figure = style.new_figure(8.8, 3.6)
     left, right = figure.subplots(1, 2, width_ratios=(1.7, 1.0))
     for name, color, width in (
         ("r = 0.852", style.LINES[0], 1.1),
         ("viscous", style.LINES[1], 0.8),
     ):
-        run = found[name]
+        run = responses[name]
         left.plot(run.time, run.displacement * MM, color=color, lw=width, label=name)
     left.axhline(MEASURED_PEAK * MM, color=style.INK, lw=0.8, ls=":", label="measured peak")
     left.set_xlim(0, SHAKEN)
     left.set_xlabel("time [s]")
     left.set_ylabel(r"displacement $\Delta$ [mm]")
     style.legend_above(left)
-    peaks = {name: float(run.peak) * MM for name, run in found.items()}
+    peaks = {name: float(run.peak) * MM for name, run in responses.items()}
     places = np.arange(len(peaks))[::-1]
     right.barh(places, list(peaks.values()), color=style.LINES[5], height=0.6)
     right.axvline(-MEASURED_PEAK * MM, color=style.INK, lw=0.8, ls=":")

@@ -280,8 +280,8 @@ def miss(law: rk.EnergyRatio | rk.EnergyRatioAtSpeed) -> Miss:
     time, peak = measured_peaks()
     start = {"theta": float(WALL.rotation(peak[0]))}
     run = rk.simulate(FIXED, rk.GroundMotion.none(1.6), impact=law, initial=start)
-    found = identification.swings(run, "theta", len(peak))
-    off = WALL.height * np.sin(found.peak) - peak, found.peak_time - time
+    simulated = identification.swings(run, "theta", len(peak))
+    off = WALL.height * np.sin(simulated.peak) - peak, simulated.peak_time - time
     return Miss(*(float(np.sqrt(np.mean(x**2)) * MM) for x in off))
 
 

@@ -61,9 +61,11 @@ def shaken() -> analysis.MeasuredRecord:
     return sampled(run, 6.0, table=motion.acceleration(t))
 
 
-def draw_spectrogram(ax: Axes, found: identification.MovingWindow) -> None:
-    ax.pcolormesh(found.time, found.frequency, found.amplitude.T, cmap="Greys", rasterized=True)
-    ax.plot(found.time, found.dominant, color=style.LINES[1], lw=1.0, label="largest")
+def draw_spectrogram(ax: Axes, windows: identification.MovingWindow) -> None:
+    ax.pcolormesh(
+        windows.time, windows.frequency, windows.amplitude.T, cmap="Greys", rasterized=True
+    )
+    ax.plot(windows.time, windows.dominant, color=style.LINES[1], lw=1.0, label="largest")
     ax.set_xlabel("time, middle of the window [s]")
     ax.set_ylabel("frequency [Hz]")
     ax.grid(visible=False)
@@ -91,20 +93,20 @@ def draw_spectra(ax: Axes, inside: analysis.MeasuredRecord) -> None:
     style.legend_above(ax)
 
 
-def draw_transfer(ax: Axes, found: identification.MovingWindow, which: int) -> None:
-    ax.plot(found.frequency, found.amplitude[which] * found.largest[which] * MM)
-    ax.axvline(found.dominant[which], color=style.LINES[1], ls="--", lw=0.9)
+def draw_transfer(ax: Axes, windows: identification.MovingWindow, which: int) -> None:
+    ax.plot(windows.frequency, windows.amplitude[which] * windows.largest[which] * MM)
+    ax.axvline(windows.dominant[which], color=style.LINES[1], ls="--", lw=0.9)
     ax.set_ylabel("3. transfer [mm/(m/s$^2$)]")
     ax.set_xlabel("frequency [Hz]")
 
 
-def draw_stack(ax: Axes, found: identification.MovingWindow) -> None:
+def draw_stack(ax: Axes, windows: identification.MovingWindow) -> None:
     """Every twentieth window, each before the ones that follow it."""
-    for level, amplitude in zip(found.time[::20], found.amplitude[::20], strict=True):
+    for level, amplitude in zip(windows.time[::20], windows.amplitude[::20], strict=True):
         line, order = level + 0.9 * amplitude, 10 - level
-        ax.fill_between(found.frequency, level, line, color="white", lw=0, zorder=order)
-        ax.plot(found.frequency, line, lw=0.6, color=style.INK, zorder=order)
-    ax.plot(found.dominant[::20], found.time[::20] + 0.9, color=style.LINES[1], lw=1, zorder=20)
+        ax.fill_between(windows.frequency, level, line, color="white", lw=0, zorder=order)
+        ax.plot(windows.frequency, line, lw=0.6, color=style.INK, zorder=order)
+    ax.plot(windows.dominant[::20], windows.time[::20] + 0.9, color=style.LINES[1], lw=1, zorder=20)
     ax.set_xlabel("frequency [Hz]")
     ax.set_ylabel("4. time, middle of the window [s]")
     ax.grid(visible=False)
@@ -120,19 +122,19 @@ def figure_4_50() -> Drawn:
     4: those of every twentieth window, each over its largest. 5: the same from above.
     """
     record = shaken()
-    found = identification.moving_window(record, "displacement", "table", frequencies=(1.0, 25.0))
-    which = int(np.searchsorted(found.time, 2.5))
-    middle = float(found.time[which])
-    inside = record.between(middle - found.span / 2, middle + found.span / 2)
+    windows = identification.moving_window(record, "displacement", "table", frequencies=(1.0, 25.0))
+    which = int(np.searchsorted(windows.time, 2.5))
+    middle = float(windows.time[which])
+    inside = record.between(middle - windows.span / 2, middle + windows.span / 2)
     figure = style.new_figure(7.6, 7.2)
     grid = figure.add_gridspec(3, 2)
     draw_records(figure.add_subplot(grid[0, :]), record, (inside.time[0], inside.time[-1]))
     draw_spectra(figure.add_subplot(grid[1, 0]), inside)
-    draw_transfer(figure.add_subplot(grid[1, 1]), found, which)
-    draw_stack(figure.add_subplot(grid[2, 0]), found)
-    draw_spectrogram(above := figure.add_subplot(grid[2, 1]), found)
+    draw_transfer(figure.add_subplot(grid[1, 1]), windows, which)
+    draw_stack(figure.add_subplot(grid[2, 0]), windows)
+    draw_spectrogram(above := figure.add_subplot(grid[2, 1]), windows)
     above.set_ylabel("5. frequency [Hz]")
-    low, high = np.percentile(found.dominant, [10, 90])
+    low, high = np.percentile(windows.dominant, [10, 90])
     return Drawn(
         figure,
         (
@@ -141,7 +143,7 @@ def figure_4_50() -> Drawn:
                 "under shaking the natural frequency varied from 7 to 12 Hz, against a stable 8 Hz "
                 "in free vibration",
                 f"in kind, four fifths of the windows from {low:.1f} to {high:.1f} Hz; the "
-                f"resolution is {found.bandwidth:.1f} Hz",
+                f"resolution is {windows.bandwidth:.1f} Hz",
                 None,
             ),
         ),
@@ -158,14 +160,14 @@ def figure_4_51() -> Drawn:
     a centre that hardly leaves the middle.
     """
     record = free_decay()
-    found = identification.moving_window(record, "displacement", frequencies=(0.5, 25.0))
+    windows = identification.moving_window(record, "displacement", frequencies=(0.5, 25.0))
     figure = style.new_figure(7.2, 4.8)
     trace, ax = figure.subplots(2, 1, sharex=True, height_ratios=(1.0, 1.8))
     trace.plot(record.time, record["displacement"] * MM, lw=0.8)
     trace.set_ylabel(r"displacement $\Delta$ [mm]")
-    draw_spectrogram(ax, found)
+    draw_spectrogram(ax, windows)
     ax.set_xlim(0, 3.5)
-    dominant, time = found.dominant, found.time
+    dominant, time = windows.dominant, windows.time
     passing = float(time[np.argmax(dominant > 6.0)])
     top = float(time[np.argmax(dominant)])
     for name, at, f in (
@@ -176,8 +178,8 @@ def figure_4_51() -> Drawn:
             bbox={"boxstyle": "circle", "fc": "white", "ec": style.INK},
         )  # fmt: skip
     ax.legend(loc="upper right")
-    smooth = dominant[time < passing - found.span / 2]
-    after = dominant[time > top + found.span]
+    smooth = dominant[time < passing - windows.span / 2]
+    after = dominant[time > top + windows.span]
     return Drawn(
         figure,
         (
@@ -197,7 +199,7 @@ def figure_4_51() -> Drawn:
                 "section 4.9.1",
                 "C: rocking has ceased, 8-9 Hz",
                 f"{after.max():.1f} to {after.min():.1f} Hz, falling; the resolution is "
-                f"{found.bandwidth:.1f} Hz, and a wall that bends is not needed",
+                f"{windows.bandwidth:.1f} Hz, and a wall that bends is not needed",
                 bool(abs(after.mean() - 8.5) < 1),
             ),
         ),

@@ -67,8 +67,8 @@ def nzs_1170_5(period: np.ndarray, hazard: float = 0.7) -> np.ndarray:
 
 
 def draw_spectrum(ax: Axes, run: str, label: str, factor: float = 1.0, **look: object) -> None:
-    found = spectrum(run)
-    ax.plot(found.periods, factor * found.pseudo_acceleration, label=label, **look)  # type: ignore[arg-type]
+    curve = spectrum(run)
+    ax.plot(curve.periods, factor * curve.pseudo_acceleration, label=label, **look)  # type: ignore[arg-type]
 
 
 @thesis_figure(Source.IN_KIND)
@@ -91,7 +91,7 @@ def figure_4_6() -> Drawn:
     ax.set_ylabel(r"spectral acceleration [m/s$^2$]")
     ax.legend()
     others = {run: printed_peak(run) / shaken.wall_motion(run).peak - 1 for run in ("1", "4", "9")}
-    found = {"2": factor - 1, **others}
+    deviations = {"2": factor - 1, **others}
     return Drawn(
         figure,
         (
@@ -99,8 +99,8 @@ def figure_4_6() -> Drawn:
                 "section 4.4",
                 "the peaks of the table are often inconsistent with those of the earthquakes",
                 "the table's peak over the record's: "
-                + ", ".join(f"run {run} {100 * x:+.1f} %" for run, x in sorted(found.items())),
-                bool(max(abs(x) for x in found.values()) > 0.05),
+                + ", ".join(f"run {run} {100 * x:+.1f} %" for run, x in sorted(deviations.items())),
+                bool(max(abs(x) for x in deviations.values()) > 0.05),
             ),
         ),
     )
@@ -169,9 +169,9 @@ def displacement(run: Response, time: np.ndarray) -> np.ndarray:
 @cache
 def windows(run: str) -> tuple[analysis.MeasuredRecord, identification.MovingWindow]:
     """A run of 4-27 as a test would have recorded it, and its transfer functions."""
-    found = oscillator_run(run)
-    t = np.arange(int(found.t[-1] * RATE)) / RATE
-    u = displacement(found, t) + np.random.default_rng(0).normal(0.0, NOISE, len(t))
+    simulated = oscillator_run(run)
+    t = np.arange(int(simulated.t[-1] * RATE)) / RATE
+    u = displacement(simulated, t) + np.random.default_rng(0).normal(0.0, NOISE, len(t))
     record = analysis.MeasuredRecord(
         t, {"displacement": u, "table": shaken.wall_motion(run).acceleration(t)}
     )
@@ -182,21 +182,21 @@ def windows(run: str) -> tuple[analysis.MeasuredRecord, identification.MovingWin
 
 def draw_windows(run: str, until: float) -> tuple[Figure, np.ndarray]:
     """The trace and its spectrogram; the largest frequency of the windows that are shaken (n,)."""
-    record, found = windows(run)
+    record, moving = windows(run)
     figure = style.new_figure(7.2, 4.8)
     trace, ax = figure.subplots(2, 1, sharex=True, height_ratios=(1.0, 1.6))
     trace.plot(record.time, record["displacement"] * MM, lw=0.7)
     trace.set_ylabel(r"displacement $\Delta$ [mm]")
-    ax.pcolormesh(found.time, found.frequency, found.amplitude.T, cmap="Greys", rasterized=True)
-    ax.plot(found.time, found.dominant, ".", ms=2, color=style.LINES[1], label="largest")
+    ax.pcolormesh(moving.time, moving.frequency, moving.amplitude.T, cmap="Greys", rasterized=True)
+    ax.plot(moving.time, moving.dominant, ".", ms=2, color=style.LINES[1], label="largest")
     ax.set_xlabel("time, middle of the window [s]")
     ax.set_ylabel("frequency [Hz]")
     ax.grid(visible=False)
     ax.set_xlim(0, until)
     style.legend_above(ax, markerscale=4)
-    table = np.abs(np.interp(found.time, record.time, envelope(record)))
-    strong = (table > 0.1 * table.max()) & (found.time < until)
-    return figure, found.dominant[strong]
+    table = np.abs(np.interp(moving.time, record.time, envelope(record)))
+    strong = (table > 0.1 * table.max()) & (moving.time < until)
+    return figure, moving.dominant[strong]
 
 
 def envelope(record: analysis.MeasuredRecord) -> np.ndarray:
@@ -211,8 +211,8 @@ def between(values: np.ndarray, low: float, high: float) -> float:
 
 
 def of_el_centro(run: str, until: float) -> Drawn:
-    figure, found = draw_windows(run, until)
-    low, high = np.percentile(found, [10, 90])
+    figure, dominant = draw_windows(run, until)
+    low, high = np.percentile(dominant, [10, 90])
     return Drawn(
         figure,
         (
@@ -220,14 +220,14 @@ def of_el_centro(run: str, until: float) -> Drawn:
                 "section 4.9.1",
                 "under El Centro the frequency fluctuates widely, from 7 to 12 Hz",
                 f"four fifths of the shaken windows from {low:.1f} to {high:.1f} Hz, "
-                f"{between(found, 7, 12):.0f} % of them between 7 and 12 Hz",
-                bool(between(found, 7, 12) > 50),
+                f"{between(dominant, 7, 12):.0f} % of them between 7 and 12 Hz",
+                bool(between(dominant, 7, 12) > 50),
             ),
             Statement(
                 "section 4.9.1",
                 "smooth rocking, at 3 to 5 Hz, was rarely initiated",
-                f"{between(found, 3, 5):.0f} % of the shaken windows",
-                bool(between(found, 3, 5) < 20),
+                f"{between(dominant, 3, 5):.0f} % of the shaken windows",
+                bool(between(dominant, 3, 5) < 20),
             ),
         ),
     )
@@ -263,16 +263,16 @@ def figure_4_55() -> Drawn:
 
     As Figure 4-52, with the record that was meant in place of the table's own motion.
     """
-    figure, found = draw_windows("4", 15.0)
+    figure, dominant = draw_windows("4", 15.0)
     return Drawn(
         figure,
         (
             Statement(
                 "section 4.9.1",
                 "clear rocking under Northridge, with peaks between 3 and 5 Hz",
-                f"{between(found, 3, 5):.0f} % of the shaken windows between 3 and 5 Hz, "
-                f"{between(found, 7, 12):.0f} % between 7 and 12 Hz",
-                bool(between(found, 3, 5) > 10),
+                f"{between(dominant, 3, 5):.0f} % of the shaken windows between 3 and 5 Hz, "
+                f"{between(dominant, 7, 12):.0f} % between 7 and 12 Hz",
+                bool(between(dominant, 3, 5) > 10),
             ),
         ),
     )
@@ -294,18 +294,18 @@ def draw_run(ax: Axes, run: str, start: float, end: float) -> None:
 
 
 def peak_statements(run: str) -> tuple[Statement, Statement]:
-    """Printed peaks of Table 4-3 beside those found; as sizes, to a quarter."""
+    """Printed peaks of Table 4-3 beside the simulated ones; as sizes, to a quarter."""
     row = next(row for row in TABLE_4_3.rows if row[0] == run)
     said = []
-    for name, printed, found in (
+    for name, printed, simulated in (
         ("SDOF", float(row[2] or 0.0), oscillator_run(run)),
         ("MHSG", float(row[3] or 0.0), substitute_run(run)),
     ):
-        peak = shaken.peaks_of(found).displacement * MM
+        peak = shaken.peaks_of(simulated).displacement * MM
         near = bool(abs(abs(peak) - abs(printed)) < 0.25 * abs(printed))
         said.append(Statement(
             "Table 4-3", f"run {run} by {name}: a largest displacement of {printed:.2f} mm",
-            f"{peak:.2f} mm under the record that was meant", near,
+            f"{peak:.2f} mm under the intended record", near,
         ))  # fmt: skip
     return said[0], said[1]
 
@@ -481,9 +481,9 @@ def read_from_tendon(runs: tuple[str, ...]) -> dict[str, np.ndarray]:
 
 def draw_read(ax: Axes, quantity: str, unit: float) -> None:
     for (label, runs, mark), color in zip(GROUPS, (style.INK, style.LINES[1]), strict=True):
-        found = read_from_tendon(runs)
+        values = read_from_tendon(runs)
         ax.plot(
-            np.abs(found["displacement"]) * MM, found[quantity] / unit, mark, color=color, ms=5,
+            np.abs(values["displacement"]) * MM, values[quantity] / unit, mark, color=color, ms=5,
             mfc="white" if mark == "o" else color, zorder=5, label=f"tests with {label}",
         )  # fmt: skip
     ax.set_xlabel(r"displacement $|\Delta|$ [mm]")
@@ -510,8 +510,8 @@ def figure_4_75() -> Drawn:
     ax.legend()
     off = {}
     for label, runs, _ in GROUPS:
-        found = read_from_tendon(runs)
-        off[label] = (found["from_edge"] - gauge.distance_from_edge(found["displacement"])) * MM
+        values = read_from_tendon(runs)
+        off[label] = (values["from_edge"] - gauge.distance_from_edge(values["displacement"])) * MM
     said = "; ".join(f"{k}: {x.min():+.0f} to {x.max():+.0f} mm" for k, x in off.items())
     few, many = off["110 kN"], off["75 kN"]
     return Drawn(
@@ -543,9 +543,9 @@ def figure_4_76() -> Drawn:
     ax.legend()
     ratio = {}
     for label, runs, _ in GROUPS:
-        found = read_from_tendon(runs)
-        size = np.abs(found["displacement"])
-        ratio[label] = found["uplift"] / MORE.uplift(size)
+        values = read_from_tendon(runs)
+        size = np.abs(values["displacement"])
+        ratio[label] = values["uplift"] / MORE.uplift(size)
     said = "; ".join(f"{k}: {x.min():.2f} to {x.max():.2f}" for k, x in ratio.items())
     worst = {k: np.abs(x - 1).max() for k, x in ratio.items()}
     return Drawn(
@@ -575,9 +575,9 @@ def figure_4_77() -> Drawn:
     ):  # fmt: skip
         ax.plot(d * MM, wall.tendon_force(d) / 1e3, color=color, label=label)
     for (label, runs, mark), color in zip(GROUPS, (style.INK, style.LINES[1]), strict=True):
-        found = read_from_tendon(runs)
-        near = np.abs(found["displacement"]) < 0.012
-        ax.plot(found["displacement"][near] * MM, found["force"][near] / 1e3, mark, color=color,
+        values = read_from_tendon(runs)
+        near = np.abs(values["displacement"]) < 0.012
+        ax.plot(values["displacement"][near] * MM, values["force"][near] / 1e3, mark, color=color,
                 mfc="white", label=f"tests with {label}")  # fmt: skip
     ax.set_xlabel(r"displacement $\Delta$ [mm]")
     ax.set_ylabel("tendon force $P$ [kN]")
@@ -614,11 +614,11 @@ def figure_4_78() -> Drawn:
     figure, *axes = overview_and_origin()
     points = []
     for run, mark, color in (("7", "^", style.LINES[2]), ("9", "o", style.LINES[4])):
-        found = rk.simulate(
+        response = rk.simulate(
             rk.ControlledWall.from_wall(shaken.wall_of(run)), shaken.wall_motion(run),
             impact=rk.EnergyRatio(0.852), options=rk.SolverOptions(output_step=1e-3),
         )  # fmt: skip
-        d, force = forces_when_still(found)
+        d, force = forces_when_still(response)
         points.append((d, force))
         for ax in axes:
             ax.plot(d * MM, force / 1e3, mark, color=color, ms=3.2, mfc="none", mew=0.8,

@@ -343,16 +343,16 @@ def figure_4_24() -> Drawn:
         predicted = wall.quarter_period_substitute_gravity(np.abs(measured.displacement[rows]))
         return identification.coefficient_of_determination(np.diff(measured.time)[rows], predicted)
 
-    found = [r_squared(wall, every) for wall in (heavier, WALL)]
+    r2 = [r_squared(wall, every) for wall in (heavier, WALL)]
     clear = [r_squared(wall, starts) for wall in (heavier, WALL)]
     return Drawn(
         figure,
         (
             Statement(
                 "4.7", "R2 = 0.911 of 4-17",
-                f"R2 = {found[0]:.3f} with 13 215 kg m2, {found[1]:.3f} with 12 101 kg m2, of all "
+                f"R2 = {r2[0]:.3f} with 13 215 kg m2, {r2[1]:.3f} with 12 101 kg m2, of all "
                 f"22 quarters; {clear[0]:.3f} and {clear[1]:.3f} of the {len(starts)} legible",
-                bool(abs(found[0] - 0.911) < 2e-3),
+                bool(abs(r2[0] - 0.911) < 2e-3),
             ),
         ),
     )  # fmt: skip
@@ -502,9 +502,9 @@ def draw_histories(curves: list[tuple[str, History, dict[str, Any]]]) -> Figure:
     measured, chosen = identification.FreeVibration.table_a1(), legible()
     figure = style.new_figure(7.6, 5.6)
     axes = figure.subplots(3, 1, sharex=True)
-    for label, found, line in curves:
-        for ax, y, unit in zip(axes, found[1:], (MM, 1.0, 1.0), strict=True):
-            ax.plot(found.time, y * unit, label=label, **line)
+    for label, history, line in curves:
+        for ax, y, unit in zip(axes, history[1:], (MM, 1.0, 1.0), strict=True):
+            ax.plot(history.time, y * unit, label=label, **line)
     columns = (measured.displacement * MM, measured.velocity, measured.acceleration)
     for ax, y in zip(axes, columns, strict=True):
         ax.plot(
@@ -639,14 +639,16 @@ def draw_displacements(curves: list[tuple[str, History]]) -> Figure:
     figure = style.new_figure(7.6, 4.6)
     ax, below = figure.subplots(2, 1, sharex=True, height_ratios=(2.0, 1.0))
     reference = curves[0][1]
-    for (label, found), color, line in zip(
+    for (label, history), color, line in zip(
         curves, (style.LINES[0], *style.LINES[1:4]), ("-", "--", "-.", ":"), strict=False
     ):
         kind: dict[str, Any] = {"ls": line, "color": color}
-        ax.plot(found.time, found.displacement * MM, label=label, **kind)
-        if found is not reference:
-            off = found.displacement - np.interp(found.time, reference.time, reference.displacement)
-            below.plot(found.time, off * MM, **kind)
+        ax.plot(history.time, history.displacement * MM, label=label, **kind)
+        if history is not reference:
+            off = history.displacement - np.interp(
+                history.time, reference.time, reference.displacement
+            )
+            below.plot(history.time, off * MM, **kind)
     ax.plot(
         measured.time[chosen], measured.displacement[chosen] * MM, "o", color=style.INK,
         mfc="white", mew=0.8, ms=3.0, label="Table A-1", zorder=5,
@@ -682,13 +684,13 @@ def bands_raised(
     law: rk.EnergyRatioAtSpeed, by: float = 0.02
 ) -> list[tuple[str, rk.EnergyRatioAtSpeed]]:
     """A law with r larger in one of its three faster bands at a time, and what to call each."""
-    found = []
+    laws = []
     for band in (3, 2, 1):
         pieces = list(law.pieces)
         limit, r, slope = pieces[band]
         pieces[band] = (limit, r + by, slope)
-        found.append((f"{r:.2f} → {r + by:.2f}", rk.EnergyRatioAtSpeed(tuple(pieces))))
-    return found
+        laws.append((f"{r:.2f} → {r + by:.2f}", rk.EnergyRatioAtSpeed(tuple(pieces))))
+    return laws
 
 
 def moved(curves: list[tuple[str, History]]) -> list[float]:
@@ -748,8 +750,8 @@ def figure_4_71() -> Drawn:
         )
         return rk.Case(wall, record)
 
-    found = finished(rk.simulate_many(shaken, over={"r": ratios}))
-    peaks = found.peak.sel(state="u").values
+    sweep = finished(rk.simulate_many(shaken, over={"r": ratios}))
+    peaks = sweep.peak.sel(state="u").values
     reference = peaks[len(ratios) // 2]
     figure = style.new_figure(7.6, 3.4)
     left, right = figure.subplots(1, 2)

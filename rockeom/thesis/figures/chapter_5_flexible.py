@@ -207,15 +207,15 @@ def beside(scale: float = 1.0, run: str = "3") -> design.Isolation:
     )
 
 
-def bought(found: design.Isolation) -> Statement:
+def bought(compared: design.Isolation) -> Statement:
     """Demands on the rocking and on the fixed column under a record."""
-    ratios = found.ratios
-    name = found.rocking_run.motion.name.split(", 180")[0].split(", 254")[0]
+    ratios = compared.ratios
+    name = compared.rocking_run.motion.name.split(", 180")[0].split(", 254")[0]
     return Statement(
         "5.3.3.1", "drift increases and design actions decrease",
         f"{name}: base shear x {ratios['base_shear']:.2f}, base moment x "
         f"{ratios['base_moment']:.2f}, displacement x {ratios['displacement']:.2f}; uplift "
-        f"{MM * found.rocking.uplift:.1f} mm",
+        f"{MM * compared.rocking.uplift:.1f} mm",
         bool(ratios["base_shear"] < 1 < ratios["displacement"]),
     )  # fmt: skip
 
@@ -232,12 +232,12 @@ def figure_5_45() -> Drawn:
     the column that rocks over those on the fixed base, against the scale of the record. Among the
     statements stands the same under run 4's record, Pacoima Dam with 2.4 g.
     """
-    found = beside()
+    compared = beside()
     figure = style.new_figure(6.8, 6.2)
     force, drift, ratio = figure.subplots(3, 1)
     for run, label, color in (
-        (found.fixed_run, "fixed base", style.LINES[1]),
-        (found.rocking_run, "rocking", style.LINES[0]),
+        (compared.fixed_run, "fixed base", style.LINES[1]),
+        (compared.rocking_run, "rocking", style.LINES[0]),
     ):
         force.plot(run.t, run["horizontal_reaction"] / 1e3, color=color, label=label, lw=0.9)
         drift.plot(run.t, MM * run["displacement"], color=color, label=label, lw=0.9)
@@ -257,10 +257,10 @@ def figure_5_45() -> Drawn:
     ratio.set_ylim(0, None)
     style.legend_above(ratio)
     other = beside(run="4")
-    runs = [r for both in (found, other) for r in (both.rocking_run, both.fixed_run)]
+    runs = [r for both in (compared, other) for r in (both.rocking_run, both.fixed_run)]
     error = max(analysis.energy_balance(run).error for run in runs)
     return Drawn(figure, (
-        bought(found),
+        bought(compared),
         bought(other),
         Statement(
             "not in the thesis", "the energy of all four responses balances",

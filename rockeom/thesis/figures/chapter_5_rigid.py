@@ -91,10 +91,10 @@ def rms_of_peaks(run: Response, number: str, n: int = 8) -> float:
     t = np.linspace(0.0, run.t[-1], 40001)
     u = MM * run.at(t, names=("displacement",))["displacement"]
     turns = np.flatnonzero(np.diff(np.sign(u)) != 0.0)
-    found = [np.abs(u[a:b]).max() for a, b in pairwise(turns)]
-    found = [x for x in found if x > 1.0][: len(peaks)]
-    found += [0.0] * (len(peaks) - len(found))
-    return float(np.sqrt(np.mean((np.array(found) - peaks) ** 2)))
+    computed = [np.abs(u[a:b]).max() for a, b in pairwise(turns)]
+    computed = [x for x in computed if x > 1.0][: len(peaks)]
+    computed += [0.0] * (len(peaks) - len(computed))
+    return float(np.sqrt(np.mean((np.array(computed) - peaks) ** 2)))
 
 
 def draw_decay(
@@ -151,10 +151,13 @@ def uplifts(run: Response) -> Uplifts:
 
 def draw_uplifts(ax: Axes, run: Response, later: float = 0.0) -> None:
     """Uplift of both edges."""
-    found = uplifts(run)
+    computed = uplifts(run)
     for foot in ("left", "right"):
         ax.plot(
-            found.time + later, getattr(found, foot), color=style.FEET[foot], label=f"{foot} foot"
+            computed.time + later,
+            getattr(computed, foot),
+            color=style.FEET[foot],
+            label=f"{foot} foot",
         )
     ax.set_ylabel("uplift [mm]")
     style.legend_above(ax)
@@ -245,10 +248,10 @@ def largest(run: Response) -> float:
 
 def peak_found(where: str, printed: str, run: Response, peak: float) -> Statement:
     """The largest displacement beside the measured one."""
-    found = largest(run)
+    computed = largest(run)
     return Statement(
-        where, f"{printed}; {peak:g} mm were measured", f"largest displacement {found:.1f} mm",
-        bool(abs(found / peak - 1) < 0.25),
+        where, f"{printed}; {peak:g} mm were measured", f"largest displacement {computed:.1f} mm",
+        bool(abs(computed / peak - 1) < 0.25),
     )  # fmt: skip
 
 

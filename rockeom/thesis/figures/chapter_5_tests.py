@@ -76,16 +76,16 @@ def figure_5_6() -> Drawn:
     t, trace = smooth_trace(1)
     ax.plot(t, trace * MM, "--", lw=0.8, label="curve through the points")
     mark_points(ax, 1)
-    found = impacts()
-    height = np.where(found.foot == "left", -26, 30)
-    for time, r, y in zip(found.time, found.energy_ratio, height, strict=True):
+    rocking = impacts()
+    height = np.where(rocking.foot == "left", -26, 30)
+    for time, r, y in zip(rocking.time, rocking.energy_ratio, height, strict=True):
         ax.annotate(f"{r:.3f}", (time, y), ha="center", fontsize=7.5, color=style.INK)
     ax.set_ylim(-30, 34)
     ax.set_xlabel("time [s]")
     ax.set_ylabel(r"displacement $\Delta$ [mm]")
     style.legend_above(ax)
-    listed = ", ".join(f"{r:.3f}" for r in found.energy_ratio)
-    mean = float(found.energy_ratio.mean())
+    listed = ", ".join(f"{r:.3f}" for r in rocking.energy_ratio)
+    mean = float(rocking.energy_ratio.mean())
     return Drawn(
         figure,
         (
@@ -162,14 +162,14 @@ def figure_5_9() -> Drawn:
     The figure of the thesis has the whole record, which continues to smaller rotations. Bars: what
     the last printed digit of the peaks leaves open.
     """
-    found = impacts()
-    r, peak = found.energy_ratio, np.abs(found.peak_before) / ALPHA
+    rocking = impacts()
+    r, peak = rocking.energy_ratio, np.abs(rocking.peak_before) / ALPHA
     figure = style.new_figure(6.0, 3.4)
     ax = figure.add_subplot()
     for foot, mark in (("left", "<"), ("right", ">")):
-        one = found.foot == foot
+        one = rocking.foot == foot
         ax.errorbar(
-            peak[one], r[one], found.half_width[one], fmt=mark, ms=5, color=style.FEET[foot],
+            peak[one], r[one], rocking.half_width[one], fmt=mark, ms=5, color=style.FEET[foot],
             label=f"{foot} foot lands", capsize=2, lw=0.8,
         )  # fmt: skip
     ax.axhline(0.74, color=style.INK, ls="--", lw=0.8)
@@ -383,10 +383,10 @@ def figure_5_15() -> Drawn:
         (record.between(0.0, rest), rest, style.LINES[0], "while it rocks"),
         (record.between(rest, 2.5), 2.5 - rest, style.LINES[1], "in full contact"),
     ):
-        found = identification.moving_window(
+        windows = identification.moving_window(
             part, "x_ddot", window=0.95 * span, frequencies=(0.0, 80.0)
         )
-        spectrum.plot(found.frequency, found.amplitude[0], color=color, label=label)
+        spectrum.plot(windows.frequency, windows.amplitude[0], color=color, label=label)
     contact, foot = frequencies("both")[0], frequencies("right")[-1]
     for mode in (contact, foot):
         spectrum.axvline(mode, color=style.INK, ls="--", lw=0.8)

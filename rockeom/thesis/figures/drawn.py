@@ -74,8 +74,8 @@ class ThesisFigure:
 
     def drawn(self) -> Drawn:
         """The figure and its statements."""
-        found = self.draw()
-        return found if isinstance(found, Drawn) else Drawn(found)
+        result = self.draw()
+        return result if isinstance(result, Drawn) else Drawn(result)
 
     def __call__(self) -> Figure:
         return self.drawn().figure
@@ -97,10 +97,10 @@ def thesis_figure(source: Source) -> Callable[[Callable[[], Figure | Drawn]], Th
 
 def figures_of(modules: tuple[ModuleType, ...]) -> dict[str, ThesisFigure]:
     """The figures of these modules, by number, in the order of the thesis."""
-    found = [
+    figures = [
         value
         for module in modules
         for value in vars(module).values()
         if isinstance(value, ThesisFigure)
     ]
-    return {one.number: one for one in sorted(set(found), key=lambda one: one.sort_key)}
+    return {one.number: one for one in sorted(set(figures), key=lambda one: one.sort_key)}
