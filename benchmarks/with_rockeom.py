@@ -13,7 +13,7 @@ from benchmarks import workloads as w
 from rockeom.codes import IMPACT, REST
 from rockeom.integrator.program import program
 from rockeom.simulation.case import Case, Problems
-from rockeom.simulation.recorder import AllSteps
+from rockeom.simulation.recorder import DenseRecorder
 from rockeom.simulation.simulate import run
 from rockeom.sweeps.cases import Part
 from rockeom.sweeps.results import Results
@@ -44,14 +44,14 @@ def response(case: Case, solver: rk.SolverOptions) -> Callable[[], w.Impacts]:
         found = rk.simulate(
             case.structure, case.motion, impact=case.impact, initial=case.initial, options=solver
         )
-        return _impacts(found.passages, case.structure.module.ROTATION_RATE)
+        return _impacts(found.events.columns, case.structure.module.ROTATION_RATE)
 
     return call
 
 
 def steps(case: Case, solver: rk.SolverOptions) -> int:
     """Number of steps of a motion; a rest, which is recorded as one, is none."""
-    taken = AllSteps()
+    taken = DenseRecorder()
     record = run(program(case.structure.module, solver.method), case.problem(), solver, taken)
     return len(taken) - int((record.events[1][:, 0] == REST).sum())
 

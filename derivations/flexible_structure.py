@@ -497,7 +497,7 @@ runs, changes = {}, {}
 for name, law in laws_of.items():
     run = runs[name] = rk.simulate(column, still_ground, impact=law, initial=release)
     changes[name] = np.array(
-        [energy_change(law, impact.before, impact.phase_before) for impact in run.impacts]
+        [energy_change(law, impact.before, impact.mode_before) for impact in run.impacts]
     )
     gained = (changes[name] > 1e-9).sum()
     print(f"{name}: {gained} of {len(changes[name])} impacts add energy; rocks until", end=" ")
@@ -577,8 +577,8 @@ assert np.isclose(then["u_dot"], 0.02 + 1.05 * -0.3, rtol=1e-12)
 
 run = rk.simulate(two_points, rk.GroundMotion.none(0.7), impact=rk.Impulsive(), initial=release)
 for event in run.events[:6]:
-    print(f"{event.time:.4f} s  {event.kind:7s} {event.phase_before} -> {event.phase_after}")
-assert [event.phase_after for event in run.events[:4]] == ["both", "left", "both", "right"]
+    print(f"{event.time:.4f} s  {event.kind:7s} {event.mode_before} -> {event.mode_after}")
+assert [event.mode_after for event in run.events[:4]] == ["both", "left", "both", "right"]
 
 # %% [markdown]
 # Full contact lasts for three milliseconds. Then the column, which the mass has bent, lifts the
@@ -709,7 +709,7 @@ lighter = 122.6 * (1 - 122.6 * 1.05**2 / I_O_)
 periods = [2 * np.pi * np.sqrt(mass / 571.8e3) for mass in (122.6, lighter)]
 assert [round(one, 3) for one in periods] == [0.092, 0.051]
 on_one_foot = rk.simulate(
-    column, rk.GroundMotion.none(0.2), initial={"theta": 0.15, "u": 0.003}, phase="right"
+    column, rk.GroundMotion.none(0.2), initial={"theta": 0.15, "u": 0.003}, mode="right"
 )
 assert set(on_one_foot.phase) == {"right"}
 times = np.linspace(0.0, 0.2, 4001)
@@ -744,8 +744,8 @@ for factor in (1, 10, 100):
     damped = rk.FlexibleStructure(**COLUMN, stiffness=571.8e3, damping=502.4 * factor)
     run = rk.simulate(damped, still_ground, impact=rk.AngularMomentum(), initial=release)
     found = np.array([
-        sum(damped.energies(impact.after, phase=impact.phase_after).values())
-        - sum(damped.energies(impact.before, phase=impact.phase_before).values())
+        sum(damped.energies(impact.after, phase=impact.mode_after).values())
+        - sum(damped.energies(impact.before, phase=impact.mode_before).values())
         for impact in run.impacts
     ])  # fmt: skip
     added.append(found[found > 1e-9])

@@ -282,7 +282,7 @@ assert inside.mean() > 0.9
 
 # %%
 figure, axes = plt.subplots(1, 2, figsize=(7.2, 3.0), sharey=True, layout="constrained")
-hits = np.array([hit.time for hit in run.impacts_above(0.02)])
+hits = np.array([hit.time for hit in run.impacts.above(0.02)])
 middle, own = (hits[1:] + hits[:-1]) / 2, 0.5 / np.diff(hits)  # of a cycle, two half-cycles
 for ax, window in zip(axes, (0.5, 1.5), strict=True):
     spectra = analysis.identification.moving_window(

@@ -361,7 +361,7 @@ def speeds_from(orbit, beta, omega, e, cycles=80):
         motion,
         impact=rk.VelocityRatio(e),
         initial={"theta": 0.0, "theta_dot": v * unit_block.alpha},
-        phase="right",
+        mode="right",
         options=rk.SolverOptions(output_step=100.0),
     )
     return np.array([abs(i.after["theta_dot"]) for i in run.impacts]) / unit_block.alpha

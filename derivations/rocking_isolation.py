@@ -186,7 +186,7 @@ plt.show()
 # The base moment fell to a fifth. But is it below $WB$?
 
 # %%
-share = rocking.base_moment / (weight * 0.285)
+share = rocking.support.base_moment / (weight * 0.285)
 vertical = beside.rocking_run["left_reaction"] + beside.rocking_run["right_reaction"]
 print(
     f"largest moment {share:.2f} W B; the ground presses with up to {vertical.max() / weight:.2f} W"
@@ -405,7 +405,7 @@ assert round(one_foot, 1) == 19.6
 assert round(1 / held.periods[0], 1) == 10.9
 run, tones = beside.rocking_run, []
 for begins, ends in pairwise(run.events):
-    if begins.phase_after == "both" or ends.time - begins.time < 0.1:
+    if begins.mode_after == "both" or ends.time - begins.time < 0.1:
         continue
     inside = np.linspace(begins.time, ends.time, 2000)[1:-1]
     rate = run.at(inside)["u_dot"]

@@ -179,34 +179,37 @@ def landing_friction(alpha):
 
 
 run = rk.simulate(pinned, still, initial={"theta": 0.2})
-assert math.isclose(run.impact_friction_demand, landing_friction(alpha), rel_tol=1e-9)
-assert math.isclose(run.friction_demand, landing_friction(alpha), rel_tol=1e-6)
+assert math.isclose(run.support.impact_friction_demand, landing_friction(alpha), rel_tol=1e-9)
+assert math.isclose(run.support.friction_demand, landing_friction(alpha), rel_tol=1e-6)
 FORCES = "horizontal_reaction", "right_reaction"
 forces = run.at(np.linspace(0.0, 1.07, 50), names=["theta", *FORCES])
 ratio = sp.lambdify((phi, phi_0), F_1 / N_1)(alpha - forces["theta"], alpha - 0.2)
 across, up = (forces[name] for name in FORCES)
 assert np.allclose(across / up, ratio, atol=1e-9)
-print(f"needed by forces {run.friction_demand:.6f}, by impulses {run.impact_friction_demand:.6f}")
+print(
+    f"needed by forces {run.support.friction_demand:.6f}, "
+    f"by impulses {run.support.impact_friction_demand:.6f}"
+)
 
 # %% [markdown]
 # These are the two numbers to look at in the response of any pinned structure:
-# `run.friction_demand`, the largest ratio of the *forces*, and `run.impact_friction_demand`, that
-# of the *impulses*. With more friction than both the pinned motion is exact. With less than either
-# it is not, and we can say when it first fails.
+# `run.support.friction_demand`, the largest ratio of the *forces*, and
+# `run.support.impact_friction_demand`, that of the *impulses*. With more friction than both
+# the pinned motion is exact. With less than either it is not, and we can say when it first fails.
 
 # %%
-demand = max(run.friction_demand, run.impact_friction_demand)
+demand = max(run.support.friction_demand, run.support.impact_friction_demand)
 enough = rk.simulate(sliding(1.0001 * demand), still, initial={"theta": 0.2})
 assert not any(event.kind == "slip begins" for event in enough.events)
 times = np.linspace(0.0, 12.0, 200)
 assert np.allclose(enough.at(times)["theta"], run.at(times)["theta"], atol=1e-9)
-assert math.isclose(enough.rest_time, run.rest_time, rel_tol=1e-9)
+assert math.isclose(enough.events.rest_time, run.events.rest_time, rel_tol=1e-9)
 
 lacking = rk.simulate(sliding(0.15), still, initial={"theta": 0.2})
 first = next(event for event in lacking.events if event.kind == "slip begins")
 (theta_1,) = run.at([first.time])["theta"]
 assert math.isclose(float((F_1 / N_1).subs({phi: alpha - theta_1, phi_0: alpha - 0.2})), -0.15)
-print(f"with 0.15 the {first.contact} foot slips from {first.time:.7f} s on: {first.phase_after}")
+print(f"with 0.15 the {first.contact} foot slips from {first.time:.7f} s on: {first.mode_after}")
 
 # %% [markdown]
 # ## 3. From rest: which motion begins?
@@ -339,7 +342,7 @@ def swept(strength):
     """Of the pinned block its response and what it asks for; of all frictions the responses."""
     pulse = rk.GroundMotion.single_sine(strength * gravity * slim, 0.8, duration=12.0)
     held = rk.simulate(pinned, pulse)
-    demand = max(held.friction_demand, held.impact_friction_demand)
+    demand = max(held.support.friction_demand, held.support.impact_friction_demand)
     exact = rk.simulate(sliding(1.001 * demand), pulse)
     before = np.linspace(0.0, 1.2, 50)  # the fall is no concern of the pins
     assert np.allclose(exact.at(before)["theta"], held.at(before)["theta"], atol=1e-9)
@@ -540,7 +543,7 @@ after = arriving + inverse @ rows.T @ pushes
 weights = np.diag(np.linalg.inv(inverse))
 assert math.isclose(gain, weights @ after**2 / (weights @ arriving**2), rel_tol=1e-6)
 assert gain > 1.2
-assert math.isclose(dropped.impact_energy_gains[0], (1 - 1 / gain) * kinetic(impact.after))
+assert math.isclose(dropped.impacts.energy_gains[0], (1 - 1 / gain) * kinetic(impact.after))
 print(f"kinetic energy after / before: {gain:.3f}")
 
 # %% [markdown]
@@ -568,7 +571,7 @@ speed = math.sqrt(2 * gravity * height)
 landing = dropped.impacts[0]
 assert math.isclose(landing.time, speed / gravity, rel_tol=1e-9)
 assert landing.contact == "left+right"
-bouncing = dropped.rest_time - landing.time
+bouncing = dropped.events.rest_time - landing.time
 assert math.isclose(bouncing, 2 * speed / gravity * e / (1 - e), rel_tol=1e-9)
 assert np.abs(dropped["theta"]).max() < 1e-12
 lost = landing.before["x_dot"] - landing.after["x_dot"]
@@ -583,9 +586,13 @@ assert sp.cancel(no_rotation[P_R] / no_rotation[P_L] - shares) == 0
 
 figure, ax = plt.subplots(figsize=(6.0, 2.8), layout="constrained")
 ax.plot(dropped.t, 1e3 * dropped["y"])
-ax.axvline(dropped.rest_time, ls=":", color=fb.FORCE)
+ax.axvline(dropped.events.rest_time, ls=":", color=fb.FORCE)
 ax.annotate(
-    r"$t_\infty$", (dropped.rest_time, 80), (4, 0), textcoords="offset points", color=fb.FORCE
+    r"$t_\infty$",
+    (dropped.events.rest_time, 80),
+    (4, 0),
+    textcoords="offset points",
+    color=fb.FORCE,
 )
 ax.set(xlabel="time [s]", ylabel="height of the base [mm]", xlim=(0, 1.0))
 plt.show()
@@ -718,7 +725,7 @@ factor = math.sqrt(1 + math.pi**2 / 4)
 for strength, sticks_at_all in [(0.99 * factor, True), (1.01 * factor, False)]:
     sine = rk.GroundMotion.harmonic(0.2 * gravity * strength, frequency=1.0, duration=20.0)
     late = [event for event in rk.simulate(sliding(0.2), sine).events if event.time > 15.0]
-    assert any(event.phase_after == "both" for event in late) == sticks_at_all
+    assert any(event.mode_after == "both" for event in late) == sticks_at_all
 flat = rk.simulate(
     sliding(0.0, alpha=0.7), still, initial={"theta": 1e-10, "theta_dot": -0.5}, duration=1e-6
 )

@@ -103,8 +103,10 @@ third.set_title("next peak: at rest", fontsize=9)
 
 ax = below.subplots()
 ax.plot(run.t, run["theta"])
-ax.axvline(run.rest_time, ls=":", color=fb.FORCE)
-ax.annotate("rest", (run.rest_time, 0.13), (5, 0), textcoords="offset points", color=fb.FORCE)
+ax.axvline(run.events.rest_time, ls=":", color=fb.FORCE)
+ax.annotate(
+    "rest", (run.events.rest_time, 0.13), (5, 0), textcoords="offset points", color=fb.FORCE
+)
 ax.set(xlabel="time [s]", ylabel=r"$\theta$ [rad]")
 plt.show()
 
@@ -226,8 +228,8 @@ tail = (
 assert 0 < tail < 2 * math.atanh(e**9 * v_0) / (1 - e)  # (8) with n = 9
 
 slender_end = end_by_powers(v_0, e) / p
-assert math.isclose(linear_run.rest_time, slender_end, rel_tol=1e-10)
-print(f"closed form {slender_end:.9f} s, simulated {linear_run.rest_time:.9f} s")
+assert math.isclose(linear_run.events.rest_time, slender_end, rel_tol=1e-10)
+print(f"closed form {slender_end:.9f} s, simulated {linear_run.events.rest_time:.9f} s")
 
 # %% [markdown]
 # ## 4. Large rotations
@@ -282,13 +284,13 @@ print(f"first impact {quarters[0]:.9f} s, rest at {rigid_end:.6f} s")
 expected = quarters[0] + 2 * np.concatenate([[0.0], np.cumsum(quarters[1:40])])
 found = np.array([impact.time for impact in run.impacts[:40]])
 assert np.allclose(found, expected, rtol=1e-9, atol=0)
-assert math.isclose(run.rest_time, rigid_end, rel_tol=1e-10)
+assert math.isclose(run.events.rest_time, rigid_end, rel_tol=1e-10)
 assert run.outcome is rk.Outcome.CAME_TO_REST
 
-after = run.t > run.rest_time
+after = run.t > run.events.rest_time
 assert after.any()
 assert not run["theta"][after].any()  # exactly zero, in full contact
-assert set(run.phase[after]) == {"both"}
+assert set(run.mode[after]) == {"both"}
 print(run.summary())
 
 # %%
@@ -498,7 +500,7 @@ plt.show()
 # the solutions, checked
 needed = math.ceil(math.log(0.5) / math.log(r))
 assert needed == 4
-share = linear_run.impacts[needed - 1].time / linear_run.rest_time
+share = linear_run.impacts[needed - 1].time / linear_run.events.rest_time
 print(f"below half of the energy after {share:.2f} of the time")
 assert round(share, 1) == 0.4
 
@@ -553,4 +555,4 @@ leaning = rk.GroundMotion.constant(0.5 * block.gravity * math.tan(alpha), 3.0)
 pushed = rk.simulate(block, leaning, impact=rk.VelocityRatio(e), initial={"theta": 1e-5})
 left = abs(pushed.impacts[0].after["theta_dot"])
 bounces = 2 * left / (p**2 * math.sin(alpha)) * (2 + 2 * e / 3) / (1 - e**2)
-assert math.isclose(pushed.rest_time - pushed.impacts[0].time, bounces, rel_tol=1e-3)
+assert math.isclose(pushed.events.rest_time - pushed.impacts[0].time, bounces, rel_tol=1e-3)

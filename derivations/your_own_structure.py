@@ -322,7 +322,7 @@ print(f"a landing on the left foot keeps {kept:.3f} of the rate of rotation")
 slippery = built(friction=0.1)
 run = rk.simulate(slippery, still, initial={"theta": 0.12})
 t, energy = run.t, run["total_energy"]
-slipping = np.char.find(run.phase.astype(str), "slides") >= 0
+slipping = np.char.find(run.mode.astype(str), "slides") >= 0
 assert slipping.any()
 points = {foot: (run[f"{foot}_friction"], run[f"{foot}_slip"]) for foot in ("left", "right")}
 for first, last in zip(run.events[:-1], run.events[1:], strict=True):
@@ -343,8 +343,8 @@ for impact in run.impacts:
     after, before = (
         sum(slippery.energies(state, phase=phase).values())
         for state, phase in (
-            (impact.after, impact.phase_after),
-            (impact.before, impact.phase_before),
+            (impact.after, impact.mode_after),
+            (impact.before, impact.mode_before),
         )
     )
     assert after <= before * (1 + 1e-12)
@@ -374,8 +374,8 @@ assert outcomes == [rk.Outcome.CAME_TO_REST, rk.Outcome.CAME_TO_REST, rk.Outcome
 walked = [abs(runs[friction].final["x"]) for friction in (0.2, 0.35)]
 assert walked[1] > 10 * walked[0]
 leaning, landing = runs[0.35], runs[0.35].impacts[0]
-assert landing.phase_before == "right"
-assert landing.phase_after == "left_slides_left"
+assert landing.mode_before == "right"
+assert landing.mode_after == "left_slides_left"
 assert np.ptp(leaning["right_slip"][leaning.t < landing.time]) < 1e-9
 
 # %% tags=["hide-input"]

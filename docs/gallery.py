@@ -219,7 +219,7 @@ def _structure_card(name: str) -> str:
     names = _executed(FIRST, example.structure, example.run)
     run = names["run"]
     picture = _structure_picture(names["structure"], run, example.state)
-    text = f"{_first_sentence(cls)} *Here: {run.outcome}, {run.impacts_in_words()}.*"
+    text = f"{_first_sentence(cls)} *Here: {run.outcome}, {run.impacts.describe()}.*"
     return "\n\n".join(
         [
             f"**[{cls.__name__}](#rockeom.{cls.__name__})**",
@@ -237,8 +237,8 @@ def _structure_picture(structure: rk.Structure, run: rk.Response, state: dict) -
     sketch, motion = figure.subplots(1, 2, width_ratios=(1, 1.5))
     plots.draw_structure(structure, state=state, ax=sketch)
     coordinate, unit = (
-        run.states[run.program.ROTATION],
-        run.program.STATE_UNITS[run.program.ROTATION],
+        run.states[run.structure.module.ROTATION],
+        run.structure.module.STATE_UNITS[run.structure.module.ROTATION],
     )
     motion.plot(run.t, run[coordinate], color=style.LINES[0], lw=1.0)
     motion.set(xlabel=style.time_label(run), ylabel=f"{coordinate} [{unit}]")

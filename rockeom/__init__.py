@@ -14,7 +14,9 @@ SymPy.
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-__version__ = "0.1.0"
+from rockeom.files import VERSION
+
+__version__ = VERSION
 
 _NAMES_OF = {
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
@@ -36,7 +38,9 @@ _NAMES_OF = {
         "VelocityRatio",
     ),
     "rockeom.simulation.options": ("SolverOptions",),
-    "rockeom.simulation.response": ("Impact", "Outcome", "Response"),
+    "rockeom.simulation.events": ("Event",),
+    "rockeom.simulation.outcome": ("Outcome",),
+    "rockeom.simulation.response": ("Response",),
     "rockeom.sweeps.sensitivity": ("Sensitivity", "sensitivity"),
     "rockeom.simulation.simulate": ("simulate",),
     "rockeom.structures.classes": ("Structure",),
@@ -87,13 +91,11 @@ if TYPE_CHECKING:
     )
     from rockeom.numbers.dual import Dual as Dual, duals as duals
     from rockeom.simulation.case import Case as Case
+    from rockeom.simulation.events import Event as Event
     from rockeom.simulation.extremes import Extremes as Extremes
     from rockeom.simulation.options import SolverOptions as SolverOptions
-    from rockeom.simulation.response import (
-        Impact as Impact,
-        Outcome as Outcome,
-        Response as Response,
-    )
+    from rockeom.simulation.outcome import Outcome as Outcome
+    from rockeom.simulation.response import Response as Response
     from rockeom.simulation.simulate import simulate as simulate
     from rockeom.structures.classes import *  # noqa: F403
     from rockeom.structures.fixed_base import rayleigh_damping as rayleigh_damping
@@ -133,6 +135,9 @@ def __getattr__(name: str) -> Any:
         home = _classes().get(name)
     if name in _FORMER_CLASSES:
         return getattr(import_module("rockeom.symbolic"), name)
+    if name == "Impact":
+        import_module("rockeom.renamed").warn("rockeom.Impact", "rockeom.Event")
+        return __getattr__("Event")
     if home is None:
         message = f"module {__name__!r} has no attribute {name!r}"
         if name.startswith("_"):

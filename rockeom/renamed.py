@@ -11,6 +11,7 @@ import sys
 import warnings
 from collections.abc import Callable, Mapping
 from functools import wraps
+from operator import attrgetter
 from typing import Any, TypeVar
 
 T = TypeVar("T")
@@ -66,7 +67,10 @@ def arguments(**names: str) -> Callable[[Callable[..., T]], Callable[..., T]]:
 
 
 def attributes(**names: str) -> Callable[[C], C]:
-    """Let a class have attributes and methods under their former names, too."""
+    """Let a class have attributes and methods under their former names, too.
+
+    A name of today may be that of an attribute of an attribute: `@attributes(rest="events.rest")`.
+    """
 
     def decorate(cls: C) -> C:
         for former, name in names.items():
@@ -91,7 +95,7 @@ def fields(**names: str) -> Callable[[C], C]:
 def _former_attribute(of: str, former: str, name: str) -> property:
     def read(self: Any) -> Any:
         warn(f"{of}.{former}", name)
-        return getattr(self, name)
+        return attrgetter(name)(self)
 
     read.__doc__ = f"The former name of {name}."
     return property(read)

@@ -49,7 +49,7 @@ def run(case: rk.Case, options: rk.SolverOptions = TIGHT) -> rk.Response:
     c = case
     return rk.simulate(
         c.structure, c.motion, impact=c.impact, initial=c.initial, duration=c.duration,
-        vertical=c.vertical, phase=c.phase, options=options,
+        vertical=c.vertical, mode=c.mode, options=options,
     )  # fmt: skip
 
 
@@ -126,5 +126,5 @@ def extrapolated(rows: list[Observed]) -> Reference:
 
 def sequence(response: rk.Response) -> list[Any]:
     """Its events but for their times and states, and how it ends."""
-    passed = [(e.kind, e.phase_before, e.phase_after) for e in response.events]
+    passed = [(e.kind, e.mode_before, e.mode_after) for e in response.events]
     return [*passed, response.outcome]

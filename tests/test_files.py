@@ -140,7 +140,7 @@ def test_a_path_that_cannot_be_written_is_told_before_the_work(tmp_path, monkeyp
     def worked(*_, **__):
         raise AssertionError("worked first")
 
-    monkeypatch.setattr("rockeom.exports.responses._arrays", worked)
+    monkeypatch.setattr("rockeom.simulation.saved._arrays", worked)
     monkeypatch.setattr("rockeom.plots.animation.Animation.frames", property(worked))
     monkeypatch.setattr(type(REPORT), "page", worked)
     monkeypatch.setattr("rockeom.cli.derive._text", worked)

@@ -95,7 +95,7 @@ def shown(runs: dict[str, rk.Response]) -> str:
     lengths = ("displacement", "left_uplift", "right_uplift")
     return "\n".join(
         ", ".join(
-            [f"{name}: {run.impacts_in_words()}"]
+            [f"{name}: {run.impacts.describe()}"]
             + [f"{length} {1e3 * abs(output.peak(run, length)[0]):.3g} mm" for length in lengths]
         )
         for name, run in runs.items()

@@ -15,10 +15,12 @@ import numpy as np
 from rockeom import __version__
 from rockeom.files import write
 from rockeom.motion import GroundMotion
+from rockeom.simulation.events import MEASURABLE
 from rockeom.simulation.plausible import forces
-from rockeom.simulation.response import MEASURABLE, Response
-from rockeom.simulation.tables import units
+from rockeom.simulation.response import Response
+from rockeom.simulation.tables import units_with_time
 from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.structures.units import main_units
 
 
 def in_words(run: Response) -> str:
@@ -28,7 +30,9 @@ def in_words(run: Response) -> str:
 
 
 def _lengths(run: Response) -> list[str]:
-    factor, unit = (1e3, "mm") if units(run)["t"] == "s" else (1.0, "-")
+    factor, unit = (
+        (1e3, "mm") if units_with_time(run.structure.module, run.units)["t"] == "s" else (1.0, "-")
+    )
     lines = []
     if "displacement" in run.names:
         x, t = peak(run, "displacement")
@@ -52,22 +56,27 @@ def write_csv(run: Response, path: Path) -> None:
 
     The instant of a jump stands in two rows, before and after.
     """
-    unit = units(run)
-    columns = [run.t, *(run[name] for name in run.main_names)]
-    header = [f"t [{unit['t']}]", "phase", *(f"{name} [{unit[name]}]" for name in run.main_names)]
+    unit = units_with_time(run.structure.module, run.units)
+    names = [*main_units(run.structure.module)]
+    columns = [run.t, *(run[name] for name in names)]
+    header = [
+        f"t [{unit['t']}]",
+        "mode",
+        *(f"{name} [{unit[name]}]" for name in names),
+    ]
     text = io.StringIO(newline="")
     writer = csv.writer(text)
     writer.writerow(header)
-    for phase, (t, *values) in zip(run.phase, zip(*columns, strict=True), strict=True):
-        writer.writerow([f"{t:.12g}", phase, *(f"{value:.12g}" for value in values)])
+    for mode, (t, *values) in zip(run.mode, zip(*columns, strict=True), strict=True):
+        writer.writerow([f"{t:.12g}", mode, *(f"{value:.12g}" for value in values)])
     write(path, text.getvalue())
 
 
 def write_npz(run: Response, path: Path) -> None:
     """The same as arrays by name, in the units of the CSV; read with numpy.load."""
-    columns: dict[str, Any] = {name: run[name] for name in run.main_names}
+    columns: dict[str, Any] = {name: run[name] for name in main_units(run.structure.module)}
     made = io.BytesIO()
-    np.savez_compressed(made, t=run.t, phase=run.phase, **columns)
+    np.savez_compressed(made, t=run.t, mode=run.mode, **columns)
     write(path, made.getvalue())
 
 
@@ -80,9 +89,9 @@ def write_json(
 
 
 def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float]) -> dict[str, Any]:
-    unit = units(run)
+    unit = units_with_time(run.structure.module, run.units)
     peaks = {}
-    for name in run.main_names:
+    for name in main_units(run.structure.module):
         value, time = peak(run, name)
         peaks[name] = {"value": _number(value), "time": time, "unit": unit[name]}
     return {
@@ -98,14 +107,14 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         "end": float(run.t[-1]),
         "peaks": peaks,
         "impacts": len(run.impacts),
-        "impacts_above": {"rate": MEASURABLE, "number": len(run.impacts_above())},
+        "impacts_above": {"rate": MEASURABLE, "number": len(run.impacts.above())},
         "uplifts": sum(e.kind == "uplift" for e in run.events),
-        "rest_time": run.rest_time,
-        "friction_demand": _number(run.friction_demand),
-        "impact_friction_demand": _number(run.impact_friction_demand),
-        "lost_contact": run.lost_contact,
-        "assumptions": run.assumptions(),
-        "never_lifted": run.never_lifted,
+        "rest_time": run.events.rest_time,
+        "friction_demand": _number(run.support.friction_demand),
+        "impact_friction_demand": _number(run.support.impact_friction_demand),
+        "lost_contact": run.support.lost_contact,
+        "assumptions": run.support.describe(),
+        "never_lifted": run.support.never_lifted,
         "uplift_acceleration": _number(run.structure.uplift_acceleration),
         "hints": [*run.hints, *forces(run.structure)],
         "statistics": run.statistics,

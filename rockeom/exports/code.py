@@ -16,7 +16,6 @@ from functools import lru_cache
 from types import ModuleType
 from typing import Any
 
-from rockeom import __version__
 from rockeom.compiler.printer import Text
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import (
@@ -30,6 +29,7 @@ from rockeom.exports.closed import (
     in_plain_letters,
     printable,
 )
+from rockeom.files import VERSION
 from rockeom.integrator.schema import SEARCHED, has_points
 from rockeom.integrator.texts import source, text_of
 from rockeom.modelling.declared import class_of_model
@@ -154,7 +154,7 @@ class Described:
         lines = [
             self.title,
             "",
-            f"Written by rockeom {__version__} out of the equations that it derives and simulates.",
+            f"Written by rockeom {VERSION} out of the equations that it derives and simulates.",
             *([self.source] if self.source else []),
             "",
             "States y, in their order:",

@@ -13,7 +13,7 @@ from string import Template
 
 import numpy as np
 
-from rockeom import __version__
+from rockeom.files import VERSION
 from rockeom.motion import GroundMotion
 from rockeom.numbers.checks import number
 from rockeom.structures.classes import Structure, check_states
@@ -191,7 +191,7 @@ def script(
         columns=4 if elastic else 3,
     )
     told = [
-        f"{type(structure).__name__} of rockeom {__version__}, for OpenSeesPy 3.7.",
+        f"{type(structure).__name__} of rockeom {VERSION}, for OpenSeesPy 3.7.",
         "",
         "pip install openseespy==3.7.1.2 (Python 3.11; 3.8 wants Python 3.12). Where the import",
         "lacks a library, put the folder openseespylinux/lib beside openseespy on LD_LIBRARY_PATH.",

@@ -1,87 +1,67 @@
-"""Responses in files, from which the same responses are made again, to the last bit.
+"""`load`: a response out of the file that `rockeom.simulation.saved` wrote, to the last bit.
 
-A file is netCDF-4: the arrays of a response, and a text in JSON that names what it was made of.
-What a file names is looked up among the classes that are known here, and made of numbers and words
-by their own constructors: nothing in a file is run.
+The names in a file are looked up among the classes known here, and their own constructors take the
+numbers and words of the file: nothing in a file is run.
 """
 
 from __future__ import annotations
 
 import dataclasses
-import hashlib
-import io
 import json
 import os
 import warnings
 from collections.abc import Mapping
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import xarray as xr
 
-from rockeom import __version__
-from rockeom.files import check_target, write
+from rockeom.files import VERSION
 from rockeom.modelling.declared import class_of_model
 from rockeom.modelling.named import FAMILIES, SUPPORTS
 from rockeom.motion import GroundMotion
-from rockeom.numbers.checks import installed_by, is_number, told
+from rockeom.numbers.checks import is_number, told
+from rockeom.simulation.events import KINDS, EventColumns, Events
 from rockeom.simulation.extremes import Extremes
-from rockeom.simulation.options import SolverOptions
+from rockeom.simulation.outcome import Outcome
 from rockeom.simulation.recorder import Samples
-from rockeom.simulation.response import KINDS, Outcome, Response
+from rockeom.simulation.response import Response
+from rockeom.simulation.saved import (
+    DECLARED,
+    FORMAT,
+    NAMES,
+    WHOLE_NUMBERS,
+    check_engine,
+    checksum,
+)
 from rockeom.simulation.steps import Steps
 from rockeom.structures.classes import SHIPPED, DeclaredStructure, Structure
 from rockeom.structures.fixed_base import FixedBase
-from rockeom.structures.impact_laws import (
-    AngularMomentum,
-    EnergyLossAtSpeed,
-    EnergyRatio,
-    EnergyRatioAtSpeed,
-    ImpactLaw,
-    Impulsive,
-    RandomEnergyRatio,
-    VelocityRatio,
-)
+from rockeom.structures.impact_laws import ImpactLaw
 
 if TYPE_CHECKING:
-    import xarray as xr
-
     from rockeom.symbolic import Model, RockingModel
 
-FORMAT = 1
-"""Of the files: one of a higher format is refused. Who changes it must still read the lower ones.
-"""
-
-LAWS = {
-    law.__name__: law
-    for law in (
-        AngularMomentum, EnergyLossAtSpeed, EnergyRatio, EnergyRatioAtSpeed, Impulsive,
-        RandomEnergyRatio, VelocityRatio,
-    )
-}  # fmt: skip
-"""Laws of impact that a file may name."""
-
-_OTHERS = {"fixed_base": FixedBase, "options": SolverOptions, **SUPPORTS, **LAWS}
-_DECLARED = "declared"
+_OTHERS = {**SUPPORTS, **{name: made for made, name in NAMES.items()}}
 _MOST_COMPRESSED = 1032
 """The most bytes that one byte of a compressed file stands for (deflate)."""
 
 
 @dataclasses.dataclass(frozen=True)
 class LawNotSaved:
-    """Stands for a law of impact of the user's own, of which a file has the name alone."""
+    """In place of an impact law of the user's own, of which a file has the name alone."""
 
     name: str
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
         raise ValueError(
-            f"the law of impact of this response was a {self.name}, a class that is not of rockeom "
+            f"the impact law of this response was a {self.name}, a class that is not of rockeom "
             "and that files cannot hold: give it again, as impact="
         )
 
 
-# -- what a response is made of, as JSON knows it ------------------------------------------------
+# -- decoding --------------------------------------------------------------------------------------
 
 
 def _class(name: str) -> type | None:
@@ -91,215 +71,28 @@ def _class(name: str) -> type | None:
     return FAMILIES.get(name) or _OTHERS.get(name)
 
 
-def _name(value: Any) -> str | None:
-    """What a file calls a value's class, or None where it may not."""
-    known = {made: name for name, made in _OTHERS.items()}.get(type(value))
-    if known is None and isinstance(value, Structure):
-        known = value.model
-    return known if known is not None and _class(known) is type(value) else None
-
-
-def _told(what: str, value: Any) -> Any:
-    """A value as JSON knows it; raises TypeError for what is of no class that a file may name."""
-    if value is None or isinstance(value, bool | int | str):
-        return value
-    if isinstance(value, np.bool_ | np.integer):
-        return value.item()
-    if is_number(value):
-        return float(value)
-    if isinstance(value, tuple | list):
-        return [_told(what, item) for item in value]
-    if isinstance(value, DeclaredStructure):
-        given: Mapping[str, Any] = value.values
-    elif dataclasses.is_dataclass(value):
-        given = {f.name: getattr(value, f.name) for f in dataclasses.fields(value)}
-    else:
-        given = {}
-    fields = {name: _told(f"{what}.{name}", item) for name, item in given.items()}
-    name = _name(value)
-    if name is not None:
-        return {"is": name, "of": fields}
-    if isinstance(value, DeclaredStructure):
-        told_ = {"is": _DECLARED, "of": fields, "name": value.model}
-        return told_ | {"source_hash": value.module.SOURCE_HASH}
-    raise TypeError(
-        f"{what} is {told(value)}, and files hold no code: save knows shipped, composed and "
-        "declared structures, not classes of your own"
-    )
-
-
-def _made(file: _File, value: Any) -> Any:
-    """What `_told` was told of."""
+def _decode(file: _File, value: Any) -> Any:
+    """The value that `encode` made this of."""
     if isinstance(value, list):
-        return tuple(_made(file, item) for item in value)
+        return tuple(_decode(file, item) for item in value)
     if not isinstance(value, dict):
         return value
-    fields = {name: _made(file, item) for name, item in value["of"].items()}
-    if value["is"] == _DECLARED:
+    fields = {name: _decode(file, item) for name, item in value["of"].items()}
+    if value["is"] == DECLARED:
         return file.declared(value["name"], value["source_hash"], fields)
     found = _class(value["is"])
     if found is None:
-        raise file.error(f"it names {value['is']!r}, which this rockeom, {__version__}, has not")
+        raise file.error(f"it names {value['is']!r}, which this rockeom, {VERSION}, has not")
     return found(**fields)
 
 
-def _told_law(law: ImpactLaw | None) -> Any:
-    if law is None or type(law) in LAWS.values():
-        return _told("impact", law)
-    name = type(law).__qualname__
-    warnings.warn(
-        f"the law of impact, a {name}, is of your own: the file has its name, and all that the "
-        "response is; to go on from it give the law again",
-        stacklevel=5,
-    )
-    return {"not_saved": name}
-
-
-def _made_law(file: _File, value: Any) -> ImpactLaw | None:
+def _decode_law(file: _File, value: Any) -> ImpactLaw | None:
     if isinstance(value, dict) and "not_saved" in value:
         return LawNotSaved(value["not_saved"])
-    return _made(file, value)
-
-
-# -- arrays --------------------------------------------------------------------------------------
-
-_DIMS: Mapping[str, tuple[str, ...]] = {
-    "step_span": ("step", "start_and_length"),
-    "step_contact": ("step",),
-    "step_powers": ("step", "power", "state"),
-    "sample_time": ("sample",),
-    "sample_state": ("sample", "state"),
-    "sample_contact": ("sample",),
-    "extremes": ("quantity", "extreme"),
-    "passage_time": ("passage",),
-    "passage_kind": ("passage", "kind_before_after_guard"),
-    "passage_state": ("passage", "side", "state"),
-    "end": ("state",),
-    **{
-        f"{motion}_{what}": (f"{motion}_{what}", "column")[: 2 - (what == "samples")]
-        for motion in ("motion", "vertical")
-        for what in ("segments", "samples")
-    },
-}
-_WHOLE_NUMBERS = {"step_contact", "sample_contact", "passage_kind"}
-_ABOUT = {
-    "step_span": ("start and length of each step of integration", "s"),
-    "step_contact": ("number of the contact state in each step", ""),
-    "step_powers": ("coefficients of the states' polynomials of the part of a step gone", ""),
-    "sample_time": ("times of the samples", "s"),
-    "sample_state": ("states at the samples", ""),
-    "sample_contact": ("number of the contact state at the samples", ""),
-    "extremes": ("minimum, maximum and their times, of each quantity", ""),
-    "passage_time": ("times of impacts, uplifts and other passages", "s"),
-    "passage_kind": ("kind, contact states before and after, number of the guard", ""),
-    "passage_state": ("states before and after each passage", ""),
-    "end": ("last state", ""),
-}
-
-
-def _arrays(run: Response) -> dict[str, np.ndarray]:
-    record = run.record
-    if isinstance(record, Steps):
-        fields: tuple[Any, ...] = record.span, record.contact, record.powers
-        found = dict(zip(("step_span", "step_contact", "step_powers"), fields, strict=True))
-    else:
-        fields = record.t, record.y, record.contact
-        found = dict(zip(("sample_time", "sample_state", "sample_contact"), fields, strict=True))
-        rows = [dataclasses.astuple(one) for one in record.extremes.values()]
-        found["extremes"] = np.array(rows)
-    passages = ("passage_time", "passage_kind", "passage_state")
-    found |= zip(passages, run.passages, strict=True)
-    found["end"] = run.end
-    for name, motion in (("motion", run.motion), ("vertical", run.vertical)):
-        if motion is not None:
-            found[f"{name}_segments"] = motion.segments
-            if motion.samples is not None:
-                found[f"{name}_samples"] = motion.samples
-    return found
-
-
-def _checksum(definition: str, arrays: Mapping[str, np.ndarray]) -> str:
-    found = hashlib.sha256(definition.encode())
-    for name, array in sorted(arrays.items()):
-        found.update(f"\0{name} {array.shape}\0".encode())
-        found.update(np.ascontiguousarray(array).data)
-    return found.hexdigest()
+    return _decode(file, value)
 
 
 # -- files ---------------------------------------------------------------------------------------
-
-
-def save(run: Response, path: str | os.PathLike[str]) -> None:
-    """See `Response.save`."""
-    _check_engine()
-    check_target(path)
-    import xarray as xr
-
-    arrays = _arrays(run)
-    definition = json.dumps(_definition(run))
-    found = xr.Dataset(
-        {name: (_DIMS[name], array, _attrs(name)) for name, array in arrays.items()}
-        | {"definition": ((), definition)},
-        attrs={
-            "title": f"Response of {type(run.structure).__name__}: {run.outcome}",
-            "rockeom_format": FORMAT,
-            "rockeom_version": __version__,
-            "checksum": _checksum(definition, arrays),
-        },
-    )
-    write(path, _netcdf(found, arrays))
-
-
-def _netcdf(found: xr.Dataset, arrays: Mapping[str, np.ndarray]) -> bytes:
-    """The bytes of a file, made in memory: HDF5 ends the process where a disk is full."""
-    import h5netcdf
-    from xarray.backends import H5NetCDFStore
-
-    # without a value that stands for a missing one: NaN is what it is
-    encoding = {name: {"_FillValue": None} for name in arrays}
-    made = io.BytesIO()
-    with h5netcdf.File(made, "w") as file:
-        found.dump_to_store(H5NetCDFStore(file), encoding=encoding)
-    return made.getvalue()
-
-
-def _definition(run: Response) -> dict[str, Any]:
-    module = run.structure.module
-    return {
-        "structure": _told("structure", run.structure),
-        "source_hash": module.SOURCE_HASH,
-        "states": module.STATES,
-        "contacts": module.CONTACTS,
-        "impact": _told_law(run.impact),
-        "options": _told("options", run.options),
-        "outcome": str(run.outcome),
-        "duration": _told("duration", run.duration),
-        "statistics": {name: _told(name, value) for name, value in run.statistics.items()},
-        "quantities": None if isinstance(run.record, Steps) else list(run.record.extremes),
-        **{
-            name: motion
-            and {
-                "name": motion.name,
-                "source": motion.source,
-                "dt": motion.dt,
-                "is_vertical": motion.is_vertical,
-            }
-            for name, motion in (("motion", run.motion), ("vertical", run.vertical))
-        },
-    }
-
-
-def _attrs(name: str) -> dict[str, str]:
-    about, unit = _ABOUT.get(name, (name.replace("_", " "), ""))
-    return {"long_name": about} | ({"units": unit} if unit else {})
-
-
-def _check_engine() -> None:
-    if find_spec("h5netcdf") is None or find_spec("h5py") is None:
-        raise ModuleNotFoundError(
-            "responses are saved and loaded with h5netcdf, which is not installed. Remedy: "
-            f"{installed_by('files')}."
-        )
 
 
 def load(
@@ -325,7 +118,7 @@ def load(
         structure is None or isinstance(structure, Structure) or hasattr(structure, "check_values")
     ):
         raise TypeError(f"structure is {told(structure)}: give a declaration, or a structure of it")
-    _check_engine()
+    check_engine()
     file = _File(Path(path), structure)
     try:
         return file.response()
@@ -353,10 +146,10 @@ class _File:
         self.version = str(attrs.get("rockeom_version"))
         if format_ > FORMAT:
             raise self.error(
-                f"its format is {format_}, of rockeom {self.version}; this rockeom, {__version__}, "
+                f"its format is {format_}, of rockeom {self.version}; this rockeom, {VERSION}, "
                 f"reads formats up to {FORMAT}: install a newer one"
             )
-        if attrs.get("checksum") != _checksum(self.definition_text, self.arrays):
+        if attrs.get("checksum") != checksum(self.definition_text, self.arrays):
             raise self.error("it is damaged: its checksum is not that of what it holds")
 
     def error(self, text: str) -> ValueError:
@@ -364,7 +157,7 @@ class _File:
 
     def array(self, name: str, *shape: int | None) -> np.ndarray:
         """An array of the shape, None for any length; raises ValueError for another."""
-        found, dtype = self.arrays[name], np.int64 if name in _WHOLE_NUMBERS else np.float64
+        found, dtype = self.arrays[name], np.int64 if name in WHOLE_NUMBERS else np.float64
         fits = len(found.shape) == len(shape) and all(
             wanted in (None, n) for n, wanted in zip(found.shape, shape, strict=True)
         )
@@ -394,7 +187,7 @@ class _File:
             raise self.error(
                 f"what is derived from the structure {name!r} has the hash {source_hash} there, "
                 f"and what is given has {there or 'none'}: give the declaration that was simulated "
-                f"(by rockeom {self.version}; this is {__version__})"
+                f"(by rockeom {self.version}; this is {VERSION})"
             )
         assert made is not None
         if isinstance(given, Structure) and given != made:
@@ -402,20 +195,20 @@ class _File:
         return made
 
     def structure(self, definition: Mapping[str, Any]) -> Structure:
-        made = _made(self, definition["structure"])
+        made = _decode(self, definition["structure"])
         if self.given is not None and not self.asked and made != self.given:
             raise self.error(f"its structure is {made!r}, and {told(self.given)} is given")
         module = made.module
         names = (definition["states"], definition["contacts"])
         if names != (list(module.STATES), list(module.CONTACTS)):
             raise self.error(
-                f"{made.model} of rockeom {self.version} had other states or contact states than "
-                f"it has in this one, {__version__}"
+                f"{made.model} of rockeom {self.version} had other states or modes than "
+                f"it has in this one, {VERSION}"
             )
         if definition["source_hash"] != module.SOURCE_HASH:
             warnings.warn(
                 f"{self.path}: the equations of {made.model} were written by rockeom "
-                f"{self.version}, and differ in this one, {__version__}: what is not in the file "
+                f"{self.version}, and differ in this one, {VERSION}: what is not in the file "
                 "follows from those of now",
                 stacklevel=4,
             )
@@ -452,6 +245,7 @@ class _File:
         kinds = self.array("passage_kind", len(times), 4)
         self.check_below("passage_kind", kinds[:, 0], len(KINDS))
         self.check_below("passage_kind", kinds[:, 1:3], contacts)
+        states = self.array("passage_state", len(times), 2, n)
         motion = self.motion("motion", definition["motion"])
         if motion is None:
             raise self.error("it has no ground motion")
@@ -459,21 +253,19 @@ class _File:
             structure=structure,
             motion=motion,
             vertical=self.motion("vertical", definition["vertical"]),
-            impact=_made_law(self, definition["impact"]),
-            options=_made(self, definition["options"]),
+            impact=_decode_law(self, definition["impact"]),
+            options=_decode(self, definition["options"]),
             outcome=Outcome(definition["outcome"]),
             duration=definition["duration"],
             statistics=definition["statistics"],
             record=self.record(n, contacts, definition["quantities"]),
+            events=Events(structure, EventColumns(times, kinds, states)),
             end=self.array("end", n),
-            passages=(times, kinds, self.array("passage_state", len(times), 2, n)),
         )
 
 
 def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     """Attributes and arrays of a netCDF file; raises ValueError for what is none."""
-    import xarray as xr
-
     if path.exists() and not path.is_file():  # a pipe is waited for
         raise ValueError(f"{path} cannot be loaded: it is a folder, a pipe or a device, not a file")
     try:

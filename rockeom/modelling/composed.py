@@ -28,6 +28,8 @@ from rockeom.structures.fixed_base import rayleigh_damping
 class Pinned(Support):
     """Feet that may lift, and neither slide nor bounce: what a structure stands on by itself."""
 
+    kind: ClassVar[str] = "pinned"
+
     def module(self, superstructure: str, **arguments: int) -> ModuleType:
         return module_of(superstructure, **arguments)
 
@@ -72,6 +74,8 @@ class TwoSprings(_Springs):
     `heave` [m] counts from the settled position.
     """
 
+    kind: ClassVar[str] = "two_springs"
+
     guided: str = "centre"
 
     def __post_init__(self) -> None:
@@ -93,6 +97,8 @@ class Winkler(_Springs):
 
     Raises ValueError for more than 90: those that press are neighbours, in n (n + 1)/2 + 1 sets.
     """
+
+    kind: ClassVar[str] = "winkler"
 
     springs: int
 
@@ -119,6 +125,8 @@ class Sliding(Support):
     after and before it lands, 0 to 1. The states `x` and `y` [m] are the place and the height of
     the base's centre.
     """
+
+    kind: ClassVar[str] = "sliding"
 
     friction: float
     restitution: float

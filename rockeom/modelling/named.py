@@ -20,10 +20,7 @@ from rockeom.structures.classes import SHIPPED, ParameterError, Structure, Suppo
 
 FAMILIES: Mapping[str, type[Structure]] = {"shear_frame": ShearFrame}
 SUPPORTS: Mapping[str, type[Support]] = {
-    "pinned": Pinned,
-    "two_springs": TwoSprings,
-    "winkler": Winkler,
-    "sliding": Sliding,
+    support.kind: support for support in (Pinned, TwoSprings, Winkler, Sliding)
 }
 _CALLED = {"stiffness": "foundation_stiffness", "damping": "foundation_damping"}
 

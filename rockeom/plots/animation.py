@@ -27,7 +27,8 @@ from rockeom.structures.positions import places
 
 if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
-    from rockeom.simulation.response import Impact, Response
+    from rockeom.simulation.events import Impacts
+    from rockeom.simulation.response import Response
 
 MOST_FRAMES = 2000
 FLASH = 0.2
@@ -166,7 +167,7 @@ class Animation:
         return f"{text}, {n} impact{'s' * (n != 1)}"
 
     @cached_property
-    def _impacts(self) -> tuple[Impact, ...]:
+    def _impacts(self) -> Impacts:
         return self.run.impacts
 
     @cached_property
@@ -178,9 +179,9 @@ class Animation:
         before = self.times[i] - max(FLASH * self.speed, self._step)
         which = (self._impact_times > before) & (self._impact_times <= self.times[i])
         landed: set[str] = set()
-        for k in np.flatnonzero(which):
+        for k in np.flatnonzero(which).tolist():
             impact = self._impacts[k]
-            after = style.feet_of(impact.phase_after)
+            after = style.feet_of(impact.mode_after)
             named = impact.contact.split("+") if impact.contact else [after]
             landed |= {*named} & {*sketch.feet} or {*sketch.touching}
         return landed

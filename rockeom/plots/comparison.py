@@ -10,7 +10,7 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 
 from rockeom.plots import style
-from rockeom.simulation.response import MEASURABLE
+from rockeom.simulation.events import MEASURABLE
 
 if TYPE_CHECKING:
     from rockeom.simulation.response import Response
@@ -35,7 +35,7 @@ def plot_comparison(
     with and without units in one figure.
     """
     runs = list(runs)
-    labels = [run.program.NAME.replace("_", " ") for run in runs] if labels is None else labels
+    labels = [style.name_of(run) for run in runs] if labels is None else labels
     if not runs or len(labels) != len(runs):
         raise ValueError(f"{len(runs)} runs and {len(labels)} labels: give one label for each run")
     if len({style.is_dimensionless(run) for run in runs}) > 1:
@@ -109,7 +109,7 @@ def _impact_lanes(ax: Axes, runs: Sequence[Response]) -> None:
     ax.set_ylabel("impacts")
     counts, faster = (
         ", ".join(str(len(impacts)) for impacts in each)
-        for each in ([run.impacts for run in runs], [run.impacts_above() for run in runs])
+        for each in ([run.impacts for run in runs], [run.impacts.above() for run in runs])
     )
     unit = style.rate_of(runs[0])[1]
     ax.set_title(

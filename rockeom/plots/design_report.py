@@ -83,7 +83,7 @@ class UnderRecord:
             f"{rocks.base_shear:.4g}",
             "–" if held is None else f"{rocks.base_shear / held.base_shear:.2f}",
             "–" if held is None else f"{rocks.base_moment / held.base_moment:.2f}",
-            f"{self.run.friction_demand:.2f}",
+            f"{self.run.support.friction_demand:.2f}",
         )
 
 
@@ -189,10 +189,11 @@ class DesignReport:
     @cached_property
     def assumptions(self) -> tuple[str, ...]:
         """What the model takes for granted, and how far the responses bear it out."""
-        friction = [one.run.friction_demand for one in self.standing]
-        impulses = [x for one in self.standing if (x := one.run.impact_friction_demand) >= 0.0]
-        jumped = sum(one.run.lost_contact for one in self.standing)
-        lifted = sum(not one.run.never_lifted for one in self.results)
+        friction = [one.run.support.friction_demand for one in self.standing]
+        demands = (one.run.support.impact_friction_demand for one in self.standing)
+        impulses = [demand for demand in demands if demand >= 0.0]
+        jumped = sum(one.run.support.lost_contact for one in self.standing)
+        lifted = sum(not one.run.support.never_lifted for one in self.results)
         said = [f"Rocking: under {lifted} of {len(self.results)} records a foot lifted."]
         if friction:
             needed = f"; the impulses at impacts {max(impulses):.2f}" if impulses else ""
@@ -219,7 +220,7 @@ class DesignReport:
         vertical = [one.run.motion.name for one in self.results if one.run.motion.is_vertical]
         if vertical:
             said.append(f"Vertical components shake it horizontally: {'; '.join(vertical)}.")
-        gains = [one.run.impact_energy_gains for one in self.results]
+        gains = [one.run.impacts.energy_gains for one in self.results]
         if gaining := [of_run for of_run in gains if len(of_run)]:
             said.append(
                 f"Impacts gained energy under {len(gaining)} of {len(gains)} records: "
@@ -237,7 +238,9 @@ class DesignReport:
     def _hints(self) -> tuple[str, ...]:
         """Questions about the structure, and about the motions where none lifted it."""
         strongest = max((one.run for one in self.results), key=lambda run: run.motion.peak)
-        return (*self.structure.hints(), *forces(self.structure), *shaking(strongest))
+        stood = strongest.support.never_lifted
+        questions = shaking(self.structure, strongest.motion, stood)
+        return (*self.structure.hints(), *forces(self.structure), *questions)
 
     @style.styled
     def figures(self) -> Figure:

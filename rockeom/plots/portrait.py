@@ -48,7 +48,7 @@ def plot_phase_portrait(
         ax.legend(loc="upper right")
     for one, colour in zip(runs, cycle([*style.OTHERS[:1], *style.LINES[:2], *style.OTHERS[1:]])):
         _draw(ax, one, colour)
-    p = first.program
+    p = first.structure.module
     if len(runs) == 1:
         start = first.y[0, p.ROTATION], first.y[0, p.ROTATION_RATE]
         ax.annotate("start", start, xytext=(4, 4), textcoords="offset points", fontsize=8)
@@ -61,12 +61,12 @@ def plot_phase_portrait(
 
 
 def _draw(ax: Axes, run: Response, colour: str) -> None:
-    p = run.program
+    p = run.structure.module
     y, dy = run.y[:, p.ROTATION], run.y[:, p.ROTATION_RATE]
     jumps = np.flatnonzero(np.diff(run.t) == 0) + 1
     for piece in np.split(np.column_stack([y, dy]), jumps):
         ax.plot(*piece.T, color=colour)
-    _, kinds, states = run.passages
+    _, kinds, states = run.events.columns
     for before, after in states[np.isin(kinds[:, 0], (IMPACT, LANDING))]:
         ends = np.array([before, after])
         ax.plot(ends[:, p.ROTATION], ends[:, p.ROTATION_RATE], ":", color=style.OTHERS[1], lw=0.9)

@@ -60,7 +60,7 @@ def _rows(run: Response) -> list[tuple[Draw, float]]:
     rows: list[tuple[Draw, float]] = [(_ground, 0.8)] if shaken else []
     rows += [(_rotation, 1.0)]
     # the cart's coordinate is its displacement
-    turns = run.program.STATE_UNITS[run.program.ROTATION] != "m"
+    turns = run.structure.module.STATE_UNITS[run.structure.module.ROTATION] != "m"
     rows += [(_displacement, 1.0)] if turns and "displacement" in run.names else []
     rows += [(_uplift, 1.0)] if "left_uplift" in run.names else []
     rows += [(_impacts, 0.7)] if run.impacts else []
@@ -78,8 +78,8 @@ def _ground(ax: Axes, run: Response) -> None:
 
 
 def _rotation(ax: Axes, run: Response) -> None:
-    name = run.states[run.program.ROTATION]
-    unit = run.program.STATE_UNITS[run.program.ROTATION]
+    name = run.states[run.structure.module.ROTATION]
+    unit = run.structure.module.STATE_UNITS[run.structure.module.ROTATION]
     what, factor, unit = ("displacement", 1e3, "mm") if unit == "m" else ("rotation", 1.0, unit)
     shown, size = style.symbol(name), style.largest(run, name, factor, unit)
     ax.plot(run.t, run[name] * factor, color=style.OTHERS[0], label=f"{shown}, {size}")
@@ -100,8 +100,10 @@ def _displacement(ax: Axes, run: Response) -> None:
     n = len(run.states) // 2
     lengths = [
         name
-        for i, (name, of) in enumerate(zip(run.states[:n], run.program.STATE_UNITS, strict=False))
-        if of == "m" and i != run.program.ROTATION
+        for i, (name, of) in enumerate(
+            zip(run.states[:n], run.structure.module.STATE_UNITS, strict=False)
+        )
+        if of == "m" and i != run.structure.module.ROTATION
     ]
     for name, color in zip(lengths, style.OTHERS[1:] * len(lengths), strict=False):
         shown = style.symbol(name) if len(name) < 4 else name
@@ -124,7 +126,7 @@ def _uplift(ax: Axes, run: Response) -> None:
 def _impacts(ax: Axes, run: Response) -> None:
     times, speeds = style.impact_speeds(run)
     ax.vlines(times, 0.0, speeds, color=style.INK, lw=0.9)
-    ax.plot(times, speeds, ".", color=style.INK, ms=2.5, label=run.impacts_in_words())
+    ax.plot(times, speeds, ".", color=style.INK, ms=2.5, label=run.impacts.describe())
     ax.set_ylim(0.0, 1.08 * speeds.max() or 1.0)
     rate, unit = style.rate_of(run)
     points = run.structure.stands_on_points
@@ -139,7 +141,7 @@ def _contact(ax: Axes, run: Response) -> None:
     for name in present:
         of = [(a, b - a) for (a, b), n in zip(spans, names, strict=True) if n == name]
         ax.broken_barh(of, (0.0, 1.0), facecolor=style.PHASES[name], lw=0)
-    slides = [(start, end - start) for start, end in run.sliding]
+    slides = [(start, end - start) for start, end in run.support.sliding]
     ax.broken_barh(slides, (0.0, 0.35), facecolor="k", lw=0)
     handles: list = [Patch(facecolor="k", label="slides")] if slides else []
     handles += [

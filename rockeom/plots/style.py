@@ -136,9 +136,14 @@ def plain(text: str) -> str:
     return text.replace("$", r"\$")
 
 
+def name_of(run: Response) -> str:
+    """Name of the structure, in words."""
+    return run.structure.module.NAME.replace("_", " ")
+
+
 def title_of(run: Response) -> str:
     """Structure and motion."""
-    structure = run.program.NAME.replace("_", " ")
+    structure = name_of(run)
     return f"{structure[:1].upper()}{structure[1:]} under {run.motion.name or 'a ground motion'}"
 
 
@@ -154,7 +159,7 @@ def symbol(name: str) -> str:
 
 def rate_of(run: Response) -> tuple[str, str]:
     """Mathematics and unit of the rate of rotation."""
-    p = run.program
+    p = run.structure.module
     name = symbol(run.states[p.ROTATION]).strip("$")
     return rf"\dot{{{name}}}", "-" if is_dimensionless(run) else p.STATE_UNITS[p.ROTATION_RATE]
 
@@ -179,10 +184,10 @@ def feet_of(contact: str) -> str:
 
 def contact_spans(run: Response) -> tuple[np.ndarray, list[str]]:
     """Starts and ends (n, 2) of the contact states, and the feet on the ground in each."""
-    contacts = run.program.CONTACTS
-    times, kinds, _ = run.passages
+    contacts = run.structure.module.CONTACTS
+    times, kinds, _ = run.events.columns
     edges = np.concatenate([[run.t[0]], times, [run.t[-1]]])
-    feet = [feet_of(run.phase[0]), *(feet_of(contacts[after]) for after in kinds[:, 2])]
+    feet = [feet_of(run.mode[0]), *(feet_of(contacts[after]) for after in kinds[:, 2])]
     spans: list[list[float]] = []
     names: list[str] = []
     for start, end, name in zip(edges[:-1], edges[1:], feet, strict=True):
@@ -204,12 +209,12 @@ def impact_speeds(run: Response) -> tuple[np.ndarray, np.ndarray]:
 
     Of points that land, the speed of the fastest.
     """
-    times, kinds, states = run.passages
+    times, kinds, states = run.events.columns
     if run.structure.stands_on_points:
         hit = kinds[:, 0] == LANDING
         return times[hit], landing_speeds(run.structure, states[hit, 0])
     hit = kinds[:, 0] == IMPACT
-    return times[hit], np.abs(states[hit, 0, run.program.ROTATION_RATE])
+    return times[hit], np.abs(states[hit, 0, run.structure.module.ROTATION_RATE])
 
 
 def shade_full_contact(axes: Sequence[Axes], run: Response) -> None:

@@ -1,4 +1,4 @@
-"""One motion of one structure: what `simulate` is asked, and the same as numbers."""
+"""One motion of one structure: the arguments of `simulate`, and the same as numbers."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rockeom import renamed
 from rockeom.motion import GroundMotion
 from rockeom.motion.segments import LINEAR, within
 from rockeom.numbers.batch import values
@@ -25,14 +26,14 @@ STILL.flags.writeable = False
 class Problem(NamedTuple):
     """A case as the compiled loop takes it.
 
-    contact : number of the contact state at the start; y0 (N,) the state there.
-    vector : the parameters; table : what a law of impact adds to them; law, ratio : of the
-        impacts; fallen : bound of the rotation.
-    horizontal, vertical : tables (m, 7) of the ground's motion; end [s];
-    quiet_from : when the ground has come to stand still [s].
+    mode : number of the mode at the start; y0 (N,) the state there.
+    vector : the parameters; table : additions of an impact law to them; law, ratio : of the
+        impacts; fallen : overturning angle.
+    horizontal, vertical : segments (m, 7) of the ground motions; end [s];
+    quiet_from : time from which the ground stands still [s].
     """
 
-    contact: int
+    mode: int
     y0: np.ndarray
     vector: np.ndarray
     table: list[float]
@@ -59,12 +60,12 @@ class Problem(NamedTuple):
 class Problems(NamedTuple):
     """n cases as the compiled loop takes them, each an item of the first axis; see `Problem`.
 
-    p (n, m) : the parameters, the table of a law of impact behind them.
+    p (n, m) : the parameters, the table of an impact law behind them.
     horizontal, vertical (k, 7) : the tables of all, those of a case from h_rows[i, 0] to
         h_rows[i, 1] or from v_rows[i, 0] to v_rows[i, 1].
     """
 
-    contact: np.ndarray
+    mode: np.ndarray
     y0: np.ndarray
     p: np.ndarray
     law: np.ndarray
@@ -82,7 +83,7 @@ class Problems(NamedTuple):
         """Of one case after the other."""
         widest = max(len(q.table) for q in cases)
         return cls(
-            np.array([q.contact for q in cases]),
+            np.array([q.mode for q in cases]),
             np.array([q.y0 for q in cases]),
             np.array([q.p(widest) for q in cases]),
             np.array([q.law for q in cases]),
@@ -115,14 +116,14 @@ class Problems(NamedTuple):
 
         q = problem
         return cls(
-            spread(q.contact), columns(q.y0), columns(q.p()), spread(q.law), spread(q.ratio),
+            spread(q.mode), columns(q.y0), columns(q.p()), spread(q.law), spread(q.ratio),
             spread(q.fallen), *tables(q.horizontal), *tables(q.vertical), spread(q.end),
             spread(q.quiet_from),
         )  # fmt: skip
 
 
 class ProblemTangents(NamedTuple):
-    """Derivatives of a problem's numbers along m directions; what they are of, `Problem` says.
+    """Derivatives of the numbers of a `Problem` along m directions.
 
     y0 (N, m); p (len(problem.p()), m), those of the table behind those of the parameters; ratio,
     fallen, end, quiet_from (m,); horizontal, vertical (rows, 7, m).
@@ -142,7 +143,7 @@ def without_duals(problem: Problem) -> Problem:
     """The problem; raises TypeError where its numbers have derivatives, which would be lost."""
     if directions(*problem):
         raise TypeError(
-            "the case holds duals, and a simulation tells no derivatives: give it to "
+            "the case holds duals, and a simulation has no derivatives: give it to "
             "`rk.tangents`, or simulate it with the `.value` of each"
         )
     return problem
@@ -183,6 +184,7 @@ AT_THE_END = 1e-9
 """So far beyond the bound of overturning, relative to it, may be the last state of a motion."""
 
 
+@renamed.fields(phase="mode")
 @dataclass(frozen=True)
 class Case:
     """A structure, its ground motion and start; the arguments are those of `simulate`.
@@ -196,7 +198,7 @@ class Case:
     initial: Mapping[str, float] | None = None
     duration: float | None = None
     vertical: GroundMotion | None = None
-    phase: str | None = None
+    mode: str | None = None
 
     def __post_init__(self) -> None:
         given: tuple[object, object] = self.structure, self.motion
@@ -233,10 +235,10 @@ class Case:
         quiet = max(m.shaking_ends for m in (motion, self.vertical) if m is not None)
         if abs(quiet - end) <= 1e-12 * abs(end):
             quiet = end  # a duration that is a difference of others is so but for rounding
-        told = structure.rocks_on_rigid_ground or structure.stands_on_points
-        known = moves or told or self.phase is not None
+        rigid = structure.rocks_on_rigid_ground or structure.stands_on_points
+        known = moves or rigid or self.mode is not None
         return Problem(
-            contact=structure.contact(y0, self.phase, 0.0 if known else self._about_to_turn(y0)),
+            mode=structure.contact(y0, self.mode, 0.0 if known else self._about_to_turn(y0)),
             y0=y0,
             vector=structure.vector,
             table=structure.impact_table(self.impact),

@@ -1,27 +1,23 @@
-"""Extremes of what follows from a motion, found within its steps and not among its samples.
+"""Extremes of the quantities of a motion, within its steps and not among its samples.
 
-In a step the states are polynomials of time and the ground follows one law, so that every quantity
-is smooth there. It is looked at in places close to one another; where the second difference
-between them leaves room for more than the best of them, the extreme is enclosed and narrowed down.
+In a step the states are polynomials of time and the ground follows one segment, so that every
+quantity is smooth. It is evaluated at places close to one another; where their second difference
+leaves room for more than the best value so far, the extreme is enclosed and narrowed down.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 
-from rockeom.simulation.steps import Steps
-
-Evaluate = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
-"""(n, m) values of m quantities at times (n,), states (n, N) and contact states (n,)."""
+from rockeom.simulation.steps import Evaluate, Steps
 
 PARTS = 8  # of a step
-CHUNK = 1024  # steps looked at together, so that memory is bounded
-MOST_HELD = 16 * CHUNK  # of which extremes are found before the rest of the steps is looked at
-MOST_PIECES = 64  # of them that are held, before it is asked which still may have an extreme
-FINER = np.linspace(0.0, 1.0, 17)  # places that are looked at between two, each time anew
+CHUNK = 1024  # steps evaluated together, so that memory is bounded
+MOST_HELD = 16 * CHUNK  # candidate steps, before their extremes are found
+MOST_PIECES = 64  # pieces of candidates, before those that are none any more are dropped
+FINER = np.linspace(0.0, 1.0, 17)  # places within a bracket, each time anew
 BRACKETS = PARTS * CHUNK // len(FINER)  # narrowed together: as many places as steps have
 NARROWINGS = 8  # 0.25 / 8**8 of a step is 1.5e-8: of the value its square is lost
 _SIGNS = np.array([-1.0, 1.0])
@@ -48,7 +44,7 @@ class Extremes:
 
 @dataclass(frozen=True)
 class Search:
-    """What is evaluated where: steps, each up to a part `width` of it, and its last time [s]."""
+    """Steps, each up to a part `width` of it and its last time [s], and the quantities there."""
 
     steps: Steps
     evaluate: Evaluate
@@ -61,7 +57,7 @@ class Search:
     ) -> Search:
         """Steps in a row, up to the time `end` [s]; after : when the one behind them begins."""
         start, length = steps.span.T
-        # the end of a step is still of its own law of the ground, which may jump there
+        # the end of a step is still in its own segment of the ground motion, which may jump there
         ends = np.minimum(start + length, np.append(start[1:], after))
         last = np.maximum(np.nextafter(ends, -np.inf), start)
         return cls(steps, evaluate, np.clip((end - start) / length, 0.0, 1.0), last)
@@ -82,7 +78,7 @@ class Search:
         """(times (n,), values (n, m)) at places x in [0, 1] of the steps `index`, which rise."""
         start, length = self.steps.span[index].T
         t = np.minimum(start + x * length, self.last[index])
-        values = self.evaluate(t, self.steps.states(index, x), self.steps.contact[index])
+        values = self.evaluate(t, self.steps.states(index, x), self.steps.mode[index])
         return t, values
 
     def grid(self, first: int, last: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -102,7 +98,7 @@ class Search:
     ) -> tuple[np.ndarray, np.ndarray]:
         """(times, values of sign * quantity) (n,) of the maxima between low and high.
 
-        All at once: what is slow is not how many places are looked at, but how often.
+        All at once: the time goes with the number of calls, not with that of places.
         """
         rows, of = np.arange(len(index)), np.repeat(np.arange(len(index)), len(FINER))
         for _ in range(NARROWINGS):
@@ -159,7 +155,7 @@ class Running:
             self.pieces.append((search[used], (step, *rest)))
 
     def _join(self) -> None:
-        """Make one piece of those that are held, without what is no candidate any more."""
+        """Make one piece of those that are held, without steps that are no candidates any more."""
         searches, found = zip(*self.pieces, strict=True)
         first = np.cumsum([0, *(len(search.steps) for search in searches)])
         steps = [step + offset for (step, *_), offset in zip(found, first, strict=False)]

@@ -27,7 +27,7 @@ class SolverOptions:
         None is DOP853 but for two kinds of work. It is Radau where stability would ask for more
         than 20 000 explicit steps, and for four times as many as accuracy asks of Radau: by the
         fastest decay and the fastest other motion of the structure, linearised at rest in each
-        contact state. It is RK45 where rtol is 1e-6 or more and the steps, which end at the samples
+        mode. It is RK45 where rtol is 1e-6 or more and the steps, which end at the samples
         of a record, are shorter than rtol**(1/5) over the fastest rate of motion. What was chosen
         and why is in the `statistics` of a response.
     rtol, atol : relative and absolute tolerance of each state in a step; atol in the state's
@@ -47,7 +47,7 @@ class SolverOptions:
         acceleration of a contact point in free motion. Flights lower than 1e-13 of the coordinates
         are lost among rounding errors: they are summed up to 1e-5 of that unit, or end at once.
         Events that follow one another without end at one instant, and slow landings that no
-        contact state may follow, are stepped over: a time step of Moreau, as long as a rest may
+        mode may follow, are stepped over: a time step of Moreau, as long as a rest may
         be, without restitution.
     max_impacts, max_steps : where a motion is given up, with an outcome that says so.
     output_step : largest spacing of the samples of the response [s]; None for 1/4000 of the
@@ -80,6 +80,10 @@ class SolverOptions:
             object.__setattr__(self, name, whole_number(name, getattr(self, name), least))
         if self.rtol < 1e-15:
             raise ValueError(f"rtol is {self.rtol}: below 1e-15 rounding errors rule")
+
+    def spacing(self, duration: float) -> float:
+        """Largest spacing of the samples of a response [s]."""
+        return self.output_step or duration / 4000
 
     @classmethod
     def of(cls, options: SolverOptions | None) -> SolverOptions:

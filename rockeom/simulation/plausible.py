@@ -1,4 +1,4 @@
-"""Questions about values that are allowed and hardly meant: units, masses, friction.
+"""Questions about values that are allowed and hardly meant: units, masses, friction, impacts.
 
 Each function returns the sentences of one question, none where the values are plausible.
 """
@@ -6,14 +6,18 @@ Each function returns the sentences of one question, none where the values are p
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
-from rockeom.simulation.recorder import SAMPLES
+import numpy as np
+
+from rockeom.motion import GroundMotion
+from rockeom.simulation.events import Impacts
+from rockeom.simulation.steps import Rows
+from rockeom.simulation.support import Support
+from rockeom.structures.classes import Structure
+from rockeom.structures.evaluation import at_states
+from rockeom.structures.fixed_base import FixedBase
+from rockeom.structures.impact_laws import Impulsive
 from rockeom.structures.units import is_dimensionless
-
-if TYPE_CHECKING:
-    from rockeom.simulation.response import Response
-    from rockeom.structures.classes import Structure
 
 SHARE_OF_UPLIFT = 0.5
 """Part of the uplift acceleration below which the unit of a motion is questioned."""
@@ -23,16 +27,15 @@ ROUGHEST = 0.8
 """Friction coefficient above which that of a foot that does not slide is questioned."""
 
 
-def shaking(run: Response) -> tuple[str, ...]:
-    """Accelerations in g that were given for m/s2."""
-    threshold, peak = _uplift_acceleration(run.structure), run.motion.peak
-    stood = run.never_lifted or (run.structure.stands_on_points and not len(run.passages[0]))
+def shaking(structure: Structure, motion: GroundMotion, stood: bool) -> tuple[str, ...]:
+    """Accelerations in g that were given for m/s2; stood : whether no foot ever lifted."""
+    threshold, peak = _uplift_acceleration(structure), motion.peak
     weak = LIKE_G[0] <= peak <= min(LIKE_G[1], SHARE_OF_UPLIFT * threshold)
     if not (stood and weak):
         return ()
     remedy = (
-        f'{run.motion.peak:.4g} g are given by GroundMotion.from_array(values, dt, units="g")'
-        if run.motion.source == "array"
+        f'{motion.peak:.4g} g are given by GroundMotion.from_array(values, dt, units="g")'
+        if motion.source == "array"
         else f"{peak:.4g} g are {peak:.4g} * 9.81 = {peak * 9.81:.4g} m/s2"
     )
     return (
@@ -49,6 +52,13 @@ def _uplift_acceleration(structure: Structure) -> float:
     if found is None and structure.slenderness is not None:  # a block on feet that may slide
         return float(structure.parameters()["gravity"] * math.tan(structure.slenderness))
     return found or 0.0
+
+
+def direction(motion: GroundMotion) -> tuple[str, ...]:
+    """A vertical component that was given for a horizontal one."""
+    if not motion.is_vertical:
+        return ()
+    return (f"The horizontal ground motion is the vertical component of a record, {motion.name}.",)
 
 
 def default_masses(structure: Structure) -> tuple[str, ...]:
@@ -72,16 +82,13 @@ def forces(structure: Structure) -> tuple[str, ...]:
     )
 
 
-def friction(run: Response) -> tuple[str, ...]:
+def friction(structure: Structure, support: Support) -> tuple[str, ...]:
     """Feet that are assumed not to slide, and need more friction than most surfaces have."""
-    from rockeom.structures.fixed_base import FixedBase
-
-    module = run.structure.module
-    slides = any("friction" in name for name in module.PARAMETERS)
-    held = isinstance(run.structure, FixedBase)
-    if run.keeps == SAMPLES or slides or held or is_dimensionless(module):
+    slides = any("friction" in name for name in structure.module.PARAMETERS)
+    if slides or isinstance(structure, FixedBase) or is_dimensionless(structure.module):
         return ()
-    demands = run.friction_demands.values() or [(run.friction_demand, run.impact_friction_demand)]
+    both = (support.friction_demand, support.impact_friction_demand)
+    demands = support.friction_demands.values() or [both]
     needed = max((x for pair in demands for x in pair if not math.isnan(x)), default=0.0)
     if not needed > ROUGHEST:
         return ()
@@ -95,3 +102,37 @@ def friction(run: Response) -> tuple[str, ...]:
         f"{beyond}: hold the feet, or let them slide, as rk.SlidingBlock and "
         "support=rk.Sliding(...) do.",
     )
+
+
+def gained(structure: Structure, impacts: Impacts, law: str) -> tuple[str, ...]:
+    """Impacts that gained energy: how many, how much, and the law that gains none."""
+    gains = impacts.energy_gains
+    if not len(gains):
+        return ()
+    unit = "" if is_dimensionless(structure.module) else " J"
+    text = (
+        f"{len(gains)} of {len(impacts)} impacts gained kinetic energy, "
+        f"{gains.sum():.4g}{unit} in all"
+    )
+    if structure.stands_on_points:
+        return (f"{text}, which friction with a restitution above zero can cause.",)
+    exact = isinstance(structure.default_impact, Impulsive)
+    return (f"{text}, by {law}." + " Impulsive() conserves the momenta, and gains none." * exact,)
+
+
+def beyond_balance(structure: Structure, rows: Rows) -> tuple[str, ...]:
+    """A start from which the structure falls over when it is released at rest."""
+    m, start = structure.module, rows.y[0]
+    if not (structure.rocks_on_rigid_ground and start[m.ROTATION]):
+        return ()
+    around = np.array([start, start])
+    around[:, m.ROTATION] *= 1.0 - 1e-6, 1.0 + 1e-6
+    energy = at_states(structure, "energies", rows.mode[[0, 0]], around)
+    potential = energy["gravitational_energy"] + energy["elastic_energy"]
+    if potential[1] >= potential[0]:
+        return ()
+    name, unit = m.STATES[m.ROTATION], m.STATE_UNITS[m.ROTATION]
+    text = f"The initial {name}, {start[m.ROTATION]:.4g} {unit}, lies beyond the balance"
+    alpha = structure.slenderness if unit == "rad" else None
+    text += "" if alpha is None else f", alpha = {alpha:.4g} rad"
+    return (f"{text}: released at rest it falls over.",)

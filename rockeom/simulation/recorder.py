@@ -1,4 +1,4 @@
-"""What is kept of a motion: all of its steps, or samples of it, and how they are gathered."""
+"""Recorders of a motion: of all of its steps, or of samples and extremes."""
 
 from __future__ import annotations
 
@@ -8,40 +8,39 @@ from typing import Protocol
 
 import numpy as np
 
-from rockeom.simulation.extremes import Evaluate, Extremes, Running
-from rockeom.simulation.steps import Steps
+from rockeom import renamed
+from rockeom.simulation.events import EventColumns
+from rockeom.simulation.extremes import Extremes, Running
+from rockeom.simulation.steps import Evaluate, Rows, Steps
 
-ALL, SAMPLES = KEPT = ("all", "samples")
-"""What `simulate` may be told to keep."""
+ALL, SAMPLES = KEEP = ("all", "samples")
+"""The parts of a motion that `simulate` may keep."""
 
 _DOUBLED = 4096  # steps up to which a full record doubles; then it grows by so many, or an eighth
 
 
+@renamed.fields(contact="mode")
 @dataclass(frozen=True)
 class Samples:
-    """A motion at some times: t (n,) [s], states (n, N), contact (n,), and its extremes by name."""
+    """A motion at some times: t (n,) [s], states y (n, N), mode (n,), and its extremes by name."""
 
     t: np.ndarray
     y: np.ndarray
-    contact: np.ndarray
+    mode: np.ndarray
     extremes: Mapping[str, Extremes]
 
 
-Passages = tuple[np.ndarray, np.ndarray, np.ndarray]
-"""Times (k,), kinds (k, 4) with contact states before and after and the guard, states (k, 2, N)."""
-
-
-class Gathering(Protocol):
-    """What takes the steps of a motion as they are made."""
+class Recorder(Protocol):
+    """Takes the steps of a motion as they are made."""
 
     def add(self, steps: Steps) -> None:
-        """Takes the next steps; their arrays are used again afterwards."""
+        """Take the next steps; their arrays are used again afterwards."""
 
     def __len__(self) -> int:
-        """How many steps there were."""
+        """Number of steps so far."""
 
 
-class AllSteps:
+class DenseRecorder:
     """Keeps every step, in arrays that grow in their place: none is in memory twice."""
 
     def __init__(self) -> None:
@@ -52,7 +51,7 @@ class AllSteps:
         return self.n
 
     def add(self, steps: Steps) -> None:
-        new, first, self.n = (steps.span, steps.contact, steps.powers), self.n, self.n + len(steps)
+        new, first, self.n = (steps.span, steps.mode, steps.powers), self.n, self.n + len(steps)
         if not first:
             self.arrays = tuple(a.copy() for a in new)
             return
@@ -61,7 +60,7 @@ class AllSteps:
                 _resize(array, max(self.n, first + max(first // 8, min(first, _DOUBLED))))
             array[first : self.n] = more
 
-    def record(self, _: Passages) -> Steps:
+    def record(self, _: EventColumns) -> Steps:
         for array in self.arrays:
             _resize(array, self.n)
         return Steps(*self.arrays)
@@ -73,7 +72,7 @@ def _resize(array: np.ndarray, n: int) -> None:
         array.resize((n, *array.shape[1:]), refcheck=False)
 
 
-class SomeSamples:
+class SampleRecorder:
     """Keeps the states at equal times, and the extremes that are found within the steps.
 
     spacing : of the samples [s]. names, evaluate : of the quantities whose extremes are found.
@@ -84,7 +83,7 @@ class SomeSamples:
         self.spacing = min(spacing, 1e300)  # infinite: the start, the events and the end
         self.names, self.running = names, Running(evaluate)
         self.held: Steps | None = None  # the last step: up to where it counts the next one tells
-        self.found: list[tuple[np.ndarray, np.ndarray, np.ndarray]] = []
+        self.found: list[Rows] = []
 
     def __len__(self) -> int:
         return self.n
@@ -107,21 +106,21 @@ class SomeSamples:
         t = self.spacing * numbers
         t = t[t < end]
         self.taken += len(t)
-        self.found.append((t, *steps.at(t, "right")))
+        self.found.append(Rows(t, *steps.at(t, "right")))
 
-    def record(self, passages: Passages) -> Samples:
-        """The samples, with the end and both sides of every passage; the extremes."""
+    def record(self, events: EventColumns) -> Samples:
+        """The samples, with the end and both sides of every event; the extremes."""
         assert self.held is not None
         end = float(self.held.span[0].sum())
         self.running.add(self.held)
         self._sample(self.held, end)
-        self.found.append((np.array([end]), *self.held.at(np.array([end]), "right")))
-        t, y, contact = map(np.concatenate, zip(*self.found, strict=True))
-        times, kinds, states = passages
+        self.found.append(Rows(np.array([end]), *self.held.at(np.array([end]), "right")))
+        t, y, mode = map(np.concatenate, zip(*self.found, strict=True))
+        times, kinds, states = events
         plain = ~np.isin(t, times)
         t = np.concatenate([t[plain], np.repeat(times, 2)])
         y = np.concatenate([y[plain], states.reshape(-1, y.shape[1])])
-        contact = np.concatenate([contact[plain], kinds[:, 1:3].ravel()])
+        mode = np.concatenate([mode[plain], kinds[:, 1:3].ravel()])
         order = np.argsort(t, kind="stable")
         extremes = dict(zip(self.names, self.running.found(), strict=True))
-        return Samples(t[order], y[order], contact[order], extremes)
+        return Samples(t[order], y[order], mode[order], extremes)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from rockeom import renamed
 from rockeom.codes import (
     AT_THE_START,
     CONTACT,
@@ -19,29 +20,29 @@ from rockeom.codes import (
     STEPS_KEPT,
 )
 from rockeom.integrator.program import Program, program
+from rockeom.motion import GroundMotion
 from rockeom.numbers.checks import told
 from rockeom.simulation.case import STILL, Case, Problem, without_duals
+from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.method_selection import chosen
 from rockeom.simulation.options import SolverOptions
+from rockeom.simulation.outcome import Outcome
+from rockeom.simulation.quantities import Ground, Quantities
 from rockeom.simulation.recorder import (
     ALL,
-    KEPT,
+    KEEP,
     SAMPLES,
-    AllSteps,
-    Gathering,
-    Passages,
-    Samples,
-    SomeSamples,
-    Steps,
+    DenseRecorder,
+    Recorder,
+    SampleRecorder,
 )
-from rockeom.simulation.response import Outcome, Response
+from rockeom.simulation.response import Response
+from rockeom.simulation.steps import Steps
+from rockeom.structures.classes import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 
-if TYPE_CHECKING:
-    from rockeom.motion import GroundMotion
-    from rockeom.structures.classes import Structure
 
-
+@renamed.arguments(phase="mode")
 def simulate(
     structure: Structure,
     motion: GroundMotion,
@@ -50,7 +51,7 @@ def simulate(
     initial: Mapping[str, float] | None = None,
     duration: float | None = None,
     vertical: GroundMotion | None = None,
-    phase: str | None = None,
+    mode: str | None = None,
     options: SolverOptions | None = None,
     keep: str = "all",
 ) -> Response:
@@ -58,79 +59,77 @@ def simulate(
 
     impact : Impulsive(), EnergyRatio(r), VelocityRatio(e), AngularMomentum() or another impact law;
         `structure.default_impact` if not given. `statistics["impact_law"]` of the response has it.
-    initial : states by name; what is not named is zero.
+    initial : states by name; others are zero.
     duration : [s]; the motion's own if not given. After the motion the ground stands still.
-    phase : contact state at the start, where the state leaves it open.
+    mode : at the start, where the state leaves it open.
     keep : "all", the polynomials of every step, from which all follows at any time: 24 + 64 N bytes
         a step, of N states. "samples", for records of hours: the states every `output_step` of the
-        options and on both sides of every event, and the extremes of `main_names`, which are found
-        while the motion runs. What needs the steps then says so: `at`, works and other extremes,
-        the forces that friction and contact had to bear, `base_moment`.
+        options and on both sides of every event, and the extremes of states, energies, forces and
+        displacements, which are found while the motion runs. Whatever needs the steps then raises
+        ValueError: `at`, works and other extremes, `support`.
 
     Raises ValueError for states that are unknown, not finite or already fallen over, and TypeError
     for an argument of another kind than is asked for.
     """
-    if keep not in KEPT:
-        raise ValueError(f"keep is {told(keep)}: choose {' or '.join(map(repr, KEPT))}")
-    case = Case(structure, motion, impact, initial, duration, vertical, phase)
+    if keep not in KEEP:
+        raise ValueError(f"keep is {told(keep)}: choose {' or '.join(map(repr, KEEP))}")
+    case = Case(structure, motion, impact, initial, duration, vertical, mode)
     return simulated(case, without_duals(case.problem()), SolverOptions.of(options), keep)
 
 
 def simulated(case: Case, problem: Problem, options: SolverOptions, keep: str = ALL) -> Response:
     """The response of a case, given in numbers as well."""
-    structure, motion = case.structure, case.motion
+    structure = case.structure
     choice = chosen(structure, problem, options)
     compiled = program(structure.module, choice.method)
-    said: dict[str, Any] = {"method": choice.method, "chosen": choice.because}
-    if law := structure.describe_impact(case.impact):
-        said["impact_law"] = law
-
-    def response(record: Steps | Samples, of: Ran) -> Response:
-        return Response(
-            structure, motion, case.vertical, case.impact, options, of.outcome, problem.end, said,
-            record, of.y, of.events,
-        )  # fmt: skip
-
-    gathering: AllSteps | SomeSamples = AllSteps()
+    recorder: DenseRecorder | SampleRecorder = DenseRecorder()
     if keep == SAMPLES:
-        nothing_yet = response(_at_the_start(problem), _nothing(len(problem.y0)))
-        gathering = SomeSamples(nothing_yet.output_step, *nothing_yet.told_of_steps())
-    ran = run(compiled, problem, options, gathering)
-    if not len(gathering):  # ended before the first step: keep the start
-        gathering.add(_at_the_start(problem))
-    said = {"steps": len(gathering), "events": len(ran.events[0]), **said}
+        ground = Ground(case.motion, case.vertical)
+        quantities = Quantities(structure, ground, choice.method)
+        names, spacing = quantities.main_names, options.spacing(problem.end)
+        recorder = SampleRecorder(spacing, names, quantities.columns(names))
+    motion = run(compiled, problem, options, recorder)
+    if not len(recorder):  # ended before the first step: keep the start
+        recorder.add(_at_the_start(problem))
+    statistics: dict[str, Any] = {"steps": len(recorder), "events": len(motion.events.times)}
+    statistics |= {"method": choice.method, "chosen": choice.because}
+    if law := structure.describe_impact(case.impact):
+        statistics["impact_law"] = law
     if options.steps_per_segment:
-        said["refined"] = ran.refined
-    return response(gathering.record(ran.events), ran)
+        statistics["refined"] = motion.refined
+    return Response(
+        structure, case.motion, case.vertical, case.impact, options, motion.outcome, problem.end,
+        statistics, recorder.record(motion.events), Events(structure, motion.events), motion.y,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
-class Ran:
-    """What the compiled loop left of a motion: how it ended and its events.
+class Integrated:
+    """A motion as the compiled loop leaves it: how it ended, its last state and its events.
 
-    refined : segments of the ground's motion in which equal steps would have been too long.
+    refined : segments of the ground motion in which equal steps would have been too long.
     """
 
     outcome: Outcome
     y: np.ndarray
-    events: Passages
+    events: EventColumns
     refined: int
 
 
 def run(
-    compiled: Program, problem: Problem, options: SolverOptions, gathering: Gathering | None = None
-) -> Ran:
+    compiled: Program, problem: Problem, options: SolverOptions, recorder: Recorder | None = None
+) -> Integrated:
     """Run the compiled loop to its end, emptying its records whenever they are full.
 
-    gathering : takes the steps, if given.
+    recorder : of the steps, if given.
     """
-    idle = _benches(compiled, gathering is not None)
+    idle = _benches(compiled, recorder is not None)
     try:
         bench = idle.pop()  # in one go: threads may ask for one at the same time
     except IndexError:
-        bench = _Bench(compiled, gathering is not None)
+        bench = _Bench(compiled, recorder is not None)
     try:
-        return bench.run(problem, options, gathering)
+        return bench.run(problem, options, recorder)
     finally:
         idle.append(bench)
 
@@ -151,13 +150,7 @@ def _at_the_start(problem: Problem) -> Steps:
     """The record of a motion that has not begun."""
     powers = np.zeros((1, 8, len(problem.y0)))
     powers[0, 0] = problem.y0
-    return Steps(np.array([[0.0, _TINY]]), np.array([problem.contact]), powers)
-
-
-def _nothing(n: int) -> Ran:
-    """What is left of a motion of n states that has not begun."""
-    events = np.empty(0), np.empty((0, 4), np.int64), np.empty((0, 2, n))
-    return Ran(Outcome.COMPLETED, np.zeros(n), events, 0)
+    return Steps(np.array([[0.0, _TINY]]), np.array([problem.mode]), powers)
 
 
 class _Bench:
@@ -183,10 +176,10 @@ class _Bench:
         )
         self.at_rest = compiled.at_rest.bound(0, self.y, p)
 
-    def run(self, q: Problem, options: SolverOptions, gathering: Gathering | None) -> Ran:
+    def run(self, q: Problem, options: SolverOptions, recorder: Recorder | None) -> Integrated:
         status, p = self.status, q.p()
         status[:], self.clock[:], self.y[:], self.rate[:] = AT_THE_START, 0.0, q.y0, 0.0
-        status[CONTACT], self.atol[:] = q.contact, options.atol
+        status[CONTACT], self.atol[:] = q.mode, options.atol
         integrate = self.integrate
         integrate["t_end"], integrate["h_max"] = q.end, options.max_step
         integrate["horizontal"], integrate["vertical"] = q.horizontal, q.vertical
@@ -197,27 +190,26 @@ class _Bench:
             bound["max_steps"] = options.max_steps
         integrate["rest_tolerance"] = options.rest_tolerance
         code = FULL
-        found: list[Passages] = []
+        found: list[EventColumns] = []
         while code == FULL:
             status[STEPS_KEPT] = status[EVENTS_KEPT] = 0
             code = integrate()
             kept, noted = int(status[STEPS_KEPT]), int(status[EVENTS_KEPT])
-            if gathering is not None:
-                gathering.add(Steps(*(a[:kept] for a in self.steps)))
-            times, kinds, states = (a[:noted].copy() for a in self.events)
-            found.append((times, kinds, states))
+            if recorder is not None:
+                recorder.add(Steps(*(a[:kept] for a in self.steps)))
+            found.append(EventColumns(*(a[:noted].copy() for a in self.events)))
         outcome = Outcome(OUTCOMES[code])
         if outcome is Outcome.COMPLETED and q.quiet_from <= q.end:
             outcome = self._later(p, 0.1 * q.end)
-        times, kinds, states = (
-            found[0] if len(found) == 1 else map(np.concatenate, zip(*found, strict=True))
-        )
-        return Ran(outcome, self.y.copy(), (times, kinds, states), int(status[REFINED]))
+        events = found[0]
+        if len(found) > 1:
+            events = EventColumns(*map(np.concatenate, zip(*found, strict=True)))
+        return Integrated(outcome, self.y.copy(), events, int(status[REFINED]))
 
     def _later(self, p: np.ndarray, reach: float) -> Outcome:
-        """What will become of a motion that was followed to its end, the ground at rest."""
-        contact = int(self.status[CONTACT])
-        self.falls["mode"] = self.at_rest["mode"] = contact
+        """The outcome of a motion that was followed to its end, the ground at rest."""
+        mode = int(self.status[CONTACT])
+        self.falls["mode"] = self.at_rest["mode"] = mode
         self.falls["reach"], self.at_rest["p"] = reach, p
         if self.falls():
             return Outcome.OVERTURNED

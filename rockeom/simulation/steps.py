@@ -2,39 +2,56 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
+
+from rockeom import renamed
 
 _TOGETHER = 4096  # steps that are evaluated at a time, so that memory is bounded
 
 
+class Rows(NamedTuple):
+    """Times t (n,) [s], states y (n, N) and numbers of the modes (n,) of a motion."""
+
+    t: np.ndarray
+    y: np.ndarray
+    mode: np.ndarray
+
+
+Evaluate = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
+"""(n, m) values of m quantities at times (n,), states (n, N) and modes (n,)."""
+
+
+@renamed.fields(contact="mode")
 @dataclass(frozen=True)
 class Steps:
-    """The dense record: steps (n, 2) start and length [s], contact (n,), powers (n, 8, N)."""
+    """The dense record: steps (n, 2) start and length [s], mode (n,), powers (n, 8, N)."""
 
     span: np.ndarray
-    contact: np.ndarray
+    mode: np.ndarray
     powers: np.ndarray
 
     def __len__(self) -> int:
         return len(self.span)
 
     def __getitem__(self, which: slice | np.ndarray) -> Steps:
-        return Steps(self.span[which], self.contact[which], self.powers[which])
+        return Steps(self.span[which], self.mode[which], self.powers[which])
 
     def joined(self, *others: Steps) -> Steps:
         """These steps and those that follow them."""
-        fields = zip(*((s.span, s.contact, s.powers) for s in (self, *others)), strict=True)
+        fields = zip(*((s.span, s.mode, s.powers) for s in (self, *others)), strict=True)
         return Steps(*map(np.concatenate, fields))
 
     def at(self, times: np.ndarray, side: str) -> tuple[np.ndarray, np.ndarray]:
-        """States (m, N) and contact states (m,) at times (m,)."""
+        """States (m, N) and modes (m,) at times (m,)."""
         starts = self.span[:, 0]
         found = np.searchsorted(starts, times, side="right" if side == "right" else "left")
         index = np.clip(found - 1, 0, len(starts) - 1)
         x = (times - starts[index]) / self.span[index, 1]
-        return self.states(index, x), self.contact[index]
+        return self.states(index, x), self.mode[index]
 
     def states(self, index: np.ndarray, x: np.ndarray) -> np.ndarray:
         """States (m, N) at places x in [0, 1] of the steps `index`."""
@@ -48,8 +65,8 @@ class Steps:
             values[some] = found
         return values
 
-    def samples(self, spacing: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """(t, states, contact) at both ends of every step and between, no wider than spacing."""
+    def samples(self, spacing: float) -> Rows:
+        """Both ends of every step, and places between them no wider apart than spacing [s]."""
         n = np.maximum(np.ceil(self.span[:, 1] / spacing - 1e-9).astype(int), 1)
         index = np.repeat(np.arange(len(n)), n + 1)
         first = np.cumsum(n + 1) - (n + 1)
@@ -62,5 +79,5 @@ class Steps:
         same = np.all(
             np.abs(values[seam] - values[seam - 1]) <= 1e-9 * np.abs(values[seam]), axis=1
         )
-        keep[seam[same & (self.contact[1:] == self.contact[:-1])]] = False
-        return t[keep], values[keep], self.contact[index][keep]
+        keep[seam[same & (self.mode[1:] == self.mode[:-1])]] = False
+        return Rows(t[keep], values[keep], self.mode[index][keep])

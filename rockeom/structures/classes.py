@@ -351,7 +351,7 @@ class Structure:
     ) -> dict[str, np.ndarray]:
         """Accelerations (..., 2) of the places of `positions`, with the ground's, by name [m/s2].
 
-        The arguments are those of `accelerations`; `run.accelerations()` tells those of a motion.
+        The arguments are those of `accelerations`; of a motion see `run.places`.
         """
         at = self._at(state, phase, ground_acceleration, vertical_ground_acceleration)
         found = evaluation.accelerations(self, at.contact, at.y, *at.ground)
@@ -362,7 +362,7 @@ class Structure:
     ) -> dict[str, np.ndarray]:
         """Velocities (..., 2) of the places of `positions`, by name [m/s], relative to the ground.
 
-        `run.velocities()` tells those of a motion.
+        `run.places.velocities()` tells those of a motion.
         """
         at = self._at(state, phase)
         found = evaluation.velocities(self, at.contact, at.y)
@@ -504,7 +504,7 @@ class Structure:
 
         x to the right and y upwards, in axes that move with the ground, from the origin of the
         declaration: the middle between the feet at rest, of shipped structures. A state may hold
-        arrays, of one shape or for NumPy to make of one. `run.positions()` tells those of a motion.
+        arrays, of one shape or for NumPy to make of one. Of a motion see `run.places`.
         """
         return positions_of(self.module, self._places(state, phase))
 

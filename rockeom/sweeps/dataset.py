@@ -108,7 +108,7 @@ def _variables(
         "outcome": shaped(labels[flags], "outcome"),
         "outcome_flag": shaped(flags, "outcome", **FLAGS),
         "final_time": shaped(r.final_time, "time at the end", units=seconds),
-        "final_phase": shaped(phases[np.where(ran, r.contact, -1)], "contact state at the end"),
+        "final_mode": shaped(phases[np.where(ran, r.contact, -1)], "contact state at the end"),
         "impacts": shaped(r.impacts, "number of impacts", units="1"),
         "impact_gains": shaped(
             r.gains[:, 0].astype(np.int64), "number of impacts that gained energy", units="1"

@@ -87,7 +87,7 @@ class Results:
             times[these], gains[these] = np.nan, 0.0
             clock[these], outcome[these] = 0.0, FULL
             status[these] = AT_THE_START
-            status[these, CONTACT] = q.contact[these]
+            status[these, CONTACT] = q.mode[these]
 
         begin(np.full(n, True))
         state = status, clock, final, rates
@@ -171,10 +171,10 @@ class Asked:
                 return
             response = simulate(
                 case.structure, case.motion, impact=case.impact, initial=case.initial,
-                duration=case.duration, vertical=case.vertical, phase=case.phase,
+                duration=case.duration, vertical=case.vertical, mode=case.mode,
                 options=self.options,
             )  # fmt: skip
-            _, kinds, states = response.passages
+            _, kinds, states = response.events.columns
             found = states[np.isin(kinds[:, 0], (IMPACT, LANDING))][: self.impacts.shape[1]]
             self.impacts[row, : len(found)] = found
             if self.quantities:

@@ -369,7 +369,7 @@ class _Moving:
         )
 
     def at_event(self, name: str, k: int, after: bool) -> Dual:
-        _, kinds, states = self.run.passages
+        _, kinds, states = self.run.events.columns
         along = self.found.after[k] if after else self.found.before[k]
         return self.of(name, int(kinds[k, 2 if after else 1]), states[k, int(after)], along)
 
@@ -402,9 +402,8 @@ class _Moving:
 
     def corner(self, t: float, tolerance: float) -> Dual | None:
         """When there is a corner of the ground's motion that moves, within a tolerance."""
-        for rows, along in zip(
-            self.run.tables, (self.along.horizontal, self.along.vertical), strict=True
-        ):
+        tables = ground_table(self.run.motion), ground_table(self.run.vertical)
+        for rows, along in zip(tables, (self.along.horizontal, self.along.vertical), strict=True):
             times, moves = rows[:, :KIND].ravel(), along[:, :KIND].reshape(-1, self.m)
             for i in np.flatnonzero((np.abs(times - t) <= tolerance) & moves.any(axis=1)):
                 return Dual(float(times[i]), moves[i])
@@ -412,7 +411,7 @@ class _Moving:
 
     def event(self, what: str, number: str) -> int:
         """Which of all passages the n-th impact is, or the n-th event."""
-        kinds = self.run.passages[1][:, 0]
+        kinds = self.run.events.columns[1][:, 0]
         every = np.ones(len(kinds), dtype=bool)
         some = np.flatnonzero(np.isin(kinds, (IMPACT, LANDING)) if what == "impact" else every)
         if not 1 <= int(number) <= len(some):
@@ -472,7 +471,7 @@ def _extreme(motion: _Moving, which: str, name: str) -> Dual:
     sided = which == "greatest" or (which == "peak" and of.maximum >= -of.minimum)
     t, value = (of.maximum_time, of.maximum) if sided else (of.minimum_time, of.minimum)
     tolerance = 1e-7 * float(np.max(motion.run.steps.span[:, 1]))
-    there = np.flatnonzero(np.abs(motion.run.passages[0] - t) <= tolerance)
+    there = np.flatnonzero(np.abs(motion.run.events.columns[0] - t) <= tolerance)
     places = [motion.at_event(name, k, after) for k in there.tolist() for after in (False, True)]
     if motion.path.last_time - t <= tolerance:
         places.append(motion.at_end(name))
@@ -506,7 +505,7 @@ def _at_time(motion: _Moving, name: str, time: str) -> Dual:
 def _of_event(motion: _Moving, what: str, number: str, name: str, side: str | None) -> Dual:
     k = motion.event(what, number)
     if name == "time":
-        return Dual(float(motion.run.passages[0][k]), motion.found.event_times[k])
+        return Dual(float(motion.run.events.columns[0][k]), motion.found.event_times[k])
     return motion.at_event(name, k, side is not None)
 
 
@@ -519,7 +518,7 @@ def _overturning_time(motion: _Moving) -> Dual:
 
 
 def _rest_time(motion: _Moving) -> Dual:
-    times, kinds, _ = motion.run.passages
+    times, kinds, _ = motion.run.events.columns
     rests = np.flatnonzero(kinds[:, 0] == REST)
     if not len(rests):
         raise ValueError("of: there is no rest time: no limit of infinitely many impacts was met")

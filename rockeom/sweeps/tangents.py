@@ -207,7 +207,7 @@ class Motion:
         """times (n,) ascend."""
         parts = list(self._parts(times))
         if not parts:
-            k, n = len(self.response.passages[0]), len(self.problem.y0)
+            k, n = len(self.response.events.columns[0]), len(self.problem.y0)
             ends, found = np.empty((n, 0)), np.empty((len(times), n, 0))
             return _Carried(ends, found, np.empty((k, 2, n, 0)), np.empty((k, 0)), 0, 0)
         back = np.argsort(self.order)
@@ -220,7 +220,7 @@ class Motion:
     def _parts(self, times: np.ndarray) -> Iterator[_Carried]:
         """As many directions at a time as the program carries."""
         r, q, along = self.response, self.problem, self.along
-        steps, (t, kinds, states) = r.steps, r.passages
+        steps, (t, kinds, states) = r.steps, r.events.columns
         program = carrying(r.structure.module, r.statistics["method"])
         n, k, size = len(q.y0), len(t), 1 + WIDTH
         p, atol = q.p(), np.full(n, r.options.atol)
@@ -246,7 +246,7 @@ class Motion:
             found, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
             event_y = np.full((k, 2, n, size), np.nan)
             stopped = program.carry(
-                steps.span, steps.contact, steps.powers, t, kinds, states, np.empty((0, n)), *case,
+                steps.span, steps.mode, steps.powers, t, kinds, states, np.empty((0, n)), *case,
                 *rows, corners, _dual(p, along.p, some), _dual(q.ratio, along.ratio, some)[None],
                 self.longest_step, times, y, found, event_y, event_t, told, floats, duals,
             )  # fmt: skip
@@ -264,9 +264,7 @@ class Motion:
         if not (found.stopped or lost.any()):
             return ""
         event = self.response.events[found.at if found.stopped else int(np.argmax(lost))]
-        what = (
-            f"the {event.kind} at {event.time:.6g} s, {event.phase_before} to {event.phase_after}"
-        )
+        what = f"the {event.kind} at {event.time:.6g} s, {event.mode_before} to {event.mode_after}"
         return f"{what}, {_WHY[found.stopped]}"
 
 

@@ -114,12 +114,13 @@ def model_c(stiffness: float = 571.8e3, damping: float = 502.4) -> rk.FlexibleSt
 def peaks_of(run: Response) -> Peaks:
     """Peaks of the point at height H of a wall, as in the thesis, sampled every millisecond."""
     t = np.arange(0.0, run.t[-1], 1e-3)
-    position, rate = run.states[run.program.ROTATION], run.states[run.program.ROTATION_RATE]
+    m = run.structure.module
+    position, rate = m.STATES[m.ROTATION], m.STATES[m.ROTATION_RATE]
     state = run.at(t)
     displacement, velocity = state[position], state[rate]
     # at the start of each step, where the dense output has the rates of the equations of motion
     starts, lengths = run.steps.span.T
-    acceleration = run.steps.powers[:, 1, run.program.ROTATION_RATE] / lengths
+    acceleration = run.steps.powers[:, 1, m.ROTATION_RATE] / lengths
     if position == "theta":  # the oscillator's state is the displacement itself
         height = run.structure.parameters()["height"]
         displacement, velocity = height * np.sin(displacement), height * velocity

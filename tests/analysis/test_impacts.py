@@ -178,7 +178,7 @@ def test_record_without_noise_that_comes_to_rest_needs_no_argument(rate):
     run = rk.simulate(
         BLOCK, rk.GroundMotion.none(9.0), initial={"theta": RELEASE}, impact=rk.EnergyRatio(0.85)
     )
-    assert run.rest_time < 7
+    assert run.events.rest_time < 7
     t = np.arange(9 * rate) / rate
     record = analysis.MeasuredRecord(t, {"theta": run.at(t)["theta"]})
     found = identification.Impacts.of_record(record, BLOCK)

@@ -51,17 +51,17 @@ def test_moment_of_a_column_that_rocks_is_that_of_its_weight_on_one_foot():
     """A rigid one that turns slowly: the whole weight at half a width."""
     run = rk.simulate(RIGID, rk.GroundMotion.none(0.05), initial={"theta": 0.02})
     weight = (S1["mass"] + S1["base_mass"]) * 9.81
-    assert run.base_moment.peak == pytest.approx(weight * S1["half_width"], rel=0.07)
+    assert run.support.base_moment.peak == pytest.approx(weight * S1["half_width"], rel=0.07)
     still = rk.simulate(RIGID, rk.GroundMotion.none(1.0))
-    assert still.base_moment.peak == pytest.approx(0.0, abs=1e-9 * weight)
+    assert still.support.base_moment.peak == pytest.approx(0.0, abs=1e-9 * weight)
 
 
 def test_structure_without_a_width_or_without_feet_has_no_base_moment():
     slender = rk.SlenderBlock.from_frequency(p=2.14, alpha=0.25)
-    assert rk.simulate(slender, rk.GroundMotion.none(0.1)).base_moment is None
+    assert rk.simulate(slender, rk.GroundMotion.none(0.1)).support.base_moment is None
     cart = rk.TwoSpringCart(**S1, foundation_stiffness=550e3)
     run = rk.simulate(cart, rk.GroundMotion.none(0.05), initial={"u": 0.01})
-    assert run.base_moment is None
+    assert run.support.base_moment is None
     with pytest.raises(ValueError, match="two_spring_cart has no feet"):
         design.demands(run)
 
@@ -72,8 +72,8 @@ def test_moment_of_a_wall_is_about_its_centreline():
     run = rk.simulate(wall, rk.GroundMotion.none(0.02), initial={"theta": 0.006})
     start = run.at(0.0, names=("right_reaction", "rotation_centre"))
     assert start["rotation_centre"] > 0.4
-    assert run.base_moment.peak >= start["right_reaction"] * start["rotation_centre"]
-    assert run.base_moment.peak < 1.1 * start["right_reaction"] * wall.half_width
+    assert run.support.base_moment.peak >= start["right_reaction"] * start["rotation_centre"]
+    assert run.support.base_moment.peak < 1.1 * start["right_reaction"] * wall.half_width
 
 
 @needs_records
@@ -106,7 +106,7 @@ def test_balance_of_a_free_decay_is_what_it_lost_at_its_impacts():
     first, *_ = run.impacts
     kinetic = [
         run.structure.energies(s, phase=p)["kinetic_energy"]
-        for s, p in ((first.before, first.phase_before), (first.after, first.phase_after))
+        for s, p in ((first.before, first.mode_before), (first.after, first.mode_after))
     ]
     assert kinetic[1] == pytest.approx(0.8 * kinetic[0], rel=1e-12)
 

@@ -104,7 +104,7 @@ def test_regimes_of_a_free_decay_of_the_flexible_structure():
     found = identification.moving_window(analysis.MeasuredRecord(t, {"x": x}), "x")
     half, resolved = found.span / 2, found.bandwidth / 2
 
-    hits = np.array([impact.time for impact in run.impacts_above(0.01)])
+    hits = np.array([impact.time for impact in run.impacts.above(0.01)])
     rocking = found.time + half < hits[4]
     # a rocking cycle is two half-cycles between impacts
     own = np.interp(found.time[rocking], (hits[1:] + hits[:-1]) / 2, 0.5 / np.diff(hits))
@@ -112,12 +112,12 @@ def test_regimes_of_a_free_decay_of_the_flexible_structure():
     assert np.abs(found.dominant[rocking] - own).max() < resolved
 
     fixed = np.sqrt(COLUMN.stiffness / COLUMN.mass) / (2 * np.pi)
-    flexure = (found.time - half > run.rest_time) & (found.time < 3)
+    flexure = (found.time - half > run.events.rest_time) & (found.time < 3)
     assert flexure.sum() > 50
     assert np.abs(found.dominant[flexure] - fixed).max() < resolved
 
     # between both the frequency climbs: the passages come ever faster
-    passage = (found.time > hits[5]) & (found.time < run.rest_time)
+    passage = (found.time > hits[5]) & (found.time < run.events.rest_time)
     assert passage.sum() > 8
     climbing = found.dominant[passage]
     assert climbing[0] < 5 + resolved

@@ -42,8 +42,8 @@ def test_page_lists_the_demands_of_each_record_the_largest_first(page):
         1e3 * max(rocking.extremes(f"{foot}_uplift").maximum for foot in ("left", "right")),
         shears[0],
         shears[0] / shears[1],
-        abs(rocking.base_moment.peak) / abs(fixed.base_moment.peak),
-        rocking.friction_demand,
+        abs(rocking.support.base_moment.peak) / abs(fixed.support.base_moment.peak),
+        rocking.support.friction_demand,
     ]
     assert [float(cell) for cell in cells] == pytest.approx(expected, rel=0.02, abs=0.006)
 
@@ -53,7 +53,7 @@ def test_page_says_what_was_assumed_and_how_far_it_held(page):
     assert facts["fixed-base period"] == "0.092 s"
     assert facts["law of impact"] == "EnergyRatio(r=0.74)"
     said = " ".join(page.assumptions)
-    worst = max(one.run.friction_demand for one in page.results)
+    worst = max(one.run.support.friction_demand for one in page.results)
     assert f"friction coefficient of {worst:.2f} under the worst record" in said
     (error,) = re.findall(r"energy balances close to (\S+) or better", said)
     assert float(error) < 1e-6

@@ -10,6 +10,7 @@ import pytest
 import rockeom as rk
 from rockeom.cli import main
 from rockeom.cli.simulate import PULSES, impact_law, pulse
+from rockeom.structures.units import main_units
 
 BLOCK = ["simulate", "rigid_block", "--set", "half_width=0.095", "half_height=0.45"]
 FREE = [*BLOCK, "--free", "--duration", "2", "--initial", "theta=-0.1"]
@@ -51,15 +52,15 @@ def test_free_rocking_in_words_and_files(tmp_path, capsys):
 
     with (folder / "response.csv").open(encoding="utf-8", newline="") as file:
         header, *rows = csv.reader(file)
-    assert header[:4] == ["t [s]", "phase", "theta [rad]", "theta_dot [rad/s]"]
+    assert header[:4] == ["t [s]", "mode", "theta [rad]", "theta_dot [rad/s]"]
     assert "left_reaction [N]" in header
     assert "kinetic_energy [J]" in header
     assert "ground_acceleration [m/s2]" in header
-    assert all("[" in name or name == "phase" for name in header)
+    assert all("[" in name or name == "mode" for name in header)
     columns = dict(zip(header, zip(*rows, strict=True), strict=True))
-    assert columns["phase"] == tuple(run.phase)
+    assert columns["mode"] == tuple(run.mode)
     np.testing.assert_allclose(np.array(columns["t [s]"], float), run.t, rtol=1e-11)
-    for name in run.main_names:
+    for name in main_units(run.structure.module):
         (column,) = (values for key, values in columns.items() if key.split()[0] == name)
         np.testing.assert_allclose(np.array(column, float), run[name], rtol=1e-11)
 
@@ -70,11 +71,11 @@ def test_free_rocking_in_words_and_files(tmp_path, capsys):
     assert summary["outcome"] == str(run.outcome)
     assert summary["impacts"] == len(run.impacts)
     assert summary["peaks"]["theta"] == {"value": -0.1, "time": 0.0, "unit": "rad"}
-    assert summary["friction_demand"] == run.friction_demand
-    assert summary["impact_friction_demand"] == run.impact_friction_demand
-    assert summary["impacts_above"] == {"rate": 1e-3, "number": len(run.impacts_above())}
+    assert summary["friction_demand"] == run.support.friction_demand
+    assert summary["impact_friction_demand"] == run.support.impact_friction_demand
+    assert summary["impacts_above"] == {"rate": 1e-3, "number": len(run.impacts.above())}
     assert summary["uplift_acceleration"] == block.uplift_acceleration
-    assert summary["assumptions"] == run.assumptions()
+    assert summary["assumptions"] == run.support.describe()
     assert not summary["never_lifted"]
     (hint,) = summary["hints"]  # the file holds forces, and no mass was given
     assert "mass is at the default, 1 kg" in hint
@@ -85,9 +86,9 @@ def test_npz_holds_the_same_and_needs_no_pickle(tmp_path):
     block = rk.RigidBlock(half_width=0.095, half_height=0.45)
     run = rk.simulate(block, rk.GroundMotion.none(2.0), initial={"theta": -0.1})
     with np.load(tmp_path / "response.npz", allow_pickle=False) as saved:
-        assert set(saved) == {"t", "phase", *run.main_names}
+        assert set(saved) == {"t", "mode", *main_units(run.structure.module)}
         np.testing.assert_array_equal(saved["t"], run.t)
-        np.testing.assert_array_equal(saved["phase"], run.phase)
+        np.testing.assert_array_equal(saved["mode"], run.mode)
         np.testing.assert_array_equal(saved["theta"], run["theta"])
 
 

@@ -222,7 +222,7 @@ def landings():
     block = rk.SlidingBlock(half_width=0.2, half_height=0.5, friction=0.3, restitution=0.4)
     run = rk.simulate(block, rk.GroundMotion.none(1.2), initial={"theta": 0.1, "x_dot": 0.3})
     found = []
-    _, kinds, states = run.passages
+    _, kinds, states = run.events.columns
     for (kind, old, new, guard), (before, after) in zip(kinds.tolist(), states, strict=True):
         if kind == LANDING:
             found.append((old, guard, before, after, new))

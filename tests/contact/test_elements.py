@@ -192,7 +192,7 @@ def test_a_motion_on_springs_is_that_of_the_shipped_structure():
     runs = [
         rk.simulate(s, rk.GroundMotion.none(2.0), initial={"theta": 0.2}) for s in (mine, shipped)
     ]
-    found, wanted = ([(e.time, e.phase_before, e.phase_after) for e in run.events] for run in runs)
+    found, wanted = ([(e.time, e.mode_before, e.mode_after) for e in run.events] for run in runs)
     assert len(found) >= 8
     assert [e[1:] for e in found] == [e[1:] for e in wanted]
     assert [e[0] for e in found] == pytest.approx([e[0] for e in wanted], rel=1e-8)

@@ -70,9 +70,9 @@ def test_it_lifts_about_the_lowest_foot_behind_which_the_ground_moves(structure,
     for more in (0.999, 1.001, 1.3):
         a = side * more * least
         motion = rk.GroundMotion.constant(a, 1e-6)
-        phase = rk.simulate(structure, motion).phase[-1]
-        assert phase == (pivot if more > 1 else "b_c")
-        turns = structure.accelerations({}, a, phase=phase)["theta"]
+        mode = rk.simulate(structure, motion).mode[-1]
+        assert mode == (pivot if more > 1 else "b_c")
+        turns = structure.accelerations({}, a, phase=mode)["theta"]
         expected = -side * MASS * (abs(a) * HEIGHT - G * arm) / about(pivot) if more > 1 else 0.0
         assert turns == pytest.approx(expected, abs=1e-12)
 
@@ -81,7 +81,7 @@ def test_a_lean_stands_on_the_foot_on_that_side(rough):
     """Not named, x, y and their rates follow from the lowest foot."""
     for theta, foot in ((0.1, "c"), (0.35, "d"), (-0.1, "b"), (-0.25, "a")):
         run = rk.simulate(rough, STILL, initial={"theta": theta}, duration=1e-3)
-        assert set(run.phase) == {foot}
+        assert set(run.mode) == {foot}
         u, w = FEET[foot]
         height = u * math.sin(theta) - w * math.cos(theta)
         assert run["y"][0] == pytest.approx(height, abs=1e-12)
@@ -104,8 +104,8 @@ def test_it_climbs_on_the_outer_foot_and_comes_back(rough):
     start = 1.6
     run = rk.simulate(rough, STILL, initial={"theta_dot": start}, duration=1.2)
     up, down = [e for e in run.events if e.kind == "landing"][:2]
-    assert (up.phase_before, up.phase_after) == ("c", "d")
-    assert (down.phase_before, down.phase_after) == ("d", "c")
+    assert (up.mode_before, up.mode_after) == ("c", "d")
+    assert (down.mode_before, down.mode_after) == ("d", "c")
     tilt = math.atan2(0.3, 1.0)
     climbed = potential("c", tilt) - potential("c", 0.0)
     rate = math.sqrt(start**2 - 2 * climbed / about("c"))

@@ -53,7 +53,7 @@ def moved(start, duration: float, friction: float = 0.0) -> np.ndarray:
 def test_a_mass_in_flight_moves_as_the_matrix_exponential_of_a_maxwell_element_says():
     """At the centroid the element does not turn the block: it falls as a point does."""
     start = {"x": 0.02, "y": 1.0, "theta": 0.0, "x_dot": 1.0, "y_dot": 0.0, "pull": 0.5}
-    run = rk.simulate(braced(), rk.GroundMotion.none(0.4), initial=start, phase="flight")
+    run = rk.simulate(braced(), rk.GroundMotion.none(0.4), initial=start, mode="flight")
     assert (run.outcome, len(run.events)) == (rk.Outcome.COMPLETED, 0)
     x, speed, pull = moved([0.02, 1.0, 0.5], 0.4)
     wanted = {
@@ -87,7 +87,7 @@ def test_a_sweep_of_a_block_on_one_point_is_its_single_motions():
 def test_a_force_that_friction_holds_relaxes_and_moves_nothing():
     run = rk.simulate(braced(attached=0.0), rk.GroundMotion.none(2.0), initial={"pull": 7.0})
     assert not run.events
-    assert set(run.phase) == {"both"}
+    assert set(run.mode) == {"both"}
     assert run["pull"] == pytest.approx(7.0 * np.exp(-run.t / RELAXATION), rel=1e-9)
     assert run["x"] == pytest.approx(np.zeros(len(run.t)), abs=1e-15)
 
@@ -100,7 +100,7 @@ def test_a_force_above_friction_draws_the_block_until_it_sticks():
     x, _, pull = moved([0.0, 0.0, 10.0], stop, friction)
     begins, event = run.events
     assert (begins.time, begins.kind) == (0.0, "slip begins")
-    assert (event.kind, event.phase_before, event.phase_after) == (
+    assert (event.kind, event.mode_before, event.mode_after) == (
         "slip ends", "both_slides_left", "both",
     )  # fmt: skip
     assert event.time == pytest.approx(stop, rel=1e-9)
@@ -143,7 +143,7 @@ def test_a_block_on_one_foot_rocks_as_the_equation_written_by_hand():
         motion, (0.0, 10.0), [0.1, 0.0, 0.5], "DOP853", events=upright, rtol=1e-12, atol=1e-13
     )
     landing = rocking().events[0]
-    assert (landing.kind, landing.phase_before) == ("landing", "right")
+    assert (landing.kind, landing.mode_before) == ("landing", "right")
     assert landing.time == pytest.approx(reference.t[-1], rel=1e-9)
     found = [landing.before["theta_dot"], landing.before["pull"]]
     assert found == pytest.approx(reference.y[1:, -1], rel=1e-9)
@@ -153,7 +153,7 @@ def test_energy_goes_into_the_spring_and_the_damper_and_a_landing_asks_neither()
     """z**2/(2 k) is stored and z**2/(k tau) lost a second; z goes on over a landing bit by bit."""
     run = rocking()
     landings = [e for e in run.events if e.kind == "landing"][:4]
-    assert {e.phase_after for e in landings} == {"left", "right"}
+    assert {e.mode_after for e in landings} == {"left", "right"}
     energy = run["kinetic_energy"] + run["gravitational_energy"]
     energy += run["pull"] ** 2 / (2.0 * STIFFNESS)
     lost = run["pull"] ** 2 / (STIFFNESS * RELAXATION)

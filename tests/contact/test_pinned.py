@@ -137,7 +137,7 @@ def test_the_block_moves_as_the_shipped_one():
     runs = [rk.simulate(each, shaking) for each in structures]
     mine, theirs = runs
     assert len(theirs.impacts) > 3
-    assert {*theirs.phase} == {"left", "both", "right"}
+    assert {*theirs.mode} == {"left", "both", "right"}
     assert len(mine.impacts) == len(theirs.impacts)
     for name in ("theta", "theta_dot", "right_reaction", "displacement", "left_uplift"):
         scale = np.abs(theirs[name]).max()

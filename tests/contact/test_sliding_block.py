@@ -9,7 +9,7 @@ from numeric.exact import FreeBlock
 from scipy.optimize import brentq
 
 import rockeom as rk
-from rockeom.simulation.response import Impact
+from rockeom.simulation.events import Event
 
 from . import closed_forms as exact
 from .cases import ALPHA, LEANING, SHAKEN, P, leaning, leaning_motion
@@ -42,7 +42,7 @@ def started(block: Block, across: float, up: float) -> tuple[str, dict[str, floa
         rk.GroundMotion.constant(across, 1e-6),
         vertical=rk.GroundMotion.constant(up, 1e-6),
     )
-    phase = run.phase[-1]
+    phase = run.mode[-1]
     return phase, structure(block).accelerations({}, across, up, phase=phase)
 
 
@@ -148,7 +148,7 @@ def test_a_sine_lets_a_block_stick_in_every_half_cycle_up_to_a_limit(more):
     run = rk.simulate(structure(FLAT), motion)
     omega, first = 2 * math.pi / period, times(run, "slip begins")[0]
     assert first == pytest.approx(math.asin(grip / amplitude) / omega, abs=1e-9)
-    sticks = (run.phase == run.phase[0]) & (run.t > first + 1e-9)
+    sticks = (run.mode == run.mode[0]) & (run.t > first + 1e-9)
     if more > 1:
         assert not sticks.any()
         return
@@ -248,7 +248,7 @@ def test_a_flat_block_that_lands_on_rough_ground_turns():
 # -- a corner lands -------------------------------------------------------------------------
 
 
-def assert_lands_as_the_reference(block: Block, event: Impact) -> None:
+def assert_lands_as_the_reference(block: Block, event: Event) -> None:
     q, v = block.state(**event.before)
     after = block.base(np.concatenate([q, one(block.assembly.impulses(q, v)).motion]))
     scale = max(abs(value) for value in event.before.values())
@@ -338,7 +338,7 @@ def test_a_landing_that_sticks_and_slips_at_once_is_one_event(leaning_run):
 def test_a_leaning_block_comes_to_rest_where_the_reference_does(leaning_run):
     run, block = leaning_run, leaning()
     assert str(run.outcome) == "came to rest"
-    assert run.rest_time == pytest.approx(4.0119, abs=1e-4)
+    assert run.events.rest_time == pytest.approx(4.0119, abs=1e-4)
     # from where its centre was when it stood upright on the same foot
     slip = run.final["x"] - run["x"][0] + block.b * (1 - math.cos(LEANING))
     assert slip == pytest.approx(-0.04592, abs=5e-6)
@@ -449,7 +449,7 @@ def test_a_landing_that_gains_energy_under_this_law_is_told():
     assert gained > 0.01
     start["y"] = block.b * math.sin(0.3) + 1e-9
     run = rk.simulate(structure(block), STILL, initial=start, duration=0.01)
-    assert run.impact_energy_gains[0] == pytest.approx(gained, rel=1e-6)
+    assert run.impacts.energy_gains[0] == pytest.approx(gained, rel=1e-6)
     assert "1 of 1 impacts gained kinetic energy" in run.summary()
     case = rk.Case(run.structure, STILL, initial=start, duration=0.01)
     sweep = rk.simulate_many(lambda row: case, over={"row": [0]})

@@ -125,7 +125,7 @@ def test_a_ladder_leaves_a_smooth_wall_at_two_thirds_of_its_height(length, lean)
     run = rk.simulate(structure, rk.GroundMotion.none(1.05 * time), initial=initial)
     event = run.events[0]
     assert [e.contact for e in run.events] == ["top"]
-    assert (event.kind, event.phase_before, event.phase_after) == ("lifting", "foot_top", "foot")
+    assert (event.kind, event.mode_before, event.mode_after) == ("lifting", "foot_top", "foot")
     assert event.time == pytest.approx(time, rel=1e-9)
     assert event.before["theta"] == pytest.approx(-leaves, rel=1e-9)
     rate = np.sqrt(3 * G / length * (np.cos(lean) - np.cos(leaves)))

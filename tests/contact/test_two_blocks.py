@@ -88,14 +88,16 @@ def test_friction_between_the_blocks_is_told_beside_that_on_the_ground():
     assert {e.contact for e in run.impacts} == {"upper_left", "upper_right"}
     s, c = (x / math.hypot(0.15, 0.6) for x in (0.15, 0.6))
     ground, between = (
-        run.friction_demands["left+right"],
-        run.friction_demands["upper_left+upper_right"],
+        run.support.friction_demands["left+right"],
+        run.support.friction_demands["upper_left+upper_right"],
     )
     assert between[1] == pytest.approx(3 * s * c / (4 - 3 * s * s), rel=1e-9)
-    assert ground == pytest.approx((run.friction_demand, run.impact_friction_demand), rel=1e-9)
+    assert ground == pytest.approx(
+        (run.support.friction_demand, run.support.impact_friction_demand), rel=1e-9
+    )
     alone = rk.RigidBlock(half_width=0.15, half_height=0.6)
     free = rk.simulate(alone, STILL, initial={"theta": 0.1}, duration=1.0)
-    assert between[0] == pytest.approx(free.friction_demand, rel=1e-6)
+    assert between[0] == pytest.approx(free.support.friction_demand, rel=1e-6)
     assert f"{max(between):.3g} at upper_left+upper_right" in run.summary()
 
 
@@ -104,7 +106,7 @@ def test_friction_at_a_landing_does_not_depend_on_the_rounding_of_its_place(tilt
     """All coordinates are some 1e-15 there, and so is each gap: which is closed?"""
     squat = Stack(0.3, 0.4, 0.15, 0.6, 1.0, 1.0)
     run = rk.simulate(structure(squat), STILL, initial={"phi": tilt}, duration=1.5)
-    demands = run.friction_demands["upper_left+upper_right"]
+    demands = run.support.friction_demands["upper_left+upper_right"]
     assert demands[1] == pytest.approx(3 * 0.25 / 1.0625 / (4 - 3 * 0.0625 / 1.0625), rel=1e-9)
 
 
@@ -152,7 +154,7 @@ def test_the_bounces_of_the_lower_block_end_under_the_rocking_upper_one():
 def test_a_state_of_both_on_one_foot_accelerates_as_the_reference():
     state = {"theta": 0.1, "phi": -0.05, "theta_dot": 0.2, "phi_dot": 0.4}
     run = rk.simulate(structure(STACK), STILL, initial=state, duration=1e-6)
-    assert set(run.phase) == {"right_upper_left"}
+    assert set(run.mode) == {"right_upper_left"}
     q, v = moved(STACK, {name: float(run[name][0]) for name in run.states})
     found = one(STACK.assembly.motions(q, v))
     assert found.pattern == (OPEN, STICK, STICK, OPEN)

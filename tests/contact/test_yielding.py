@@ -55,7 +55,7 @@ def in_flight(duration: float, start, **changes):
 
 
 def switches(run):
-    return [(e.contact, e.phase_before, e.phase_after) for e in run.events]
+    return [(e.contact, e.mode_before, e.mode_after) for e in run.events]
 
 
 def test_an_elastic_perfectly_plastic_oscillator_has_the_permanent_set_of_its_closed_form():
@@ -87,10 +87,10 @@ def test_a_bar_that_hardens_yields_back_and_loses_its_strength_times_what_flows(
     """Kinematic hardening: the forces at which it yields lie twice the strength apart."""
     hardening = 20.0
     run = in_flight(6.0, {"x_dot": 4.0}, hardening=hardening)
-    flows = [e for e in run.events if "bar_yields" in e.phase_after]
-    ends = [e for e in run.events if "bar_yields" in e.phase_before]
+    flows = [e for e in run.events if "bar_yields" in e.mode_after]
+    ends = [e for e in run.events if "bar_yields" in e.mode_before]
     assert len(flows) >= 3
-    sides = ["back" in e.phase_after for e in flows]
+    sides = ["back" in e.mode_after for e in flows]
     assert sides == [i % 2 == 1 for i in range(len(flows))]
     for event, back in zip(flows, sides, strict=True):
         z = event.before["bar_extension"]
@@ -119,7 +119,7 @@ def test_a_tendon_is_slack_until_its_play_is_gone_and_again_below_its_permanent_
     stops = yields + MASS * flows / strength
     slack = stops + np.pi / (2.0 * frequency)
     assert [e.time for e in events] == pytest.approx([pulls, yields, stops, slack], rel=1e-7)
-    assert "tendon_slack" in events[-1].phase_after
+    assert "tendon_slack" in events[-1].mode_after
     left = MASS * flows**2 / (2.0 * strength)
     assert run.final["tendon_extension"] == pytest.approx(left, rel=1e-7)
     after = run.t > slack
@@ -193,9 +193,9 @@ def test_a_wall_with_yielding_bars_has_the_loop_of_a_flag_and_comes_back_upright
     options = rk.SolverOptions(output_step=1e-4)
     run = rk.simulate(wall, rk.GroundMotion.none(1.0), initial={"theta_dot": 0.4}, options=options)
     landing = next(e for e in run.events if e.kind == "landing")
-    assert landing.phase_before == "right_bar_left_yields_back"
+    assert landing.mode_before == "right_bar_left_yields_back"
     swing = slice(0, int(np.searchsorted(run.t, landing.time)))
-    theta, phase = run["theta"][swing], np.array(run.phase[swing])
+    theta, phase = run["theta"][swing], np.array(run.mode[swing])
     m, h, b = WALL["mass"], WALL["height"], WALL["half_width"]
     corner = b * np.array([1.0 - np.cos(theta), np.sin(theta)])  # of the base's centre
     top = corner + 2.0 * h * np.array([np.sin(theta), np.cos(theta)])
@@ -218,7 +218,7 @@ def test_a_wall_with_yielding_bars_has_the_loop_of_a_flag_and_comes_back_upright
     assert moment[down] == pytest.approx((weight + pull * lever - bar)[down], rel=1e-9)
     assert moment[down].min() > 0.0
     # area of the loop: the bar's strength times what it has flowed, which the balance tells, too
-    ends = [e for e in run.events if "_yields" in e.phase_before and e.time <= landing.time]
+    ends = [e for e in run.events if "_yields" in e.mode_before and e.time <= landing.time]
     drawn = ends[0].after["bar_left_extension"]
     back = drawn - landing.before["bar_left_extension"]
     area = WALL["strength"] * (drawn + back)
@@ -253,7 +253,7 @@ def test_the_pushover_of_a_wall_with_bars_draws_them_out():
 
 
 def landing_energy(wall, landing) -> float:
-    return sum(wall.energies(landing.before, phase=landing.phase_before).values())
+    return sum(wall.energies(landing.before, phase=landing.mode_before).values())
 
 
 BESIDE = {

@@ -274,7 +274,7 @@ def test_an_example_of_the_gallery_is_run_sketched_and_shown(gallery, tmp_path, 
     example = gallery.STRUCTURES["rigid_block"]
     assert f"```python\n{example.structure}\n{example.run}\n```" in card
     run = gallery._executed(gallery.FIRST, example.structure, example.run)["run"]
-    assert f"{run.outcome}, {run.impacts_in_words()}" in card
+    assert f"{run.outcome}, {run.impacts.describe()}" in card
 
 
 def test_gallery_shows_every_command_plot_and_figure(gallery, monkeypatch):

@@ -117,6 +117,6 @@ def thrown(phase, *, speed=1.0, start=0.0, duration=1000.0, options=None, **para
         point(**parameters),
         rk.GroundMotion.none(duration),
         initial={"x": start, "x_dot": speed},
-        phase=phase,
+        mode=phase,
         options=options,
     )

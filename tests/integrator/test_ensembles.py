@@ -56,7 +56,7 @@ def test_same_as_simulate():
             )
             found = reference.sel(frequency=f, amplitude=a)
             assert found.outcome.item() == run.outcome
-            assert found.final_phase.item() == run.phase[-1]
+            assert found.final_mode.item() == run.mode[-1]
             assert found.impacts.item() == len(run.impacts)
             assert found.final_time.item() == pytest.approx(run.t[-1], rel=1e-14)
             times = [impact.time for impact in run.impacts[:20]]
@@ -153,7 +153,7 @@ def test_every_argument_of_a_case_reaches_the_motion():
         "initial": {"theta": 0.05, "theta_dot": 0.1},
         "duration": 3.0,
         "vertical": rk.GroundMotion.single_sine(4.0, period=0.5, duration=2.0),
-        "phase": "right",
+        "mode": "right",
     }
     motion = rk.GroundMotion.single_sine(3.0, period=1.0, duration=4.0)
     kept = {"all": full} | {key: {k: v for k, v in full.items() if k != key} for key in full}
@@ -186,7 +186,7 @@ def test_interrupt_keeps_what_was_done(reference, threads):
     # nothing is said of the others
     for name in ("final_time", "minimum", "maximum", "final", "impact_time"):
         assert np.isnan(result[name].values[~ran.values]).all()
-    assert set(result.final_phase.values[~ran.values].tolist()) == {""}
+    assert set(result.final_mode.values[~ran.values].tolist()) == {""}
 
 
 @pytest.fixture

@@ -21,7 +21,7 @@ def times(run):
 
 def passed(run):
     """Names of the contact states in order."""
-    return [event.phase_after for event in run.events]
+    return [event.mode_after for event in run.events]
 
 
 # -- several events in a step
@@ -166,7 +166,7 @@ def test_events_at_the_end_of_a_law_of_the_ground(options, ulps):
         point(a=a, b=500.0),
         rk.GroundMotion.from_array([0.0, 0.0, 0.0], dt=500.0),
         initial={"x_dot": 1.0},
-        phase="neither",
+        mode="neither",
         options=options,
     )
     assert passed(run)[-1] == "both_flags"
@@ -201,7 +201,7 @@ def test_continued_at_any_event_is_the_whole():
     whole = thrown("inside", a=1.0, b=1.5, c=3.0, duration=5.0)
     for n, event in enumerate(whole.events):
         rest = thrown(
-            event.phase_after,
+            event.mode_after,
             start=event.after["x"],
             speed=event.after["x_dot"],
             a=1.0,
@@ -211,7 +211,7 @@ def test_continued_at_any_event_is_the_whole():
         )
         later = [t + event.time for t in times(rest) if t > 1e-12]
         assert later == pytest.approx(times(whole)[n + 1 :], abs=1e-12)
-        assert rest.phase[-1] == whole.phase[-1]
+        assert rest.mode[-1] == whole.mode[-1]
 
 
 # -- a guard that is no polynomial
@@ -237,7 +237,7 @@ def test_guard_with_a_kink_in_the_step(damping, speed, flights):
         structure,
         rk.GroundMotion.none(flights * flight),
         initial={"heave": mass * gravity / (2 * stiffness), "heave_dot": speed},
-        phase="flight",
+        mode="flight",
         options=ONE_STEP,
     )
     assert times(run)[:2] == pytest.approx([flight, flight], rel=1e-9)

@@ -38,7 +38,7 @@ def pulse(start, length, acceleration, duration):
 
 def steps_in(run, phase):
     """(n, 2) start and length of the steps in a contact phase."""
-    return run.steps.span[run.steps.contact == BLOCK.module.CONTACTS.index(phase)]
+    return run.steps.span[run.steps.mode == BLOCK.module.CONTACTS.index(phase)]
 
 
 def test_block_that_stands_under_a_sine_lifts_where_the_push_reaches_its_weight():
@@ -73,8 +73,8 @@ def test_elastic_bounces_for_ten_thousand_seconds():
         options=rk.SolverOptions(rtol=1e-13, atol=1e-15, output_step=0.02),
     )
     assert run.outcome is rk.Outcome.COMPLETED
-    assert run["theta"][run.phase == "right"].min() > -1e-13
-    assert run["theta"][run.phase == "left"].max() < 1e-13
+    assert run["theta"][run.mode == "right"].min() > -1e-13
+    assert run["theta"][run.mode == "left"].max() < 1e-13
     energy = run["total_energy"] - GRAVITY * BLOCK.half_height
     np.testing.assert_allclose(energy, energy[0], rtol=1e-10)
     # all flights are alike, the first one is half
@@ -82,7 +82,7 @@ def test_elastic_bounces_for_ten_thousand_seconds():
     flights = np.diff(times)
     np.testing.assert_allclose(flights[1:], 2 * flights[0], rtol=1e-9)
     assert len(flights) == int((1e4 + flights[0]) / (2 * flights[0]))
-    phases = [impact.phase_after for impact in run.impacts]
+    phases = [impact.mode_after for impact in run.impacts]
     assert phases == ["left" if n % 2 == 0 else "right" for n in range(len(phases))]
 
 
@@ -112,11 +112,11 @@ def test_accumulation_under_a_constant_push(tilt, ratio):
     )
     found = [impact.time for impact in run.impacts]
     np.testing.assert_allclose(found[:8], np.cumsum(expected)[:8], rtol=1e-9)
-    assert run.rest_time == pytest.approx(total, rel=1e-7)
+    assert run.events.rest_time == pytest.approx(total, rel=1e-7)
     assert run.events[-1].kind == "rest"
-    later = run.t > run.rest_time
-    assert run.t[later][-1] - run.rest_time >= 99.9
-    assert set(run.phase[later]) == {"both"}
+    later = run.t > run.events.rest_time
+    assert run.t[later][-1] - run.events.rest_time >= 99.9
+    assert set(run.mode[later]) == {"both"}
     assert not run.y[later].any()
 
 
@@ -129,7 +129,7 @@ def test_slow_impact_that_loses_next_to_nothing_ends_by_name(ratio, speed):
         rk.GroundMotion.none(1.0),
         impact=rk.VelocityRatio(ratio),
         initial={"theta_dot": -speed},
-        phase="right",
+        mode="right",
         options=rk.SolverOptions(max_impacts=1000, max_steps=100_000),
     )
     assert run.outcome in (rk.Outcome.CAME_TO_REST, rk.Outcome.TOO_MANY_IMPACTS)
@@ -147,7 +147,7 @@ def test_uplift_one_rounding_error_either_side_of_the_threshold(sign, ulps, lift
     if lifts:
         (uplift,) = run.events
         assert (uplift.time, uplift.kind) == (0.0, "uplift")
-        assert uplift.phase_after == ("left" if sign > 0 else "right")
+        assert uplift.mode_after == ("left" if sign > 0 else "right")
         assert run.outcome is rk.Outcome.OVERTURNED
     else:
         assert run.events == ()
@@ -168,7 +168,7 @@ def test_dead_impact_onto_the_threshold(sign, ulps, lifts):
     )
     kinds = [event.kind for event in run.events]
     assert kinds == (["impact", "uplift"] if lifts else ["impact"])
-    assert run.events[0].phase_after == "both"
+    assert run.events[0].mode_after == "both"
     if lifts:
         assert run.events[1].time == run.events[0].time
         assert run.outcome is rk.Outcome.OVERTURNED
@@ -180,11 +180,11 @@ def test_zero_velocity_impact_is_rest():
     """Upright in a rocking phase, without speed: full contact at once, and nothing more."""
     for phase in ("left", "right"):
         for rate in (0.0, -0.0):
-            run = rk.simulate(BLOCK, QUIET, initial={"theta_dot": rate}, phase=phase)
+            run = rk.simulate(BLOCK, QUIET, initial={"theta_dot": rate}, mode=phase)
             assert run.outcome is rk.Outcome.CAME_TO_REST
             assert len(run.events) <= 2
             assert not run.y.any()
-            assert run.phase[-1] == "both"
+            assert run.mode[-1] == "both"
 
 
 @SIGNS
@@ -194,7 +194,7 @@ def test_impact_at_the_start(sign):
         BLOCK,
         rk.GroundMotion.none(1.0),
         initial={"theta_dot": -sign * 0.1},
-        phase="right" if sign > 0 else "left",
+        mode="right" if sign > 0 else "left",
         impact=rk.VelocityRatio(0.9),
     )
     first, second = run.impacts[:2]
@@ -220,7 +220,7 @@ def test_no_impact_fires_again_after_its_jump(rate):
         rk.GroundMotion.none(1.5 * flight),
         impact=rk.VelocityRatio(0.5),
         initial={"theta_dot": rate},
-        phase="right",
+        mode="right",
         options=rk.SolverOptions(rest_tolerance=1e-300),
     )
     assert run.impacts[0].time == pytest.approx(flight, rel=1e-6)
@@ -289,7 +289,7 @@ def test_pulse_shorter_than_any_step(length):
     push = 0.1 / length
     run = rk.simulate(BLOCK, pulse(50.0, length, -push, 100.0), impact=rk.VelocityRatio(0.5))
     uplift = run.events[0]
-    assert (uplift.time, uplift.kind, uplift.phase_after) == (50.0, "uplift", "right")
+    assert (uplift.time, uplift.kind, uplift.mode_after) == (50.0, "uplift", "right")
     length = (50.0 + length) - 50.0  # as times near 50 s have it
     acceleration = BLOCK.accelerations({}, ground_acceleration=-push, phase="right")["theta"]
     after = run.at(50.0 + 2 * length)
@@ -344,10 +344,10 @@ def test_both_feet_of_a_symmetric_structure_leave_at_once():
     )  # fmt: skip
     shaking = rk.GroundMotion.single_sine(30.0, period=0.2, duration=3.0)
     run = rk.simulate(structure, from_rest, vertical=shaking)
-    assert "flight" in run.phase
+    assert "flight" in run.mode
     assert not run["theta"].any()
     assert not run["theta_dot"].any()
-    assert run.phase[-1] == "both"
+    assert run.mode[-1] == "both"
 
 
 @pytest.mark.parametrize("amplitude", [1.5, 3.0, 6.0])
@@ -361,7 +361,7 @@ def test_exactly_antisymmetric_pulse_mirrored(amplitude):
     np.testing.assert_array_equal(runs[0]["theta"], -runs[1]["theta"])
     times = [[event.time for event in run.events] for run in runs]
     assert times[0] == times[1]
-    phases = [[event.phase_after for event in run.events] for run in runs]
+    phases = [[event.mode_after for event in run.events] for run in runs]
     assert phases[0] == [OTHER[name] for name in phases[1]]
     # it crosses the threshold on the straight line from 0 to the peak
     assert times[0][0] == pytest.approx(0.25 / amplitude, rel=1e-14)
@@ -384,7 +384,7 @@ def test_exactly_symmetric_pulse_grazes_the_threshold(sign, excess, shape):
     if excess > 0:
         assert run.events[0].kind == "uplift"
         assert run.events[0].time == pytest.approx(reached, rel=1e-12)
-        assert run.events[0].phase_after == ("left" if sign > 0 else "right")
+        assert run.events[0].mode_after == ("left" if sign > 0 else "right")
     else:
         assert run.events == ()
         assert not run.y.any()
@@ -487,18 +487,18 @@ def test_nothing_hangs(e, amplitude, period, theta, rate):
     assert np.isfinite(run.y).all()
     assert np.all(np.diff(run.t) >= 0)
     for before, after in itertools.pairwise(run.events):
-        assert before.phase_after == after.phase_before
+        assert before.mode_after == after.mode_before
 
 
 def test_many_at_once_name_the_same_outcomes():
     """Chatter, a point outside its potential and a healthy one side by side in an ensemble."""
     cases = {
-        "chatter": rk.Case(point(), rk.GroundMotion.none(1.0), phase="ping"),
+        "chatter": rk.Case(point(), rk.GroundMotion.none(1.0), mode="ping"),
         "not finite": rk.Case(
-            point(edge=0.5, a=10.0), rk.GroundMotion.none(1.0), initial={"x": 3.0}, phase="one"
+            point(edge=0.5, a=10.0), rk.GroundMotion.none(1.0), initial={"x": 3.0}, mode="one"
         ),
         "completed": rk.Case(
-            point(a=0.5), rk.GroundMotion.none(1.0), initial={"x_dot": 1.0}, phase="one"
+            point(a=0.5), rk.GroundMotion.none(1.0), initial={"x_dot": 1.0}, mode="one"
         ),
     }
     result = rk.simulate_many(lambda case: cases[case], over={"case": list(cases)})

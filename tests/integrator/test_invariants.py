@@ -69,8 +69,8 @@ def test_mirror_image_to_the_last_bit(structure, seed, tilt, e):
     np.testing.assert_array_equal(image.t, run.t)
     for name in run.states:
         np.testing.assert_array_equal(image[name], run[name] if name in EVEN else -run[name])
-    assert [(e.time, e.kind, SIDES.get(e.phase_after, e.phase_after)) for e in image.events] == [
-        (e.time, e.kind, e.phase_after) for e in run.events
+    assert [(e.time, e.kind, SIDES.get(e.mode_after, e.mode_after)) for e in image.events] == [
+        (e.time, e.kind, e.mode_after) for e in run.events
     ]
 
 
@@ -142,11 +142,11 @@ def test_smaller_steps_change_no_event(structure, seed, e, tilt, times, shaken_u
     ]
     # impacts just before a rest are followed or summed up, whichever comes first
     ends = [
-        x.time for run in runs for x in run.events if x.kind != "switch" and x.phase_after == "both"
+        x.time for run in runs for x in run.events if x.kind != "switch" and x.mode_after == "both"
     ]
     end = min(ends, default=math.inf) - 1e-4
     long, short = ([x for x in run.events if x.time < end][:10] for run in runs)
-    assert [x.phase_after for x in long] == [x.phase_after for x in short]
+    assert [x.mode_after for x in long] == [x.mode_after for x in short]
     np.testing.assert_allclose(
         [x.time for x in long], [x.time for x in short], atol=1e-6 * motion.duration
     )
@@ -171,9 +171,9 @@ def test_both_methods_find_the_same_events(seed, e, times):
         for name in ("DOP853", "RK45")
     )
     assert low.outcome is high.outcome
-    end = (high.rest_time or math.inf) - 1e-4
+    end = (high.events.rest_time or math.inf) - 1e-4
     of_high, of_low = ([x for x in run.events if x.time < end][:10] for run in (high, low))
-    assert [x.phase_after for x in of_low] == [x.phase_after for x in of_high]
+    assert [x.mode_after for x in of_low] == [x.mode_after for x in of_high]
     np.testing.assert_allclose(
         [x.time for x in of_low], [x.time for x in of_high], rtol=1e-8, atol=1e-9
     )
@@ -192,9 +192,9 @@ def test_no_impact_in_a_shaken_motion_gives_energy(name, seed, e):
     structure = STRUCTURES[name]
     run = rk.simulate(structure, record(seed, structure), impact=law(structure, e))
     for impact in run.impacts:
-        before = sum(structure.energies(impact.before, impact.phase_before).values())
-        after = sum(structure.energies(impact.after, impact.phase_after).values())
-        rest = structure.energies({}, impact.phase_after)
+        before = sum(structure.energies(impact.before, impact.mode_before).values())
+        after = sum(structure.energies(impact.after, impact.mode_after).values())
+        rest = structure.energies({}, impact.mode_after)
         assert after - before <= 1e-12 * max(abs(sum(rest.values())), abs(before))
 
 
@@ -252,7 +252,7 @@ def test_response_cut_in_two_and_continued_is_the_whole(structure, seed, cut, sm
         structure,
         from_time(motion, cut),
         initial=first.final,
-        phase=str(first.phase[-1]),
+        mode=str(first.mode[-1]),
         duration=motion.duration - cut,
         **options,
     )
@@ -278,8 +278,8 @@ def test_response_cut_at_its_own_impacts_is_the_whole():
     whole = rk.simulate(block, motion, initial={"theta": 0.1}, impact=rk.VelocityRatio(0.9))
     for n, impact in enumerate(whole.impacts[:4]):
         for state, phase, first in (
-            (impact.before, impact.phase_before, n),
-            (impact.after, impact.phase_after, n + 1),
+            (impact.before, impact.mode_before, n),
+            (impact.after, impact.mode_after, n + 1),
         ):
             side = 1 if phase == "right" else -1
             state = state | {"theta": side * abs(state["theta"])}
@@ -287,7 +287,7 @@ def test_response_cut_at_its_own_impacts_is_the_whole():
                 block,
                 rk.GroundMotion.none(5.0 - impact.time),
                 initial=state,
-                phase=phase,
+                mode=phase,
                 impact=rk.VelocityRatio(0.9),
             )
             times = [impact.time + later.time for later in rest.impacts[:3]]

@@ -68,7 +68,7 @@ def both_ways(case, over, options=STEP):
 
 def assert_same(lanes, scalar, apart, final=1.0):
     """The same course of events; times and extremes differ by rounding, and by what it grew to."""
-    for name in ("outcome", "final_phase", "impacts"):
+    for name in ("outcome", "final_mode", "impacts"):
         np.testing.assert_array_equal(lanes[name], scalar[name])
     np.testing.assert_allclose(lanes.impact_time, scalar.impact_time, rtol=0, atol=apart)
     np.testing.assert_allclose(lanes.final_time, scalar.final_time, rtol=0, atol=apart)
@@ -118,7 +118,7 @@ def test_uplift_where_the_ground_exceeds_g_tan_alpha():
         lambda duration: rk.Case(block(0.5, 0.2), ramp, duration=duration),
         {"duration": [0.4, 0.99, 1.0 - 1e-9, 1.001, 1.1, 1.5]},
     )
-    np.testing.assert_array_equal(found.final_phase, ["both"] * 3 + ["left"] * 3)
+    np.testing.assert_array_equal(found.final_mode, ["both"] * 3 + ["left"] * 3)
     assert (found.final.values[:3] == 0.0).all()
     # just after, the rotation is that of a moment that grows in proportion to time
     rock = block(0.5, 0.2)
@@ -183,7 +183,7 @@ def test_every_argument_of_a_case():
         "initial": {"theta": 0.05, "theta_dot": 0.1},
         "duration": 3.0025,
         "vertical": record(seed=2, dt=0.007).scaled(acceleration=2.0),
-        "phase": "right",
+        "mode": "right",
     }
     cases = {"all": full, "longer": full | {"duration": 8.0}, "longest": full | {"duration": 20.0}}
     cases |= {f"no {key}": {k: v for k, v in full.items() if k != key} for key in full}
@@ -271,9 +271,7 @@ def test_structures_on_springs(steps):
     np.testing.assert_array_equal(lanes.outcome, scalar.outcome)
     assert {"overturned", "completed"} <= set(lanes.outcome.values.ravel().tolist())
     stands = (scalar.outcome != "overturned").values
-    np.testing.assert_array_equal(
-        lanes.final_phase.values[stands], scalar.final_phase.values[stands]
-    )
+    np.testing.assert_array_equal(lanes.final_mode.values[stands], scalar.final_mode.values[stands])
     for name in ("minimum", "maximum", "final"):
         size = np.abs(scalar[name].values[stands]).max(axis=0)
         off = np.abs(lanes[name].values - scalar[name].values)[stands]

@@ -152,10 +152,10 @@ def missing_energy(run):
     x, weights = (nodes + 1) / 2, weights / 2
     work = damping = 0.0
     for (t, h), contact, powers in zip(
-        run.steps.span, run.steps.contact, run.steps.powers, strict=True
+        run.steps.span, run.steps.mode, run.steps.powers, strict=True
     ):
         theta, u, theta_dot, u_dot = np.polynomial.polynomial.polyval(x, powers)
-        b = run.program.SIDES[contact] * s.half_width
+        b = run.structure.module.SIDES[contact] * s.half_width
         top = u_dot * np.cos(theta) - (u - b) * np.sin(theta) * theta_dot
         top += s.height * np.cos(theta) * theta_dot
         base = b * np.sin(theta) * theta_dot + s.base_height * np.cos(theta) * theta_dot
@@ -167,11 +167,11 @@ def missing_energy(run):
         return sum(s.energies(dict(zip(s.states, values, strict=True)), phase).values())
 
     lost = sum(
-        energy(e.before.values(), e.phase_before) - energy(e.after.values(), e.phase_after)
+        energy(e.before.values(), e.mode_before) - energy(e.after.values(), e.mode_after)
         for e in run.events
     )
-    start = energy(run.steps.powers[0, 0], run.phase[0])
-    end = energy(run.end, run.phase[-1])
+    start = energy(run.steps.powers[0, 0], run.mode[0])
+    end = energy(run.end, run.mode[-1])
     return end - start - (work - damping - lost), abs(work) + damping + lost
 
 
@@ -205,7 +205,7 @@ def test_tendon_stops_yielding_at_a_turning_point_with_an_implicit_method():
             for method, rtol in (("Radau", 1e-7), ("DOP853", 1e-10))
         ]
         assert runs[0].outcome is runs[1].outcome
-        assert any(event.phase_before.endswith("yield") for event in runs[0].events)
+        assert any(event.mode_before.endswith("yield") for event in runs[0].events)
 
 
 # -- records of steps that are full, anywhere

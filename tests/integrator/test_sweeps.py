@@ -236,7 +236,7 @@ def test_starts_of_all_signs():
     assert_same_bits(case, over, at_once=False)
     parts = list(source(case, over))
     assert sum(len(part.cases) for part in parts) == 1  # upright and at rest
-    assert {int(part.problems.contact[0]) for part in parts} == {0, 1, 2}
+    assert {int(part.problems.mode[0]) for part in parts} == {0, 1, 2}
 
 
 # -- functions of the caller
@@ -306,7 +306,7 @@ WRONG = {
     "too short": (lambda x: Case(BLOCK, sine(1.0, 1.0, duration=1.0 + x)), "longer"),
     "ratio": (lambda x: Case(BLOCK, STILL, rk.EnergyRatio(0.4 + x)), "between 0"),
     "state": (lambda x: Case(BLOCK, STILL, initial={"tehta": x}), "unknown state"),
-    "phase": (lambda x: Case(BLOCK, STILL, initial={"theta": x}, phase="right"), "contradicts"),
+    "phase": (lambda x: Case(BLOCK, STILL, initial={"theta": x}, mode="right"), "contradicts"),
     "model": (
         lambda x: Case(BLOCK if x > 0 else rk.NondimensionalBlock(alpha=0.2), STILL),
         "each model",

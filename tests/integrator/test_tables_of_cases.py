@@ -180,7 +180,7 @@ def test_every_variable_says_what_it_is_and_in_which_unit():
     assert found.quantity_unit.values.tolist() == ["m", "m"]
     # what has no one unit says those of each
     without = {n for n, unit in units.items() if unit is None}
-    labels = {"outcome", "outcome_flag", "final_phase", "state", "quantity"}
+    labels = {"outcome", "outcome_flag", "final_mode", "state", "quantity"}
     assert without - labels == {
         "amplitude", "peak", "maximum", "minimum", "final", "state_unit", "quantity_unit",
     }  # fmt: skip

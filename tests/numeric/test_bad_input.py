@@ -109,7 +109,7 @@ def test_unknown_state():
 
 def test_unknown_phase():
     with raises(ValueError, "phase", "rihgt", "left, both, right"):
-        rk.simulate(BLOCK, QUIET, initial={"theta": 0.1}, phase="rihgt")
+        rk.simulate(BLOCK, QUIET, initial={"theta": 0.1}, mode="rihgt")
 
 
 @pytest.mark.parametrize(
@@ -119,7 +119,7 @@ def test_unknown_phase():
 def test_phase_that_contradicts_the_state(initial, phase):
     """A structure turned to the right does not stand on its left edge."""
     with raises(ValueError, phase, "theta"):
-        rk.simulate(BLOCK, QUIET, initial=initial, phase=phase)
+        rk.simulate(BLOCK, QUIET, initial=initial, mode=phase)
 
 
 @pytest.mark.parametrize("theta", [math.pi / 2 + 1e-6, -2.0])
@@ -231,7 +231,7 @@ ARGUMENTS = {
     "impact": {"law", "nothing"},
     "initial": {*MAPPINGS, "nothing"},
     "duration": {*NUMBERS, "nothing"},
-    "phase": {"word", "number of text", "nothing"},
+    "mode": {"word", "number of text", "nothing"},
     "options": {"options", "nothing"},
 }
 """What each argument may be, of the things above."""
@@ -243,7 +243,9 @@ def test_argument_of_another_kind_is_named(ask, argument):
     if ask is swept and argument == "options":
         return  # it is none of a case
     for kind in set(OTHERS) - ARGUMENTS[argument]:
-        with pytest.raises(TypeError, match=rf"^(\w+ and )?{argument} (is|are) ") as caught:
+        with pytest.raises(
+            TypeError, match=rf"^(\w+ and )?{argument.replace('mode', '(mode|phase)')} (is|are) "
+        ) as caught:
             ask(**{argument: OTHERS[kind]})
         text = str(caught.value)
         assert any(remedy in text for remedy in (": give ", ": name ", "comes first"))
@@ -287,7 +289,7 @@ def test_argument_of_another_kind_is_named(ask, argument):
         (lambda: simulated(initial={"theta": [0.1]}), ("state theta is a list", "give a number")),
         (lambda: simulated(initial={0: 0.1}), ("unknown state 0", "theta")),
         (lambda: simulated(duration="10"), ("duration is '10'", "give a number")),
-        (lambda: simulated(phase=1), ("phase is 1", "left, both, right")),
+        (lambda: simulated(mode=1), ("is 1", "left, both, right")),
         (
             lambda: rk.RigidBlock(0.1, 0.4),
             ("RigidBlock takes its parameters by name", "half_width"),

@@ -45,7 +45,7 @@ def test_uplift_when_a_ramp_crosses_the_threshold(structure, threshold, directio
     assert first.kind == "uplift"
     assert first.time == pytest.approx(1 / 3, rel=1e-14)
     # ground accelerating to the right leaves the structure behind: it leans to the left
-    assert (first.phase_before, first.phase_after) == ("both", "left" if direction > 0 else "right")
+    assert (first.mode_before, first.mode_after) == ("both", "left" if direction > 0 else "right")
     before = run.t < first.time
     assert before.any()
     assert not run.y[before].any()
@@ -62,7 +62,7 @@ def test_acceleration_just_below_the_threshold_never_lifts(structure, threshold)
 def test_acceleration_just_above_the_threshold_lifts_and_overturns(structure, threshold):
     run = rk.simulate(structure, rk.GroundMotion.constant((1 + 1e-6) * threshold, duration=50.0))
     (event,) = run.events
-    assert (event.time, event.kind, event.phase_after) == (0.0, "uplift", "left")
+    assert (event.time, event.kind, event.mode_after) == (0.0, "uplift", "left")
     assert run.outcome is rk.Outcome.OVERTURNED
     rotation = run.states[0]
     assert run[rotation][-1] == pytest.approx(-structure.overturning_rotation, rel=1e-9)
@@ -129,7 +129,7 @@ def test_an_impact_without_loss_on_shaking_ground_goes_on_rocking():
     """Full contact must not be entered from an impact that leaves speed."""
     motion = rk.GroundMotion.harmonic(2.0, period=0.8, duration=8.0)
     run = rk.simulate(BLOCK, motion, impact=rk.VelocityRatio(0.99), initial={"theta": 0.1})
-    assert {(e.phase_before, e.phase_after) for e in run.impacts} <= {
+    assert {(e.mode_before, e.mode_after) for e in run.impacts} <= {
         ("left", "right"),
         ("right", "left"),
     }
@@ -146,7 +146,7 @@ def test_uplift_of_a_flexible_structure_is_where_a_foot_ceases_to_press(stiffnes
     assert abs(force["right_reaction"]) < 1e-9 * TOTAL_MASS * GRAVITY
     assert force["left_reaction"] == pytest.approx(TOTAL_MASS * GRAVITY, rel=1e-9)
     # and it pressed until then
-    standing = run.phase == "both"
+    standing = run.mode == "both"
     assert run["right_reaction"][standing].min() > -1e-9 * TOTAL_MASS * GRAVITY
 
 
@@ -166,17 +166,17 @@ def test_events_follow_one_another_in_order(amplitude, period, e, flexible):
     times = [event.time for event in run.events]
     assert times == sorted(times)
     for before, after in itertools.pairwise(run.events):
-        assert before.phase_after == after.phase_before
-    assert run.events == () or run.events[0].phase_before == "both"
+        assert before.mode_after == after.mode_before
+    assert run.events == () or run.events[0].mode_before == "both"
     # never on the wrong side
     side = {"left": -1, "both": 0, "right": 1}
-    sign = np.array([side[name] for name in run.phase])
+    sign = np.array([side[name] for name in run.mode])
     assert np.all(run["theta"] * sign >= -1e-12)
     assert not run["theta"][sign == 0].any()
     for event in run.impacts:
         assert event.before["theta"] == pytest.approx(0.0, abs=1e-12)
         assert event.after["theta"] == 0.0
-        assert event.before["theta_dot"] * side[event.phase_before] <= 0
+        assert event.before["theta_dot"] * side[event.mode_before] <= 0
 
 
 # -- states that fit no contact state, or another than is named
@@ -221,7 +221,7 @@ def test_wall_beyond_yield_on_its_way_back_has_drawn_its_tendon_out(wall, side):
 )
 def test_phase_whose_impact_is_over_is_refused(structure, state, phase):
     with pytest.raises(ValueError, match=f"the phase '{phase}' of {structure.model} contradicts"):
-        rk.simulate(structure, rk.GroundMotion.none(1.0), initial=state, phase=phase)
+        rk.simulate(structure, rk.GroundMotion.none(1.0), initial=state, mode=phase)
 
 
 def test_upright_structure_begins_on_the_side_to_which_it_will_go():
@@ -247,6 +247,6 @@ def test_upright_structure_begins_on_the_side_to_which_it_will_go():
                     else make(sign * amplitude, *rest)
                 )
                 cases.append(rk.Case(structure, motion).problem())
-            names = [structure.module.CONTACTS[case.contact] for case in cases]
+            names = [structure.module.CONTACTS[case.mode] for case in cases]
             assert {name.split("_")[0] for name in names} in ({"left", "right"}, {"both"})
             assert names[0] != names[1]

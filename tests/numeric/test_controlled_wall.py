@@ -38,7 +38,7 @@ def freed(structure, impact=None, displacement=RELEASE, duration=1.5):
 
 def peaks(run):
     """(times, displacements at the height H) at which the wall turns back, the start included."""
-    name = run.states[run.program.ROTATION]
+    name = run.states[run.structure.module.ROTATION]
     t = np.linspace(0.0, run.t[-1], 20001)
     rate = run.at(t)[f"{name}_dot"]
     turns = t[:-1][rate[1:] * rate[:-1] < 0]
@@ -202,7 +202,7 @@ def quarter_period(structure, displacement):
     """Time from rest to upright in ms, without losses."""
     law = rk.EnergyRatio(1.0) if structure.has_impacts else None
     for event in freed(structure, law, -displacement, 0.3).events:
-        if event.kind == "impact" or (event.phase_before, event.phase_after) == (
+        if event.kind == "impact" or (event.mode_before, event.mode_after) == (
             "left_near", "right",
         ):  # fmt: skip
             return 1e3 * event.time
@@ -255,7 +255,7 @@ def test_substitute_gravity_has_a_third_of_the_stiffness_near_upright():
 )
 def test_a_yield_excursion_costs_the_plastic_work_and_unloading_is_elastic(structure, start):
     run = rk.simulate(structure, rk.GroundMotion.none(0.5), initial=start, options=EXACT)
-    passed = [(e.phase_before, e.phase_after) for e in run.events]
+    passed = [(e.mode_before, e.mode_after) for e in run.events]
     assert passed[:2] == [("right", "right_yield"), ("right_yield", "right")]
     permanent = run.final["permanent_extension"]
     assert permanent > 0.015
@@ -379,7 +379,7 @@ def test_each_impact_has_the_ratio_of_its_own_speed():
         ratios.add(round(r, 6))
     assert len(ratios) >= 3
     landing = {"theta_dot": run.impacts[0].before["theta_dot"]}
-    after, _ = wall.after_impact(landing, run.impacts[0].phase_before, LAWS.equation_4_38())
+    after, _ = wall.after_impact(landing, run.impacts[0].mode_before, LAWS.equation_4_38())
     assert after["theta_dot"] == pytest.approx(run.impacts[0].after["theta_dot"], rel=1e-14)
 
 
@@ -391,7 +391,7 @@ def test_a_law_of_one_flat_piece_is_a_constant_energy_ratio():
         rk.simulate(block, still, impact=law, initial=start) for law in (flat, rk.EnergyRatio(0.8))
     ]
     assert runs[0].final == runs[1].final
-    assert runs[0].rest_time == runs[1].rest_time
+    assert runs[0].events.rest_time == runs[1].events.rest_time
     many = rk.simulate_many(
         lambda theta: rk.Case(block, still, impact=flat, initial={"theta": theta}),
         over={"theta": [0.1]},

@@ -147,12 +147,12 @@ def test_energy_that_impacts_of_a_pier_gain_and_lose(law):
     """By the velocities of its masses; none gains by default, a third of a megajoule otherwise."""
     run = shaken(law)
     energies = np.array(
-        [[kinetic(i.phase_before, i.before), kinetic(i.phase_after, i.after)] for i in run.impacts]
+        [[kinetic(i.mode_before, i.before), kinetic(i.mode_after, i.after)] for i in run.impacts]
     )
     change = np.diff(energies)[:, 0]
     gains = change[change > 1e-9 * energies[:, 0]]
-    np.testing.assert_allclose(run.impact_energy_gains, gains, rtol=1e-9)
-    assert run.impact_energy_loss == pytest.approx(-change[change < 0].sum(), rel=1e-9)
+    np.testing.assert_allclose(run.impacts.energy_gains, gains, rtol=1e-9)
+    assert run.impacts.energy_loss == pytest.approx(-change[change < 0].sum(), rel=1e-9)
     said = f"{len(gains)} of {len(change)} impacts gained kinetic energy, {gains.sum():.4g} J"
     if law is None:
         assert not len(gains)
@@ -174,7 +174,7 @@ def test_sweep_counts_impacts_that_gain_energy(lanes):
     )
     assert found.attrs["impact_law"] == "Impulsive(), by default, of the first case"
     runs = [shaken(law) for law in laws]
-    gains = [run.impact_energy_gains for run in runs]
+    gains = [run.impacts.energy_gains for run in runs]
     assert found.impact_gains.values.tolist() == [len(of_run) for of_run in gains]
     np.testing.assert_allclose(
         found.impact_energy_gained, [of_run.sum() for of_run in gains], rtol=1e-6
@@ -185,7 +185,7 @@ def test_sweep_counts_impacts_that_gain_energy(lanes):
 
 def test_impacts_that_gain_are_known_of_a_motion_of_which_only_samples_are_kept():
     run = rk.simulate(PIER, pacoima(), impact=rk.AngularMomentum(), keep="samples")
-    assert len(run.impact_energy_gains) == len(shaken(rk.AngularMomentum()).impact_energy_gains)
+    assert len(run.impacts.energy_gains) == len(shaken(rk.AngularMomentum()).impacts.energy_gains)
     assert "impacts gained kinetic energy" in run.summary()
 
 
@@ -204,7 +204,7 @@ def test_structure_that_bends_lands_by_momentum_whoever_asks(name):
     assert run.statistics["impact_law"] == "Impulsive(), by default"
     assert named.statistics["impact_law"] == "Impulsive()"
     first = run.impacts[0]
-    after, _ = structure.after_impact(first.before, first.phase_before)
+    after, _ = structure.after_impact(first.before, first.mode_before)
     assert after["theta_dot"] == pytest.approx(first.after["theta_dot"], rel=1e-12)
     case = rk.Case(structure, still, initial=start)
     sweep = rk.simulate_many(lambda i: case, {"i": [0]}, lanes=False)
@@ -228,7 +228,7 @@ def test_structure_that_only_turns_keeps_its_law_and_its_bits(structure):
     ]
     np.testing.assert_array_equal(runs[0].y, runs[1].y)
     assert runs[0].statistics["impact_law"] == "AngularMomentum(), by default"
-    assert not len(runs[0].impact_energy_gains)
+    assert not len(runs[0].impacts.energy_gains)
 
 
 def test_wall_whose_centre_does_not_jump_lands_without_a_change():
@@ -239,7 +239,7 @@ def test_wall_whose_centre_does_not_jump_lands_without_a_change():
     assert after["theta_dot"] == pytest.approx(-0.3, rel=1e-12)
     run = rk.simulate(wall, rk.GroundMotion.none(1.0), initial={"theta": 0.01, "u": 0.02})
     assert run.impacts
-    assert not len(run.impact_energy_gains)
+    assert not len(run.impacts.energy_gains)
 
 
 def test_report_and_command_line_name_the_default_and_the_gains(tmp_path, capsys):

@@ -37,7 +37,7 @@ def released(n, x=START, r=RATIO, duration=6.0, **options):
 def upright(run):
     """Times of the passages through x = 0."""
     core = {"left_core", "right_core"}
-    return [e.time for e in run.events if {e.phase_before, e.phase_after} == core]
+    return [e.time for e in run.events if {e.mode_before, e.mode_after} == core]
 
 
 def peaks(run):
@@ -179,9 +179,9 @@ def test_long_steps_without_error_control_do_not_leap_over_the_impact(method, n)
             block(n), still, initial={"x": start},
             options=rk.SolverOptions(method=method, steps_per_segment=1),
         )  # fmt: skip
-        enters = next(e for e in run.events if e.phase_before == "right")
-        leaves = next(e for e in run.events if e.phase_after == "left")
-        energies = [block(n).energies(e.before, e.phase_before) for e in (enters, leaves)]
+        enters = next(e for e in run.events if e.mode_before == "right")
+        leaves = next(e for e in run.events if e.mode_after == "left")
+        energies = [block(n).energies(e.before, e.mode_before) for e in (enters, leaves)]
         before, after = (sum(e.values()) - 1 for e in energies)
         assert after / before == pytest.approx(RATIO, abs=0.01)
 

@@ -25,7 +25,7 @@ def test_column_vibrates_in_full_contact_as_a_damped_oscillator():
     assert 2 * math.pi / omega == pytest.approx(0.092, abs=1e-4)  # thesis 5-1
     assert xi == pytest.approx(0.03, abs=1e-4)  # thesis 5-36
     run = rk.simulate(column(), rk.GroundMotion.none(1.0), initial={"u": 2e-4})
-    assert set(run.phase) == {"both"}
+    assert set(run.mode) == {"both"}
     assert run.events == ()
     t = np.linspace(0, 1, 200)
     damped = omega * math.sqrt(1 - xi**2)
@@ -108,7 +108,7 @@ def test_old_foot_that_cannot_lift_stays_down(side):
     run = rk.simulate(
         squat, rk.GroundMotion.none(0.5), impact=rk.Impulsive(), initial={"theta": side * 0.01}
     )
-    assert run.impacts[0].phase_after == "both"
+    assert run.impacts[0].mode_after == "both"
     at = run.impacts[0].time
     assert run.at(at + 1e-6)["u_dot"] == pytest.approx(run.impacts[0].after["u_dot"], abs=1e-3)
 

@@ -76,19 +76,19 @@ def test_infinitely_many_impacts_end_in_rest_that_lasts():
     )
     # computed once with 50 digits
     assert run.impacts[0].time == pytest.approx(1.071994026, abs=1e-9)
-    assert run.rest_time == pytest.approx(10.648687, abs=1e-6)
+    assert run.events.rest_time == pytest.approx(10.648687, abs=1e-6)
 
     expected = rest_time(FreeBlock(P, ALPHA), RELEASE, 0.81)
-    assert run.rest_time == pytest.approx(expected, rel=1e-10)
+    assert run.events.rest_time == pytest.approx(expected, rel=1e-10)
     assert run.outcome is rk.Outcome.CAME_TO_REST
 
-    after = run.t > run.rest_time
+    after = run.t > run.events.rest_time
     assert after.any()
     assert run.t[-1] == 110.0
     assert not run["theta"][after].any()
     assert not run["theta_dot"][after].any()
-    assert set(run.phase[after]) == {"both"}
-    assert not [event for event in run.events if event.time > run.rest_time]
+    assert set(run.mode[after]) == {"both"}
+    assert not [event for event in run.events if event.time > run.events.rest_time]
 
 
 @pytest.mark.parametrize("ratio", [0.3, 0.7, 0.97])
@@ -96,7 +96,7 @@ def test_rest_time_of_other_restitutions(ratio):
     block = rk.RigidBlock.from_frequency(p=P, alpha=ALPHA)
     run = rk.simulate(block, QUIET, impact=rk.VelocityRatio(ratio), initial={"theta": RELEASE})
     expected = rest_time(FreeBlock(P, ALPHA), RELEASE, ratio**2)
-    assert run.rest_time == pytest.approx(expected, rel=1e-10)
+    assert run.events.rest_time == pytest.approx(expected, rel=1e-10)
 
 
 def test_rest_time_converges_with_its_tolerance():
@@ -111,7 +111,7 @@ def test_rest_time_converges_with_its_tolerance():
             initial={"theta": RELEASE},
             options=rk.SolverOptions(rest_tolerance=tolerance),
         )
-        return abs(run.rest_time - expected)
+        return abs(run.events.rest_time - expected)
 
     # what is summed in closed form are parabolas: the error is that of a cubic
     assert error(0.3) > 1e-5
@@ -123,7 +123,7 @@ def test_dead_impact_ends_the_motion_at_once():
     run = rk.simulate(block, QUIET, impact=rk.VelocityRatio(0.0), initial={"theta": RELEASE})
     (impact,) = run.impacts
     assert impact.time == pytest.approx(FreeBlock(P, ALPHA).quarter(RELEASE), rel=1e-10)
-    assert impact.phase_after == "both"
+    assert impact.mode_after == "both"
     assert impact.after == {"theta": 0.0, "theta_dot": 0.0}
     assert run.outcome is rk.Outcome.CAME_TO_REST
 
@@ -137,7 +137,7 @@ def test_lossless_impacts_never_end():
     assert len(times) == int((100.0 + quarter) / (2 * quarter))
     np.testing.assert_allclose(times, quarter * (2 * np.arange(len(times)) + 1), rtol=1e-9)
     assert run.outcome is rk.Outcome.COMPLETED
-    assert run.rest_time is None
+    assert run.events.rest_time is None
 
 
 @pytest.mark.parametrize(("part", "impacts"), [(0.01, 900), (0.1, 275)])

@@ -29,7 +29,7 @@ def released(law, **options):
 
 def energy_ratios(run):
     """Of the kinetic energies after and before each impact above 0.01 rad/s."""
-    faster = run.impacts_above(0.01)
+    faster = run.impacts.above(0.01)
     return np.array([(e.after["theta_dot"] / e.before["theta_dot"]) ** 2 for e in faster])
 
 
@@ -64,7 +64,7 @@ def test_rest_after_infinitely_many_impacts_that_differ_by_foot(left, right):
     quarters = formulas.exact_quarter_period(np.array(peaks), alpha, p)
     run = released(rk.EnergyRatio(left=left, right=right))
     assert run.outcome is rk.Outcome.CAME_TO_REST
-    assert run.rest_time == pytest.approx(2 * quarters.sum() - quarters[0], abs=1e-6)
+    assert run.events.rest_time == pytest.approx(2 * quarters.sum() - quarters[0], abs=1e-6)
 
 
 def test_one_ratio_for_both_feet_is_one_ratio():
@@ -77,10 +77,10 @@ def test_losses_in_joules_are_those_of_3_17():
     """The cubic with its sign, as printed: Delta E = 5.525 w3 - 9.661 w2 - 0.6663 w."""
     run = released(rk.EnergyLossAtSpeed.equation_3_17())
     feet = set()
-    for impact in run.impacts_above(0.07):
+    for impact in run.impacts.above(0.07):
         w = impact.before["theta_dot"]
-        before = BLOCK.energies(impact.before, impact.phase_before)["kinetic_energy"]
-        after = BLOCK.energies(impact.after, impact.phase_after)["kinetic_energy"]
+        before = BLOCK.energies(impact.before, impact.mode_before)["kinetic_energy"]
+        after = BLOCK.energies(impact.after, impact.mode_after)["kinetic_energy"]
         assert after - before == pytest.approx(5.525 * w**3 - 9.661 * w**2 - 0.6663 * w, rel=1e-9)
         assert rk.EnergyLossAtSpeed.equation_3_17().loss(w) == pytest.approx(before - after)
         feet.add(w > 0)
@@ -134,11 +134,11 @@ def test_feet_are_the_image_of_each_other(shaken):
 @pytest.mark.parametrize("law", LAWS, ids=lambda law: type(law).__name__)
 def test_sweeps_and_the_state_after_an_impact_have_the_same_law(law):
     run = released(law)
-    for n, impact in enumerate(run.impacts_above(0.01)):
+    for n, impact in enumerate(run.impacts.above(0.01)):
         landing = {"theta_dot": impact.before["theta_dot"]}
-        after, _ = BLOCK.after_impact(landing, impact.phase_before, law, impact_number=n)
+        after, _ = BLOCK.after_impact(landing, impact.mode_before, law, impact_number=n)
         assert after["theta_dot"] == pytest.approx(impact.after["theta_dot"], rel=1e-14)
-    n = len(run.impacts_above(0.01))
+    n = len(run.impacts.above(0.01))
     for lanes in (False, True):
         found = rk.simulate_many(
             lambda theta: rk.Case(BLOCK, STILL, law, {"theta": theta}),

@@ -12,18 +12,21 @@ import pickle
 import time
 import tracemalloc
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 import xarray as xr
 
 import rockeom as rk
-from rockeom.exports import responses as saved
+from rockeom.exports import responses
 from rockeom.files import TEMPORARY
-from rockeom.simulation import extremes
-from rockeom.simulation.response import KINDS, Response
+from rockeom.simulation import extremes, saved
+from rockeom.simulation.events import KINDS, EventColumns, Events
+from rockeom.simulation.response import Response
 from rockeom.simulation.steps import Steps
 from rockeom.structures.classes import SHIPPED
+from rockeom.structures.units import main_units
 from rockeom.symbolic.model import Body, coordinate, parameter, turned
 from rockeom.symbolic.rocking import rocking_structure
 from tests.numeric.structures import S1, column
@@ -95,11 +98,12 @@ def made_up(structure, samples=None) -> Response:
     span = np.column_stack([0.1 * np.arange(k), np.full(k, 0.1)])
     steps = Steps(span, rng.integers(0, contacts, k), powers)
     kinds = rng.integers(0, (len(KINDS), contacts, contacts, 2), (3, 4))
+    end, times = rng.standard_normal(n), rng.uniform(size=3)
     return Response(
         structure, PULSE, rk.GroundMotion.from_array([0.0, 1 / 3, -0.1], 0.01), LAW,
         rk.SolverOptions(max_step=0.5), rk.Outcome.STALLED, 0.7,
-        {"steps": k, "method": "DOP853", "chosen": "named"}, steps, rng.standard_normal(n),
-        (rng.uniform(size=3), kinds, rng.standard_normal((3, 2, n))),
+        {"steps": k, "method": "DOP853", "chosen": "named"}, steps,
+        Events(structure, EventColumns(times, kinds, rng.standard_normal((3, 2, n)))), end,
     )  # fmt: skip
 
 
@@ -121,12 +125,16 @@ def bits(value) -> str:
 
 
 def facts(run: Response) -> dict[str, str]:
-    """What a response tells, by name: all of its properties, and all that it tells when asked."""
-    names = [name for name in dir(Response) if not name.startswith("_")]
-    told = {name: getattr(run, name) for name in names}
-    found = {name: value() if name in ASKED else value for name, value in told.items()}
-    found = {name: value for name, value in found.items() if not callable(value)}
-    del found["program"], found["works"]  # which `run[...]` tells
+    """All properties of a response and of its parts, and its methods that take no argument."""
+    found: dict[str, Any] = {}
+    for part in (run, run.support, run.impacts, run.places):
+        for name in dir(part):
+            if name.startswith("_") or is_former(type(part), name):
+                continue
+            value = getattr(part, name)
+            value = value() if name in ASKED else value
+            if not (callable(value) or name in ("support", "places")):
+                found[f"{type(part).__name__}.{name}"] = value
     found |= {f"run[{name}]": run[name] for name in run.names}
     found |= {f"extremes of {name}": e for name, e in run.extremes_of(run.names).items()}
     found["at"] = run.at([0.0, 0.5, 1.0], names=run.names)
@@ -136,7 +144,12 @@ def facts(run: Response) -> dict[str, str]:
     return {n: hashlib.sha256(bits(value).encode()).hexdigest() for n, value in found.items()}
 
 
-ASKED = ("assumptions", "impacts_above", "impacts_in_words", "positions", "rotations", "summary")
+def is_former(cls: type, name: str) -> bool:
+    doc = getattr(getattr(cls, name, None), "__doc__", None)
+    return (doc or "").startswith("The former name of")
+
+
+ASKED = ("describe", "above", "impulses", "positions", "rotations", "summary")
 """Methods that want no argument."""
 
 
@@ -265,7 +278,7 @@ def test_a_loaded_motion_goes_on_where_it_ended(tmp_path):
 
     def second(run):
         return rk.simulate(
-            run.structure, still, impact=run.impact, initial=run.final, phase=run.final_phase,
+            run.structure, still, impact=run.impact, initial=run.final, mode=run.final_mode,
             options=run.options,
         )  # fmt: skip
 
@@ -304,14 +317,14 @@ def change(file, monkeypatch):
 
     definition : what becomes of what it says in JSON.
     """
-    attrs, found = saved._read(file)
+    attrs, found = responses._read(file)
 
     def changed(definition=lambda said: said, arrays=None, **others):
         text = json.dumps(definition(json.loads(str(found.pop("definition")))))
         held = found | (arrays or {})
-        checksum = {"checksum": saved._checksum(text, held)}
+        checksum = {"checksum": saved.checksum(text, held)}
         held["definition"] = np.array(text)
-        monkeypatch.setattr(saved, "_read", lambda path: (attrs | checksum | others, held))
+        monkeypatch.setattr(responses, "_read", lambda path: (attrs | checksum | others, held))
 
     return changed
 
@@ -365,11 +378,11 @@ def test_a_small_file_of_huge_arrays_is_refused_before_they_are_made(file):
     "text", ["[" * 50_000 + "]" * 50_000, '{"of":' * 50_000 + "1" + "}" * 50_000]
 )
 def test_a_description_that_is_nested_deep_is_refused(file, monkeypatch, text):
-    attrs, found = saved._read(file)
+    attrs, found = responses._read(file)
     del found["definition"]
-    checksum = {"checksum": saved._checksum(text, found)}
+    checksum = {"checksum": saved.checksum(text, found)}
     held = found | {"definition": np.array(text)}
-    monkeypatch.setattr(saved, "_read", lambda path: (attrs | checksum, held))
+    monkeypatch.setattr(responses, "_read", lambda path: (attrs | checksum, held))
     refused(file, "nested deeper")
 
 
@@ -543,11 +556,11 @@ def test_a_dataset_has_units_and_survives_a_file_of_its_own(pulsed, tmp_path):
     assert (unit["left_reaction"], unit["total_energy"], unit["impact_time"]) == ("N", "J", "s")
     for name in pulsed.names:
         assert np.array_equal(found[name], pulsed[name])
-    assert list(found.phase.values) == list(pulsed.phase)
+    assert list(found.mode.values) == list(pulsed.mode)
     for i, impact in enumerate(pulsed.impacts):
         row = found.isel(impact=i)
         assert row.impact_time == impact.time
-        assert (row.phase_before, row.phase_after) == (impact.phase_before, impact.phase_after)
+        assert (row.mode_before, row.mode_after) == (impact.mode_before, impact.mode_after)
         assert row.theta_dot_before == impact.before["theta_dot"]
         assert row.theta_dot_after == impact.after["theta_dot"]
     assert found.sizes["impact"] == len(pulsed.impacts) > 3
@@ -558,14 +571,14 @@ def test_a_dataset_has_units_and_survives_a_file_of_its_own(pulsed, tmp_path):
 def test_a_table_at_times_of_ones_own(pulsed):
     t = np.linspace(0.0, 4.0, 9)
     frame = pulsed.to_dataframe(["displacement", "left_uplift"], times=t)
-    assert list(frame.columns) == ["displacement", "left_uplift", "phase"]
+    assert list(frame.columns) == ["displacement", "left_uplift", "mode"]
     assert np.array_equal(frame.index, t)
     assert np.array_equal(
         frame["displacement"], pulsed.at(t, names=["displacement"])["displacement"]
     )
     whole = pulsed.to_dataframe()
     assert len(whole) == len(pulsed.t)
-    assert list(whole.columns) == ["theta", "theta_dot", "phase"]
+    assert list(whole.columns) == ["theta", "theta_dot", "mode"]
     with pytest.raises(KeyError, match="there are theta"):
         pulsed.to_xarray(["drift"])
     with pytest.raises(ValueError, match="list of names"):
@@ -614,28 +627,29 @@ def test_samples_are_those_of_the_whole_motion(both):
     assert len(whole.impacts) > 10
     assert len(some.t) < 4002 + 2 * len(whole.events)
     assert some.statistics == whole.statistics
-    assert bits([some.events, some.final, some.final_phase]) == bits(
-        [whole.events, whole.final, whole.final_phase]
+    assert bits([some.events, some.final, some.final_mode]) == bits(
+        [whole.events, whole.final, whole.final_mode]
     )
     plain = ~np.isin(some.t, [event.time for event in some.events])
     expected = whole.at(some.t[plain], names=["theta", "displacement"])
     for name in expected:
         assert np.array_equal(some[name][plain], expected[name])
-    assert np.diff(some.t).max() <= some.output_step * (1 + 1e-12)
+    assert np.diff(some.t).max() <= some.options.spacing(some.duration) * (1 + 1e-12)
     assert (some.t[0], some.t[-1]) == (whole.t[0], whole.t[-1])
-    assert some.never_lifted == whole.never_lifted is False
+    assert some.support.never_lifted == whole.support.never_lifted is False
 
 
 def test_extremes_that_are_found_on_the_way_are_those_of_the_whole_motion(both):
     whole, some = both
-    for name in whole.main_names:
+    for name in main_units(whole.structure.module):
         assert bits(some.extremes(name)) == bits(whole.extremes(name))
 
 
 def test_extremes_do_not_depend_on_how_many_steps_are_held(both, monkeypatch):
     """Where many may have one, as near a vibration's zeros of energy, some are settled first."""
     whole, _ = both
-    names, evaluate = whole.told_of_steps()
+    names = [*main_units(whole.structure.module)]
+    evaluate = whole._quantities.columns(names)
     for most, size in (("MOST_PIECES", 1), ("MOST_HELD", 5), ("CHUNK", 100)):
         monkeypatch.setattr(extremes, most, size)
     found = extremes.extremes(whole.steps, evaluate)
@@ -647,14 +661,13 @@ def test_what_needs_the_steps_says_so_where_they_were_not_kept(both):
     asked = {
         "at": lambda: some.at([1.0]),
         "steps": lambda: some.steps,
-        "base_moment": lambda: some.base_moment,
-        "friction_demand": lambda: some.friction_demand,
+        "base_moment": lambda: some.support.base_moment,
+        "friction_demand": lambda: some.support.friction_demand,
     }
     for what, ask in asked.items():
         with pytest.raises(ValueError, match=f'{what}.* needs every step .* keep="all"'):
             ask()
     assert "Only samples were kept" in some.summary()
-    assert (some.keeps, both[0].keeps) == ("samples", "all")
 
 
 def test_samples_of_a_motion_come_back_from_files_and_pickles(both, tmp_path):
@@ -663,7 +676,7 @@ def test_samples_of_a_motion_come_back_from_files_and_pickles(both, tmp_path):
     for again in (rk.load(tmp_path / "run.nc"), pickle.loads(pickle.dumps(some))):
         assert stored(again) == stored(some)
         assert again.summary() == some.summary()
-        assert all(again.extremes(name) == some.extremes(name) for name in some.main_names)
+        assert all(again.extremes(name) == some.extremes(name) for name in some.record.extremes)
 
 
 def test_output_step_of_infinity_keeps_events_and_ends():

@@ -173,7 +173,7 @@ def test_friction_that_hardly_any_surface_has():
     pushed = rk.GroundMotion.constant(9.0, 0.5)  # below g tan(alpha): it slides before it rocks
     run = rk.simulate(stocky, pushed)
     (hint,) = run.hints
-    assert run.friction_demand == pytest.approx(9.0 / 9.81, rel=1e-9)
+    assert run.support.friction_demand == pytest.approx(9.0 / 9.81, rel=1e-9)
     assert f"friction coefficient of {9.0 / 9.81:.3g}" in hint
     assert f"Hint: {hint}" in run.summary()
     enough = rk.simulate(stocky, rk.GroundMotion.constant(0.79 * 9.81, 0.5))
@@ -187,7 +187,7 @@ def test_impulse_that_needs_more_friction_than_the_forces(ratio, rough):
         BLOCK, rk.GroundMotion.none(2.0), initial={"theta": 0.05}, impact=rk.VelocityRatio(ratio)
     )
     needed = 1.0 / 0.2 * (1.0 - ratio) / (1.0 + ratio)
-    assert run.impact_friction_demand == pytest.approx(needed, rel=1e-9)
+    assert run.support.impact_friction_demand == pytest.approx(needed, rel=1e-9)
     assert any(f"friction coefficient of {needed:.3g}" in hint for hint in run.hints) == rough
 
 
@@ -204,7 +204,7 @@ def test_upper_block_of_a_stack_that_never_slips_is_asked_too():
     block = rk.RigidBlock(half_width=1.0, half_height=0.5, mass=1e3)
     stack = rk.StackedBlocks(lower=block, upper=rk.RigidBlock(half_width=1.0, half_height=0.1))
     run = rk.simulate(stack, rk.GroundMotion.constant(8.5, 0.2))
-    assert list(run.friction_demands) == ["left+right", "upper_left+upper_right"]
+    assert list(run.support.friction_demands) == ["left+right", "upper_left+upper_right"]
     (hint,) = run.hints
     assert f"friction coefficient of {8.5 / 9.81:.3g}" in hint
 
@@ -212,7 +212,7 @@ def test_upper_block_of_a_stack_that_never_slips_is_asked_too():
 def test_feet_that_are_held_down_are_not_asked():
     resonant = rk.GroundMotion.harmonic(3.0, frequency=1.0 / 0.092, duration=0.6)
     run = rk.simulate(column().fixed_base(), resonant)
-    assert run.friction_demand > 0.8
+    assert run.support.friction_demand > 0.8
     assert run.hints == ()
 
 
@@ -231,4 +231,4 @@ def test_report_counts_the_records_that_need_too_much_friction():
     assert any(sentence.startswith("Under 2 of them") for sentence in page.assumptions)
     page = design_report(stocky, motions[:1])
     assert not any("rough concrete" in sentence for sentence in page.assumptions)
-    assert math.isclose(page.results[0].run.friction_demand, 1.0 / 9.81)
+    assert math.isclose(page.results[0].run.support.friction_demand, 1.0 / 9.81)

@@ -273,7 +273,7 @@ def test_motion_through_impacts_is_one_curve():
     """A foot that lands lands where it stood, and nothing jumps where a velocity does."""
     run = rk.simulate(BLOCK, rk.GroundMotion.none(6.0), initial={"theta": 0.15})
     assert len(run.impacts) > 5
-    found, turned = run.positions(), run.rotations()
+    found, turned = run.places.positions(), run.places.rotations()
     assert set(found) == {"block", "left", "right", "load"}
     np.testing.assert_array_equal(turned["block"], run["theta"])
     twice = np.flatnonzero(np.diff(run.t) == 0.0)

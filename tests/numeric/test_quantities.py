@@ -67,14 +67,14 @@ def test_velocities_and_accelerations_are_the_slopes_of_places(make):
     module, p = run.structure.module, run.structure.vector
     start, length = run.steps.span.T
     long = np.flatnonzero(length > 1e-3)
-    assert len(np.unique(run.steps.contact[long])) > 2
+    assert len(np.unique(run.steps.mode[long])) > 2
     h = 2e-4
 
     def at(shift):
         x = (0.5 * length[long] + shift) / length[long]
-        return places(module, run.steps.contact[long], run.steps.states(long, x), p)[:, :, :2]
+        return places(module, run.steps.mode[long], run.steps.states(long, x), p)[:, :, :2]
 
-    rows = run.steps.contact[long], run.steps.states(long, np.full(len(long), 0.5))
+    rows = run.steps.mode[long], run.steps.states(long, np.full(len(long), 0.5))
     t = start[long] + 0.5 * length[long]
     states = dict(zip(run.states, rows[1].T, strict=True))
     slope = (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h)
@@ -96,8 +96,8 @@ def test_velocities_and_accelerations_are_the_slopes_of_places(make):
 
 def test_a_run_tells_of_places_what_states_tell():
     run = rocking()
-    felt, moved = run.accelerations(), run.velocities()
-    assert set(felt) == set(moved) == set(run.positions())
+    felt, moved = run.places.accelerations(), run.places.velocities()
+    assert set(felt) == set(moved) == set(run.places.positions())
     np.testing.assert_array_equal(run["superstructure_acceleration"], felt["superstructure"][:, 0])
     np.testing.assert_array_equal(run["base_vertical_velocity"], moved["base"][:, 1])
     np.testing.assert_allclose(run["load_displacement"], run["displacement"], atol=1e-14)
@@ -105,7 +105,7 @@ def test_a_run_tells_of_places_what_states_tell():
     i = len(run.t) // 2
     state = {name: float(run[name][i]) for name in run.states}
     ground = run["ground_acceleration"][i], run["vertical_ground_acceleration"][i]
-    one = run.structure.absolute_accelerations(state, *ground, phase=run.phase[i])
+    one = run.structure.absolute_accelerations(state, *ground, phase=run.mode[i])
     np.testing.assert_allclose(one["base"], felt["base"][i], rtol=1e-12, atol=1e-12)
 
 
@@ -198,7 +198,7 @@ def test_base_shear_and_moment_are_those_of_the_forces_on_the_feet(make):
     shear = run["base_shear"]
     scale = np.abs(shear).max()
     np.testing.assert_allclose(shear, run["horizontal_reaction"], atol=1e-9 * scale)
-    places = run.positions()
+    places = run.places.positions()
     left, right = (places[foot][:, 0] for foot in ("left", "right"))
     middle = 0.5 * (left + right) if run.structure.stands_on_points else 0.0
     # where a foot is lifted no force acts on it
@@ -208,7 +208,7 @@ def test_base_shear_and_moment_are_those_of_the_forces_on_the_feet(make):
 
 def test_moment_at_the_base_is_the_one_that_is_known():
     run = rocking()
-    found, known = run.extremes("overturning_moment"), run.base_moment
+    found, known = run.extremes("overturning_moment"), run.support.base_moment
     assert found.maximum == pytest.approx(known.maximum, rel=1e-9)
     assert found.minimum == pytest.approx(known.minimum, rel=1e-9)
 
@@ -279,7 +279,7 @@ def test_friction_of_a_block_that_only_slides_is_weight_times_way():
 def test_impulses_at_impacts_of_a_block_by_hand():
     """About the left foot the centroid sinks before, about the right one it rises afterwards."""
     run = rk.simulate(BLOCK, rk.GroundMotion.none(3.0), initial={"theta": -0.15})
-    told = run.impulses()
+    told = run.impacts.impulses()
     assert told.shape == (len(run.impacts), 2)
     for (across, up), impact in zip(told, run.impacts, strict=True):
         before, after = impact.before["theta_dot"], impact.after["theta_dot"]

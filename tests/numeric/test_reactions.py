@@ -89,10 +89,10 @@ def test_friction_demand_of_free_rocking():
     alpha = block.alpha
     # the least speed and the largest lever: when rocking dies out, 3/4 sin cos/(1 - 3/4 sin^2)
     limit = 0.75 * math.sin(alpha) * math.cos(alpha) / (1 - 0.75 * math.sin(alpha) ** 2)
-    assert run.friction_demand == pytest.approx(limit, rel=1e-2)
-    assert run.friction_demand <= limit
-    assert not run.lost_contact
-    assert f"{run.friction_demand:.3g}" in run.assumptions()
+    assert run.support.friction_demand == pytest.approx(limit, rel=1e-2)
+    assert run.support.friction_demand <= limit
+    assert not run.support.lost_contact
+    assert f"{run.support.friction_demand:.3g}" in run.support.describe()
 
 
 def test_ground_falling_faster_than_the_structure_is_reported():
@@ -105,20 +105,20 @@ def test_ground_falling_faster_than_the_structure_is_reported():
         initial={"theta": 0.05},
         duration=0.1,
     )
-    assert run.lost_contact
-    assert "negative" in run.assumptions()
-    assert "No foot" not in run.assumptions()
+    assert run.support.lost_contact
+    assert "negative" in run.support.describe()
+    assert "No foot" not in run.support.describe()
     quiet = rk.simulate(block, rk.GroundMotion.none(0.1), initial={"theta": 0.05})
-    assert not quiet.lost_contact
-    assert "No foot" in quiet.assumptions()
+    assert not quiet.support.lost_contact
+    assert "No foot" in quiet.support.describe()
 
 
 def test_cart_has_no_feet_to_speak_of():
     cart = rk.TwoSpringCart(**S1, foundation_stiffness=550e3)
     run = rk.simulate(cart, rk.GroundMotion.none(0.5), initial={"u": 0.01})
-    assert math.isnan(run.friction_demand)
-    assert not run.lost_contact
-    assert "no feet" in run.assumptions()
+    assert math.isnan(run.support.friction_demand)
+    assert not run.support.lost_contact
+    assert "no feet" in run.support.describe()
 
 
 def test_reactions_follow_from_the_motion_of_the_centroid():

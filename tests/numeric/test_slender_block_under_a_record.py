@@ -28,7 +28,7 @@ def test_uplift_impacts_and_motion(seed):
     run = rk.simulate(BLOCK, motion, impact=rk.VelocityRatio(0.9))
 
     # up to the first rest, from which both would start anew
-    end = next((e.time for e in run.events if e.phase_after == "both"), 8.0) - 1e-3
+    end = next((e.time for e in run.events if e.mode_after == "both"), 8.0) - 1e-3
     uplift, impacts, state = exact.follow(end)
     assert len(impacts) >= 3
     assert run.events[0].kind == "uplift"

@@ -45,8 +45,8 @@ def test_extremes_are_those_of_ever_finer_samples_and_do_not_know_the_samples(na
         assert -1e-12 * size <= found.maximum - values.max() <= 1e-6 * size, quantity
         assert -1e-12 * size <= values.min() - found.minimum <= 1e-6 * size, quantity
         assert abs(found.peak) == max(found.maximum, -found.minimum)
-    assert coarse.friction_demand == fine.friction_demand
-    assert coarse.lost_contact == fine.lost_contact
+    assert coarse.support.friction_demand == fine.support.friction_demand
+    assert coarse.support.lost_contact == fine.support.lost_contact
 
 
 @pytest.mark.usefixtures("garbage_of_its_own")
@@ -87,7 +87,7 @@ def test_extremes_stand_where_they_are():
 
 @pytest.mark.parametrize("name", ["block", "column"])
 def test_friction_demand_is_that_of_ever_finer_samples(name):
-    demand = RUNS[name](0.05).friction_demand
+    demand = RUNS[name](0.05).support.friction_demand
     fine = RUNS[name](1e-5)
     across, left, right = (fine[f"{x}_reaction"] for x in ("horizontal", "left", "right"))
     samples = np.max(np.abs(across) / (left + right))
@@ -110,13 +110,15 @@ def test_forces_of_the_law_that_held_where_the_ground_jumps():
     laws[1, :2] += 0.3
     run = rk.simulate(BLOCK, rk.GroundMotion(laws))
     assert run.events[0].time == 0.3
-    assert not run.lost_contact
+    assert not run.support.lost_contact
     # standing: nothing; at the instant of lifting by hand, m (a + H theta'') and m (g + B theta'')
     a = jump.peak
     turning = BLOCK.accelerations({}, a, phase="left")["theta"]
     across, up = a + BLOCK.half_height * turning, GRAVITY + BLOCK.half_width * abs(turning)
-    assert run.friction_demand == pytest.approx(across / up, rel=0.3)
-    assert run.friction_demand < a / GRAVITY  # that of a block that the pulse finds standing
+    assert run.support.friction_demand == pytest.approx(across / up, rel=0.3)
+    assert (
+        run.support.friction_demand < a / GRAVITY
+    )  # that of a block that the pulse finds standing
 
 
 # -- no friction suffices, or there is none to tell
@@ -130,14 +132,14 @@ def test_force_without_pressure_needs_infinite_friction():
         vertical=rk.GroundMotion.half_sine(-1.5 * GRAVITY, period=0.2),
         initial={"theta": 0.05},
     )
-    assert run.lost_contact
-    assert run.friction_demand == math.inf
+    assert run.support.lost_contact
+    assert run.support.friction_demand == math.inf
     assert "No friction coefficient would have kept it from sliding" in run.summary()
 
 
 def test_summary_never_prints_nan():
     standing = rk.simulate(BLOCK, rk.GroundMotion.none(0.1))
-    assert standing.friction_demand == 0.0
+    assert standing.support.friction_demand == 0.0
     flying = rk.simulate(
         on_springs(), rk.GroundMotion.none(2.0), vertical=rk.GroundMotion.single_sine(30, 0.2)
     )
@@ -148,7 +150,7 @@ def test_summary_never_prints_nan():
         assert "nan" not in run.summary()
         assert "inf" not in run.summary()
     for run in (flying, cart):
-        assert math.isnan(run.impact_friction_demand)  # no impulses
+        assert math.isnan(run.support.impact_friction_demand)  # no impulses
 
 
 # -- impulses
@@ -164,11 +166,13 @@ def test_impulses_of_a_rectangular_block(side):
     s, c = math.sin(BLOCK.alpha), math.cos(BLOCK.alpha)
     still, initial = rk.GroundMotion.none(2.0), {"theta": side * 0.1}
     run = rk.simulate(BLOCK, still, initial=initial)
-    assert run.impact_friction_demand == pytest.approx(3 * s * c / (4 - 3 * s * s), rel=1e-12)
+    assert run.support.impact_friction_demand == pytest.approx(
+        3 * s * c / (4 - 3 * s * s), rel=1e-12
+    )
     for e in (0.0, 0.4, 0.9, 1.0):
         run = rk.simulate(BLOCK, still, initial=initial, impact=rk.VelocityRatio(e))
         expected = c / s * (1 - e) / (1 + e)
-        assert run.impact_friction_demand == pytest.approx(expected, rel=1e-12, abs=1e-15)
+        assert run.support.impact_friction_demand == pytest.approx(expected, rel=1e-12, abs=1e-15)
         told = f"The impulses at its impacts needed {expected:.3g}."
         assert (told in run.summary()) == (e < 1)
 
@@ -181,7 +185,7 @@ def test_impulses_of_two_masses_on_a_column(law):
     for impact in run.impacts:
         momentum = []
         for phase, state in (
-            (impact.phase_before, impact.before), (impact.phase_after, impact.after)
+            (impact.mode_before, impact.before), (impact.mode_after, impact.after)
         ):  # fmt: skip
             turning, sliding, u = state["theta_dot"], state["u_dot"], state["u"]
             pivot = {"left": -1, "both": 0, "right": 1}[phase] * S1["half_width"]
@@ -194,11 +198,11 @@ def test_impulses_of_two_masses_on_a_column(law):
         if abs(up) > 1e-6:
             largest = max(largest, abs(across) / up)
     assert seen >= {"left", "right"}
-    assert run.impact_friction_demand == pytest.approx(largest, rel=1e-6)
+    assert run.support.impact_friction_demand == pytest.approx(largest, rel=1e-6)
 
 
 def test_no_impact_needs_no_friction():
-    assert rk.simulate(BLOCK, rk.GroundMotion.none(0.1)).impact_friction_demand == 0.0
+    assert rk.simulate(BLOCK, rk.GroundMotion.none(0.1)).support.impact_friction_demand == 0.0
 
 
 # -- impacts that can be measured
@@ -208,7 +212,7 @@ def test_impacts_above_a_rate():
     run = rk.simulate(BLOCK, rk.GroundMotion.none(15.0), initial={"theta": 0.1})
     rates = np.array([abs(impact.before["theta_dot"]) for impact in run.impacts])
     for rate in (0.0, 1e-6, 1e-3, 0.1, 10.0):
-        assert len(run.impacts_above(rate)) == (rates > rate).sum()
+        assert len(run.impacts.above(rate)) == (rates > rate).sum()
     faster = (rates > 1e-3).sum()
     assert 0 < faster < len(rates)
     for text in (run.summary(), repr(run)):
@@ -244,10 +248,10 @@ def test_motion_that_never_lifts_says_when_it_would(sign):
         rk.simulate(BLOCK, rk.GroundMotion.constant(sign * share * lifts, 0.2))
         for share in (1 - 1e-9, 1 + 1e-9)
     )
-    assert below.never_lifted
+    assert below.support.never_lifted
     assert f"lifts it at {lifts:.4g} m/s2" in below.summary()
     assert f"the largest was {below.motion.peak:.4g} m/s2" in below.summary()
-    assert not above.never_lifted
+    assert not above.support.never_lifted
     assert "never lifted" not in above.summary()
 
 

@@ -301,7 +301,7 @@ def test_with_much_friction_and_no_bounce_the_column_rocks_as_on_pinned_feet():
     t = np.linspace(0.0, 1.0, 100)
     rocking = rk.simulate(column(), PULSE, impact=rk.Impulsive())
     found = rk.simulate(rough, PULSE)
-    assert len(rocking.impacts_above(1e-3)) > 1
+    assert len(rocking.impacts.above(1e-3)) > 1
     expected = rocking.at(t)["theta"]
     np.testing.assert_allclose(found.at(t)["theta"], expected, atol=1e-6 * np.abs(expected).max())
 
@@ -312,7 +312,7 @@ def test_with_little_friction_the_frame_stays_upright_and_slides():
     run = rk.simulate(frame, PULSE)
     assert np.abs(run["theta"]).max() == 0.0
     assert np.ptp(run["x"]) > 0.01
-    assert run.friction_demand == pytest.approx(0.05, rel=1e-9)
+    assert run.support.friction_demand == pytest.approx(0.05, rel=1e-9)
 
 
 # -- bad input

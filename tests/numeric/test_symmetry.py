@@ -49,8 +49,8 @@ def test_mirrored_shaking_gives_the_mirrored_response_to_the_last_bit(structure)
             )
         assert image.outcome is run.outcome
         assert [(e.time, e.kind) for e in image.events] == [(e.time, e.kind) for e in run.events]
-        assert [e.phase_after for e in image.events] == [
-            OTHER_SIDE.get(e.phase_after, e.phase_after) for e in run.events
+        assert [e.mode_after for e in image.events] == [
+            OTHER_SIDE.get(e.mode_after, e.mode_after) for e in run.events
         ]
 
 

@@ -203,7 +203,7 @@ def test_what_impacts_leave_of_a_volume_of_the_space_of_states():
 
     end = dict(zip(structure.states, found.response.end, strict=True))
     flights = [start, *(i.after for i in impacts)], [*(i.before for i in impacts), end]
-    phases = [impacts[0].phase_before, *(i.phase_after for i in impacts)]
+    phases = [impacts[0].mode_before, *(i.mode_after for i in impacts)]
     expected = e ** (2 * len(impacts))
     for leaves, lands, phase in zip(*flights, phases, strict=True):
         expected *= inertia(phase, leaves) / inertia(phase, lands)

@@ -130,7 +130,7 @@ def test_small_motions_with_both_feet_down():
         rk.GroundMotion.none(1.0),
         initial={"theta": start[0], "heave": start[1]},
     )
-    assert set(run.phase) == {"both"}
+    assert set(run.mode) == {"both"}
     t = np.linspace(0, 1, 80)
     exact = np.array([expm(matrix * s) @ start for s in t]).T
     found = run.at(t)
@@ -155,7 +155,7 @@ def test_structure_thrown_straight_up_bounces_for_ever():
         on_springs(foundation_damping=0.0), rk.GroundMotion.none(2.0), initial={"heave_dot": speed}
     )
     assert run.outcome is rk.Outcome.COMPLETED
-    found = [e.time for e in run.events if "flight" in (e.phase_before, e.phase_after)]
+    found = [e.time for e in run.events if "flight" in (e.mode_before, e.mode_after)]
     # both feet leave and land at once: the passage through one foot takes no time
     np.testing.assert_allclose(found[:5], expected, rtol=1e-9)
     top = run.at(lift + flight / 2)
@@ -168,7 +168,7 @@ def test_tilted_structure_lifts_off_flies_and_lands():
     run = rk.simulate(
         structure, rk.GroundMotion.none(1.0), initial={"theta": 0.03, "heave_dot": 0.1}
     )
-    passages = {(e.phase_before, e.phase_after) for e in run.events}
+    passages = {(e.mode_before, e.mode_after) for e in run.events}
     assert {("right", "flight"), ("flight", "right"), ("right", "both")} <= passages
     assert {("both", "left"), ("both", "right")} & passages
     # a foot presses if and only if its spring is shorter than when unloaded
@@ -177,7 +177,7 @@ def test_tilted_structure_lifts_off_flies_and_lands():
         expected = FOUNDATION_STIFFNESS * np.maximum(shortening, 0)
         np.testing.assert_allclose(run[f"{foot}_reaction"], expected, atol=1e-6 * WEIGHT)
     # nothing but gravity acts in flight
-    flying = run.phase == "flight"
+    flying = run.mode == "flight"
     assert flying.any()
     assert not run["left_reaction"][flying].any()
     assert not run["right_reaction"][flying].any()
@@ -188,10 +188,10 @@ def test_damped_foot_never_pulls():
         on_springs(foundation_damping=2e4),
         rk.GroundMotion.single_sine(8.0, period=0.4, duration=2.0),
     )
-    assert "flight" in run.phase or "left" in run.phase
+    assert "flight" in run.mode or "left" in run.mode
     for foot in ("left", "right"):
         assert run[f"{foot}_reaction"].min() > -1e-6 * WEIGHT
-    assert not run.lost_contact
+    assert not run.support.lost_contact
 
 
 # -- towards rigid ground

@@ -105,7 +105,7 @@ def test_damped_column_lifts_a_foot_when_spring_and_damper_reach_the_moment_of_t
         return OMEGA**2 * u + 2 * XI * OMEGA * rate - G * B / H
 
     uplift = run.events[0]
-    assert (uplift.kind, uplift.phase_after) == ("uplift", "right")
+    assert (uplift.kind, uplift.mode_after) == ("uplift", "right")
     assert uplift.time == pytest.approx(brentq(lacking, 0, 0.02, xtol=1e-14), rel=1e-9)
 
 

@@ -162,10 +162,10 @@ def test_foot_on_the_ground_is_the_pivot_and_the_one_that_lands_is_marked():
         stars.append(marks(ax, marker="*"))
     side = {"left": -0.095, "right": 0.095}
     for t, on, landed in zip(animation.times, pivots, stars, strict=True):
-        foot = hit.phase_before if t < hit.time else hit.phase_after
+        foot = hit.mode_before if t < hit.time else hit.mode_after
         np.testing.assert_allclose(on, [[side[foot], 0.0]], atol=1e-12)
         if 0.0 <= t - hit.time < 0.2:
-            np.testing.assert_allclose(landed, [[side[hit.phase_after], 0.0]], atol=1e-12)
+            np.testing.assert_allclose(landed, [[side[hit.mode_after], 0.0]], atol=1e-12)
         else:
             assert not len(landed)
     assert animation.title(0).endswith(", 0 impacts")

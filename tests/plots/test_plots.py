@@ -94,7 +94,7 @@ def test_figure_draws_and_names_structure_motion_and_outcome(shown):
     title = " ".join(figure.get_suptitle().split())
     assert run.motion.name in title
     assert run.outcome.sentence in title
-    assert run.program.NAME.split("_")[0] in title.lower()
+    assert run.structure.module.NAME.split("_")[0] in title.lower()
     for ax in figure.axes:
         label = ax.get_ylabel()
         assert ("[" in label and "]" in label) or label == "contact"
@@ -166,7 +166,7 @@ def test_contact_phases_follow_one_another_without_gap(name, run_of):
     # each sample well inside a span has the phase of that span
     for (start, end), name_of_span in zip(spans, names, strict=True):
         inside = (run.t > start) & (run.t < end)
-        assert {phase.split("_")[0] for phase in run.phase[inside]} <= {name_of_span}
+        assert {phase.split("_")[0] for phase in run.mode[inside]} <= {name_of_span}
 
 
 # Fails: the right foot is blue where it lifts and orange where it stands.

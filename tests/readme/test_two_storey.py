@@ -61,7 +61,7 @@ def test_full_contact_vibrates_in_the_modes_of_the_fixed_base(mode):
     run = rk.simulate(
         frame(), rk.GroundMotion.none(duration), initial={"u1": shape[0], "u2": shape[1]}
     )
-    assert set(run.phase) == {"both"}
+    assert set(run.mode) == {"both"}
     for name, amplitude in zip(("u1", "u2"), shape, strict=True):
         np.testing.assert_allclose(
             run[name], amplitude * np.cos(frequency * run.t), rtol=0, atol=1e-10
@@ -93,7 +93,7 @@ def test_foot_lifts_where_statics_says():
     # the floors' weights act at their displaced places
     u = np.array([first.before["u1"], first.before["u2"]])
     restoring = GRAVITY * ((BASE_MASS + MASS.sum()) * HALF_WIDTH + MASS @ u)
-    assert first.phase_after == "left"  # the inertia of the floors pulls to the left
+    assert first.mode_after == "left"  # the inertia of the floors pulls to the left
     assert a * MASS @ HEIGHT == pytest.approx(restoring, rel=2e-3)
 
 
@@ -211,8 +211,8 @@ def test_impacts_under_a_record_never_make_energy(shaken):
         before, after = (
             shaken.structure.energies(state | {"theta": 0.0}, phase=phase)["kinetic_energy"]
             for state, phase in (
-                (impact.before, impact.phase_before),
-                (impact.after, impact.phase_after),
+                (impact.before, impact.mode_before),
+                (impact.after, impact.mode_after),
             )
         )
         assert after <= before * (1 + 1e-12)

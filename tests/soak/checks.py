@@ -57,7 +57,7 @@ class Record:
 
     @cached_property
     def program(self):
-        return self.run.program
+        return self.run.structure.module
 
     @cached_property
     def physics(self) -> Physics:
@@ -82,31 +82,31 @@ class Record:
 
     @property
     def contact(self) -> np.ndarray:
-        return self.run.steps.contact
+        return self.run.steps.mode
 
     @property
     def times(self) -> np.ndarray:
-        return self.run.passages[0]
+        return self.run.events.columns[0]
 
     @property
     def kinds(self) -> np.ndarray:
-        return self.run.passages[1][:, 0]
+        return self.run.events.columns[1][:, 0]
 
     @property
     def sources(self) -> np.ndarray:
-        return self.run.passages[1][:, 1]
+        return self.run.events.columns[1][:, 1]
 
     @property
     def targets(self) -> np.ndarray:
-        return self.run.passages[1][:, 2]
+        return self.run.events.columns[1][:, 2]
 
     @property
     def before(self) -> np.ndarray:
-        return self.run.passages[2][:, 0]
+        return self.run.events.columns[2][:, 0]
 
     @property
     def after(self) -> np.ndarray:
-        return self.run.passages[2][:, 1]
+        return self.run.events.columns[2][:, 1]
 
     @cached_property
     def first(self) -> np.ndarray:
@@ -195,7 +195,7 @@ def finite(r: Record) -> Found:
     steps = r.run.steps
     for what, values in (
         ("steps", steps.span), ("states", steps.powers), ("final state", r.run.end),
-        ("event times", r.times), ("events", r.run.passages[2]),
+        ("event times", r.times), ("events", r.run.events.columns[2]),
     ):  # fmt: skip
         if not np.isfinite(values).all():
             yield f"not finite: {what} of a motion that {r.run.outcome}"
@@ -633,10 +633,10 @@ def _apart(r: Record) -> tuple[str, np.ndarray | None]:
         if first.outcome in (rk.Outcome.COMPLETED, rk.Outcome.CAME_TO_REST):
             return f"cut: {first.outcome} at {first.steps.span[-1].sum():.9g} s of {at:.9g} s", None
         return "", None
-    events = first.passages[0]
-    contact = first.steps.contact[-1]
+    events = first.events.columns[0]
+    contact = first.steps.mode[-1]
     if len(events) and events[-1] >= first.steps.span[-1].sum():
-        contact = first.passages[1][-1, 2]
+        contact = first.events.columns[1][-1, 2]
 
     def rest(state: np.ndarray, scale: float = 1.0) -> rk.Response:
         vertical = r.motion.vertical
@@ -647,7 +647,7 @@ def _apart(r: Record) -> tuple[str, np.ndarray | None]:
             initial=dict(zip(m.STATES, state.tolist(), strict=True)),
             vertical=None if vertical is None else later(vertical, at, run.duration),
             duration=run.duration - at,
-            phase=m.CONTACTS[contact],
+            mode=m.CONTACTS[contact],
             options=r.motion.options,
         )
 
@@ -668,7 +668,9 @@ def _apart(r: Record) -> tuple[str, np.ndarray | None]:
             twin = rest(moved, 1.0 if moved.any() else 1.0 + sign * o.rtol)
         except ValueError:
             return "", None  # so near to an impact that it is moved below the ground
-        if twin.outcome is not second.outcome or len(twin.passages[0]) != len(second.passages[0]):
+        if twin.outcome is not second.outcome or len(twin.events.columns[0]) != len(
+            second.events.columns[0]
+        ):
             return "", None  # any error decides
         grown = np.maximum(grown, np.abs(twin.end - second.end))
     bound = 1e-9 * largest + 30 * r.slack / SLACK * (grown + o.rtol * largest + o.atol)
@@ -716,7 +718,7 @@ def many(r: Record) -> Found:
         except ValueError:
             continue
         kept.append(motion)
-        ends.append((str(run.outcome), sum(run.passages[1][:, 0] == IMPACT), run.end))
+        ends.append((str(run.outcome), sum(run.events.columns[1][:, 0] == IMPACT), run.end))
     reverse = list(range(len(kept)))[::-1]
     for order, how in (
         (reverse[::-1], {"threads": 1, "chunk": 256}),
@@ -885,9 +887,11 @@ def _another(outcome: str, adaptive: rk.Outcome, motion: Motion) -> bool:
     runs = [nearly(motion, factor).run() for factor in (1 - 1e-6, 1 + 1e-6)]
     if any(run.outcome is not adaptive for run in runs):
         return False
-    turned = np.ptp([run.end[run.program.ROTATION] for run in runs])
+    turned = np.ptp([run.end[run.structure.module.ROTATION] for run in runs])
     ended = np.ptp([run.steps.span[-1].sum() for run in runs])
-    largest = max(np.abs(run.steps.powers[:, 0, run.program.ROTATION]).max() for run in runs)
+    largest = max(
+        np.abs(run.steps.powers[:, 0, run.structure.module.ROTATION]).max() for run in runs
+    )
     return turned <= 0.01 * largest and ended <= 0.01 * motion.motion.duration
 
 

@@ -115,7 +115,7 @@ def gains_of(seeds: Iterable[int]) -> Gains:
         case = drawn(seed)
         run = rk.simulate(case.structure, case.motion)
         found.runs[case.structure.model] += 1
-        _, kinds, states = run.passages
+        _, kinds, states = run.events.columns
         hits = kinds[:, 0] == IMPACT
         before, after = (  # by the module itself, which is not what was compiled
             at_states(case.structure, "energies", kinds[hits, 1 + i], states[hits, i])
@@ -126,6 +126,6 @@ def gains_of(seeds: Iterable[int]) -> Gains:
         worst = float(gained.max(initial=-math.inf))
         if worst > found.largest:
             found.largest, found.at = worst, seed
-        if worst > ROUNDING or len(run.impact_energy_gains):
+        if worst > ROUNDING or len(run.impacts.energy_gains):
             found.gained.append(seed)
     return found

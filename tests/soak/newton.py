@@ -357,7 +357,7 @@ def met(r: Told) -> Found:
     # the points that were closed, and the one that lands, take part; others that are a hair above
     # their surface, or leave it, may have met it or not: those that are thrown down land afterwards
     takes_part = np.array([r.pattern(c) for c in r.sources[landings]]) != OPEN
-    guards = r.run.passages[1][landings, 3]
+    guards = r.run.events.columns[1][landings, 3]
     lands = [r.program.SUBJECTS[c][g] for c, g in zip(r.sources[landings], guards, strict=True)]
     takes_part[np.arange(len(landings)), lands] = True
     small = 1e-9 * np.sqrt(2 * before.kinetic() / before.whole)

@@ -177,7 +177,8 @@ def altered(r: Told, **changes) -> Told:
     run = r.run
     of_steps = {k: v for k, v in changes.items() if k in ("span", "contact", "powers")}
     passages = tuple(
-        changes.get(k, v) for k, v in zip(("times", "kinds", "states"), run.passages, strict=True)
+        changes.get(k, v)
+        for k, v in zip(("times", "kinds", "states"), run.events.columns, strict=True)
     )
     rest = {k: v for k, v in changes.items() if k in ("end", "outcome", "duration")}
     made = replace(run, record=replace(run.steps, **of_steps), passages=passages, **rest)
@@ -197,12 +198,14 @@ def test_rest_that_swallows_a_motion_is_noticed():
     span[first, 1] = end - span[first, 0]
     events = r.times < r.start[first]
     events[np.flatnonzero(r.kinds == REST)[-1]] = True
-    states = r.run.passages[2][events].copy()
+    states = r.run.events.columns[2][events].copy()
     states[-1, 0] = powers[first, 0]
     kept = {"powers": powers, "span": span, "contact": r.contact[: first + 1]}
     kept = {k: np.concatenate([v, getattr(r.run.steps, k)[last:]]) for k, v in kept.items()}
     found = kinds(
-        altered(r, **kept, times=r.times[events], kinds=r.run.passages[1][events], states=states)
+        altered(
+            r, **kept, times=r.times[events], kinds=r.run.events.columns[1][events], states=states
+        )
     )
     assert "long rest" in found
 
@@ -210,7 +213,7 @@ def test_rest_that_swallows_a_motion_is_noticed():
 def test_rest_that_moves_what_was_far_from_the_ground_is_noticed():
     """In no time a foot comes down by 5 mm."""
     r = bounced()
-    states = r.run.passages[2].copy()
+    states = r.run.events.columns[2].copy()
     rest = int(np.flatnonzero(r.kinds == REST)[-1])
     states[rest, 0, 1] += 5e-3
     assert "rest reach" in kinds(altered(r, states=states))
@@ -219,7 +222,7 @@ def test_rest_that_moves_what_was_far_from_the_ground_is_noticed():
 def test_rest_that_moves_a_block_along_is_noticed():
     """In no time it is 5 mm further along the ground than its velocities say."""
     r = bounced()
-    states = r.run.passages[2].copy()
+    states = r.run.events.columns[2].copy()
     rest = int(np.flatnonzero(r.kinds == REST)[-1])
     states[rest, 0, 0] -= 5e-3
     assert "rest place" in kinds(altered(r, states=states))
@@ -275,14 +278,14 @@ def test_penetration_is_noticed():
 def test_wrong_restitution_is_noticed(factor):
     """The velocities after a landing, less or more of them."""
     r = bounced()
-    states = r.run.passages[2].copy()
+    states = r.run.events.columns[2].copy()
     i = int(np.flatnonzero(r.kinds == LANDING)[0])
     states[i, 1, 3:] = states[i, 0, 3:] + factor * (states[i, 1, 3:] - states[i, 0, 3:])
     assert {"restitution", "landing momentum"} & kinds(altered(r, states=states))
 
 
 def test_momentum_from_nowhere_is_noticed():
-    states = bounced().run.passages[2].copy()
+    states = bounced().run.events.columns[2].copy()
     i = int(np.flatnonzero(bounced().kinds == LANDING)[0])
     states[i, 1, 5] += 0.1
     assert {"landing momentum", "restitution"} & kinds(altered(bounced(), states=states))
@@ -294,7 +297,7 @@ def test_velocity_that_jumps_without_a_landing_is_noticed():
     )
     motion, by_hand = drawn(slid)
     r = Told(motion, motion.run(), by_hand)
-    states = r.run.passages[2].copy()
+    states = r.run.events.columns[2].copy()
     states[slip_events(slid)[0], 1, 3] += 1e-3
     assert "event velocity" in kinds(altered(r, states=states))
 
@@ -303,7 +306,7 @@ def test_velocity_that_jumps_without_a_landing_is_noticed():
 def slip_events(seed: int) -> np.ndarray:
     """The events of a motion that are no landings and no rests."""
     motion, _ = drawn(seed)
-    of = motion.run().passages[1][:, 0]
+    of = motion.run().events.columns[1][:, 0]
     return np.flatnonzero((of != LANDING) & (of != REST))
 
 
@@ -314,8 +317,8 @@ def test_motion_given_up_where_a_mode_fits_is_noticed(word):
     steps = {k: getattr(r.run.steps, k)[: step + 1] for k in ("span", "contact", "powers")}
     events = r.times <= r.start[step]
     given_up = altered(
-        r, **steps, times=r.times[events], kinds=r.run.passages[1][events],
-        states=r.run.passages[2][events], end=r.last[step], outcome=Outcome[word],
+        r, **steps, times=r.times[events], kinds=r.run.events.columns[1][events],
+        states=r.run.events.columns[2][events], end=r.last[step], outcome=Outcome[word],
     )  # fmt: skip
     assert str(Outcome[word]) in kinds(given_up)
 

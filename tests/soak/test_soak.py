@@ -118,7 +118,8 @@ def tampered(record: Record, **changes) -> Record:
         run.steps, **{k: v for k, v in changes.items() if k in ("span", "contact", "powers")}
     )
     passages = tuple(
-        changes.get(k, v) for k, v in zip(("times", "kinds", "states"), run.passages, strict=True)
+        changes.get(k, v)
+        for k, v in zip(("times", "kinds", "states"), run.events.columns, strict=True)
     )
     rest = {k: v for k, v in changes.items() if k in ("end", "outcome")}
     return Record(record.motion, replace(run, record=steps, passages=passages, **rest))
@@ -164,7 +165,7 @@ def test_fall_through_the_ground_is_noticed():
 
 
 def test_event_left_out_is_noticed():
-    times, kinds, states = block().run.passages
+    times, kinds, states = block().run.events.columns
     keep = np.arange(len(times)) != 1
     found = words(tampered(block(), times=times[keep], kinds=kinds[keep], states=states[keep]))
     assert {"joined", "phases"} <= found
@@ -180,7 +181,7 @@ def test_energy_from_nothing_is_noticed():
 
 def test_impact_that_gives_energy_or_is_not_at_the_ground_is_noticed():
     for what, factor, shift in (("gives", 1.5, 0.0), ("aloft", 1.0, 1e-3)):
-        states = block().run.passages[2].copy()
+        states = block().run.events.columns[2].copy()
         impact = int(np.flatnonzero(block().kinds == IMPACT)[0])
         states[impact, 1, 1] = factor * states[impact, 0, 1]
         states[impact, 0, 0] += shift

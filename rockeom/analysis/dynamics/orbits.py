@@ -138,7 +138,7 @@ class Shooting:
     @property
     def jumps(self) -> int:
         """How many changes of contact there are at which a velocity may jump."""
-        return sum(int((run.passages[1][:, 0] != SWITCH).sum()) for run in self.runs)
+        return sum(int((run.events.columns[1][:, 0] != SWITCH).sum()) for run in self.runs)
 
 
 @dataclass(frozen=True)
@@ -217,7 +217,7 @@ class PeriodicOrbit:
 
     def nearest_event(self) -> float:
         """Time from a look to the event nearest to one, in parts of the cycle; inf without any."""
-        parts = [run.passages[0] / run.duration for run in self.runs]
+        parts = [run.events.columns[0] / run.duration for run in self.runs]
         return float(min((np.minimum(t, 1 - t).min() for t in parts if len(t)), default=np.inf))
 
     @cached_property

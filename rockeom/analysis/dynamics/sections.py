@@ -424,7 +424,7 @@ class _Motions:
             stands = sweep["outcome"].isin(STANDS).values
             self.interrupted = bool(sweep.attrs["interrupted"])
             self.outcome[there] = sweep["outcome"].values
-            self.phase[there] = sweep["final_phase"].values
+            self.phase[there] = sweep["final_mode"].values
             self.y[there] = np.where(stands[:, None], sweep["final"].values, np.nan)
             for key in recorded if impacts else ("impacts",):
                 recorded[key][there[stands]] = sweep[key].values[stands]
@@ -437,7 +437,7 @@ class _Motions:
     def _swept(self, there: np.ndarray, cycles: int, name: str, impacts: int) -> xr.Dataset:
         def case(stroboscope: StroboscopicMap, phase: str, **state: float) -> Case:
             one, end = stroboscope, cycles * stroboscope.period
-            return Case(one.structure, one.motion, one.impact, state, end, phase=phase or None)
+            return Case(one.structure, one.motion, one.impact, state, end, mode=phase or None)
 
         threads, store = self.how.threads or os.cpu_count() or 1, self.how.store
         states = self.maps[0].structure.states

@@ -153,7 +153,7 @@ def released_with_impacts(duration: float = 8.0) -> rk.Response:
 def peaks_between(run: rk.Response) -> np.ndarray:
     """(m,) largest |x| between the passages through x = 0."""
     core = {"left_core", "right_core"}
-    zeros = [e.time for e in run.events if {e.phase_before, e.phase_after} == core]
+    zeros = [e.time for e in run.events if {e.mode_before, e.mode_after} == core]
     x, t = np.abs(run["x"]), run.t
     return np.array([x[(t >= start) & (t <= end)].max() for start, end in pairwise(zeros)])
 
@@ -179,7 +179,7 @@ def figure_2_16() -> Figure:
     axes = [figure.add_subplot(grid[i, 0]) for i in range(3)]
     x = sudden["theta"] / alpha
     # of 2-17, without its force
-    exact = (x, sudden["theta_dot"] / alpha, x - np.where(sudden.phase == "right", 1.0, -1.0))
+    exact = (x, sudden["theta_dot"] / alpha, x - np.where(sudden.mode == "right", 1.0, -1.0))
     # the ground stands still: the horizontal reaction is alpha x''
     computed = (spread["x"], spread["x_dot"], spread["horizontal_reaction"] / alpha)
     names = ("$x$ [-]", r"$\dot{x}$ [-]", r"$\ddot{x}$ [-]")

@@ -162,7 +162,7 @@ def figure_2_10() -> Drawn:
             ),
             Statement(
                 "2.5.1", "in the long term the block comes to rest",
-                f"{run.outcome} after p t = {run.rest_time or math.nan:.1f}",
+                f"{run.outcome} after p t = {run.events.rest_time or math.nan:.1f}",
                 run.outcome == "came to rest",
             ),
         ),

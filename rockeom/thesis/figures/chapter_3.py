@@ -315,7 +315,7 @@ def figure_3_6() -> Drawn:
         run = housner(ratio, 14.0)
         label = f"simulated, r = {ratio:.3f}"
         ax.plot(run.t, np.degrees(run["theta"]), line, lw=0.9, label=label)
-        ends.append(run.rest_time or np.inf)
+        ends.append(run.events.rest_time or np.inf)
         own = [hit.time for hit in run.impacts[:6]]
         errors.append(np.array(own) - (time[1::2] - late))
     moved = np.maximum(time - late, 0.0)

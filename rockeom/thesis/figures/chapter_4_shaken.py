@@ -171,9 +171,9 @@ def forces_when_still(run: rk.Response) -> tuple[np.ndarray, np.ndarray]:
     for i in turns[np.abs(d[turns]) > 2e-4]:
         state = {name: float(run[name][i]) for name in run.states}
         ground = float(run["ground_acceleration"][i])
-        turning = run.structure.accelerations(
-            state, phase=run.phase[i], ground_acceleration=ground
-        )["theta"]
+        turning = run.structure.accelerations(state, phase=run.mode[i], ground_acceleration=ground)[
+            "theta"
+        ]
         sin, cos = np.sin(state["theta"]), np.cos(state["theta"])
         a = h * (turning * cos - state["theta_dot"] ** 2 * sin)
         pairs.append((d[i], back_calculated_force(mass, a, ground)))

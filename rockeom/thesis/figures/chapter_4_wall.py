@@ -489,8 +489,8 @@ def released(structure: rk.Structure, law: ImpactLaw | None = None) -> History:
         return History(run.t, run["u"], run["u_dot"], run["horizontal_reaction"] / mass)
     theta, rate = run["theta"], run["theta_dot"]
     turning = np.empty(len(run.t))
-    for phase in np.unique(run.phase):
-        rows = run.phase == phase
+    for phase in np.unique(run.mode):
+        rows = run.mode == phase
         state = {name: run[name][rows] for name in run.states}
         turning[rows] = structure.accelerations(state, phase=str(phase))["theta"]
     h, sin, cos = WALL.height, np.sin(theta), np.cos(theta)  # 4-33 to 4-35

@@ -185,11 +185,11 @@ def figure_5_44() -> Drawn:
     As Figure 5-43.
     """
     run = shaken_column()
-    standing = float(np.mean(run.phase == "both"))
+    standing = float(np.mean(run.mode == "both"))
     return Drawn(draw_apart(run, 4.5), (
         Statement(
             "5.3.3.1", "flexural and rocking motion are strongly coupled",
-            f"{len(run.impacts_above())} impacts faster than 1 mrad/s set the column off; both "
+            f"{len(run.impacts.above())} impacts faster than 1 mrad/s set the column off; both "
             f"feet stand in {100 * standing:.0f} % of the samples",
             None,
         ),

@@ -378,7 +378,7 @@ def figure_5_15() -> Drawn:
     trace.plot(t, record["x_ddot"], lw=0.7, color=style.LINES[0])
     trace.set_xlabel("time [s]")
     trace.set_ylabel(r"acceleration [m/s$^2$]")
-    rest = run.rest_time or 1.2
+    rest = run.events.rest_time or 1.2
     for part, span, color, label in (
         (record.between(0.0, rest), rest, style.LINES[0], "while it rocks"),
         (record.between(rest, 2.5), 2.5 - rest, style.LINES[1], "in full contact"),

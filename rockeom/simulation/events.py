@@ -1,0 +1,211 @@
+"""Events of a motion: impacts, uplifts, slips, rests; their times, modes and states."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple, overload
+
+import numpy as np
+
+from rockeom import renamed
+from rockeom.codes import ENERGY_ROUNDING, IMPACT, KIND_OF, LANDING, REST
+from rockeom.structures.classes import Structure
+from rockeom.structures.contact_modes import HAPPENED, landing_speeds, subjects
+from rockeom.structures.evaluation import filled
+from rockeom.structures.pickled import made_of
+
+KINDS = (*KIND_OF, "rest", *HAPPENED.values())
+"""Words of the kinds of events, by number."""
+
+MEASURABLE = 1e-3
+"""Rate of rotation above which an impact is counted by itself [rad/s, or the rotation's unit/s]."""
+
+
+@renamed.fields(phase_before="mode_before", phase_after="mode_after")
+@dataclass(frozen=True)
+class Event:
+    """The transition from one mode to another.
+
+    kind : "impact"; "uplift"; "switch" (a foot leaves or meets a spring); "rest" (the limit of
+        infinitely many impacts). Of contacts that may open and slide: "landing", "lifting",
+        "slip begins", "slip ends".
+    time [s]; mode_before, mode_after : names of the modes.
+    before, after : the states on both sides, by name.
+    contact : the name of the point that landed, lifted or slipped, or of the element that switched;
+        of several at once joined by "+", such as "left+right". Empty where the modes say all.
+    """
+
+    time: float
+    kind: str
+    mode_before: str
+    mode_after: str
+    before: dict[str, float]
+    after: dict[str, float]
+    contact: str = ""
+
+
+class EventColumns(NamedTuple):
+    """k events as arrays.
+
+    times (k,) [s]; kinds (k, 4) : kind, mode before, mode after, guard; states (k, 2, N) before and
+    after.
+    """
+
+    times: np.ndarray
+    kinds: np.ndarray
+    states: np.ndarray
+
+    def of(self, *kinds: int) -> EventColumns:
+        """The events of some kinds."""
+        some = np.isin(self.kinds[:, 0], kinds)
+        return EventColumns(*(column[some] for column in self))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Events(Sequence[Event]):
+    """Events in the order of time: a sequence of `Event`, and the same in `columns`.
+
+    run.events[0].kind, run.events.times, run.events.rest_time
+    """
+
+    structure: Structure
+    columns: EventColumns
+
+    __getstate__ = made_of
+
+    def __len__(self) -> int:
+        return len(self.columns.times)
+
+    @overload
+    def __getitem__(self, which: int) -> Event: ...
+
+    @overload
+    def __getitem__(self, which: slice) -> tuple[Event, ...]: ...
+
+    def __getitem__(self, which: int | slice) -> Event | tuple[Event, ...]:
+        return self._events[which]
+
+    def __iter__(self) -> Iterator[Event]:
+        return iter(self._events)
+
+    def __eq__(self, other: object) -> bool:
+        return tuple(self) == tuple(other) if isinstance(other, Sequence) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.times.tobytes())
+
+    def __repr__(self) -> str:
+        return repr(self._events)
+
+    @cached_property
+    def _events(self) -> tuple[Event, ...]:
+        module, states = self.structure.module, self.structure.states
+        points = subjects(module, self.columns.kinds, self.columns.states, self.structure.vector)
+        return tuple(
+            Event(
+                float(time),
+                KINDS[kind],
+                module.CONTACTS[before],
+                module.CONTACTS[after],
+                dict(zip(states, pair[0].tolist(), strict=True)),
+                dict(zip(states, pair[1].tolist(), strict=True)),
+                contact,
+            )
+            for time, (kind, before, after, _), pair, contact in zip(
+                *self.columns, points, strict=True
+            )
+        )
+
+    @property
+    def times(self) -> np.ndarray:
+        """(k,) [s]."""
+        return self.columns.times
+
+    @property
+    def rest_time(self) -> float | None:
+        """Last time at which infinitely many impacts had come to their end [s], or None."""
+        rests = self.columns.of(REST).times
+        return float(rests[-1]) if len(rests) else None
+
+    @cached_property
+    def impacts(self) -> Impacts:
+        """The impacts; of contacts that may open and slide each landing is one."""
+        return Impacts(self.structure, self.columns.of(IMPACT, LANDING))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Impacts(Events):
+    """The impacts of a motion in the order of time, with their speeds, impulses and energies.
+
+    run.impacts[0].time, run.impacts.impulses(), run.impacts.energy_loss
+    """
+
+    @cached_property
+    def speeds(self) -> np.ndarray:
+        """(k,) sizes of the rates of rotation just before [rad/s, or the rotation's unit/s].
+
+        Of points that land, the speed of the fastest [m/s].
+        """
+        before = self.columns.states[:, 0]
+        if self.structure.stands_on_points:
+            return landing_speeds(self.structure, before)
+        return np.abs(before[:, self.structure.module.ROTATION_RATE])
+
+    def above(self, rate: float = MEASURABLE) -> tuple[Event, ...]:
+        """The impacts before which the structure turned faster than `rate`.
+
+        rate : [rad/s], or the unit of the rotation over that of time; 0.001 rad/s is 1 mm/s at a
+        metre from the foot. Before it comes to rest a structure has endlessly many smaller ones,
+        whose number depends on the last digit of everything.
+        """
+        rates = self.columns.states[:, 0, self.structure.module.ROTATION_RATE]
+        return tuple(self[i] for i in np.flatnonzero(np.abs(rates) > rate).tolist())
+
+    def impulses(self) -> np.ndarray:
+        """(k, 2) horizontal and vertical impulse of the ground [N s].
+
+        On all feet together: the gain of momentum of all bodies.
+        """
+        before, after = self.momenta
+        return (after - before).T
+
+    @cached_property
+    def momenta(self) -> np.ndarray:
+        """(2, 2, k) horizontal and vertical momentum before and after [N s]."""
+        return np.stack([self._of_sides("momentum", 2, side) for side in (0, 1)])
+
+    @property
+    def energy_gains(self) -> np.ndarray:
+        """(g,) kinetic energy gained at each impact that gained some [J]; of most motions empty.
+
+        An impact gains energy where the kinetic energy grows by more than 1e-9 of itself. On a
+        structure that bends every impact law but `Impulsive` can do so; on feet that slide the
+        algebraic law, with friction and a restitution above zero. A motion that depends on such
+        impacts is not to be trusted.
+        """
+        before, after = self._energies
+        return (after - before)[after > before * (1.0 + ENERGY_ROUNDING)]
+
+    @property
+    def energy_loss(self) -> float:
+        """Kinetic energy lost at all impacts together [J]; gains at others are not deducted."""
+        before, after = self._energies
+        return float(np.maximum(before - after, 0.0).sum())
+
+    @cached_property
+    def _energies(self) -> np.ndarray:
+        """(2, k) kinetic energy before and after each [J]."""
+        return np.stack([self._of_sides("energies", 3, side)[0] for side in (0, 1)])
+
+    def _of_sides(self, function: str, size: int, side: int) -> np.ndarray:
+        """(size, k) of a function of the module in the states before (0) or after (1)."""
+        _, kinds, states = self.columns
+        return filled(self.structure, function, size, kinds[:, 1 + side], states[:, side])
+
+    def describe(self) -> str:
+        """How many impacts there were, and how many of them were faster than MEASURABLE."""
+        unit = self.structure.module.STATE_UNITS[self.structure.module.ROTATION_RATE]
+        faster = f", {len(self.above())} of them faster than {MEASURABLE:g} {unit}"
+        return f"{len(self)} impacts{faster if len(self) else ''}"

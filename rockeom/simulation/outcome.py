@@ -1,0 +1,53 @@
+"""`Outcome`: how a motion ended."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Self
+
+from rockeom import codes
+from rockeom.codes import OUTCOMES
+
+
+class Outcome(StrEnum):
+    """How a motion ended: the word that sweeps hold, and a `sentence` that explains it."""
+
+    sentence: str
+
+    def __new__(cls, word: str, sentence: str = "") -> Self:
+        outcome = str.__new__(cls, word)
+        outcome._value_ = word
+        outcome.sentence = sentence
+        return outcome
+
+    COMPLETED = OUTCOMES[codes.COMPLETED], "The motion was followed to the end of the duration."
+    CAME_TO_REST = OUTCOMES[codes.CAME_TO_REST], "The structure stands at rest in full contact."
+    OVERTURNED = OUTCOMES[codes.OVERTURNED], "The structure fell over."
+    TOO_MANY_IMPACTS = (
+        OUTCOMES[codes.TOO_MANY_IMPACTS],
+        "More impacts happened than max_impacts allows.",
+    )
+    STALLED = (
+        OUTCOMES[codes.STALLED],
+        "The step became too small or the steps too many: loosen rtol, or look for a stiff part.",
+    )
+    CHATTER = (
+        OUTCOMES[codes.CHATTER],
+        "Modes followed one another without time going on.",
+    )
+    NOT_FINITE = (
+        OUTCOMES[codes.NOT_FINITE],
+        "The state became infinite or not a number: check the parameters.",
+    )
+    NO_SOLUTION = (
+        OUTCOMES[codes.NO_SOLUTION],
+        "No mode fits the forces: rigid bodies with much friction jam (Painleve); where "
+        "contacts never slip, no combination of open and closed ones fits: declare friction for "
+        "them, or restitution 0.",
+    )
+    SEVERAL_SOLUTIONS = (
+        OUTCOMES[codes.SEVERAL_SOLUTIONS],
+        "Several modes fit the forces, with different motions, as rigid bodies with much "
+        "friction have (Painleve), or those whose contacts never slip: declare less friction, or "
+        "friction where there is none declared.",
+    )

@@ -1,0 +1,249 @@
+"""Files of responses: the arrays of a response, and a text in JSON that names its parts.
+
+A file is netCDF-4 and holds numbers and names, no code. `rockeom.exports.responses` reads it.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import hashlib
+import io
+import json
+import os
+import warnings
+from collections.abc import Mapping
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from rockeom.files import VERSION, check_target, write
+from rockeom.numbers.checks import installed_by, is_number, told
+from rockeom.simulation.options import SolverOptions
+from rockeom.simulation.steps import Steps
+from rockeom.structures.classes import SHIPPED, DeclaredStructure, Structure
+from rockeom.structures.fixed_base import FixedBase
+from rockeom.structures.impact_laws import (
+    AngularMomentum,
+    EnergyLossAtSpeed,
+    EnergyRatio,
+    EnergyRatioAtSpeed,
+    ImpactLaw,
+    Impulsive,
+    RandomEnergyRatio,
+    VelocityRatio,
+)
+
+FORMAT = 1
+"""Of the files: one of a higher format is refused. Who changes it must still read the lower ones.
+"""
+
+LAWS = {
+    law.__name__: law
+    for law in (
+        AngularMomentum, EnergyLossAtSpeed, EnergyRatio, EnergyRatioAtSpeed, Impulsive,
+        RandomEnergyRatio, VelocityRatio,
+    )
+}  # fmt: skip
+"""Impact laws that a file may name."""
+
+NAMES = {FixedBase: "fixed_base", SolverOptions: "options"} | {law: n for n, law in LAWS.items()}
+"""Names of classes in files; a structure goes by its `model`, a support by its `kind`."""
+
+DECLARED = "declared"
+
+
+# -- encoding --------------------------------------------------------------------------------------
+
+
+def _name(value: Any) -> str | None:
+    """Name of a value's class in files; None for a class of the user's own."""
+    if not type(value).__module__.startswith("rockeom."):
+        return None
+    if type(value) in NAMES:
+        return NAMES[type(value)]
+    if isinstance(value, Structure):
+        shipped = not isinstance(value, DeclaredStructure) or value.model in SHIPPED
+        return value.model if shipped else None
+    return getattr(value, "kind", None)
+
+
+def encode(what: str, value: Any) -> Any:
+    """A value in the terms of JSON; raises TypeError for one of no class that a file may name."""
+    if value is None or isinstance(value, bool | int | str):
+        return value
+    if isinstance(value, np.bool_ | np.integer):
+        return value.item()
+    if is_number(value):
+        return float(value)
+    if isinstance(value, tuple | list):
+        return [encode(what, item) for item in value]
+    if isinstance(value, DeclaredStructure):
+        fields: Mapping[str, Any] = value.values
+    elif dataclasses.is_dataclass(value):
+        fields = {f.name: getattr(value, f.name) for f in dataclasses.fields(value)}
+    else:
+        fields = {}
+    encoded = {name: encode(f"{what}.{name}", item) for name, item in fields.items()}
+    name = _name(value)
+    if name is not None:
+        return {"is": name, "of": encoded}
+    if isinstance(value, DeclaredStructure):
+        declared = {"is": DECLARED, "of": encoded, "name": value.model}
+        return declared | {"source_hash": value.module.SOURCE_HASH}
+    raise TypeError(
+        f"{what} is {told(value)}, and files hold no code: save knows shipped, composed and "
+        "declared structures, not classes of your own"
+    )
+
+
+def _encode_law(law: ImpactLaw | None) -> Any:
+    if law is None or type(law) in LAWS.values():
+        return encode("impact", law)
+    name = type(law).__qualname__
+    warnings.warn(
+        f"the impact law, a {name}, is of your own: the file has its name, and all of the "
+        "response; to go on from it give the law again",
+        stacklevel=5,
+    )
+    return {"not_saved": name}
+
+
+# -- arrays ----------------------------------------------------------------------------------------
+
+_DIMS: Mapping[str, tuple[str, ...]] = {
+    "step_span": ("step", "start_and_length"),
+    "step_contact": ("step",),
+    "step_powers": ("step", "power", "state"),
+    "sample_time": ("sample",),
+    "sample_state": ("sample", "state"),
+    "sample_contact": ("sample",),
+    "extremes": ("quantity", "extreme"),
+    "passage_time": ("passage",),
+    "passage_kind": ("passage", "kind_before_after_guard"),
+    "passage_state": ("passage", "side", "state"),
+    "end": ("state",),
+    **{
+        f"{motion}_{what}": (f"{motion}_{what}", "column")[: 2 - (what == "samples")]
+        for motion in ("motion", "vertical")
+        for what in ("segments", "samples")
+    },
+}
+WHOLE_NUMBERS = {"step_contact", "sample_contact", "passage_kind"}
+_ABOUT = {
+    "step_span": ("start and length of each step of integration", "s"),
+    "step_contact": ("number of the mode in each step", ""),
+    "step_powers": ("coefficients of the states' polynomials of the part of a step gone", ""),
+    "sample_time": ("times of the samples", "s"),
+    "sample_state": ("states at the samples", ""),
+    "sample_contact": ("number of the mode at the samples", ""),
+    "extremes": ("minimum, maximum and their times, of each quantity", ""),
+    "passage_time": ("times of impacts, uplifts and other events", "s"),
+    "passage_kind": ("kind, modes before and after, number of the guard", ""),
+    "passage_state": ("states before and after each event", ""),
+    "end": ("last state", ""),
+}
+
+
+def _arrays(made: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    record = made["record"]
+    if isinstance(record, Steps):
+        fields: tuple[Any, ...] = record.span, record.mode, record.powers
+        found = dict(zip(("step_span", "step_contact", "step_powers"), fields, strict=True))
+    else:
+        fields = record.t, record.y, record.mode
+        found = dict(zip(("sample_time", "sample_state", "sample_contact"), fields, strict=True))
+        rows = [dataclasses.astuple(one) for one in record.extremes.values()]
+        found["extremes"] = np.array(rows)
+    names = ("passage_time", "passage_kind", "passage_state")
+    found |= zip(names, made["events"].columns, strict=True)
+    found["end"] = made["end"]
+    for name in ("motion", "vertical"):
+        if (motion := made[name]) is not None:
+            found[f"{name}_segments"] = motion.segments
+            if motion.samples is not None:
+                found[f"{name}_samples"] = motion.samples
+    return found
+
+
+def checksum(definition: str, arrays: Mapping[str, np.ndarray]) -> str:
+    found = hashlib.sha256(definition.encode())
+    for name, array in sorted(arrays.items()):
+        found.update(f"\0{name} {array.shape}\0".encode())
+        found.update(np.ascontiguousarray(array).data)
+    return found.hexdigest()
+
+
+# -- files -----------------------------------------------------------------------------------------
+
+
+def save(path: str | os.PathLike[str], made: Mapping[str, Any]) -> None:
+    """Write the fields of a response, by name, to a file; see `Response.save`."""
+    check_engine()
+    check_target(path)
+    arrays = _arrays(made)
+    definition = json.dumps(_definition(made))
+    found = xr.Dataset(
+        {name: (_DIMS[name], array, _attrs(name)) for name, array in arrays.items()}
+        | {"definition": ((), definition)},
+        attrs={
+            "title": f"Response of {type(made['structure']).__name__}: {made['outcome']}",
+            "rockeom_format": FORMAT,
+            "rockeom_version": VERSION,
+            "checksum": checksum(definition, arrays),
+        },
+    )
+    write(path, _netcdf(found, arrays))
+
+
+def _netcdf(found: xr.Dataset, arrays: Mapping[str, np.ndarray]) -> bytes:
+    """The bytes of a file, made in memory: HDF5 ends the process where a disk is full."""
+    import h5netcdf
+    from xarray.backends import H5NetCDFStore
+
+    # without a value that stands for a missing one: NaN is what it is
+    encoding = {name: {"_FillValue": None} for name in arrays}
+    made = io.BytesIO()
+    with h5netcdf.File(made, "w") as file:
+        found.dump_to_store(H5NetCDFStore(file), encoding=encoding)
+    return made.getvalue()
+
+
+def _definition(made: Mapping[str, Any]) -> dict[str, Any]:
+    module, record = made["structure"].module, made["record"]
+    return {
+        "structure": encode("structure", made["structure"]),
+        "source_hash": module.SOURCE_HASH,
+        "states": module.STATES,
+        "contacts": module.CONTACTS,
+        "impact": _encode_law(made["impact"]),
+        "options": encode("options", made["options"]),
+        "outcome": str(made["outcome"]),
+        "duration": encode("duration", made["duration"]),
+        "statistics": {name: encode(name, value) for name, value in made["statistics"].items()},
+        "quantities": None if isinstance(record, Steps) else list(record.extremes),
+        **{
+            name: made[name]
+            and {
+                "name": made[name].name,
+                "source": made[name].source,
+                "dt": made[name].dt,
+                "is_vertical": made[name].is_vertical,
+            }
+            for name in ("motion", "vertical")
+        },
+    }
+
+
+def _attrs(name: str) -> dict[str, str]:
+    about, unit = _ABOUT.get(name, (name.replace("_", " "), ""))
+    return {"long_name": about} | ({"units": unit} if unit else {})
+
+
+def check_engine() -> None:
+    if find_spec("h5netcdf") is None or find_spec("h5py") is None:
+        raise ModuleNotFoundError(
+            "responses are saved and loaded with h5netcdf, which is not installed. Remedy: "
+            f"{installed_by('files')}."
+        )

@@ -1,0 +1,327 @@
+"""Forces and impulses that the ground had to give, and the friction that not sliding needed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import cached_property
+from types import ModuleType
+
+import numpy as np
+
+from rockeom.codes import LANDING, SLIP_LEFT, SLIP_RIGHT
+from rockeom.integrator.schema import has_points
+from rockeom.simulation.events import EventColumns, Events
+from rockeom.simulation.extremes import Extremes, extremes, last_crest
+from rockeom.simulation.quantities import Quantities
+from rockeom.simulation.steps import Evaluate, Rows, Steps
+from rockeom.structures.classes import Structure
+from rockeom.structures.contact_modes import Points
+
+
+class Support:
+    """Forces and impulses of the ground, and whether friction and contact could bear them.
+
+    rows : the samples of the motion. overturned : the last fall of such a motion counts for none of
+    them, from its highest point on, since nothing could stop it then.
+    """
+
+    def __init__(
+        self, quantities: Quantities, events: Events, rows: Rows, overturned: bool
+    ) -> None:
+        self._quantities, self._events, self._rows = quantities, events, rows
+        self._overturned = overturned
+        self._structure = quantities.structure
+
+    # -- forces
+
+    @cached_property
+    def _extremes(self) -> tuple[Extremes, ...] | None:
+        """Extremes of the horizontal, left, right and whole vertical force; None without feet."""
+        if "left_reaction" not in self._structure.module.REACTIONS:
+            return None
+        steps = self._quantities.steps("what the feet had to bear (friction_demand, lost_contact)")
+
+        def forces(t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
+            found = self._feet(t, y, mode)
+            return np.column_stack([found, found[:, 1] + found[:, 2]])
+
+        return tuple(extremes(steps, forces, self._until))
+
+    @property
+    def _feet(self) -> Evaluate:
+        return self._quantities.columns(("horizontal_reaction", "left_reaction", "right_reaction"))
+
+    @cached_property
+    def _until(self) -> float:
+        """Time at which the forces on the feet cease to matter [s]."""
+        if not self._overturned:
+            return math.inf
+        steps = self._quantities.steps("the last fall")
+        return last_crest(steps, self._quantities.columns(("gravitational_energy",)))
+
+    @cached_property
+    def base_moment(self) -> Extremes | None:
+        """Extremes of the moment of the ground's forces about the middle of the base [N m].
+
+        The force on the right less that on the left, times the distance at which they act: half
+        the distance of the feet, or that of a rotation centre that moves. None unless the structure
+        stands on rigid ground and has a `half_width`.
+        """
+        arm = self._structure.parameters().get("half_width")
+        moves = "rotation_centre" in self._quantities.units
+        if arm is None or not (moves or self._structure.rocks_on_rigid_ground):
+            return None
+        names = ("left_reaction", "right_reaction", *("rotation_centre",) * moves)
+        forces = self._quantities.columns(names)
+
+        def moment(t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
+            left, right, *centre = forces(t, y, mode).T
+            return ((centre[0] if moves else arm) * (right - left))[:, None]
+
+        return extremes(self._quantities.steps("base_moment"), moment)[0]
+
+    @cached_property
+    def lost_contact(self) -> bool:
+        """Whether the ground would have had to pull a foot: the model's assumption failed then."""
+        if self._extremes is None:
+            return False
+        _, left, right, vertical = self._extremes
+        weight = max(abs(vertical.peak), 1e-300)
+        return bool(min(left.minimum, right.minimum) < -1e-9 * weight)
+
+    # -- friction
+
+    @cached_property
+    def friction_demand(self) -> float:
+        """Largest |horizontal|/vertical force that not sliding needed, found within the steps.
+
+        The vertical force is that on both feet together. inf where there was none, but a horizontal
+        one: then no friction suffices. nan without feet. Impulses are in `impact_friction_demand`.
+        """
+        if self._extremes is None:
+            return math.nan
+        horizontal, _, _, vertical = self._extremes
+
+        def forces(t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
+            across, left, right = self._feet(t, y, mode).T
+            return np.column_stack([across, left + right])
+
+        return least_coefficient(
+            self._quantities.steps("friction_demand"), forces, horizontal, vertical, self._until,
+            self._structure.stands_on_points,
+        )  # fmt: skip
+
+    @cached_property
+    def impact_friction_demand(self) -> float:
+        """Largest |horizontal|/vertical impulse of the ground at an impact.
+
+        The impulse on both feet together: the gain of momentum of all masses. inf where the ground
+        had to pull; 0 without impacts; nan where no foot meets rigid ground in an impact.
+        """
+        if not meets_ground(self._structure.module):
+            return math.nan
+        before, after = self._events.impacts.momenta
+        across, up = gained = after - before
+        # in the smallest impacts of a vibrating structure the difference is rounding
+        counts = np.hypot(*gained) > 1e-9 * np.hypot(np.hypot(*before), np.hypot(*after))
+        return float(_ratios(across[counts], up[counts]).max(initial=0.0))
+
+    @cached_property
+    def friction_demands(self) -> dict[str, tuple[float, float]]:
+        """`friction_demand` and `impact_friction_demand` of each of several surfaces.
+
+        By the names of the points that rub on it, such as "upper_left+upper_right": of forces, and
+        of impulses at landings. Empty for structures whose contacts cannot open and slide.
+        """
+        found = surfaces(self._structure.module)
+        if len(found) == 1 and self._extremes is not None:
+            return dict.fromkeys(found, (self.friction_demand, self.impact_friction_demand))
+        impulses = demands_of_landings(
+            self._structure, self._events.columns, self._rows.y, list(found.values())
+        )
+        names = self._structure.module.POINTS if found else ()
+        return {
+            surface: (self._demand_of([names[i] for i in points]), impulse)
+            for (surface, points), impulse in zip(found.items(), impulses, strict=True)
+        }
+
+    def _demand_of(self, points: Sequence[str]) -> float:
+        columns = self._quantities.columns(
+            [f"{name}_{what}" for what in ("friction", "reaction") for name in points]
+        )
+
+        def forces(t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
+            return columns(t, y, mode).reshape(len(t), 2, -1).sum(axis=2)
+
+        steps = self._quantities.steps("friction_demands")
+        across, pressing = extremes(steps, forces, self._until)
+        return least_coefficient(steps, forces, across, pressing, self._until, True)
+
+    # -- contact
+
+    @cached_property
+    def sliding(self) -> np.ndarray:
+        """(k, 2) starts and ends of the spans of time in which a point slides [s].
+
+        Empty where contacts cannot slide.
+        """
+        if not self._structure.stands_on_points:
+            return np.empty((0, 2))
+        slides = [
+            not {SLIP_RIGHT, SLIP_LEFT}.isdisjoint(row)
+            for row in self._structure.module.POINT_STATES
+        ]
+        spans, modes = self.spans
+        return spans[np.array(slides)[modes]]
+
+    @property
+    def spans(self) -> tuple[np.ndarray, np.ndarray]:
+        """(k, 2) starts and ends [s] of the spans of time between events, and their modes (k,)."""
+        times, kinds, _ = self._events.columns
+        edges = np.concatenate([self._rows.t[:1], times, self._rows.t[-1:]])
+        modes = np.concatenate([self._rows.mode[:1], kinds[:, 2]])
+        lasts = edges[1:] > edges[:-1]
+        return np.column_stack([edges[:-1], edges[1:]])[lasts], modes[lasts]
+
+    @property
+    def never_lifted(self) -> bool:
+        """Whether both feet stood on rigid ground all the time."""
+        sides = np.array(self._structure.module.SIDES)
+        return self._structure.rocks_on_rigid_ground and not sides[self._rows.mode].any()
+
+    # -- in words
+
+    def describe(self) -> str:
+        """How far the assumptions of no sliding and no lost contact held, in words."""
+        if not isinstance(self._quantities.record, Steps):
+            return (
+                "Only samples were kept: the forces that friction and contact had to bear, which "
+                "are found within the steps, are not known."
+            )
+        if self._extremes is None:
+            return "The model has no feet: it says nothing of sliding or contact."
+        if self._structure.stands_on_points:
+            return self._describe_sliding()
+        text = self._describe_friction()
+        if self.lost_contact:
+            return f"{text} A foot's vertical reaction turned negative: {self._structure.pulled}."
+        return text + " No foot's vertical reaction turned negative."
+
+    def _describe_sliding(self) -> str:
+        spans = self.sliding
+        slid = np.diff(spans).sum()
+        if slid > 1e-12 * self._rows.t[-1]:
+            return f"It slid for {slid:.4g} s, the first time at {spans[0, 0]:.4g} s."
+        demands = self.friction_demands
+        needed = [
+            f"{max(pair):.3g}" + f" at {surface}" * (len(demands) > 1)
+            for surface, pair in demands.items()
+        ] or [f"{max(self.friction_demand, self.impact_friction_demand):.3g}"]
+        return f"It did not slide: that needed a friction coefficient of {' and '.join(needed)}."
+
+    def _describe_friction(self) -> str:
+        forces, impulses = self.friction_demand, self.impact_friction_demand
+        if math.isnan(forces):
+            return "The forces on the feet are not finite: they say nothing of sliding."
+        if math.isinf(forces):
+            text = (
+                "No friction coefficient would have kept it from sliding: the ground pressed no "
+                "foot while a horizontal force was needed."
+            )
+        else:
+            text = f"Not sliding needed a friction coefficient of at least {forces:.3g}."
+        if math.isinf(impulses):
+            return text + " None suffices for the impulses at its impacts."
+        return text + f" The impulses at its impacts needed {impulses:.3g}." * (impulses > 0)
+
+
+def meets_ground(module: ModuleType) -> bool:
+    """Whether feet meet rigid ground in impacts."""
+    return has_points(module) or {"impact", "uplift"} <= {kind for *_, kind in module.TRANSITIONS}
+
+
+def surfaces(module: ModuleType) -> dict[str, tuple[int, ...]]:
+    """The points that rub on one surface, by their names joined by "+": numbers of points.
+
+    Points are of one surface where a mode lets them share their friction.
+    """
+    if not has_points(module):
+        return {}
+    first = list(range(len(module.POINTS)))
+    for shared in module.SHARED:
+        for i, j in enumerate(shared):
+            first = [first[j] if f == first[i] else f for f in first]
+    found = [tuple(i for i, f in enumerate(first) if f == one) for one in dict.fromkeys(first)]
+    return {"+".join(module.POINTS[i] for i in points): points for points in found}
+
+
+def least_coefficient(
+    steps: Steps,
+    forces: Evaluate,
+    across: Extremes,
+    pressing: Extremes,
+    until: float,
+    may_fly: bool,
+) -> float:
+    """Largest |across|/pressing of two forces, found within the steps.
+
+    forces : gives both (n, 2) at times, states and modes (n,); across, pressing : their
+    extremes. until : when they cease to matter [s]. inf where nothing presses, but for a force
+    across; 0 for one that flies all the time.
+    """
+    none = 1e-9 * abs(pressing.peak)  # a smaller force is rounding
+    if (may_fly and pressing.peak == 0.0) or abs(across.peak) <= none:
+        return 0.0
+
+    def pressing_over_across(t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
+        along, normal = forces(t, y, mode).T
+        ratio = normal / np.maximum(np.abs(along), none)
+        ratio[(np.abs(along) <= none) & (np.abs(normal) <= none)] = 1e9  # in flight
+        return ratio[:, None]
+
+    # this ratio passes zero smoothly where the other one is infinite
+    (ratio,) = extremes(steps, pressing_over_across, until)
+    if not math.isfinite(ratio.minimum):
+        return math.nan
+    return 1.0 / ratio.minimum if ratio.minimum > 1e-9 else math.inf
+
+
+def _ratios(across: np.ndarray, up: np.ndarray) -> np.ndarray:
+    """|across|/up of impulses, inf where the ground had to pull."""
+    return np.divide(np.abs(across), up, out=np.full(len(up), np.inf), where=up > 0.0)
+
+
+def demands_of_landings(
+    structure: Structure, events: EventColumns, y: np.ndarray, groups: Sequence[tuple[int, ...]]
+) -> list[float]:
+    """Largest |tangential|/normal impulse at the landings, on the points of each group together.
+
+    Out of M (v+ - v-) = J_N' P_N + J_T' P_T at the closed points. y (n, N) : states of the motion.
+    """
+    module, p = structure.module, structure.vector
+    n = module.N_STATES // 2
+    _, kinds, landings = events.of(LANDING)
+    largest = [0.0] * len(groups)
+    if not len(landings):
+        return largest
+    points = Points(module, landings[:, 0], p)
+    # beside where the motion goes: at a landing all coordinates may be none, but for rounding
+    closed = points.closed_beside(np.fmax.reduce(np.abs(y[:, :n])))
+    matrix, forces = np.empty(n * n), np.empty(n)
+    for (arriving, leaving), near, normal, along, mode in zip(
+        landings, closed, points.normal, points.tangential, kinds[:, 1], strict=True
+    ):
+        module.free_motion(arriving, p, 0.0, 0.0, mode, matrix, forces)
+        gained = matrix.reshape(n, n) @ (leaving[n:] - arriving[n:])
+        rows = np.vstack([normal[near], along[near]])
+        (at,) = np.nonzero(near)
+        pressed, rubbed = np.zeros(len(near)), np.zeros(len(near))
+        found = np.linalg.lstsq(rows.T, gained, rcond=1e-12)[0]
+        pressed[at], rubbed[at] = found[: len(at)], found[len(at) :]
+        whole = np.abs(found).sum()
+        for i, group in enumerate(map(list, groups)):
+            across, up = float(rubbed[group].sum()), float(pressed[group].sum())
+            if math.hypot(across, up) > 1e-9 * whole:
+                largest[i] = max(largest[i], abs(across) / up if up > 0.0 else math.inf)
+    return largest

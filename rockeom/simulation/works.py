@@ -1,0 +1,170 @@
+"""Works and losses of a motion, by quadrature over its steps; its balance of energy."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from types import ModuleType
+from typing import NamedTuple
+
+import numpy as np
+
+from rockeom.codes import REST
+from rockeom.integrator.schema import has_points
+from rockeom.numbers.functions import gauss_rule
+from rockeom.simulation.events import EventColumns
+from rockeom.simulation.steps import Rows, Steps
+from rockeom.structures.classes import Structure
+from rockeom.structures.evaluation import at_states, filled, jets
+
+_WORKS = ("ground_work", "damping_loss", "force_work", "friction_loss")
+
+
+def names_of_works(module: ModuleType) -> tuple[str, ...]:
+    """Names of the works and losses, but for that of impacts."""
+    return (*_WORKS, *(f"{name}_loss" for name in module.ELEMENT_NAMES))
+
+
+_CHUNK = 2048  # steps at once, so that memory is bounded
+
+
+class EnergyBalance(NamedTuple):
+    """Where the energy of a response came from and went, in joules.
+
+    input : work of the shaking on the masses, seen from the ground that moves. damping : lost in
+    dampers and by yielding, less the work of forces that are declared by themselves (`Force`).
+    impacts : lost at impacts, and in springs that are let go while they are drawn. gained : energy
+    at the end less that at the start. friction : lost where points slide.
+    error : the rest input - damping - friction - impacts - gained, over the largest of them and
+    of the kinetic energy.
+    """
+
+    input: float
+    damping: float
+    impacts: float
+    gained: float
+    error: float
+    friction: float = 0.0
+
+
+class Works:
+    """Works and losses of a motion since it began, by quadrature over its steps.
+
+    The loss at impacts is the energy before them less that behind them. In the time in which
+    infinitely many of them bring a structure on points to rest, it is the loss that no other
+    explains.
+    """
+
+    def __init__(
+        self,
+        structure: Structure,
+        ground: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
+        steps: Steps,
+        events: EventColumns,
+    ) -> None:
+        self.structure, self.ground, self.steps = structure, ground, steps
+        self.names = names_of_works(structure.module)
+        starts, lengths = self.steps.span.T
+        n = len(starts)
+        of_steps = [
+            self._within(np.arange(i, min(i + _CHUNK, n)), np.ones(min(_CHUNK, n - i)))
+            for i in range(0, n, _CHUNK)
+        ]
+        self.table = np.zeros((n + 1, len(self.names)))
+        np.cumsum(np.concatenate(of_steps), axis=0, out=self.table[1:])
+        every = np.arange(n)
+        self.first, self.last = (
+            self._energy(self.steps.states(every, np.full(n, x)), self.steps.mode)
+            for x in (0.0, 1.0)
+        )
+        times, kinds, states = events
+        ends = starts + lengths
+        self.rests = np.isin(ends, times[kinds[:, 0] == REST]) & has_points(structure.module)
+        lost = np.zeros(n + 1)
+        seams = np.flatnonzero(np.isin(starts[1:], times)) + 1
+        lost[seams] = self.last[seams - 1] - self.first[seams]
+        self.end = self.last[-1]
+        if len(times) and times[-1] >= ends[-1]:
+            self.end = self._energy(states[-1:, 1], kinds[-1:, 2])[0]
+            lost[n] = self.last[-1] - self.end
+        inside = np.zeros(n + 1)
+        resting = np.flatnonzero(self.rests)
+        inside[resting + 1] = self._unexplained(
+            np.diff(self.table, axis=0)[resting], self.last[resting] - self.first[resting]
+        )
+        self.impacts = np.cumsum(lost + inside)
+
+    def _energy(self, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
+        return filled(self.structure, "energies", 3, mode, y).sum(axis=0)
+
+    @staticmethod
+    def _unexplained(work: np.ndarray, gained: np.ndarray) -> np.ndarray:
+        ground, damping, force, friction = work[:, :4].T
+        return ground - damping + force - friction - gained
+
+    def _within(self, index: np.ndarray, x: np.ndarray) -> np.ndarray:
+        """(n, m) works from the start of steps to places x in [0, 1] of them."""
+        start, length = self.steps.span[index].T
+        nodes, weights = gauss_rule()  # a step has degree 7, and its square degree 14
+        places = 0.5 * np.multiply.outer(x, 1.0 + nodes)
+        t = start[:, None] + places * length[:, None]
+        every = np.repeat(index, len(nodes))
+        y = self.steps.states(every, places.ravel())
+        powers = self._powers(t.ravel(), y, self.steps.mode[every])
+        parts = 0.5 * np.multiply.outer(x * length, weights)
+        return np.einsum("ij,kij->ik", parts, powers.reshape(len(self.names), *parts.shape))
+
+    def _powers(self, t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
+        """(m, n), in the order of the names."""
+        structure, ground = self.structure, self.ground(t)
+        module, n = structure.module, len(structure.module.ELEMENT_NAMES)
+        powers = filled(structure, "powers", 3, mode, y, *ground)
+        lost = filled(structure, "elements", 4 * n, mode, y).reshape(n, 4, len(t))[:, 3]
+        friction = np.zeros((1, len(t)))
+        if has_points(module):
+            rates = filled(structure, "rates", module.N_STATES, mode, y, *ground)
+            size = len(module.KINEMATICS)
+            slips = jets(structure, "kinematics", size, mode, y, rates)[1]
+            forces = at_states(structure, "reactions", mode, y, *ground)
+            for point in module.POINTS:
+                rate = slips[module.KINEMATICS.index(f"{point}_slip")]
+                friction[0] -= forces[f"{point}_friction"] * rate
+        return np.concatenate([powers, friction, lost])
+
+    def at(self, rows: Rows) -> dict[str, np.ndarray]:
+        """All of them at times, states and modes, (n,) each by name."""
+        t, y, mode = rows
+        starts, lengths = self.steps.span.T
+        index = np.clip(np.searchsorted(starts, t, side="right") - 1, 0, len(starts) - 1)
+        # the state before a jump is the end of the step before
+        seam = np.flatnonzero((t == starts[index]) & (index > 0))
+        there = self.steps.states(index[seam], np.zeros(len(seam)))
+        before = self.steps.states(index[seam] - 1, np.ones(len(seam)))
+        away, near = (np.abs(y[seam] - one).max(axis=1, initial=0.0) for one in (there, before))
+        of_before = mode[seam] == self.steps.mode[index[seam] - 1]
+        of_after = mode[seam] == self.steps.mode[index[seam]]
+        index[seam[(near < away) | ((near == away) & of_before & ~of_after)]] -= 1
+        x = np.clip((t - starts[index]) / lengths[index], 0.0, 1.0)
+        within = np.concatenate(
+            [
+                self._within(index[i : i + _CHUNK], x[i : i + _CHUNK])
+                for i in range(0, len(t), _CHUNK)
+            ]
+            or [np.empty((0, len(self.names)))]
+        )
+        found = dict(zip(self.names, (self.table[index] + within).T, strict=True))
+        impacts = self.impacts[index].copy()
+        rests = np.flatnonzero(self.rests[index])
+        gained = self._energy(y[rests], mode[rests]) - self.first[index[rests]]
+        impacts[rests] += self._unexplained(within[rests], gained)
+        return found | {"impact_loss": impacts}
+
+    def balance(self) -> EnergyBalance:
+        """Of the whole motion."""
+        ground, damping, force, friction = self.table[-1, :4].tolist()
+        impacts, gained = float(self.impacts[-1]), float(self.end - self.first[0])
+        lost = damping - force
+        left = ground - lost - friction - impacts - gained
+        kinetic = filled(self.structure, "energies", 3, self.steps.mode, self.steps.powers[:, 0])[0]
+        largest = max(*map(abs, (ground, lost, friction, impacts, gained)), float(kinetic.max()))
+        error = abs(left) / largest if largest else 0.0
+        return EnergyBalance(ground, lost, impacts, gained, error, friction)
