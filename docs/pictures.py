@@ -4,8 +4,8 @@ from pathlib import Path
 
 import rockeom as rk
 from rockeom.cli import demo
+from rockeom.drawing.style import new_figure
 from rockeom.plots import draw_structure
-from rockeom.plots.style import new_figure
 
 FOLDER = Path(__file__).parent / "images"
 

@@ -13,7 +13,7 @@ import pytest
 import rockeom as rk
 from rockeom import plots
 from rockeom.cli import main, output
-from rockeom.plots.style import save_figure
+from rockeom.drawing.style import save_figure
 
 if sys.platform == "win32":
     pytest.skip("limits, pipes and sockets are those of POSIX", allow_module_level=True)
@@ -141,7 +141,7 @@ def test_a_path_that_cannot_be_written_is_told_before_the_work(tmp_path, monkeyp
         raise AssertionError("worked first")
 
     monkeypatch.setattr("rockeom.simulation.saved._arrays", worked)
-    monkeypatch.setattr("rockeom.plots.animation.Animation.frames", property(worked))
+    monkeypatch.setattr("rockeom.drawing.animation.Animation.frames", property(worked))
     monkeypatch.setattr(type(REPORT), "page", worked)
     monkeypatch.setattr("rockeom.cli.derive._text", worked)
     monkeypatch.setattr("rockeom.cli.simulate.simulate", worked)

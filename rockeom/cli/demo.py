@@ -14,9 +14,9 @@ from typing import Any
 
 import rockeom as rk
 from rockeom.cli import output
+from rockeom.drawing.style import save_figure
 from rockeom.files import write
 from rockeom.plots import plot_comparison
-from rockeom.plots.style import save_figure
 
 COLUMN = {
     "mass": 122.6,

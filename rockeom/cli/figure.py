@@ -43,7 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    from rockeom.plots.style import save_figure
+    from rockeom.drawing.style import save_figure
     from rockeom.thesis.figures import FIGURES, NOT_DRAWN
 
     if args.number is None:

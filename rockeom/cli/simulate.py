@@ -219,7 +219,7 @@ def _write(
     initial: Mapping[str, float],
     args: argparse.Namespace,
 ) -> list[Path]:
-    from rockeom.plots.style import save_figure  # matplotlib takes long
+    from rockeom.drawing.style import save_figure  # matplotlib takes long
 
     args.out.mkdir(parents=True, exist_ok=True)
     paths = _paths(args)

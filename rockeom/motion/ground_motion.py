@@ -578,7 +578,7 @@ class GroundMotion:
 
     def plot(self, **kwargs: Any) -> Any:
         """A figure of acceleration, velocity and displacement; see `plots.plot_motion`."""
-        from rockeom.plots import plot_motion
+        from rockeom.drawing.ground_motion import plot_motion  # matplotlib
 
         return plot_motion(self, **kwargs)
 
@@ -770,9 +770,9 @@ class GroundMotion:
         )
 
     def _repr_html_(self) -> str:
-        from rockeom.plots.notebook import html_of
+        from rockeom.drawing.notebook import page_of_motion  # matplotlib
 
-        return html_of(self)
+        return page_of_motion(self)
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Arrays come back writable from a pickle; the constructor locks them again.

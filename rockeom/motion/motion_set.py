@@ -299,7 +299,7 @@ class MotionSet(Sequence[GroundMotion]):
         self, periods: ArrayLike | None = None, damping_ratio: float = 0.05, **kwargs: Any
     ) -> Any:
         """A figure of the response spectra with their median; see `plots.plot_spectra`."""
-        from rockeom.plots import plot_spectra
+        from rockeom.drawing.ground_motion import plot_spectra  # matplotlib
 
         spectra = [*self.response_spectra(periods, damping_ratio).values()]
         title = self.name and f"Response spectra, {self.name}"

@@ -72,7 +72,7 @@ class ResponseSpectrum:
 
     def plot(self, **kwargs: Any) -> Any:
         """A figure of pseudo-acceleration, velocity and displacement; see `plots.plot_spectra`."""
-        from rockeom.plots import plot_spectra
+        from rockeom.drawing.ground_motion import plot_spectra  # matplotlib
 
         return plot_spectra([self], **kwargs)
 

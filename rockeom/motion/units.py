@@ -6,10 +6,7 @@ import math
 
 from rockeom.motion.errors import MotionError
 from rockeom.numbers.checks import is_number, told
-
-STANDARD_GRAVITY = 9.81
-"""What "g" stands for in a record [m/s2] unless the reader is told otherwise: the value that the
-structures take as well, so that a record of 0.3 g is 0.3 times the weight of what it shakes."""
+from rockeom.numbers.constants import STANDARD_GRAVITY as STANDARD_GRAVITY
 
 # In the spelling that `_plain` leaves; "g" is not here because its value is the user's.
 _FACTORS = {

@@ -5,20 +5,20 @@ Every function returns a matplotlib figure and never opens a window: save it wit
 holds the pieces of a drawing of your own, and `use_style` gives pyplot the look of these figures.
 """
 
-from rockeom.plots import free_body
-from rockeom.plots.animation import Animation, animate
-from rockeom.plots.comparison import plot_comparison
+from rockeom.drawing import free_body, style
+from rockeom.drawing.animation import Animation, animate
+from rockeom.drawing.comparison import plot_comparison
+from rockeom.drawing.ground_motion import plot_motion, plot_spectra
+from rockeom.drawing.portrait import plot_phase_portrait
+from rockeom.drawing.response import plot_response
+from rockeom.drawing.sketch import draw_structure
+from rockeom.drawing.style import use_style
 from rockeom.plots.design_report import DesignReport, design_report
 from rockeom.plots.dynamics import (
     basins_of_attraction,
     bifurcation_diagram,
     poincare_section,
 )
-from rockeom.plots.ground_motion import plot_motion, plot_spectra
-from rockeom.plots.portrait import plot_phase_portrait
-from rockeom.plots.response import plot_response
-from rockeom.plots.sketch import draw_structure
-from rockeom.plots.style import use_style
 from rockeom.plots.sweeps import (
     fragility_curve,
     incremental_dynamic_analysis,
@@ -45,5 +45,6 @@ __all__ = [
     "plot_spectra",
     "poincare_section",
     "rocking_spectrum",
+    "style",
     "use_style",
 ]

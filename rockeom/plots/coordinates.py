@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 
-from rockeom.plots import style
+from rockeom.drawing import style
 
 
 def known(function: str, sweep: xr.Dataset, name: str) -> str:

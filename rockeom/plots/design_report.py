@@ -23,9 +23,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.analysis.design.isolation import Demands, demands, energy_balance
+from rockeom.drawing import style
 from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
-from rockeom.plots import style
 from rockeom.simulation.plausible import ROUGHEST, default_masses, forces, shaking
 from rockeom.simulation.response import Outcome, Response
 from rockeom.simulation.simulate import simulate

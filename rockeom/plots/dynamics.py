@@ -16,7 +16,8 @@ from matplotlib.patches import Patch
 from rockeom.analysis.arguments import dims_of_starts
 from rockeom.analysis.dynamics.sections import FALLEN, NOT_PERIODIC, UNKNOWN
 from rockeom.analysis.unfinished import check_finished
-from rockeom.plots import coordinates, style
+from rockeom.drawing import style
+from rockeom.plots import coordinates
 
 if TYPE_CHECKING:
     from rockeom.analysis.dynamics.branches import Bifurcation, OrbitBranch

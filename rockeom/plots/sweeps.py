@@ -20,7 +20,8 @@ from rockeom.analysis.dynamics.overturning import impacts_before_overturning
 from rockeom.analysis.risk.fragility import Fragility, fragility_of
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
 from rockeom.analysis.unfinished import check_finished
-from rockeom.plots import coordinates, style
+from rockeom.drawing import style
+from rockeom.plots import coordinates
 
 _STYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 3)))
 _NAMED = len(style.LINES)

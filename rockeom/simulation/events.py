@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple, overload
+from typing import ClassVar, NamedTuple, overload
 
 import numpy as np
 
@@ -139,8 +139,12 @@ class Events(Sequence[Event]):
 class Impacts(Events):
     """The impacts of a motion in the order of time, with their speeds, impulses and energies.
 
-    run.impacts[0].time, run.impacts.impulses(), run.impacts.energy_loss
+        run.impacts[0].time, run.impacts.impulses(), run.impacts.energy_loss
+
+    measurable : the rate above which `describe` counts an impact by itself.
     """
+
+    measurable: ClassVar[float] = MEASURABLE
 
     @cached_property
     def speeds(self) -> np.ndarray:

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from rockeom.drawing.positions import places, positions_of, rotations_of
 from rockeom.integrator.program import Program, program
 from rockeom.integrator.schema import has_points
 from rockeom.motion import GroundMotion
@@ -27,7 +28,6 @@ from rockeom.simulation.works import Works, names_of_works
 from rockeom.structures import evaluation
 from rockeom.structures.classes import Structure
 from rockeom.structures.evaluation import OF_ELEMENT, elements, filled, motion_of_places
-from rockeom.structures.positions import places, positions_of, rotations_of
 from rockeom.structures.units import dimensioned, main_units
 
 PLACES, ELEMENTS, BASE, WORKS = "places", "elements", "base", "works"

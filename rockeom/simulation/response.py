@@ -383,7 +383,7 @@ class Response:
 
     def plot(self, **kwargs):
         """A figure of rotation, displacement, uplift and impacts; see rockeom.plots."""
-        from rockeom.plots import plot_response
+        from rockeom.drawing.response import plot_response  # matplotlib
 
         return plot_response(self, **kwargs)
 
@@ -392,7 +392,7 @@ class Response:
 
         path : of the file, if one is wanted. Others as in `rockeom.plots.animate`.
         """
-        from rockeom.plots import animate
+        from rockeom.drawing.animation import animate  # matplotlib
 
         return animate(self, path, **kwargs)
 
@@ -401,9 +401,9 @@ class Response:
         return list(self.names)
 
     def _repr_html_(self) -> str:
-        from rockeom.plots.notebook import html_of
+        from rockeom.drawing.notebook import page_of_response  # matplotlib
 
-        return html_of(self)
+        return page_of_response(self)
 
     def __repr__(self) -> str:
         return f"<Response: {self.outcome}, {self.duration:.6g} s, {self.impacts.describe()}>"

@@ -23,6 +23,7 @@ from typing import (
 import numpy as np
 
 from rockeom.codes import IMPACT, UPLIFT
+from rockeom.drawing.positions import Shapes, places, positions_of, rotations_of, shapes
 from rockeom.integrator.schema import has_points
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import UnknownAttributeError, near, number, numbers, told
@@ -45,7 +46,6 @@ from rockeom.structures.impact_laws import (
     default_law,
 )
 from rockeom.structures.pickled import made_of
-from rockeom.structures.positions import Shapes, places, positions_of, rotations_of, shapes
 
 if TYPE_CHECKING:
     from rockeom.structures.fixed_base import FixedBase
@@ -86,9 +86,9 @@ class Structure:
         return importlib.import_module(f"rockeom.generated.{self.model}")
 
     def _repr_html_(self) -> str:
-        from rockeom.plots.notebook import html_of
+        from rockeom.drawing.notebook import page_of_structure  # matplotlib
 
-        return html_of(self)
+        return page_of_structure(self)
 
     if not TYPE_CHECKING:  # for type checkers an unknown attribute stays an error
 

@@ -42,9 +42,9 @@ class Sweep(xr.Dataset):
     __slots__ = ()
 
     def _repr_html_(self) -> str:
-        from rockeom.plots.notebook import html_of
+        from rockeom.drawing.notebook import page_of_sweep  # matplotlib
 
-        return html_of(self)
+        return page_of_sweep(self)
 
 
 def dataset(kept: Kept, cases: Cases, module: ModuleType) -> Sweep:

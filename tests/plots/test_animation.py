@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 from PIL import Image
 
 import rockeom as rk
+from rockeom.drawing.animation import ground_displacement
 from rockeom.plots import animate
-from rockeom.plots.animation import ground_displacement
 from tests.contact import declared
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.45)

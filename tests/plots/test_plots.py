@@ -11,8 +11,8 @@ import pytest
 from matplotlib.figure import Figure
 
 import rockeom as rk
+from rockeom.drawing.style import FEET, PHASES, contact_spans
 from rockeom.plots import draw_structure, plot_comparison, plot_phase_portrait, plot_response
-from rockeom.plots.style import FEET, PHASES, contact_spans
 from rockeom.structures.classes import SHIPPED
 from tests.shipped import plain
 

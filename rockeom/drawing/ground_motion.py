@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
-from rockeom.motion import STANDARD_GRAVITY, GroundMotion
-from rockeom.plots import style
-
-if TYPE_CHECKING:
-    from rockeom.analysis.dynamics.spectra import ResponseSpectrum
+from rockeom.drawing import style
+from rockeom.drawing.drawn import Motion, Spectrum
+from rockeom.numbers.constants import STANDARD_GRAVITY
 
 _POINTS = 4000
 """Times at which a motion is drawn, besides its breaks."""
@@ -24,7 +21,7 @@ _BY_NAME = 6
 
 @style.styled
 def plot_motion(
-    motion: GroundMotion,
+    motion: Motion,
     *,
     figure: Figure | SubFigure | None = None,
     start: float = 0.0,
@@ -66,7 +63,7 @@ def plot_motion(
 
 @style.styled
 def plot_spectra(
-    spectra: Sequence[ResponseSpectrum],
+    spectra: Sequence[Spectrum],
     *,
     figure: Figure | SubFigure | None = None,
     title: str | None = None,

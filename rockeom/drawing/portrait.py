@@ -4,23 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import cycle
-from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rockeom.codes import IMPACT, LANDING
-from rockeom.plots import style
-from rockeom.simulation.response import Response
-
-if TYPE_CHECKING:
-    from rockeom.structures.classes import Structure
+from rockeom.drawing import style
+from rockeom.drawing.drawn import Run, Structure
 
 
 @style.styled
 def plot_phase_portrait(
-    run: Response | Sequence[Response], *, separatrix: bool = False, ax: Axes | None = None
+    run: Run | Sequence[Run], *, separatrix: bool = False, ax: Axes | None = None
 ) -> Figure:
     """Rate of rotation against rotation; impacts are the dotted jumps.
 
@@ -34,7 +29,7 @@ def plot_phase_portrait(
 
     Raises ValueError for no responses, and for the separatrix of a structure that has none.
     """
-    runs = [run] if isinstance(run, Response) else list(run)
+    runs = list(run) if isinstance(run, Sequence) else [run]
     if not runs:
         raise ValueError("plot_phase_portrait: there is no response: give one at least")
     first = runs[0]
@@ -60,14 +55,13 @@ def plot_phase_portrait(
     return style.parent_figure(ax)
 
 
-def _draw(ax: Axes, run: Response, colour: str) -> None:
+def _draw(ax: Axes, run: Run, colour: str) -> None:
     p = run.structure.module
     y, dy = run.y[:, p.ROTATION], run.y[:, p.ROTATION_RATE]
     jumps = np.flatnonzero(np.diff(run.t) == 0) + 1
     for piece in np.split(np.column_stack([y, dy]), jumps):
         ax.plot(*piece.T, color=colour)
-    _, kinds, states = run.events.columns
-    for before, after in states[np.isin(kinds[:, 0], (IMPACT, LANDING))]:
+    for before, after in run.impacts.columns.states:
         ends = np.array([before, after])
         ax.plot(ends[:, p.ROTATION], ends[:, p.ROTATION_RATE], ":", color=style.OTHERS[1], lw=0.9)
     ax.plot(y[0], dy[0], "o", color=colour, ms=4)

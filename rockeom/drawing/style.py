@@ -1,4 +1,4 @@
-"""What all figures share: the figure itself, colours, units and contact states."""
+"""Common parts of all figures: the figure itself, colours, units and modes."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import io
 import textwrap
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeVar
 
 import matplotlib as mpl
 import numpy as np
@@ -15,14 +15,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.rcsetup import cycler
 
-from rockeom.codes import IMPACT, LANDING
+from rockeom.drawing.drawn import Run
 from rockeom.files import write
-from rockeom.motion import STANDARD_GRAVITY
-from rockeom.structures import units
-from rockeom.structures.contact_modes import landing_speeds
-
-if TYPE_CHECKING:
-    from rockeom.simulation.response import Response
+from rockeom.numbers.constants import STANDARD_GRAVITY
 
 INK = "0.25"
 LINES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")  # Okabe and Ito (2008)
@@ -30,9 +25,9 @@ FEET = {"left": LINES[0], "right": LINES[1]}
 """Colour of each foot; what is of no foot has another one in figures of a single response."""
 OTHERS = LINES[2:]
 """Colours of lines that belong to no foot."""
-PHASES = {"left": "#9ecae1", "right": "#fdae6b", "both": "#d4d4d4", "flight": "#f7f0a8"}
-"""Colour of each contact state, named by the feet on the ground: light shades of those of FEET."""
-PHASE_MEANINGS = {
+FEET_OF_MODES = {"left": "#9ecae1", "right": "#fdae6b", "both": "#d4d4d4", "flight": "#f7f0a8"}
+"""Colour of each mode, named by the feet on the ground: light shades of those of FEET."""
+MEANINGS = {
     "left": "on the left foot",
     "right": "on the right foot",
     "both": "full contact",
@@ -109,22 +104,22 @@ def parent_figure(ax: Axes) -> Figure:
 # --- units
 
 
-def is_dimensionless(run: Response) -> bool:
+def is_dimensionless(run: Run) -> bool:
     """Whether the structure's states, time and accelerations are pure numbers."""
-    return units.is_dimensionless(run.structure.module)
+    return run.units["ground_acceleration"] == "-"
 
 
-def ground_scale(run: Response) -> float:
+def ground_scale(run: Run) -> float:
     """What one g is in the run's accelerations."""
     return 1.0 if is_dimensionless(run) else STANDARD_GRAVITY
 
 
-def length_scale(run: Response) -> tuple[float, str]:
+def length_scale(run: Run) -> tuple[float, str]:
     """(factor, unit) in which lengths are shown."""
     return (1.0, "-") if is_dimensionless(run) else (1e3, "mm")
 
 
-def time_label(run: Response) -> str:
+def time_label(run: Run) -> str:
     return "time $p\\,t$ [-]" if is_dimensionless(run) else "time [s]"
 
 
@@ -136,12 +131,12 @@ def plain(text: str) -> str:
     return text.replace("$", r"\$")
 
 
-def name_of(run: Response) -> str:
+def name_of(run: Run) -> str:
     """Name of the structure, in words."""
     return run.structure.module.NAME.replace("_", " ")
 
 
-def title_of(run: Response) -> str:
+def title_of(run: Run) -> str:
     """Structure and motion."""
     structure = name_of(run)
     return f"{structure[:1].upper()}{structure[1:]} under {run.motion.name or 'a ground motion'}"
@@ -157,14 +152,14 @@ def symbol(name: str) -> str:
     return f"${head}_{{{name[len(head) :]}}}$" if head != name else f"${name}$"
 
 
-def rate_of(run: Response) -> tuple[str, str]:
+def rate_of(run: Run) -> tuple[str, str]:
     """Mathematics and unit of the rate of rotation."""
     p = run.structure.module
     name = symbol(run.states[p.ROTATION]).strip("$")
     return rf"\dot{{{name}}}", "-" if is_dimensionless(run) else p.STATE_UNITS[p.ROTATION_RATE]
 
 
-def largest(run: Response, name: str, factor: float, unit: str) -> str:
+def largest(run: Run, name: str, factor: float, unit: str) -> str:
     """The largest size of a quantity, found within the steps and times a factor, in words."""
     size = abs(run.extremes(name).peak) * factor
     return f"largest {size:.3g}{'' if unit == '-' else f' {unit}'}"
@@ -174,50 +169,34 @@ def wrapped(text: str, width: int = 105) -> str:
     return "\n".join(textwrap.wrap(text, width))
 
 
-# --- contact states
+# --- modes
 
 
-def feet_of(contact: str) -> str:
-    """Key of PHASES: the cart's "both_left" is full contact."""
-    return contact.split("_")[0]
+def feet_of(mode: str) -> str:
+    """Key of FEET_OF_MODES: the cart's "both_left" is full contact."""
+    return mode.split("_")[0]
 
 
-def contact_spans(run: Response) -> tuple[np.ndarray, list[str]]:
-    """Starts and ends (n, 2) of the contact states, and the feet on the ground in each."""
-    contacts = run.structure.module.CONTACTS
-    times, kinds, _ = run.events.columns
-    edges = np.concatenate([[run.t[0]], times, [run.t[-1]]])
-    feet = [feet_of(run.mode[0]), *(feet_of(contacts[after]) for after in kinds[:, 2])]
+def contact_spans(run: Run) -> tuple[np.ndarray, list[str]]:
+    """Starts and ends (n, 2) of the times on the same feet, and the feet in each."""
     spans: list[list[float]] = []
     names: list[str] = []
-    for start, end, name in zip(edges[:-1], edges[1:], feet, strict=True):
+    for (start, end), mode in zip(*run.support.spans, strict=True):
+        name = feet_of(run.structure.module.CONTACTS[mode])
         if names and names[-1] == name:
             spans[-1][1] = end
-        elif end > start:
+        else:
             spans.append([start, end])
             names.append(name)
     return np.array(spans).reshape(-1, 2), names
 
 
-def times_of(run: Response, kind: str) -> np.ndarray:
+def times_of(run: Run, kind: str) -> np.ndarray:
     """(n,) times of the events of a kind [s]."""
     return np.array([e.time for e in run.events if e.kind == kind])
 
 
-def impact_speeds(run: Response) -> tuple[np.ndarray, np.ndarray]:
-    """(n,) times of the impacts [s], and the rates of rotation just before them.
-
-    Of points that land, the speed of the fastest.
-    """
-    times, kinds, states = run.events.columns
-    if run.structure.stands_on_points:
-        hit = kinds[:, 0] == LANDING
-        return times[hit], landing_speeds(run.structure, states[hit, 0])
-    hit = kinds[:, 0] == IMPACT
-    return times[hit], np.abs(states[hit, 0, run.structure.module.ROTATION_RATE])
-
-
-def shade_full_contact(axes: Sequence[Axes], run: Response) -> None:
+def shade_full_contact(axes: Sequence[Axes], run: Run) -> None:
     """Grey behind the time in which both feet stand on the ground."""
     spans, names = contact_spans(run)
     for ax in axes:

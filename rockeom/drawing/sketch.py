@@ -4,18 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rockeom.plots import free_body, style
-from rockeom.structures.positions import BODIES, places, positions_of, rotations_of
-
-if TYPE_CHECKING:
-    from rockeom.structures.classes import Structure
-    from rockeom.structures.positions import Member
+from rockeom.drawing import free_body, style
+from rockeom.drawing.drawn import Structure
+from rockeom.drawing.positions import BODIES, Member, places, positions_of, rotations_of
 
 
 @style.styled

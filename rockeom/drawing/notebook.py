@@ -1,4 +1,4 @@
-"""What Jupyter shows of a structure, a response, a ground motion and a sweep.
+"""Pages for Jupyter: of a structure, a response, a ground motion and a sweep.
 
 Names are the user's: they are data, and escaped.
 """
@@ -9,34 +9,22 @@ import base64
 import io
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from functools import singledispatch
 from html import escape
-from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from rockeom.analysis.sweeps import outcome_labels
-from rockeom.motion import GroundMotion
-from rockeom.plots import style
-from rockeom.plots.response import plot_response
-from rockeom.plots.sketch import draw_structure
-from rockeom.simulation.response import Response
-from rockeom.structures.classes import Structure
-from rockeom.sweeps.run import Sweep
+from rockeom.drawing import style
+from rockeom.drawing.drawn import Motion, Run, Structure
+from rockeom.drawing.response import plot_response
+from rockeom.drawing.sketch import draw_structure
 
 _CELL = 'style="text-align:left"'
 
 
-@singledispatch
-def html_of(shown: Any) -> str:
-    """What a notebook shows of an object, as HTML; raises TypeError for objects of other kinds."""
-    raise TypeError(f"html_of knows nothing of {type(shown).__name__}")
-
-
-@html_of.register
-def _structure(shown: Structure) -> str:
+def page_of_structure(shown: Structure) -> str:
+    """A sketch beside a table of the parameters, as HTML."""
     m, values = shown.module, shown.parameters()
     rows = [
         (name.replace("_", " "), f"{values[name]:.6g}", unit, meaning)
@@ -51,17 +39,17 @@ def _structure(shown: Structure) -> str:
     return _page(type(shown).__name__, _side_by_side(sketch, f"<p>{escape(title)}</p>{table}"))
 
 
-@html_of.register
-def _response(shown: Response) -> str:
+def page_of_response(shown: Run) -> str:
+    """The summary above a figure, as HTML."""
     first, *lines = shown.summary().split("\n")
-    told = "".join(f"<li>{escape(line)}</li>" for line in lines)
+    items = "".join(f"<li>{escape(line)}</li>" for line in lines)
     figure = plot_response(shown)
     assert isinstance(figure, Figure)
-    return _page(first, f"<ul>{told}</ul>{_png(figure, f'response: {shown.outcome}', 75)}")
+    return _page(first, f"<ul>{items}</ul>{_png(figure, f'response: {shown.outcome}', 75)}")
 
 
-@html_of.register
-def _motion(shown: GroundMotion) -> str:
+def page_of_motion(shown: Motion) -> str:
+    """The acceleration beside a table of properties, as HTML."""
     rows = [("duration", f"{shown.duration:.6g}", "s"), ("peak", f"{shown.peak:.6g}", "m/s2")]
     if shown.dt is not None and shown.samples is not None:
         rows.append(("time step", f"{shown.dt:.6g}", "s"))
@@ -73,20 +61,20 @@ def _motion(shown: GroundMotion) -> str:
     return _page(name, _side_by_side(picture, _table(("", "value", "unit"), rows)))
 
 
-@html_of.register
-def _sweep(shown: Sweep) -> str:
+def page_of_sweep(shown: xr.Dataset) -> str:
+    """A count of outcomes above the table of a dataset, as HTML."""
     table = xr.Dataset._repr_html_(shown)
     if "outcome" not in shown:  # a part of it
         return table
-    counts = Counter(outcome_labels(shown).values.ravel().tolist())  # of a million in no time
+    counts = Counter(shown["outcome"].values.ravel().tolist())  # of a million in no time
     rows = [(label, f"{n:,}") for label, n in counts.most_common()]
     model = str(shown.attrs.get("model", "sweep")).replace("_", " ")
-    told = _table(("outcome", "motions"), rows)
-    return _page(f"{model}, {counts.total():,} motions", told + table)
+    counted = _table(("outcome", "motions"), rows)
+    return _page(f"{model}, {counts.total():,} motions", counted + table)
 
 
 @style.styled
-def _history(motion: GroundMotion) -> Figure:
+def _history(motion: Motion) -> Figure:
     figure = style.new_figure(5.2, 1.6)
     ax = figure.add_subplot()
     t = np.union1d(motion.breakpoints, np.linspace(0.0, motion.duration, 1001))
@@ -122,7 +110,7 @@ def _svg(figure: Figure, words: str) -> str:
 
 
 def _png(figure: Figure, words: str, dpi: float) -> str:
-    """A drawing of so many points that lines would take more room."""
+    """A drawing of many points, smaller than its lines."""
     return _image(figure, words, "png", "png", dpi)
 
 

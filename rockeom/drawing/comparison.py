@@ -3,22 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 
-from rockeom.plots import style
-from rockeom.simulation.events import MEASURABLE
-
-if TYPE_CHECKING:
-    from rockeom.simulation.response import Response
+from rockeom.drawing import style
+from rockeom.drawing.drawn import Run
 
 
 @style.styled
 def plot_comparison(
-    runs: Sequence[Response],
+    runs: Sequence[Run],
     labels: Sequence[str] | None = None,
     *,
     figure: Figure | SubFigure | None = None,
@@ -66,16 +62,16 @@ def plot_comparison(
     return figure
 
 
-def _title(runs: Sequence[Response]) -> str:
+def _title(runs: Sequence[Run]) -> str:
     motions = dict.fromkeys(style.plain(run.motion.name) or "a ground motion" for run in runs)
-    return f"Response to {'; '.join(motions)}"
+    return f"Run to {'; '.join(motions)}"
 
 
-def _colors(runs: Sequence[Response]) -> list[str]:
+def _colors(runs: Sequence[Run]) -> list[str]:
     return [style.LINES[i % len(style.LINES)] for i in range(len(runs))]
 
 
-def _ground(ax: Axes, runs: Sequence[Response]) -> None:
+def _ground(ax: Axes, runs: Sequence[Run]) -> None:
     shared = all(run.motion == runs[0].motion for run in runs)
     for run, color in zip(runs, _colors(runs), strict=True):
         a = run["ground_acceleration"] / style.ground_scale(run)
@@ -83,7 +79,7 @@ def _ground(ax: Axes, runs: Sequence[Response]) -> None:
     ax.set_ylabel("ground\nacceleration [g]")
 
 
-def _lengths(ax: Axes, runs: Sequence[Response], name: str, label: str) -> None:
+def _lengths(ax: Axes, runs: Sequence[Run], name: str, label: str) -> None:
     factor, unit = style.length_scale(runs[0])
     for run, color in zip(runs, _colors(runs), strict=True):
         if name in run.names:
@@ -93,15 +89,15 @@ def _lengths(ax: Axes, runs: Sequence[Response], name: str, label: str) -> None:
     style.legend_above(ax)
 
 
-def _impact_lanes(ax: Axes, runs: Sequence[Response]) -> None:
+def _impact_lanes(ax: Axes, runs: Sequence[Run]) -> None:
     """A lane a run: impacts as high as their speed, and full contact as a grey band."""
-    fastest = max(style.impact_speeds(run)[1].max(initial=0.0) for run in runs)
+    fastest = max(run.impacts.speeds.max(initial=0.0) for run in runs)
     for lane, (run, color) in enumerate(zip(runs, _colors(runs), strict=True)):
         floor = -float(lane)
         spans, names = style.contact_spans(run)
         both = [(a, b - a) for (a, b), n in zip(spans, names, strict=True) if n == "both"]
         ax.broken_barh(both, (floor, 0.8), facecolor="0.9", lw=0)
-        times, speeds = style.impact_speeds(run)
+        times, speeds = run.impacts.times, run.impacts.speeds
         ax.vlines(times, floor, floor + 0.8 * speeds / (fastest or 1.0), color=color, lw=0.9)
     ax.set_ylim(-len(runs) + 0.95, 0.9)
     ax.set_yticks([])
@@ -113,7 +109,7 @@ def _impact_lanes(ax: Axes, runs: Sequence[Response]) -> None:
     )
     unit = style.rate_of(runs[0])[1]
     ax.set_title(
-        f"{counts} impacts, {faster} of them faster than {MEASURABLE:g} {unit}\n"
+        f"{counts} impacts, {faster} of them faster than {runs[0].impacts.measurable:g} {unit}\n"
         f"as high as the rate of rotation before them (up to {fastest:.3g} {unit}); "
         "grey: full contact",
         fontsize=8,

@@ -22,7 +22,7 @@ from matplotlib.axes import Axes
 from matplotlib.path import Path
 from numpy.typing import ArrayLike
 
-from rockeom.plots.style import INK, LINES
+from rockeom.drawing.style import INK, LINES
 
 Point = Sequence[float] | np.ndarray
 

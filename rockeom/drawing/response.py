@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -11,17 +11,15 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from rockeom.plots import style
+from rockeom.drawing import style
+from rockeom.drawing.drawn import Run
 
-if TYPE_CHECKING:
-    from rockeom.simulation.response import Response
-
-Draw = Callable[[Axes, "Response"], None]
+Draw = Callable[[Axes, Run], None]
 
 
 @style.styled
 def plot_response(
-    run: Response,
+    run: Run,
     *,
     figure: Figure | SubFigure | None = None,
     start: float | None = None,
@@ -54,7 +52,7 @@ def plot_response(
     return figure
 
 
-def _rows(run: Response) -> list[tuple[Draw, float]]:
+def _rows(run: Run) -> list[tuple[Draw, float]]:
     """The rows that this structure fills, with their relative heights."""
     shaken = any(m is not None and m.peak > 0.0 for m in (run.motion, run.vertical))
     rows: list[tuple[Draw, float]] = [(_ground, 0.8)] if shaken else []
@@ -63,11 +61,11 @@ def _rows(run: Response) -> list[tuple[Draw, float]]:
     turns = run.structure.module.STATE_UNITS[run.structure.module.ROTATION] != "m"
     rows += [(_displacement, 1.0)] if turns and "displacement" in run.names else []
     rows += [(_uplift, 1.0)] if "left_uplift" in run.names else []
-    rows += [(_impacts, 0.7)] if run.impacts else []
+    rows += [(_impacts, 0.7)] if len(run.impacts) else []
     return [*rows, (_contact, 0.22)]
 
 
-def _ground(ax: Axes, run: Response) -> None:
+def _ground(ax: Axes, run: Run) -> None:
     scale = style.ground_scale(run)
     ax.plot(run.t, run["ground_acceleration"] / scale, color=style.INK, lw=0.7, label="horizontal")
     ax.set_ylabel("ground\nacceleration [g]")
@@ -77,7 +75,7 @@ def _ground(ax: Axes, run: Response) -> None:
         style.legend_above(ax)
 
 
-def _rotation(ax: Axes, run: Response) -> None:
+def _rotation(ax: Axes, run: Run) -> None:
     name = run.states[run.structure.module.ROTATION]
     unit = run.structure.module.STATE_UNITS[run.structure.module.ROTATION]
     what, factor, unit = ("displacement", 1e3, "mm") if unit == "m" else ("rotation", 1.0, unit)
@@ -92,7 +90,7 @@ def _rotation(ax: Axes, run: Response) -> None:
         ax.spines["right"].set_visible(False)
 
 
-def _displacement(ax: Axes, run: Response) -> None:
+def _displacement(ax: Axes, run: Run) -> None:
     """The load point, and every coordinate that is a length."""
     factor, unit = style.length_scale(run)
     size = style.largest(run, "displacement", factor, unit)
@@ -113,7 +111,7 @@ def _displacement(ax: Axes, run: Response) -> None:
     style.legend_above(ax)
 
 
-def _uplift(ax: Axes, run: Response) -> None:
+def _uplift(ax: Axes, run: Run) -> None:
     factor, unit = style.length_scale(run)
     for foot, color in style.FEET.items():
         name = f"{foot}_uplift"
@@ -123,8 +121,8 @@ def _uplift(ax: Axes, run: Response) -> None:
     style.legend_above(ax)
 
 
-def _impacts(ax: Axes, run: Response) -> None:
-    times, speeds = style.impact_speeds(run)
+def _impacts(ax: Axes, run: Run) -> None:
+    times, speeds = run.impacts.times, run.impacts.speeds
     ax.vlines(times, 0.0, speeds, color=style.INK, lw=0.9)
     ax.plot(times, speeds, ".", color=style.INK, ms=2.5, label=run.impacts.describe())
     ax.set_ylim(0.0, 1.08 * speeds.max() or 1.0)
@@ -134,18 +132,18 @@ def _impacts(ax: Axes, run: Response) -> None:
     style.legend_above(ax)
 
 
-def _contact(ax: Axes, run: Response) -> None:
+def _contact(ax: Axes, run: Run) -> None:
     """The feet on the ground as a coloured band, with the instants of uplift and rest."""
     spans, names = style.contact_spans(run)
-    present = [name for name in style.PHASES if name in names]
+    present = [name for name in style.FEET_OF_MODES if name in names]
     for name in present:
         of = [(a, b - a) for (a, b), n in zip(spans, names, strict=True) if n == name]
-        ax.broken_barh(of, (0.0, 1.0), facecolor=style.PHASES[name], lw=0)
+        ax.broken_barh(of, (0.0, 1.0), facecolor=style.FEET_OF_MODES[name], lw=0)
     slides = [(start, end - start) for start, end in run.support.sliding]
     ax.broken_barh(slides, (0.0, 0.35), facecolor="k", lw=0)
     handles: list = [Patch(facecolor="k", label="slides")] if slides else []
     handles += [
-        Patch(facecolor=style.PHASES[name], label=style.PHASE_MEANINGS[name]) for name in present
+        Patch(facecolor=style.FEET_OF_MODES[name], label=style.MEANINGS[name]) for name in present
     ]
     for kind, mark, label in (("uplift", "^", "uplift begins"), ("rest", "o", "impacts end")):
         times = style.times_of(run, kind)

@@ -10,7 +10,7 @@ import os
 import uuid
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -19,16 +19,12 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from PIL import Image
 
+from rockeom.drawing import free_body, style
+from rockeom.drawing.drawn import Impacts, Motion, Run
+from rockeom.drawing.positions import places
+from rockeom.drawing.sketch import Sketch, all_points
 from rockeom.files import check_target, write
 from rockeom.numbers.checks import number, told
-from rockeom.plots import free_body, style
-from rockeom.plots.sketch import Sketch, all_points
-from rockeom.structures.positions import places
-
-if TYPE_CHECKING:
-    from rockeom.motion import GroundMotion
-    from rockeom.simulation.events import Impacts
-    from rockeom.simulation.response import Response
 
 MOST_FRAMES = 2000
 FLASH = 0.2
@@ -40,7 +36,7 @@ _TOP, _BOTTOM = 0.62, 0.30  # in, above and below the drawing
 
 
 def animate(
-    run: Response,
+    run: Run,
     path: str | os.PathLike[str] | None = None,
     *,
     start: float | None = None,
@@ -74,7 +70,7 @@ def animate(
 
 
 def _times(
-    run: Response, start: float | None, end: float | None, frames_per_second: float, speed: float
+    run: Run, start: float | None, end: float | None, frames_per_second: float, speed: float
 ) -> np.ndarray:
     """(n,) times of the frames [s], the last of which may fall short of the end."""
     rates = {"frames_per_second": frames_per_second, "speed": speed}
@@ -98,7 +94,7 @@ def _times(
     return np.minimum(first + step * np.arange(n), last)
 
 
-def ground_displacement(motion: GroundMotion, times: np.ndarray) -> np.ndarray:
+def ground_displacement(motion: Motion, times: np.ndarray) -> np.ndarray:
     """Displacement (n,) [m] of the ground at times (n,) [s], which stops where the motion ends."""
     return motion.displacement(np.clip(times, 0.0, motion.duration))
 
@@ -111,7 +107,7 @@ class Animation:
     states (n, N), contacts (n,) : of the structure at those times.
     """
 
-    def __init__(self, run: Response, times: np.ndarray, speed: float, ground: bool) -> None:
+    def __init__(self, run: Run, times: np.ndarray, speed: float, ground: bool) -> None:
         self.run, self.times, self.speed = run, times, speed
         self.states, self.contacts = run.steps.at(times, "right")
         self.ground = np.zeros((len(times), 2))
@@ -163,21 +159,17 @@ class Animation:
         text = f"t = {self.times[i]:.{digits}f}{unit}"
         if self.speed != 1.0:
             text += f" ({self.speed:g} times real time)"
-        n = int(np.searchsorted(self._impact_times, self.times[i], side="right"))
+        n = int(np.searchsorted(self._impacts.times, self.times[i], side="right"))
         return f"{text}, {n} impact{'s' * (n != 1)}"
 
-    @cached_property
+    @property
     def _impacts(self) -> Impacts:
         return self.run.impacts
-
-    @cached_property
-    def _impact_times(self) -> np.ndarray:
-        return np.array([impact.time for impact in self._impacts])
 
     def _landing(self, i: int, sketch: Sketch) -> set[str]:
         """Feet that met the ground a moment ago."""
         before = self.times[i] - max(FLASH * self.speed, self._step)
-        which = (self._impact_times > before) & (self._impact_times <= self.times[i])
+        which = (self._impacts.times > before) & (self._impacts.times <= self.times[i])
         landed: set[str] = set()
         for k in np.flatnonzero(which).tolist():
             impact = self._impacts[k]
@@ -257,7 +249,7 @@ def _signs(animation: Animation) -> list[Line2D]:
     signs: list[Line2D] = []
     if "foot" in animation.run.structure.module.POSITION_KINDS:
         signs.append(_sign("in contact", ls="", marker="o", color="white", ms=5.5))
-    if animation.run.impacts:
+    if len(animation.run.impacts):
         signs.append(_sign("impact", ls="", marker="*", color=style.LINES[1], ms=11))
     if animation.ground.any():
         signs.append(_sign("stands still", ls=(0, (6, 3)), color="0.45", lw=0.8))
@@ -304,7 +296,7 @@ _PLAYER = """\
 """
 
 
-def _player(frames: tuple[bytes, ...], frames_per_second: float, run: Response) -> str:
+def _player(frames: tuple[bytes, ...], frames_per_second: float, run: Run) -> str:
     """The frames with a button and a slider, as a piece of a page that needs nothing else."""
     coded = [base64.b64encode(frame).decode() for frame in frames]
     return _PLAYER.format(
