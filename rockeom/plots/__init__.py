@@ -5,7 +5,7 @@ Every function returns a matplotlib figure and never opens a window: save it wit
 holds the pieces of a drawing of your own, and `use_style` gives pyplot the look of these figures.
 """
 
-from rockeom.drawing import free_body, style
+from rockeom.drawing import free_body as free_body, style as style
 from rockeom.drawing.animation import Animation, animate
 from rockeom.drawing.comparison import plot_comparison
 from rockeom.drawing.ground_motion import plot_motion, plot_spectra
@@ -35,7 +35,6 @@ __all__ = [
     "design_report",
     "draw_structure",
     "fragility_curve",
-    "free_body",
     "incremental_dynamic_analysis",
     "overturning_map",
     "plot_comparison",
@@ -45,6 +44,5 @@ __all__ = [
     "plot_spectra",
     "poincare_section",
     "rocking_spectrum",
-    "style",
     "use_style",
 ]

@@ -11,7 +11,7 @@ import pytest
 from matplotlib.figure import Figure
 
 import rockeom as rk
-from rockeom.drawing.style import FEET, PHASES, contact_spans
+from rockeom.drawing.style import FEET, FEET_OF_MODES, contact_spans
 from rockeom.plots import draw_structure, plot_comparison, plot_phase_portrait, plot_response
 from rockeom.structures.classes import SHIPPED
 from tests.shipped import plain
@@ -179,7 +179,7 @@ def test_each_foot_has_one_colour_and_nothing_else_has_it(name, run_of):
         assert line.get_color() == color
         # the band of the contact state is a light shade of it
         hue, _, _ = mpl.colors.rgb_to_hsv(mpl.colors.to_rgb(color))
-        light, _, _ = mpl.colors.rgb_to_hsv(mpl.colors.to_rgb(PHASES[foot]))
+        light, _, _ = mpl.colors.rgb_to_hsv(mpl.colors.to_rgb(FEET_OF_MODES[foot]))
         assert abs(hue - light) < 0.05
     for ax in figure.axes:
         if ax is not feet:

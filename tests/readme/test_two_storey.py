@@ -197,13 +197,13 @@ def shaken():
 
 def test_record_brings_rocking_impacts_and_full_contact(shaken):
     assert shaken.outcome is rk.Outcome.COMPLETED
-    assert set(shaken.phase) == {"left", "both", "right"}
+    assert set(shaken.mode) == {"left", "both", "right"}
     assert len(shaken.impacts) > 10
     assert {event.kind for event in shaken.events} >= {"impact", "uplift"}
     theta = shaken["theta"]
-    assert np.all(theta[shaken.phase == "both"] == 0.0)
-    assert np.all(theta[shaken.phase == "right"] >= -1e-15)
-    assert np.all(theta[shaken.phase == "left"] <= 1e-15)
+    assert np.all(theta[shaken.mode == "both"] == 0.0)
+    assert np.all(theta[shaken.mode == "right"] >= -1e-15)
+    assert np.all(theta[shaken.mode == "left"] <= 1e-15)
 
 
 def test_impacts_under_a_record_never_make_energy(shaken):
@@ -243,4 +243,4 @@ print(run.outcome, len(made))
         text=True,
     )
     assert done.stdout.split() == ["completed", "0"], done.stderr
-    assert program(shaken.structure.module, "DOP853") is shaken.program
+    assert program(shaken.structure.module, "DOP853") is shaken._quantities.program
