@@ -19,7 +19,7 @@ import rockeom as rk
 from benchmarks import report, timing, ways, with_c, with_rockeom, workloads as w
 from rockeom.integrator.program import program
 from rockeom.simulation.case import Problems
-from rockeom.sweeps.cases import Part
+from rockeom.sweeps.cases import Batch
 from rockeom.sweeps.results import Results
 
 RTOL = 1e-6
@@ -58,13 +58,13 @@ def by_c(cases: list[w.Case], variant: str) -> Callable[[], list]:
 
 def by_rockeom(cases: list[w.Case], solver: rk.SolverOptions, lanes: bool) -> Callable:
     """As simulate_many runs a chunk of prepared cases."""
-    part = Part(np.arange(len(cases)), Problems.of([case.problem() for case in cases]), [])
+    part = Batch(np.arange(len(cases)), Problems.of([case.problem() for case in cases]), [])
     module = cases[0].structure.module
     compiled = program(module, solver.method, lanes)
 
     def call() -> Results:
         results = Results.empty(len(cases), module.N_STATES, FIRST_IMPACTS)
-        results.run(part, compiled, solver, Event(), lanes)
+        results.integrate(part, compiled, solver, Event(), lanes)
         return results
 
     return call

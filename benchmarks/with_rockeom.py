@@ -15,7 +15,7 @@ from rockeom.integrator.program import program
 from rockeom.simulation.case import Case, Problems
 from rockeom.simulation.recorder import DenseRecorder
 from rockeom.simulation.simulate import run
-from rockeom.sweeps.cases import Part
+from rockeom.sweeps.cases import Batch
 from rockeom.sweeps.results import Results
 
 
@@ -63,13 +63,13 @@ def released(block) -> Case:
 
 def _many(cases: list[Case], solver: rk.SolverOptions, times: int = 0) -> Callable[[], Results]:
     """The compiled loop over prepared cases, as simulate_many calls it."""
-    part = Part(np.arange(len(cases)), Problems.of([case.problem() for case in cases]), [])
+    part = Batch(np.arange(len(cases)), Problems.of([case.problem() for case in cases]), [])
     module = cases[0].structure.module
     compiled = program(module, solver.method)
 
     def call() -> Results:
         results = Results.empty(len(cases), module.N_STATES, times)
-        results.run(part, compiled, solver, Event())
+        results.integrate(part, compiled, solver, Event())
         return results
 
     return call

@@ -1,4 +1,4 @@
-"""The cases of a sweep: what each is made of, and the making, one by one or many at once."""
+"""The cases of a sweep: the values of each, and their making, one by one or many at once."""
 
 from __future__ import annotations
 
@@ -18,16 +18,17 @@ from rockeom.numbers.checks import is_number, told
 from rockeom.simulation.case import Case, Problem, Problems, without_duals
 
 FEW, MANY = 256, 2048
-"""Cases that a thread takes at a time, at most: made one by one, and where made at once."""
+"""Cases in a batch at most: made one by one, and made at once."""
 
 LAST_FEW, LAST_MANY = 32, 256
-"""And in the end, at least. A part costs what some 60 pulses do: the lanes run empty behind it."""
+"""And at least, in the end. A batch costs as much as some 60 pulses, since the lanes
+run empty behind it."""
 
 WORTHWHILE = 8
 """So many cases are made faster at once than one by one."""
 
 ROW = "case"
-"""What the rows of a table are called."""
+"""Name of the rows of a table."""
 
 
 @dataclass(frozen=True)
@@ -261,7 +262,7 @@ def made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
     return found
 
 
-class Part(NamedTuple):
+class Batch(NamedTuple):
     """Cases that a thread runs at a time, and their rows in the results.
 
     cases : where they were made one by one; else none.
@@ -274,7 +275,7 @@ class Part(NamedTuple):
 
 @dataclass(frozen=True)
 class Source:
-    """Makes the cases part by part, when they are needed, so that none wait in memory.
+    """Makes the cases batch by batch, when they are needed, so that none wait in memory.
 
     rows : of the cases to make; all of them if None.
     """
@@ -291,7 +292,7 @@ class Source:
     def total(self) -> int:
         return self.cases.total if self.rows is None else len(self.rows)
 
-    def __iter__(self) -> Iterator[Part]:
+    def __iter__(self) -> Iterator[Batch]:
         first, total = 0, self.total
         while first < total:
             end = min(first + self.size(total - first), total)
@@ -314,21 +315,21 @@ class Source:
         half = 2 * self.threads
         return max(min(left // half, most), min(least, -(-self.total // half)))
 
-    def one_by_one(self, rows: np.ndarray) -> Part:
+    def one_by_one(self, rows: np.ndarray) -> Batch:
         points = zip(*(place.tolist() for place in self.cases.places(rows)), strict=True)
         found = [self.made(point) for point in points]
-        return Part(rows, Problems.of([q for _, q in found]), [case for case, _ in found])
+        return Batch(rows, Problems.of([q for _, q in found]), [case for case, _ in found])
 
-    def together(self, rows: np.ndarray) -> Iterator[Part]:
+    def together(self, rows: np.ndarray) -> Iterator[Batch]:
         """As many at once as go the same way; raises what the first case does that cannot be."""
         try:
             yield from self.alike(rows)
         except Exception:  # of a case, but of which?
-            for part in _few(rows):
-                self.one_by_one(part)
+            for some in _few(rows):
+                self.one_by_one(some)
             raise
 
-    def alike(self, rows: np.ndarray) -> Iterator[Part]:
+    def alike(self, rows: np.ndarray) -> Iterator[Batch]:
         waiting = [rows]
         while waiting:
             rows, problems = waiting.pop(), None
@@ -343,7 +344,7 @@ class Source:
             if problems is None:
                 yield from map(self.one_by_one, _few(rows))
             else:
-                yield Part(rows, problems, [])
+                yield Batch(rows, problems, [])
 
     def at_once(self, rows: np.ndarray) -> Problems:
         """Raises Differs where the rows do not all go the same way, or what one of them would."""

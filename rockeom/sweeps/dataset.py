@@ -13,7 +13,8 @@ from rockeom.codes import OUTCOMES
 from rockeom.simulation.quantities import units_of
 from rockeom.structures.units import in_udunits, time_unit
 from rockeom.sweeps.cases import ROW, Cases
-from rockeom.sweeps.results import NOT_RUN, Kept
+from rockeom.sweeps.results import NOT_RUN, Results
+from rockeom.sweeps.task import Task
 
 PENDING = 0
 """The flag of a case that was not run; those of outcomes follow, in the order of `OUTCOMES`."""
@@ -23,7 +24,7 @@ FLAGS = {
     "flag_values": np.arange(len(_LABELS), dtype=np.int8),
     "flag_meanings": " ".join(label.replace(" ", "_") for label in _LABELS),
 }
-"""What the numbers of outcomes mean, by the CF conventions (section 3.5, flags)."""
+"""Meaning of the numbers of outcomes, by the CF conventions (section 3.5, flags)."""
 
 
 def flags_of(outcome: np.ndarray) -> np.ndarray:
@@ -47,24 +48,22 @@ class Sweep(xr.Dataset):
         return page_of_sweep(self)
 
 
-def dataset(kept: Kept, cases: Cases, module: ModuleType) -> Sweep:
-    """All that is kept of the cases, in one go: a dataset is slow to make."""
-    found = _variables(kept, cases.dims, cases.shape, module)
+def dataset(results: Results, task: Task, cases: Cases, module: ModuleType) -> Sweep:
+    """All results of the cases, in one go: a dataset is slow to make."""
+    found = _Variables(cases.dims, cases.shape, module).of(results, task)
     coordinates = {name: found.pop(name) for name in _COORDINATES if name in found}
     return Sweep(found, coords=coordinates | cases.coordinates())
 
 
-def check_names(cases: Cases, row: Kept, module: ModuleType) -> None:
-    """Raises ValueError for a name in `over` that the dataset has for something else.
-
-    row : what would be kept of one case.
-    """
-    found = _variables(row, (ROW,), (1,), module)
+def check_names(task: Task, cases: Cases, module: ModuleType) -> None:
+    """Raises ValueError for a name in `over` that the dataset has for something else."""
+    row = Results.of(task, 1, module.N_STATES)
+    found = _Variables((ROW,), (1,), module).of(row, task)
     own = {*found}.union(*(variable[0] for variable in found.values())) - {ROW}
     for name in cases.values:
         if name in own:
             raise ValueError(
-                f"over has the name {name!r}, by which the dataset calls what it keeps: give the "
+                f"over has the name {name!r}, by which the dataset calls its own results: give the "
                 "argument of the function another name"
             )
 
@@ -72,78 +71,97 @@ def check_names(cases: Cases, row: Kept, module: ModuleType) -> None:
 _COORDINATES = ("state", "state_unit", "quantity", "quantity_unit", "time", "side")
 
 
-def _variables(
-    kept: Kept, dims: tuple[str, ...], shape: tuple[int, ...], module: ModuleType
-) -> dict[str, Any]:
-    """Each with its dimensions, values and attributes."""
-    r, asked = kept.results, kept.asked
-    ran = r.outcome != NOT_RUN
-    units = {name: in_udunits(unit) for name, unit in units_of(module).items()}
-    seconds = in_udunits(time_unit(module))
+class _Variables:
+    """Makes the variables of a dataset, each with its dimensions, values and attributes.
 
-    def shaped(a: np.ndarray, name: str, *others: str, **attrs: Any) -> Any:
-        return (*dims, *others), a.reshape(shape + a.shape[1:]), {"long_name": name, **attrs}
+    dims, shape : of the cases.
+    """
 
-    def of_states(a: np.ndarray, name: str) -> Any:
-        return shaped(np.where(ran[:, None], a, np.nan), name, "state", **one_of(module.STATES))
+    def __init__(self, dims: tuple[str, ...], shape: tuple[int, ...], module: ModuleType) -> None:
+        self.dims, self.shape, self.module = dims, shape, module
+        self.units = {name: in_udunits(unit) for name, unit in units_of(module).items()}
+        self.seconds = in_udunits(time_unit(module))
 
-    def of_quantities(a: np.ndarray, name: str, *others: str) -> Any:
-        return shaped(a, name, "quantity", *others, **one_of(asked.quantities))
+    def of(self, results: Results, task: Task) -> dict[str, Any]:
+        """All variables, by name."""
+        found = self.named("state", self.module.STATES) | self.of_cases(results)
+        if results.times.size:
+            found["impact_time"] = self.shaped(
+                results.times, "time of the impact", "impact", units=self.seconds
+            )
+        if results.impact_states.size:
+            found["side"] = ("side",), ["before", "after"], {"long_name": "side of the impact"}
+            found["impact_state"] = self.shaped(
+                results.impact_states, "state at the impact", "impact", "side", "state",
+                **self.one_unit(self.module.STATES),
+            )  # fmt: skip
+        if task.quantities:
+            found |= self.named("quantity", task.quantities) | self.extremes(
+                results.extremes, "quantity", task.quantities, "_quantity"
+            )
+        if task.times.size:
+            found["time"] = (
+                ("time",), task.times, {"long_name": "time", "units": self.seconds}
+            )  # fmt: skip
+            found["history"] = self.shaped(
+                results.histories, "history", "quantity", "time", **self.one_unit(task.quantities)
+            )
+        return found
 
-    def one_of(names: Sequence[str]) -> dict[str, str]:
+    def of_cases(self, results: Results) -> dict[str, Any]:
+        """Variables that the compiled loop gives of every case."""
+        ran = results.outcome != NOT_RUN
+        modes, flags = np.array([*self.module.CONTACTS, ""]), flags_of(results.outcome)
+        gains, gained = results.gains[:, 0].astype(np.int64), results.gains[:, 1]
+        states = self.module.STATES
+        peaks = np.where(ran[:, None, None], results.peaks, np.nan)
+        final = np.where(ran[:, None], results.final, np.nan)
+        return {
+            "outcome": self.shaped(np.array(_LABELS)[flags], "outcome"),
+            "outcome_flag": self.shaped(flags, "outcome", **FLAGS),
+            "final_time": self.shaped(results.final_time, "time at the end", units=self.seconds),
+            "final_mode": self.shaped(modes[np.where(ran, results.mode, -1)], "mode at the end"),
+            "impacts": self.shaped(results.impacts, "number of impacts", units="1"),
+            "impact_gains": self.shaped(gains, "number of impacts that gained energy", units="1"),
+            "impact_energy_gained": self.shaped(
+                np.where(ran, gained, np.nan),
+                "kinetic energy gained at impacts",
+                units=self.units["kinetic_energy"],
+            ),
+            "refined": self.shaped(
+                results.refined, "number of segments with refined steps", units="1"
+            ),
+            **self.extremes(peaks, "state", states),
+            "final": self.shaped(final, "value at the end", "state", **self.one_unit(states)),
+        }
+
+    def shaped(self, values: np.ndarray, name: str, *others: str, **attrs: Any) -> Any:
+        """A variable over the cases, and over other dimensions."""
+        shape = self.shape + values.shape[1:]
+        return (*self.dims, *others), values.reshape(shape), {"long_name": name, **attrs}
+
+    def extremes(
+        self, values: np.ndarray, dim: str, names: Sequence[str], ending: str = ""
+    ) -> dict[str, Any]:
+        """Peak, maximum and minimum of (n, 2, m) minima and maxima."""
+        unit = self.one_unit(names)
+        low, high = values[:, 0], values[:, 1]
+        peak = np.maximum(np.abs(low), np.abs(high))
+        return {
+            f"peak{ending}": self.shaped(peak, "largest absolute value", dim, **unit),
+            f"maximum{ending}": self.shaped(high, "maximum", dim, **unit),
+            f"minimum{ending}": self.shaped(low, "minimum", dim, **unit),
+        }
+
+    def one_unit(self, names: Sequence[str]) -> dict[str, str]:
         """The unit of all of them, if it is one."""
-        found = {units.get(name) for name in names}
+        found = {self.units.get(name) for name in names}
         return {"units": unit} if len(found) == 1 and (unit := found.pop()) else {}
 
-    def named(dim: str, names: Sequence[str]) -> dict[str, Any]:
-        of_each = [units.get(name, "") for name in names]
+    def named(self, dim: str, names: Sequence[str]) -> dict[str, Any]:
+        """Names and units along a dimension."""
+        of_each = [self.units.get(name, "") for name in names]
         return {
             dim: ((dim,), list(names), {"long_name": f"name of the {dim}"}),
             f"{dim}_unit": ((dim,), of_each, {"long_name": f"unit of the {dim}"}),
         }
-
-    labels, phases = np.array(_LABELS), np.array([*module.CONTACTS, ""])
-    flags = flags_of(r.outcome)
-    found = named("state", module.STATES) | {
-        "outcome": shaped(labels[flags], "outcome"),
-        "outcome_flag": shaped(flags, "outcome", **FLAGS),
-        "final_time": shaped(r.final_time, "time at the end", units=seconds),
-        "final_mode": shaped(phases[np.where(ran, r.contact, -1)], "contact state at the end"),
-        "impacts": shaped(r.impacts, "number of impacts", units="1"),
-        "impact_gains": shaped(
-            r.gains[:, 0].astype(np.int64), "number of impacts that gained energy", units="1"
-        ),
-        "impact_energy_gained": shaped(
-            np.where(ran, r.gains[:, 1], np.nan),
-            "kinetic energy gained at impacts",
-            units=units["kinetic_energy"],
-        ),
-        "refined": shaped(r.refined, "number of segments with refined steps", units="1"),
-        "peak": of_states(_largest(r.peaks), "largest absolute value"),
-        "maximum": of_states(r.peaks[:, 1], "maximum"),
-        "minimum": of_states(r.peaks[:, 0], "minimum"),
-        "final": of_states(r.final, "value at the end"),
-    }
-    if r.times.shape[1]:
-        found["impact_time"] = shaped(r.times, "time of the impact", "impact", units=seconds)
-    if asked.impacts.size:
-        found["side"] = ("side",), ["before", "after"], {"long_name": "side of the impact"}
-        found["impact_state"] = shaped(
-            asked.impacts, "state at the impact", "impact", "side", "state", **one_of(module.STATES)
-        )
-    if asked.quantities:
-        of = asked.extremes
-        found |= named("quantity", asked.quantities) | {
-            "peak_quantity": of_quantities(_largest(of), "largest absolute value"),
-            "maximum_quantity": of_quantities(of[:, 1], "maximum"),
-            "minimum_quantity": of_quantities(of[:, 0], "minimum"),
-        }
-    if asked.times.size:
-        found["time"] = ("time",), asked.times, {"long_name": "time", "units": seconds}
-        found["history"] = of_quantities(asked.histories, "history", "time")
-    return found
-
-
-def _largest(extremes: np.ndarray) -> np.ndarray:
-    """(n, m): the larger of the sizes of two extremes (n, 2, m); NumPy reduces slowly over two."""
-    return np.maximum(np.abs(extremes[:, 0]), np.abs(extremes[:, 1]))

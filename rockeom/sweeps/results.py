@@ -1,9 +1,9 @@
-"""What is kept of the cases of a sweep: a row of each array a case."""
+"""Results of the cases of a sweep: a row of each array a case."""
 
 from __future__ import annotations
 
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,43 +12,57 @@ from rockeom.codes import (
     AT_THE_START,
     CONTACT,
     FULL,
-    IMPACT,
     IMPACTS,
-    LANDING,
     REFINED,
     STEPS,
     TIME,
 )
 from rockeom.integrator.program import Program
-from rockeom.numbers.checks import numbers
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulate
-from rockeom.sweeps.cases import Part
+from rockeom.sweeps.cases import Batch
+from rockeom.sweeps.task import Task
 
 NOT_RUN = -1
+"""In place of the number of an outcome."""
 
 
 @dataclass(frozen=True)
 class Results:
-    """What the compiled loop tells of n cases; threads write to rows of their own.
+    """Arrays of n cases; threads write to rows of their own.
 
-    outcome (n,) : a number of the contract, or NOT_RUN; it is written last.
-    peaks (n, 2, N) : minimum and maximum of each state; times (n, k) : of the first impacts [s].
-    gains (n, 2) : number of impacts that gained energy, and the sum of what they gained [J].
+    By the compiled loop: outcome (n,) : its number, or NOT_RUN; it is written last. peaks (n, 2, N)
+    : minimum and maximum of each state; times (n, k) : of the first impacts [s]. gains (n, 2) :
+    number of impacts that gained energy, and the sum of their gains [J].
+
+    By whole responses: extremes (n, 2, m) and histories (n, m, h) of m named quantities;
+    impact_states (n, i, 2, N) : states before and after each of the first impacts.
     """
 
     outcome: np.ndarray
     final_time: np.ndarray
-    contact: np.ndarray
+    mode: np.ndarray
     impacts: np.ndarray
     refined: np.ndarray
     peaks: np.ndarray
     final: np.ndarray
     times: np.ndarray
     gains: np.ndarray
+    extremes: np.ndarray
+    histories: np.ndarray
+    impact_states: np.ndarray
 
     @classmethod
-    def empty(cls, n: int, states: int, times: int) -> Results:
+    def of(cls, task: Task, n: int, states: int) -> Results:
+        """Empty ones of a task, for n cases with so many states."""
+        m, h = len(task.quantities), len(task.times)
+        return cls.empty(n, states, task.impact_times, task.impact_states, m, h)
+
+    @classmethod
+    def empty(
+        cls, n: int, states: int, times: int = 0, with_states: bool = False, m: int = 0, h: int = 0
+    ) -> Results:
+        """Of n cases with so many states, the first `times` impacts, m quantities at h times."""
         return cls(
             np.full(n, NOT_RUN, np.int64),
             np.full(n, np.nan),
@@ -59,22 +73,59 @@ class Results:
             np.full((n, states), np.nan),
             np.full((n, times), np.nan),
             np.zeros((n, 2)),
+            np.full((n, 2, m), np.nan),
+            np.full((n, m, h), np.nan),
+            np.full((n, times * with_states, 2, states), np.nan),
         )
 
-    def run(
+    def arrays(self) -> dict[str, np.ndarray]:
+        """By name."""
+        return vars(self)
+
+    def put(self, rows: np.ndarray | slice, found: Mapping[str, np.ndarray]) -> None:
+        """Write results of some rows that another process found."""
+        for name, array in self.arrays().items():
+            array[rows] = found[name]
+
+    def run(self, batch: Batch, compiled: Program, task: Task, stop: threading.Event) -> None:
+        """Run a batch and write its rows, whole responses first: the outcome tells that all is."""
+        if task.needs_responses:
+            self._respond(batch, task, stop)
+        self.integrate(batch, compiled, task.options, stop, task.lanes)
+
+    def _respond(self, batch: Batch, task: Task, stop: threading.Event) -> None:
+        for row, case in zip(batch.rows, batch.cases, strict=True):
+            if stop.is_set():
+                return
+            response = simulate(
+                case.structure, case.motion, impact=case.impact, initial=case.initial,
+                duration=case.duration, vertical=case.vertical, mode=case.mode,
+                options=task.options,
+            )  # fmt: skip
+            found = response.impacts.columns.states[: self.impact_states.shape[1]]
+            self.impact_states[row, : len(found)] = found
+            if task.quantities:
+                of_each = response.extremes_of(task.quantities).values()
+                self.extremes[row] = np.array([(e.minimum, e.maximum) for e in of_each]).T
+            if task.times.size:
+                known = task.times <= response.t[-1]
+                history = response.at(task.times[known], names=task.quantities)
+                self.histories[row, :, known] = np.stack([*history.values()], axis=1)
+
+    def integrate(
         self,
-        part: Part,
+        batch: Batch,
         compiled: Program,
         options: SolverOptions,
         stop: threading.Event,
         lanes: bool = False,
     ) -> None:
-        """Run a part and write its rows; those of motions that are stopped stay as not run.
+        """Run a batch and write its rows; those of motions that are stopped stay as not run.
 
         Lanes take other steps than the loop. Motions that came near `max_steps` in them are run
         anew by the loop, so that the limit ends them where it ends a single motion.
         """
-        q, rows = part.problems, part.rows
+        q, rows = batch.problems, batch.rows
         n, width = q.y0.shape
         final, peaks, rates = np.empty((n, width)), np.empty((n, 2, width)), np.empty((n, width))
         times, clock = np.empty((n, self.times.shape[1])), np.empty((n, 4))
@@ -113,7 +164,7 @@ class Results:
                 ended = call()
         finally:
             ran = np.arange(n) < ended
-            if lanes:  # what is left to find out is whether those that have ended fall
+            if lanes:  # whether those that have ended fall is still open
                 ran = (outcome != FULL) | (clock[:, TIME] >= q.end)
                 ends, quiet = np.where(ran, q.end, 0.0), np.where(ran, q.quiet_from, np.inf)
                 compiled.integrate_many(0, *state, ends, quiet, *others)
@@ -121,102 +172,10 @@ class Results:
             self.final[rows], self.peaks[rows] = final, peaks
             self.times[there], self.gains[there] = times[ran], gains[ran]
             self.final_time[there] = clock[ran, TIME]
-            self.contact[there] = status[ran, CONTACT]
+            self.mode[there] = status[ran, CONTACT]
             self.impacts[there] = status[ran, IMPACTS]
             self.refined[there] = status[ran, REFINED]
             self.outcome[there] = outcome[ran]
-
-
-@dataclass(frozen=True)
-class Asked:
-    """What needs whole responses of n cases.
-
-    extremes (n, 2, m) and histories (n, m, k) : of m named quantities.
-    impacts (n, i, 2, N) : states before and after each of the first impacts.
-    """
-
-    quantities: tuple[str, ...]
-    times: np.ndarray
-    options: SolverOptions
-    extremes: np.ndarray
-    histories: np.ndarray
-    impacts: np.ndarray
-
-    @classmethod
-    def empty(
-        cls,
-        n: int,
-        names: Sequence[str],
-        times: Sequence[float] | np.ndarray,
-        how: SolverOptions,
-        impacts: int = 0,
-        states: int = 0,
-    ) -> Asked:
-        if isinstance(names, str):
-            raise ValueError(f"quantities is the word {names!r}: give a list of names")
-        at, m = numbers("times", times), len(names)
-        if at.size and not m:
-            raise ValueError("`times` is given, but no `quantities` whose history is wanted")
-        if not np.all(at >= 0.0):
-            raise ValueError(f"times holds {at.min()}: give times from 0 on, in seconds")
-        extremes, histories = np.full((n, 2, m), np.nan), np.full((n, m, at.size), np.nan)
-        of_impacts = np.full((n, impacts, 2, states), np.nan)
-        return cls(tuple(names), at, how, extremes, histories, of_impacts)
-
-    def run(self, part: Part, stop: threading.Event) -> None:
-        if not (self.quantities or self.impacts.size):
-            return
-        for row, case in zip(part.rows, part.cases, strict=True):
-            if stop.is_set():
-                return
-            response = simulate(
-                case.structure, case.motion, impact=case.impact, initial=case.initial,
-                duration=case.duration, vertical=case.vertical, mode=case.mode,
-                options=self.options,
-            )  # fmt: skip
-            _, kinds, states = response.events.columns
-            found = states[np.isin(kinds[:, 0], (IMPACT, LANDING))][: self.impacts.shape[1]]
-            self.impacts[row, : len(found)] = found
-            if self.quantities:
-                of_each = response.extremes_of(self.quantities).values()
-                self.extremes[row] = np.array([(e.minimum, e.maximum) for e in of_each]).T
-            if self.times.size:
-                known = self.times <= response.t[-1]
-                history = response.at(self.times[known], names=self.quantities)
-                self.histories[row, :, known] = np.stack([*history.values()], axis=1)
-
-
-@dataclass(frozen=True)
-class Kept:
-    """All that is kept of the cases: a row of each array a case."""
-
-    results: Results
-    asked: Asked
-
-    def run(
-        self,
-        part: Part,
-        compiled: Program,
-        options: SolverOptions,
-        stop: threading.Event,
-        lanes: bool,
-    ) -> None:
-        self.asked.run(part, stop)
-        self.results.run(part, compiled, options, stop, lanes)
-
-    def arrays(self) -> dict[str, np.ndarray]:
-        """By name."""
-        asked = self.asked
-        return vars(self.results) | {
-            "extremes": asked.extremes,
-            "histories": asked.histories,
-            "impact_states": asked.impacts,
-        }
-
-    def put(self, rows: np.ndarray | slice, found: Mapping[str, np.ndarray]) -> None:
-        """Write what was found of some rows elsewhere."""
-        for name, array in self.arrays().items():
-            array[rows] = found[name]
 
 
 def _aligned(size: int) -> np.ndarray:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import inspect
 import os
 import sys
-import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import nullcontext
 from dataclasses import replace
+from functools import partial
 from types import ModuleType
 from typing import Any
 
@@ -20,11 +20,12 @@ from rockeom.numbers.checks import told, whole_number
 from rockeom.simulation.case import Case
 from rockeom.simulation.method_selection import DEFAULT, Choice, chosen
 from rockeom.simulation.options import SolverOptions
-from rockeom.sweeps.cases import Cases, Part, first_of
+from rockeom.sweeps.cases import Cases, first_of
 from rockeom.sweeps.dataset import Sweep, check_names, dataset
-from rockeom.sweeps.results import NOT_RUN
+from rockeom.sweeps.results import NOT_RUN, Results
 from rockeom.sweeps.store import definition, opened
-from rockeom.sweeps.workers import Progress, Work, in_executor, in_threads
+from rockeom.sweeps.task import Task
+from rockeom.sweeps.workers import Progress, in_executor, in_threads
 
 MOST_KEPT, CHUNKS = 4096, 64
 """Cases in a chunk of a store or of an executor, at most; and chunks of a smaller sweep."""
@@ -116,7 +117,7 @@ def simulate_many(
 
     Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt) and
     outcome_flag (its number, with flag_values and flag_meanings of the CF conventions, 0 for not
-    run), final_time [s], final_phase, impacts, impact_gains and impact_energy_gained [J] (how many
+    run), final_time [s], final_mode, impacts, impact_gains and impact_energy_gained [J] (how many
     of them gained kinetic energy, and how much in all), refined (segments of the ground in which
     equal steps would have been too long), peak, maximum, minimum and final value of each state,
     impact_time and impact_state (nan where there was none). maximum and minimum have a sign, peak
@@ -130,74 +131,65 @@ def simulate_many(
     without zarr. The error of an executor that has lost its workers has a note that says which
     cases went with them.
     """
-    options = SolverOptions.of(options)
     cases = Cases.of(over)
     _check_function(case, cases)
+    _check_executor(executor)
+    threads = (os.cpu_count() or 1) if threads is None else whole_number("threads", threads, 1)
+    chunk = None if chunk is None else whole_number("chunk", chunk, 1)
+    first = first_of(case, cases)
+    module = first.structure.module
+    options = SolverOptions.of(options)
+    method, because = _method(first, options)
+    options, lanes = replace(options, method=method), _in_lanes(lanes, module, method)
+    apart = store is not None or executor is not None
+    its_revision = revision(module, method, lanes) if apart else ""
+    task = Task(
+        case, options, lanes, arrays, impact_times, impact_states, quantities, np.asarray(times),
+        its_revision,
+    )  # fmt: skip
+    check_names(task, cases, module)
+    results = Results.of(task, cases.total, module.N_STATES)
+    size = chunk or max(1, min(MOST_KEPT, -(-cases.total // CHUNKS)))
+    interrupted = False
+    with (
+        nullcontext()
+        if store is None
+        else opened(store, definition(task, cases, module), results, size)
+    ) as on_disk:
+        rows = np.flatnonzero(results.outcome == NOT_RUN)
+        with Progress(len(rows), sys.stderr.isatty() if progress is None else progress) as shown:
+
+            def done(some: np.ndarray) -> None:
+                shown.add(len(some))
+                if on_disk is not None:
+                    on_disk.keep(some)
+
+            try:
+                if executor is None:
+                    source = task.source(cases, module, chunk=chunk, threads=threads, rows=rows)
+                    run = partial(results.run, compiled=program(module, method, lanes), task=task)
+                    in_threads(threads, source, run, done)
+                else:
+                    chunks = _chunks(rows, size if on_disk is None else on_disk.size)
+                    in_executor(executor, task, cases, chunks, results, done)
+            except KeyboardInterrupt:
+                interrupted = True
+    found = dataset(results, task, cases, module)
+    found.attrs.update(
+        model=module.NAME, method=method, chosen=because, interrupted=int(interrupted)
+    )
+    if law := first.structure.describe_impact(first.impact):
+        found.attrs["impact_law"] = f"{law}, of the first case"
+    return found
+
+
+def _check_executor(executor: Any) -> None:
+    """Raises TypeError for what takes no work."""
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise TypeError(
             f"executor is {told(executor)}: give one that takes work by `submit`, such as "
             "concurrent.futures.ProcessPoolExecutor()"
         )
-    threads = (os.cpu_count() or 1) if threads is None else whole_number("threads", threads, 1)
-    impact_times = whole_number("impact_times", impact_times, 0)
-    if impact_states and not impact_times:
-        raise ValueError("impact_states needs impact_times, the number of impacts to keep: it is 0")
-    if chunk is not None:
-        chunk = whole_number("chunk", chunk, 1)
-
-    first = first_of(case, cases)
-    module = first.structure.module
-    method, because = _method(first, options)
-    options = replace(options, method=method)
-    lanes = _in_lanes(lanes, module, method)
-    compiled = program(module, method, lanes)
-    apart = store is not None or executor is not None
-    its_revision = revision(module, method, lanes) if apart else ""
-    work = Work(
-        case, options, lanes, arrays, impact_times, impact_states, quantities, times, its_revision
-    )
-    check_names(cases, work.empty(1, module), module)
-    kept = work.empty(cases.total, module)
-    size = chunk or max(1, min(MOST_KEPT, -(-cases.total // CHUNKS)))
-
-    def run(part: Part, stop: threading.Event) -> None:
-        kept.run(part, compiled, options, stop, lanes)
-
-    interrupted = False
-    with (
-        nullcontext()
-        if store is None
-        else opened(store, definition(work, cases, module), kept, size)
-    ) as on_disk:
-        rows = np.flatnonzero(kept.results.outcome == NOT_RUN)
-        size = size if on_disk is None else on_disk.size
-
-        def done(some: np.ndarray) -> None:
-            shown.add(len(some))
-            if on_disk is not None:
-                on_disk.keep(some)
-
-        def came(some: np.ndarray, found: Mapping[str, np.ndarray]) -> None:
-            kept.put(some, found)
-            done(some)
-
-        with Progress(len(rows), sys.stderr.isatty() if progress is None else progress) as shown:
-            try:
-                if executor is None:
-                    source = work.source(cases, module, chunk=chunk, threads=threads, rows=rows)
-                    in_threads(threads, source, run, done)
-                else:
-                    in_executor(executor, work, cases, _chunks(rows, size), came)
-            except KeyboardInterrupt:
-                interrupted = True
-    found = dataset(kept, cases, module)
-    found.attrs.update(
-        model=module.NAME, method=method, chosen=because, interrupted=int(interrupted)
-    )
-    law = first.structure.describe_impact(first.impact)
-    if law:
-        found.attrs["impact_law"] = f"{law}, of the first case"
-    return found
 
 
 def _check_function(case: Any, cases: Cases) -> None:

@@ -1,6 +1,6 @@
 """A sweep on disk, in chunks that are each there or pending: the same call does what is missing.
 
-It is a zarr group with an array of each thing that is kept, a row a case. The outcome of a chunk is
+It is a zarr group with an array of each kind of result, a row a case. The outcome of a chunk is
 written last; where it was not, its numbers read as zero, which stands for pending. Files are
 written beside their place and then moved, so a process that is killed leaves no half of one. Each
 chunk has a file in each array, also where it holds nothing but zeros or nan: a file that is missing
@@ -28,10 +28,10 @@ from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.numbers.checks import installed_by, is_number, told
 from rockeom.sweeps.cases import Cases, Source, labels
 from rockeom.sweeps.dataset import FLAGS, PENDING, flags_of, outcomes_of
-from rockeom.sweeps.results import NOT_RUN, Kept
-from rockeom.sweeps.workers import Work
+from rockeom.sweeps.results import NOT_RUN, Results
+from rockeom.sweeps.task import Task
 
-FORMAT = 1
+FORMAT = 2
 """Of the files; another one is refused."""
 
 SPREAD = 16
@@ -50,11 +50,11 @@ class Store:
     size : cases in a chunk. written (m,) : whether each chunk is there.
     """
 
-    def __init__(self, path: Path, group: Any, kept: Kept) -> None:
+    def __init__(self, path: Path, group: Any, results: Results) -> None:
         import zarr
 
-        self.path, self.kept = path, kept
-        self.arrays = _not_empty(kept)
+        self.path, self.results = path, results
+        self.arrays = _not_empty(results)
         lost = [name for name in self.arrays if name not in group]
         if lost:
             raise ValueError(
@@ -69,11 +69,11 @@ class Store:
                     f"{array.shape}: the store is damaged, give another one"
                 )
         self.size: int = self.on_disk["outcome"].chunks[0]
-        self.written = np.zeros(-(-len(kept.results.outcome) // self.size), dtype=bool)
+        self.written = np.zeros(-(-len(results.outcome) // self.size), dtype=bool)
 
     def read(self) -> None:
         """All chunks that are there, into memory."""
-        n = len(self.kept.results.outcome)
+        n = len(self.results.outcome)
         ran = self._read("outcome") != PENDING
         whole = np.logical_and.reduceat(ran, np.arange(0, n, self.size))
         self.written[:] = [whole[chunk] and self._is_there(chunk) for chunk in range(len(whole))]
@@ -86,7 +86,7 @@ class Store:
         """Write the chunks that are complete with these rows."""
         for chunk in np.unique(rows // self.size).tolist():
             of = slice(chunk * self.size, (chunk + 1) * self.size)
-            outcome = self.kept.results.outcome[of]
+            outcome = self.results.outcome[of]
             if self.written[chunk] or (outcome == NOT_RUN).any():
                 continue
             for name, array in self.arrays.items():
@@ -114,8 +114,8 @@ class Store:
             raise
 
 
-def _not_empty(kept: Kept) -> dict[str, np.ndarray]:
-    return {name: array for name, array in kept.arrays().items() if array.size}
+def _not_empty(results: Results) -> dict[str, np.ndarray]:
+    return {name: array for name, array in results.arrays().items() if array.size}
 
 
 def _meaning() -> dict[str, Any]:
@@ -123,10 +123,12 @@ def _meaning() -> dict[str, Any]:
 
 
 @contextmanager
-def opened(path: Any, definition: Mapping[str, str], kept: Kept, chunk: int) -> Iterator[Store]:
+def opened(
+    path: Any, definition: Mapping[str, str], results: Results, chunk: int
+) -> Iterator[Store]:
     """The store of a sweep at a path, made where there is none, for this process alone.
 
-    What it holds is read into `kept`. chunk : of a new one, how many cases it keeps at a time.
+    Its arrays are read into `results`. chunk : of a new one, the number of cases in a chunk.
 
     Raises ModuleNotFoundError without zarr, ValueError for what is no store or that of another
     sweep, RuntimeError while another process writes to it.
@@ -142,7 +144,7 @@ def opened(path: Any, definition: Mapping[str, str], kept: Kept, chunk: int) -> 
         ) from None
     path = Path(path)
     if not path.exists():
-        _make(path, definition, kept, chunk)
+        _make(path, definition, results, chunk)
     try:
         group = zarr.open_group(str(path), mode="r+")
         there: Any = group.attrs["rockeom_sweep"]
@@ -152,12 +154,12 @@ def opened(path: Any, definition: Mapping[str, str], kept: Kept, chunk: int) -> 
         ) from error
     _check_same(path, there, definition)
     with _alone(path):
-        store = Store(path, group, kept)
+        store = Store(path, group, results)
         store.read()
         yield store
 
 
-def _make(path: Path, definition: Mapping[str, str], kept: Kept, chunk: int) -> None:
+def _make(path: Path, definition: Mapping[str, str], results: Results, chunk: int) -> None:
     """An empty store; it is there when it is whole."""
     import zarr
 
@@ -165,7 +167,7 @@ def _make(path: Path, definition: Mapping[str, str], kept: Kept, chunk: int) -> 
     try:
         attributes = {"rockeom_sweep": dict(definition)}
         group = zarr.create_group(str(beside), zarr_format=3, attributes=attributes)
-        for name, array in _not_empty(kept).items():
+        for name, array in _not_empty(results).items():
             flags = name == "outcome"
             group.create_array(
                 name, shape=array.shape, dtype=np.int8 if flags else array.dtype,
@@ -184,7 +186,7 @@ def _make(path: Path, definition: Mapping[str, str], kept: Kept, chunk: int) -> 
 # -- the definition ------------------------------------------------------------------------------
 
 
-def definition(work: Work, cases: Cases, module: ModuleType) -> dict[str, str]:
+def definition(task: Task, cases: Cases, module: ModuleType) -> dict[str, str]:
     """What a sweep is, in words and hashes: another one is not gone on with.
 
     Functions cannot be compared, but what they make can: the numbers of the first case, the last
@@ -193,22 +195,22 @@ def definition(work: Work, cases: Cases, module: ModuleType) -> dict[str, str]:
     found = {
         "format": str(FORMAT),
         "structure": module.NAME,
-        "equations and loop": work.revision,
+        "equations and loop": task.revision,
         "cases": f"a {'grid' if cases.which is None else 'table'} of "
         + " x ".join(map(str, cases.shape)),
         "names": ", ".join(cases.values),
-        "impact_times": str(work.impact_times),
-        "quantities": ", ".join(work.quantities),
-        "times": str(np.asarray(work.times, dtype=float).tolist()),
-        "lanes": str(work.lanes),
+        "impact_times": str(task.impact_times),
+        "quantities": ", ".join(task.quantities),
+        "times": str(np.asarray(task.times, dtype=float).tolist()),
+        "lanes": str(task.lanes),
     }
-    if work.impact_states:  # not told of stores that were made before it could be asked for
+    if task.impact_states:  # not told of stores that were made before it could be asked for
         found["impact_states"] = "True"
-    found |= {name: repr(value) for name, value in asdict(work.options).items()}
+    found |= {name: repr(value) for name, value in asdict(task.options).items()}
     for name, values in cases.values.items():
         which = () if cases.which is None else (cases.which[name],)
         found[f"values of {name}"] = _hash(_of_values(values), *which)
-    source = work.source(cases, module, chunk=None)
+    source = task.source(cases, module, chunk=None)
     found["what the function makes"] = _hash(*_problems(source, _sample(cases)))
     return found
 

@@ -1,4 +1,4 @@
-"""Who does the work of a sweep: threads of this process, or workers of an executor."""
+"""Workers of a sweep: threads of this process, or an executor."""
 
 from __future__ import annotations
 
@@ -15,84 +15,46 @@ from concurrent.futures import (
     ThreadPoolExecutor,
     wait,
 )
-from dataclasses import dataclass
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 
 from rockeom.integrator.program import program, revision
 from rockeom.numbers.checks import told
-from rockeom.simulation.case import Case
-from rockeom.simulation.options import SolverOptions
-from rockeom.sweeps.cases import Cases, Part, Source, first_of
-from rockeom.sweeps.results import Asked, Kept, Results
+from rockeom.sweeps.cases import Cases, Source, first_of
+from rockeom.sweeps.results import Results
+from rockeom.sweeps.task import Task
 
 AGAIN = 3
 """So many times a chunk is given to an executor that has lost it."""
 
 
-@dataclass(frozen=True)
-class Work:
-    """What is done with each case, all that another process must know of it but the values.
-
-    options : with the method named. revision : of the structure and the loop, which must be the
-        same wherever the work is done.
-    """
-
-    case: Callable[..., Case]
-    options: SolverOptions
-    lanes: bool
-    arrays: bool
-    impact_times: int
-    impact_states: bool
-    quantities: Sequence[str]
-    times: Any
-    revision: str
-
-    def empty(self, n: int, module: ModuleType) -> Kept:
-        return Kept(
-            Results.empty(n, module.N_STATES, self.impact_times),
-            Asked.empty(
-                n, self.quantities, self.times, self.options,
-                self.impact_times * self.impact_states, module.N_STATES,
-            ),
-        )  # fmt: skip
-
-    def source(self, cases: Cases, module: ModuleType, **how: Any) -> Source:
-        """The cases; whole responses are of cases made one by one."""
-        arrays = self.arrays and not (len(self.quantities) or self.impact_states)
-        return Source(self.case, cases, module=module, arrays=arrays, **how)
-
-
-def run_apart(work: Work, cases: Cases) -> dict[str, np.ndarray]:
-    """What is kept of a table of cases, run in the process that is asked; called by executors."""
-    module = first_of(work.case, cases).structure.module
-    method = work.options.method
+def run_apart(task: Task, cases: Cases) -> dict[str, np.ndarray]:
+    """Results of a table of cases, run in the process of the caller, which is an executor's."""
+    module = first_of(task.case, cases).structure.module
+    method = task.options.method
     assert method is not None
-    if revision(module, method, work.lanes) != work.revision:
+    if revision(module, method, task.lanes) != task.revision:
         raise RuntimeError(
             f"a worker has another {module.NAME}, or another version of rockeom, than who asks: "
             "install the same everywhere"
         )
-    compiled, kept, stop = (
-        program(module, method, work.lanes),
-        work.empty(cases.total, module),
-        threading.Event(),
-    )
-    for part in work.source(cases, module, chunk=None):
-        kept.run(part, compiled, work.options, stop, work.lanes)
-    return kept.arrays()
+    compiled, stop = program(module, method, task.lanes), threading.Event()
+    results = Results.of(task, cases.total, module.N_STATES)
+    for batch in task.source(cases, module, chunk=None):
+        results.run(batch, compiled, task, stop)
+    return results.arrays()
 
 
 def in_executor(
     executor: Any,
-    work: Work,
+    task: Task,
     cases: Cases,
     chunks: Sequence[np.ndarray],
-    done: Callable[[np.ndarray, dict[str, np.ndarray]], None],
+    results: Results,
+    done: Callable[[np.ndarray], None],
 ) -> None:
-    """Workers run chunks of rows until all are done; here, `done` takes what they send back.
+    """Workers run chunks of rows until all are done; their results are put into `results` here.
 
     A chunk that is lost with its worker is given out again, AGAIN times, if the executor takes it.
     Raises what a case raises, or the error of an executor that has broken; its notes say what is
@@ -106,7 +68,7 @@ def in_executor(
     def give(i: int) -> None:
         times[i] += 1
         try:
-            under_way[i] = future = executor.submit(run_apart, work, cases.part(chunks[i]))
+            under_way[i] = future = executor.submit(run_apart, task, cases.part(chunks[i]))
         except BrokenExecutor as error:
             lost[i] = error
             return
@@ -137,7 +99,8 @@ def in_executor(
                         "at the top level of a module"
                     )
                 raise
-            done(chunks[i], found)
+            results.put(chunks[i], found)
+            done(chunks[i])
     finally:
         for future in under_way.values():
             future.cancel()
@@ -159,15 +122,15 @@ def _rows(chunk: np.ndarray) -> str:
 def in_threads(
     threads: int,
     source: Source,
-    work: Callable[[Part, threading.Event], None],
+    run: Callable[..., None],
     done: Callable[[np.ndarray], None],
 ) -> None:
-    """Threads make a part in turn, and run it, until all are done or `stop` is set.
+    """Threads make a batch in turn, and run it, until all are done or `stop` is set.
 
     Making holds Python's lock and running does not: while one thread makes, the others run. One
     thread is the caller's own.
     """
-    parts = iter(source)
+    batches = iter(source)
     turn, stop = threading.Lock(), threading.Event()
 
     def worker() -> None:
@@ -176,11 +139,11 @@ def in_threads(
             with turn:
                 if ran is not None:
                     done(ran)
-                part = None if stop.is_set() else next(parts, None)
-            if part is None:
+                batch = None if stop.is_set() else next(batches, None)
+            if batch is None:
                 return
-            work(part, stop)
-            ran = part.rows
+            run(batch, stop=stop)
+            ran = batch.rows
 
     if threads == 1:
         worker()

@@ -9,7 +9,7 @@ from hypothesis import given, strategies as st
 
 import rockeom as rk
 from rockeom.analysis import dynamics
-from rockeom.sweeps.results import Kept
+from rockeom.sweeps.results import Results
 
 SQUAT = rk.NondimensionalBlock(alpha=math.atan(0.5))
 PERIOD = 3.0
@@ -93,19 +93,19 @@ def test_interrupted_sections_go_on_from_their_store(tmp_path, monkeypatch):
     """Two calls find what one does, to the last bit, and simulate no motion twice."""
     pytest.importorskip("zarr")
     how = {"starts": {"x": np.linspace(-1.0, 1.0, 30)}, "settling": 8, "cycles": 4, "impacts": 3}
-    run, ran = Kept.run, []
+    run, ran = Results.run, []
 
-    def counted(self, part, *others):
+    def counted(self, batch, **others):
         if sum(ran) >= stop_at:
             raise KeyboardInterrupt
-        ran.append(len(part.rows))
-        run(self, part, *others)
+        ran.append(len(batch.rows))
+        run(self, batch, **others)
 
     def found(**more):
         ran.clear()
         return dynamics.poincare_sections(hogan(2.5), **how, **more, threads=1), sum(ran)
 
-    monkeypatch.setattr(Kept, "run", counted)
+    monkeypatch.setattr(Results, "run", counted)
     stop_at = math.inf
     whole, all_rows = found()
     stop_at = 60

@@ -19,7 +19,7 @@ from rockeom.analysis import design, dynamics, risk
 from rockeom.analysis.design import envelope, fema_356
 from rockeom.analysis.dynamics import branches as branches_module
 from rockeom.cli import main
-from rockeom.sweeps.results import Kept
+from rockeom.sweeps.results import Results
 from rockeom.thesis.figures import chapter_2_blocks, chapter_4_wall
 from tests.interrupts import interrupted_at
 
@@ -44,7 +44,7 @@ def interrupted(monkeypatch):
     """Every sweep ends after the first of its parts, every branch after the first of its steps."""
 
     def interrupt(parts: int = 2) -> None:
-        monkeypatch.setattr(Kept, "run", interrupted_at(parts, Kept.run))
+        monkeypatch.setattr(Results, "run", interrupted_at(parts, Results.run))
         follower = branches_module._Follower
         monkeypatch.setattr(follower, "next", interrupted_at(parts, follower.next))
 

@@ -14,7 +14,7 @@ from rockeom.compiler.machine import Loaded, compiled
 from rockeom.compiler.printer import Program as Printed
 from rockeom.integrator.program import GLUE, LOOP, VECTORS, joined_texts
 from rockeom.simulation.case import Problems
-from rockeom.sweeps.cases import Part
+from rockeom.sweeps.cases import Batch
 from rockeom.sweeps.results import Results
 from rockeom.sweeps.run import lanes_pay
 from tests.oracle.ways import flat
@@ -464,11 +464,11 @@ def test_vectors_have_the_bits_of_plain_python(which):
     for functions in (Loaded(codes[0], entries, *codes[1:]).functions, of_python):
         sizes = {name: plain[name] for name in ("Z_SIZE", "W_SIZE")}
         calls = {name: Called(functions[name]) for name in names}
-        part = Part(np.arange(len(problems)), Problems.of(problems), [])
+        part = Batch(np.arange(len(problems)), Problems.of(problems), [])
         results = Results.empty(len(problems), module.N_STATES, 20)
         with np.errstate(all="ignore"):
             solver = rk.SolverOptions(rtol=1e-7)
-            results.run(part, SimpleNamespace(**calls, **sizes), solver, Event(), True)
+            results.integrate(part, SimpleNamespace(**calls, **sizes), solver, Event(), True)
         found.append(results)
     by_vectors, by_python = found
     assert np.isfinite(by_vectors.final).all()

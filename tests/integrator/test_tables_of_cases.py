@@ -13,7 +13,8 @@ from scipy.stats import qmc
 import rockeom as rk
 from rockeom.sweeps.cases import Cases, Source
 from rockeom.sweeps.dataset import dataset
-from rockeom.sweeps.results import Asked, Kept, Results
+from rockeom.sweeps.results import Results
+from rockeom.sweeps.task import Task
 
 BLOCK = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)
 N = 40
@@ -188,8 +189,8 @@ def test_every_variable_says_what_it_is_and_in_which_unit():
 
 def test_a_structure_without_dimensions_has_none():
     module, asked = rk.NondimensionalBlock(alpha=0.2).module, ["displacement", "total_energy"]
-    kept = Kept(Results.empty(1, 2, 1), Asked.empty(1, asked, [0.5], rk.SolverOptions()))
-    found = dataset(kept, Cases.of({"a": [1.0]}), module)
+    task = Task(rk.Case, rk.SolverOptions(), False, False, 1, False, asked, [0.5], "")
+    found = dataset(Results.of(task, 1, 2), task, Cases.of({"a": [1.0]}), module)
     units = given_units(found)
     names = ("final_time", "impact_time", "peak", "final", "history", "time")
     assert {units[n] for n in names} == {"1"}
