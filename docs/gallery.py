@@ -22,6 +22,7 @@ from matplotlib.figure import Figure
 
 import rockeom as rk
 from rockeom import cli, plots
+from rockeom.cli.commands import HELP
 from rockeom.plots import style
 from rockeom.structures.classes import SHIPPED
 from rockeom.thesis.figures import FIGURES
@@ -268,8 +269,7 @@ def _plot_card(name: str) -> str:
 
 def commands() -> dict[str, str]:
     """Each command with what it does."""
-    modules = [one for one in vars(cli).values() if hasattr(one, "HELP")]
-    return {one.__name__.rpartition(".")[2]: one.HELP for one in modules}
+    return HELP
 
 
 def examples_of_commands() -> dict[str, list[str]]:

@@ -12,22 +12,9 @@ import sys
 import warnings
 from collections.abc import Sequence
 
-from rockeom import __version__
-from rockeom.cli import (
-    completion,
-    derive,
-    equations,
-    export,
-    figure,
-    generate,
-    models,
-    report,
-    simulate,
-    statements,
-    tables,
-    verify,
-)
+from rockeom.cli.commands import HELP, command
 from rockeom.cli.errors import UsageError
+from rockeom.files import VERSION
 
 _DESCRIPTION = """\
 Rocking structures: equations of motion derived symbolically, compiled, and integrated
@@ -64,9 +51,11 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _run(argv: Sequence[str] | None) -> int:
-    parser = _parser()
+    words = sys.argv[1:] if argv is None else argv
+    asked = next((word for word in words if not word.startswith("-")), None)
+    parser = _parser([*HELP] if asked == "completion" else [asked])
     args, unknown = parser.parse_known_args(argv)
-    if unknown:  # told by the command itself, with its own usage
+    if unknown:  # an error of the command itself, with its own usage
         getattr(args, "parser", parser).error(f"unrecognized arguments: {' '.join(unknown)}")
     if args.command is None:
         parser.print_help()
@@ -92,36 +81,38 @@ def _run(argv: Sequence[str] | None) -> int:
 
 
 def _of_arguments() -> tuple[type, ...]:
-    """The errors of arguments that tell what is wrong; those of what is derived where it was."""
-    from rockeom.structures.classes import ParameterError
+    """The errors of arguments that say what is wrong, of the modules that the command loaded."""
+    homes = {
+        "rockeom.structures.classes": "ParameterError",
+        "rockeom.symbolic.valid": "ArgumentError",
+    }
+    return tuple(getattr(sys.modules[home], e) for home, e in homes.items() if home in sys.modules)
 
-    valid = sys.modules.get("rockeom.symbolic.valid")
-    return (ParameterError, *([valid.ArgumentError] if valid else []))
 
-
-def _parser() -> argparse.ArgumentParser:
+def _parser(asked: Sequence[str | None] = tuple(HELP)) -> argparse.ArgumentParser:
+    """The parser of all commands; asked : those whose arguments it knows."""
     parser = argparse.ArgumentParser(
         prog="rockeom",
         description=_DESCRIPTION,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("--version", action="version", version=f"rockeom {__version__}")
+    parser.add_argument("--version", action="version", version=f"rockeom {VERSION}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND")
-    for module in (
-        models, derive, simulate, report, equations, verify, figure, tables, statements, export,
-        generate, completion,
-    ):  # fmt: skip
-        name = module.__name__.rpartition(".")[2]
-        command = commands.add_parser(
+    for name, line in HELP.items():
+        if name not in asked:
+            commands.add_parser(name, help=line)
+            continue
+        module = command(name)
+        of_command = commands.add_parser(
             name,
-            help=module.HELP,
+            help=line,
             description=module.DESCRIPTION,
             epilog=module.EPILOG,
             formatter_class=argparse.RawDescriptionHelpFormatter,
             allow_abbrev=False,
         )
-        module.add_arguments(command)
-        command.set_defaults(run=module.run, parser=command, program=parser)
+        module.add_arguments(of_command)
+        of_command.set_defaults(run=module.run, parser=of_command, program=parser)
     return parser
 
 

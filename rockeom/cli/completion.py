@@ -11,8 +11,10 @@ from typing import NamedTuple
 from rockeom.cli.simulate import PULSES
 from rockeom.modelling.named import FAMILIES
 from rockeom.structures.classes import SHIPPED
+from rockeom.thesis import EQUATIONS
+from rockeom.thesis.figures import FIGURES
+from rockeom.thesis.tables import TABLES
 
-HELP = "print the script by which a shell completes commands"
 DESCRIPTION = """\
 Print a script for bash, zsh or fish, by which Tab completes commands, options, structures, their
 parameters, numbers of equations, figures and tables, and files. The script asks nothing of this
@@ -91,10 +93,6 @@ def _slot(command: str, action: argparse.Action) -> Slot:
 
 def _words(command: str, names: tuple[str | None, ...]) -> tuple[str, ...]:
     """What stands for a word in capitals in the help of a command."""
-    from rockeom.thesis import EQUATIONS
-    from rockeom.thesis.figures import FIGURES
-    from rockeom.thesis.tables import TABLES
-
     numbers: dict[str, Mapping[str, object]] = {
         "equations": EQUATIONS, "verify": EQUATIONS, "figure": FIGURES, "tables": TABLES,
     }  # fmt: skip

@@ -8,10 +8,13 @@ from pathlib import Path
 
 from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_details, class_of, details
+from rockeom.cli.plain import to_text
 from rockeom.cli.terminal import width
+from rockeom.codegen import module_text
 from rockeom.files import check_target, write
+from rockeom.symbolic import derive
+from rockeom.symbolic.write.typeset import content
 
-HELP = "derive the equations of a structure and show them"
 DESCRIPTION = """\
 Derive the equations of motion, energies, support reactions, impact maps and uplift conditions
 of a structure from the positions of its masses, and show them. Takes some seconds. A family and
@@ -62,18 +65,11 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _text(args: argparse.Namespace, arguments: dict[str, int | str]) -> str:
-    from rockeom.symbolic import derive
-
     model = derive(args.name, **arguments)
     if args.latex:
         return model.latex(args.form or "width")
     if args.markdown:
         return model.markdown()
     if args.code:
-        from rockeom.codegen import module_text
-
         return module_text(model)
-    from rockeom.cli.plain import to_text
-    from rockeom.symbolic.write.typeset import content
-
     return to_text(content(model, args.form or "width"), width())

@@ -4,17 +4,26 @@ from __future__ import annotations
 
 import argparse
 import textwrap
-from typing import TYPE_CHECKING
 
 from rockeom.cli.errors import UsageError
+from rockeom.cli.plain import to_text
 from rockeom.cli.terminal import listing, width
 from rockeom.modelling.named import FAMILIES
 from rockeom.structures.classes import SHIPPED
+from rockeom.symbolic.write.page import Block, Display, Heading, Table
+from rockeom.thesis import (
+    EQUATIONS,
+    Decision,
+    Equation,
+    Kind,
+    Verdict,
+    claim,
+    decide,
+    entry,
+    equation,
+)
+from rockeom.thesis.typeset import written
 
-if TYPE_CHECKING:
-    from rockeom.thesis import Decision, Equation
-
-HELP = "look up the equations of the thesis, as printed and as they should be"
 DESCRIPTION = """\
 List the numbered equations of Ma's thesis (2010), or show some of them: as printed, as corrected
 where that is wrong, what it means, how it is derived, and the verdict of its checks.
@@ -43,8 +52,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    from rockeom.thesis import decide, equation
-
     filters = [n for n in ("chapter", "kind", "verdict") if getattr(args, n)]
     if args.numbers and filters:
         raise UsageError(f"numbers and --{filters[0]} do not go together: leave one out")
@@ -67,8 +74,6 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _filtered(args: argparse.Namespace) -> list[Equation]:
-    from rockeom.thesis import EQUATIONS, Kind, Verdict, claim
-
     found = list(EQUATIONS.values())
     if args.chapter:
         chapters = sorted({e.chapter for e in found})
@@ -91,17 +96,12 @@ def _filtered(args: argparse.Namespace) -> list[Equation]:
 
 
 def _list(chosen: list[Equation]) -> str:
-    from rockeom.thesis import claim
-
     rows = [("", "VERDICT", "WHAT IT STATES")]
     rows += [(e.number, claim(e).value, e.meaning) for e in chosen]
     return f"{listing(rows)}\n\n{len(chosen)} equations; rockeom equations NUMBER shows one."
 
 
 def _shown(decision: Decision, columns: int) -> str:
-    from rockeom.cli.plain import to_text
-    from rockeom.symbolic.write.page import Block, Display, Heading, Table
-
     one = decision.equation
     blocks: list[Block] = [Heading(1, f"{one.number}  {one.meaning}")]
     where = one.section if one.section.startswith("App") else f"section {one.section}"
@@ -135,9 +135,6 @@ def _rest(rest: object) -> str:
 
 
 def _symbols(one: Equation) -> tuple[tuple[str, ...], ...]:
-    from rockeom.thesis import entry
-    from rockeom.thesis.typeset import written
-
     rows = []
     for symbol in one.symbols:
         found = entry(symbol, one.chapter)

@@ -9,9 +9,11 @@ from pathlib import Path
 from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import add_details, class_of, details, made
 from rockeom.cli.simulate import add_motion, motions
+from rockeom.exports.code import code, file_name
+from rockeom.exports.opensees import script
 from rockeom.files import check_target, write
+from rockeom.modelling.declared import module_of
 
-HELP = "write the equations as C or MATLAB, or a script for OpenSees"
 DESCRIPTION = """\
 Write what is simulated for another program, as one self-contained file.
 
@@ -99,10 +101,6 @@ def _path(out: Path | None, name: str, language: str) -> Path:
 
 def _code(args: argparse.Namespace) -> tuple[str, str]:
     """The text of c or matlab, and the name of its file."""
-    from rockeom.exports import code
-    from rockeom.exports.code import file_name
-    from rockeom.modelling.declared import module_of
-
     given = [
         option
         for option in ("set", "initial", "duration", "motion", "pulse", "record", "vertical")
@@ -123,8 +121,6 @@ def _code(args: argparse.Namespace) -> tuple[str, str]:
 
 
 def _opensees(args: argparse.Namespace) -> str:
-    from rockeom.exports.opensees import script
-
     if not (args.motion or args.pulse or args.record or args.free):
         raise UsageError("opensees needs a ground motion: --motion, --pulse, --record or --free")
     motion, vertical = motions(args)

@@ -7,16 +7,13 @@ import sys
 import textwrap
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from rockeom.cli.errors import UsageError
 from rockeom.cli.terminal import listing, width
+from rockeom.drawing.style import save_figure
 from rockeom.files import check_target
+from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Drawn, ThesisFigure
 
-if TYPE_CHECKING:
-    from rockeom.thesis.figures import Drawn, ThesisFigure
-
-HELP = "draw a figure of the thesis anew, from simulations and closed forms"
 DESCRIPTION = """\
 List the figures of Ma's thesis (2010) that are drawn anew, or draw one of them into a file. What
 the thesis leaves open about a figure, and what was taken for it, is printed beside it.
@@ -43,9 +40,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    from rockeom.drawing.style import save_figure
-    from rockeom.thesis.figures import FIGURES, NOT_DRAWN
-
     if args.number is None:
         if args.out is not None:
             raise UsageError(f"--out {args.out}: name the figure as well: rockeom figure 4-35 ...")

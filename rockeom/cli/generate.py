@@ -8,9 +8,9 @@ from collections.abc import Collection
 from pathlib import Path
 
 from rockeom.cli.errors import UsageError
+from rockeom.codegen import write
 from rockeom.numbers.checks import near
 
-HELP = "rewrite generated/ from the symbolic models, or check it"
 DESCRIPTION = """\
 For who changes rockeom itself. Derive every shipped structure and rewrite generated/, a module
 and a page for each; or, with --check, compare and change nothing. Takes half a minute, for one
@@ -30,8 +30,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    from rockeom.codegen import write
-
     folder = write.GENERATED
     if not folder.is_dir():
         raise UsageError(
@@ -49,8 +47,6 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _write(folder: Path, names: Collection[str]) -> int:
-    from rockeom.codegen import write
-
     changed = write.write_generated(folder, names)
     for path in changed:
         print(f"wrote generated/{path.name}")
@@ -60,8 +56,6 @@ def _write(folder: Path, names: Collection[str]) -> int:
 
 
 def _check(folder: Path, names: Collection[str]) -> int:
-    from rockeom.codegen import write
-
     difference = write.check_generated(folder, names)
     if not difference:
         print("generated/ is what the models give")

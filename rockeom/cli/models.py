@@ -21,7 +21,6 @@ from rockeom.modelling.named import (
 from rockeom.structures.classes import SHIPPED, Structure
 from rockeom.structures.impact_laws import Impulsive, default_law
 
-HELP = "list the structures, or explain one of them"
 DESCRIPTION = """\
 List the structures, or explain one: its states, its parameters with units and meanings, and its
 contact states. A family takes arguments, such as a number of storeys, and some structures a

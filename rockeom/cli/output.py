@@ -12,8 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from rockeom import __version__
-from rockeom.files import write
+from rockeom.files import VERSION, write
 from rockeom.motion import GroundMotion
 from rockeom.simulation.events import MEASURABLE
 from rockeom.simulation.plausible import forces
@@ -95,7 +94,7 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         value, time = peak(run, name)
         peaks[name] = {"value": _number(value), "time": time, "unit": unit[name]}
     return {
-        "rockeom": __version__,
+        "rockeom": VERSION,
         "structure": {"name": run.structure.model, "parameters": run.structure.parameters()},
         "motion": _motion(run.motion),
         "vertical": None if run.vertical is None else _motion(run.vertical),

@@ -12,8 +12,9 @@ from rockeom.cli.simulate import add_scale, impact_law, scaled
 from rockeom.files import check_target
 from rockeom.motion import GroundMotion
 from rockeom.motion.arguments import COMPONENTS
+from rockeom.motion.motion_set import MotionSet
+from rockeom.plots.design_report import check_name, design_report
 
-HELP = "write one page on a structure under a set of records"
 DESCRIPTION = """\
 Simulate a structure under each record of a set, rocking and, where it has an elastic
 column, with its feet held down, and write one page: figures, demands beside those of the fixed
@@ -74,8 +75,6 @@ def run(args: argparse.Namespace) -> int:
     structure = made(args)
     law = impact_law(args.impact)
     motions = [scaled(motion, args) for motion in _motions(args)]
-    from rockeom.plots.design_report import check_name, design_report  # matplotlib takes long
-
     for path in args.out:
         check_name(path)
         check_target(path)  # before the simulations, not after
@@ -93,8 +92,6 @@ def _motions(args: argparse.Namespace) -> list[GroundMotion]:
     if args.records is not None:
         if args.units is not None:
             raise UsageError(f"--units {args.units} is for files: leave it out")
-        from rockeom.motion import MotionSet  # no other command needs it
-
         words, components = " ".join(args.records), args.components or "horizontal"
         return list(MotionSet.from_library(words, components=components))
     if args.components is not None:

@@ -23,7 +23,6 @@ from rockeom.structures.impact_laws import (
     VelocityRatio,
 )
 
-HELP = "simulate a structure under a ground motion"
 DESCRIPTION = """\
 Simulate a structure under a ground motion and say in words what happened; with --out,
 write the response, a picture and a summary for other programs. All numbers are in SI units

@@ -6,15 +6,12 @@ import argparse
 import sys
 import textwrap
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
 
 from rockeom.cli.errors import UsageError
 from rockeom.cli.terminal import width
+from rockeom.thesis import statements
+from rockeom.thesis.figures import FIGURES, Statement
 
-if TYPE_CHECKING:
-    from rockeom.thesis.figures import Statement
-
-HELP = "judge the sentences of the thesis that have a number"
 DESCRIPTION = """\
 Show sentences of Ma's thesis (2010) with a number, beside the number found: those that belong to no
 figure, and what is wrong as printed outside the equations; or those of the figures named, which
@@ -32,9 +29,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    from rockeom.thesis import statements
-    from rockeom.thesis.figures import FIGURES
-
     for number in args.figures:
         if number not in FIGURES:
             raise UsageError(f"no figure {number!r} is drawn anew; rockeom figure lists them")

@@ -5,15 +5,12 @@ from __future__ import annotations
 import argparse
 import sys
 import textwrap
-from typing import TYPE_CHECKING
 
 from rockeom.cli.errors import UsageError
 from rockeom.cli.terminal import listing, width
+from rockeom.thesis.side_by_side import TextTable, side_by_side
+from rockeom.thesis.tables import TABLES
 
-if TYPE_CHECKING:
-    from rockeom.thesis.side_by_side import TextTable
-
-HELP = "show tables of the thesis, what is printed beside what is computed"
 DESCRIPTION = """\
 List the tables of Ma's thesis (2010) and the lists of numbers under its figures, or show some of
 them: each computed column beside the printed one, and what is to be said of them. With A-1 come
@@ -37,16 +34,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    from rockeom.thesis.tables import TABLES
-
     if not args.numbers:
         print(_list())
         return 0
     for number in args.numbers:
         if number not in TABLES:
             raise UsageError(f"no table {number!r}; there are {', '.join(TABLES)}")
-    from rockeom.thesis.side_by_side import side_by_side
-
     print("computing ...", file=sys.stderr)
     shown = [_shown(table) for number in args.numbers for table in side_by_side(number)]
     print("\n\n".join(shown))
@@ -54,8 +47,6 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _list() -> str:
-    from rockeom.thesis.tables import TABLES
-
     rows = [("", "WHAT IT HOLDS"), *((n, table.title) for n, table in TABLES.items())]
     return f"{listing(rows)}\n\n{len(TABLES)} tables; rockeom tables NUMBER shows one."
 

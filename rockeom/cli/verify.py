@@ -6,12 +6,9 @@ import argparse
 import sys
 import textwrap
 import time
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from rockeom.thesis import Decision
+from rockeom.thesis import EQUATIONS, Decision, Verdict, equation, verify
 
-HELP = "run every check of the equations of the thesis"
 DESCRIPTION = """\
 Derive, reproduce or compare every numbered equation of the thesis, and print the verdicts and
 their counts. A printed form that is wrong must fail its checks, and the corrected one pass them.
@@ -31,8 +28,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    from rockeom.thesis import EQUATIONS, Verdict, equation, verify
-
     numbers = [equation(n).number for n in args.numbers] or list(EQUATIONS)
     progress = _Progress(len(numbers))
     start = time.perf_counter()

@@ -23,7 +23,7 @@ from rockeom.simulation.options import SolverOptions
 from rockeom.sweeps.cases import Cases, first_of
 from rockeom.sweeps.dataset import Sweep, check_names, dataset
 from rockeom.sweeps.results import NOT_RUN, Results
-from rockeom.sweeps.store import definition, opened
+from rockeom.sweeps.store import opened
 from rockeom.sweeps.task import Task
 from rockeom.sweeps.workers import Progress, in_executor, in_threads
 
@@ -150,12 +150,8 @@ def simulate_many(
     check_names(task, cases, module)
     results = Results.of(task, cases.total, module.N_STATES)
     size = chunk or max(1, min(MOST_KEPT, -(-cases.total // CHUNKS)))
-    interrupted = False
-    with (
-        nullcontext()
-        if store is None
-        else opened(store, definition(task, cases, module), results, size)
-    ) as on_disk:
+    kept = nullcontext() if store is None else opened(store, task, cases, module, results, size)
+    with kept as on_disk:
         rows = np.flatnonzero(results.outcome == NOT_RUN)
         with Progress(len(rows), sys.stderr.isatty() if progress is None else progress) as shown:
 
@@ -172,12 +168,12 @@ def simulate_many(
                 else:
                     chunks = _chunks(rows, size if on_disk is None else on_disk.size)
                     in_executor(executor, task, cases, chunks, results, done)
+                interrupted = False
             except KeyboardInterrupt:
                 interrupted = True
     found = dataset(results, task, cases, module)
-    found.attrs.update(
-        model=module.NAME, method=method, chosen=because, interrupted=int(interrupted)
-    )
+    found.attrs |= {"model": module.NAME, "method": method, "chosen": because}
+    found.attrs["interrupted"] = int(interrupted)
     if law := first.structure.describe_impact(first.impact):
         found.attrs["impact_law"] = f"{law}, of the first case"
     return found

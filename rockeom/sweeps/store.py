@@ -124,7 +124,7 @@ def _meaning() -> dict[str, Any]:
 
 @contextmanager
 def opened(
-    path: Any, definition: Mapping[str, str], results: Results, chunk: int
+    path: Any, task: Task, cases: Cases, module: ModuleType, results: Results, chunk: int
 ) -> Iterator[Store]:
     """The store of a sweep at a path, made where there is none, for this process alone.
 
@@ -142,9 +142,9 @@ def opened(
             "a sweep is kept on disk by zarr, which is not installed. Remedy: "
             f"{installed_by('store')}."
         ) from None
-    path = Path(path)
+    path, here = Path(path), definition(task, cases, module)
     if not path.exists():
-        _make(path, definition, results, chunk)
+        _make(path, here, results, chunk)
     try:
         group = zarr.open_group(str(path), mode="r+")
         there: Any = group.attrs["rockeom_sweep"]
@@ -152,7 +152,7 @@ def opened(
         raise ValueError(
             f"store is {str(path)!r}, which is there and no store of a sweep: give another path"
         ) from error
-    _check_same(path, there, definition)
+    _check_same(path, there, here)
     with _alone(path):
         store = Store(path, group, results)
         store.read()

@@ -7,7 +7,7 @@ import sys
 import threading
 import time
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import (
     FIRST_COMPLETED,
     BrokenExecutor,
@@ -105,14 +105,21 @@ def in_executor(
         for future in under_way.values():
             future.cancel()
     if lost:
-        first = next(iter(lost.values()))
-        first.add_note(
-            f"lost with a worker of {told(executor)}, which takes no more work: "
-            f"{', '.join(_rows(chunks[i]) for i in sorted(lost)[:5])}"
-            f"{', ...' if len(lost) > 5 else ''}. Give another executor; with store=... the call "
-            "then does only what is missing"
-        )
-        raise first
+        raise _lost(executor, lost, chunks)
+
+
+def _lost(
+    executor: Any, lost: Mapping[int, BaseException], chunks: Sequence[np.ndarray]
+) -> BaseException:
+    """The error of an executor that has lost its workers, with a note on the chunks they had."""
+    first = next(iter(lost.values()))
+    first.add_note(
+        f"lost with a worker of {told(executor)}, which takes no more work: "
+        f"{', '.join(_rows(chunks[i]) for i in sorted(lost)[:5])}"
+        f"{', ...' if len(lost) > 5 else ''}. Give another executor; with store=... the call "
+        "then does only what is missing"
+    )
+    return first
 
 
 def _rows(chunk: np.ndarray) -> str:
