@@ -127,7 +127,7 @@ def _impacts(ax: Axes, run: Run) -> None:
     ax.plot(times, speeds, ".", color=style.INK, ms=2.5, label=run.impacts.describe())
     ax.set_ylim(0.0, 1.08 * speeds.max() or 1.0)
     rate, unit = style.rate_of(run)
-    points = run.structure.stands_on_points
+    points = run.impacts[0].kind == "landing"
     ax.set_ylabel("landing speed\n[m/s]" if points else f"impact speed\n$|{rate}|$ [{unit}]")
     style.legend_above(ax)
 

@@ -17,9 +17,9 @@ from typing import NamedTuple
 from rockeom.motion import GroundMotion
 from rockeom.numbers.checks import told
 from rockeom.simulation.options import SolverOptions
-from rockeom.simulation.quantities import EnergyBalance
 from rockeom.simulation.response import Response
 from rockeom.simulation.simulate import simulate
+from rockeom.simulation.works import EnergyBalance
 from rockeom.structures.classes import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 
@@ -28,7 +28,7 @@ class Demands(NamedTuple):
     """Largest absolute values in a response.
 
     base_shear [N] : horizontal force of the ground. base_moment [N m] : of the ground's forces
-    about the middle of the base, as `Response.base_moment`; nan where it is unknown.
+    about the middle of the base, as `Response.support.base_moment`; nan where it is unknown.
     displacement [m] : of the load point, deformation and rocking together. deformations [m] : of
     the coordinates besides the rotation, by name. uplift [m] : of either foot.
     """
@@ -104,9 +104,9 @@ def demands(run: Response) -> Demands:
         raise ValueError(
             f"{run.structure.model} has no feet: its response has no base shear and no uplift"
         )
-    rotation = run.program.ROTATION
-    coordinates = run.states[: run.program.N_STATES // 2]
-    moment = run.base_moment
+    rotation = run.structure.module.ROTATION
+    coordinates = run.states[: run.structure.module.N_STATES // 2]
+    moment = run.support.base_moment
     return Demands(
         base_shear=abs(run.extremes("horizontal_reaction").peak),
         base_moment=math.nan if moment is None else abs(moment.peak),

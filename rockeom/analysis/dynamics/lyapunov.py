@@ -201,7 +201,7 @@ def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.n
         name: Dual(float(value), along)
         for name, value, along in zip(one.states, motion.state, _free(one, motion), strict=True)
     }
-    case = Case(one.structure, one.motion, one.impact, start, one.period, phase=motion.mode or None)
+    case = Case(one.structure, one.motion, one.impact, start, one.period, mode=motion.mode or None)
     propagated = tangents(case, one.options)
     run = propagated.response
     if run.outcome not in STANDS:
@@ -216,7 +216,7 @@ def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.n
     stretched[stretched < _NOISE * stretched.max()] = 0.0
     with np.errstate(divide="ignore"):
         growth = np.log(stretched)
-    return _Motion(run.end[rows], run.final_phase, directions), growth
+    return _Motion(run.end[rows], run.final_mode, directions), growth
 
 
 def _free(one: StroboscopicMap, motion: _Motion) -> np.ndarray:

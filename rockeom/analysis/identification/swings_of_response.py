@@ -136,7 +136,7 @@ def swing_tangents(
     peak_time = _quotient(by[2] - by[1], rate[2] - rate[1], turns)
     crossing_time = _quotient(by[3], rate[3], crossed)
     for row, time in enumerate(nominal.crossing_time):  # at an impact the rate jumps
-        (at,) = np.nonzero(np.abs(run.passages[0] - time) <= beside[row])
+        (at,) = np.nonzero(np.abs(run.events.columns[0] - time) <= beside[row])
         if len(at):
             crossing_time[row] = carried.event_times[at[0]]
     return np.where(there[:, None], by[0], 0.0), peak_time, crossing_time
