@@ -92,7 +92,7 @@ def _slot(command: str, action: argparse.Action) -> Slot:
 
 
 def _words(command: str, names: tuple[str | None, ...]) -> tuple[str, ...]:
-    """What stands for a word in capitals in the help of a command."""
+    """Words for a placeholder in capitals in the help of a command."""
     numbers: dict[str, Mapping[str, object]] = {
         "equations": EQUATIONS, "verify": EQUATIONS, "figure": FIGURES, "tables": TABLES,
     }  # fmt: skip
@@ -106,7 +106,7 @@ def _words(command: str, names: tuple[str | None, ...]) -> tuple[str, ...]:
 
 
 def _parameters() -> dict[str, tuple[str, ...]]:
-    """What may be set of each structure."""
+    """Parameters of each structure."""
     every = {**SHIPPED, **FAMILIES}
     return {name: tuple(f"{p}=" for p in of.defaults()) for name, of in every.items()}
 

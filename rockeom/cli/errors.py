@@ -1,4 +1,4 @@
-"""What a user typed that no command understands."""
+"""Errors of words that no command understands."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ from rockeom.modelling.declared import module_of
 DESCRIPTION = """\
 Write what is simulated for another program, as one self-contained file.
 
-  c         equations of motion, guards, impact map and energies of each contact state, as C99
+  c         equations of motion, guards, impact map and energies of each mode, as C99
   matlab    the same as a function that gives a struct of functions; runs in Octave as well
   opensees  a script for OpenSeesPy of two_spring_structure, or of flexible_structure with
             support=two_springs, under a ground motion: corotational elements on springs that

@@ -23,7 +23,7 @@ from rockeom.structures.impact_laws import Impulsive, default_law
 
 DESCRIPTION = """\
 List the structures, or explain one: its states, its parameters with units and meanings, and its
-contact states. A family takes arguments, such as a number of storeys, and some structures a
+modes. A family takes arguments, such as a number of storeys, and some structures a
 support; they are derived where they are used, once on a machine.
 """
 EPILOG = """\
@@ -38,7 +38,7 @@ examples:
 _NAME_IN_MODEL = {"half_height": "height"}
 
 
-# What a family is explained by, where no arguments are given, and its states in the list.
+# Arguments by which a family is explained, where none are given, and its states in the list.
 _EXAMPLES: dict[str, dict[str, int | str]] = {"shear_frame": {"storeys": 2}}
 _STATES = {"shear_frame": "theta, u_1, u_2, ..., and their rates"}
 
@@ -152,7 +152,7 @@ def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
         ("in Python", f"rockeom.{of.__name__}(...)"),
         ("coordinates", ", ".join(f"{name} [{unit}]" for name, unit in units)),
         ("states", ", ".join(module.STATES)),
-        ("contact states", ", ".join(module.CONTACTS)),
+        ("modes", ", ".join(module.CONTACTS)),
         ("impact laws", laws if _has_impacts(module) else _without_a_law(module)),
     ]
     return "\n".join(
@@ -170,7 +170,7 @@ def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
 def _of_support(
     of: type[Structure], module: ModuleType, arguments: Mapping[str, int | str]
 ) -> list[str]:
-    """What it may stand on, and the parameters that its support then has."""
+    """Supports of a structure, and the parameters of each."""
     if not takes_support(of):
         return []
     support = str(arguments.get("support", "pinned"))

@@ -51,7 +51,7 @@ def peak(run: Response, name: str) -> tuple[float, float]:
 
 
 def write_csv(run: Response, path: Path) -> None:
-    """Time, contact state (`phase`) and all quantities, headed by names with units.
+    """Time, mode and all quantities, headed by names with units.
 
     The instant of a jump stands in two rows, before and after.
     """
@@ -82,7 +82,7 @@ def write_npz(run: Response, path: Path) -> None:
 def write_json(
     run: Response, law: ImpactLaw | None, initial: Mapping[str, float], path: Path
 ) -> None:
-    """What was simulated and how it ended, for other programs."""
+    """The simulation and its outcome, for other programs."""
     text = json.dumps(_summary(run, law, initial), indent=2, ensure_ascii=False, allow_nan=False)
     write(path, text + "\n")
 

@@ -1,4 +1,4 @@
-"""What a command writes: lines that fit the terminal."""
+"""Output of commands: lines that fit the terminal."""
 
 from __future__ import annotations
 

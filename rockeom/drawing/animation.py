@@ -245,7 +245,7 @@ class Animation:
 
 
 def _signs(animation: Animation) -> list[Line2D]:
-    """What the marks mean, as far as the structure has them."""
+    """Meanings of the marks that the structure has."""
     signs: list[Line2D] = []
     if "foot" in animation.run.structure.module.POSITION_KINDS:
         signs.append(_sign("in contact", ls="", marker="o", color="white", ms=5.5))
@@ -261,7 +261,7 @@ def _sign(label: str, **look: Any) -> Line2D:
 
 
 def _png(canvas: FigureCanvasAgg) -> bytes:
-    """What is drawn, in 64 colours: a drawing has few."""
+    """The drawing in 64 colours: it has few."""
     image = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
     kept = io.BytesIO()
     image.quantize(64, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(kept, "PNG")

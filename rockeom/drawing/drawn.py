@@ -141,7 +141,7 @@ class Impacts(Events, Protocol):
 
 
 class Support(Protocol):
-    """What the ground bears."""
+    """Forces of the ground and contact."""
 
     @property
     def spans(self) -> tuple[np.ndarray, np.ndarray]: ...

@@ -70,8 +70,8 @@ def plot_spectra(
 ) -> Figure | SubFigure:
     """Pseudo-acceleration [g], relative velocity [m/s] and displacement [m] over the period [s].
 
-    spectra : of one damping ratio and the same periods, such as those of `MotionSet`. Of more than
-        six the median is drawn, and the band between the 16th and the 84th percentile.
+    spectra : of one damping ratio and the same periods, such as those of `MotionSet`. More than
+        six are drawn by their median and the band between the 16th and the 84th percentile.
     figure : as in `plot_motion`. title : what stands above.
 
     Raises ValueError for no spectra, and for such of several dampings or periods.

@@ -15,7 +15,7 @@ BODIES = ("body", "massless")
 
 
 class Member(NamedTuple):
-    """What joins two bodies, or a body and the "ground".
+    """A member between two bodies, or a body and the "ground".
 
     kind : "column", "cantilever", "rod", "tendon", "spring" or "damper". start_at, end_at (2,) :
     where it ends, from the centre of the body in axes that turn with it; on the ground from the
@@ -37,7 +37,7 @@ class Copies(NamedTuple):
 
 
 class Shapes(NamedTuple):
-    """What a sketch shows of a structure, as it was declared.
+    """Outlines and members of a structure, as it was declared, for sketches.
 
     outlines : corners (k, 2) of each body that has a size, by name, from its centre in axes that
     turn with it [m]. members : what joins them. copies : of bodies that stand for several.
@@ -49,7 +49,7 @@ class Shapes(NamedTuple):
 
 
 def places(module: Any, contacts: np.ndarray, states: np.ndarray, p: np.ndarray) -> np.ndarray:
-    """(n, m, 3) places and rotations of POSITIONS, in states (n, N) of contact states (n,)."""
+    """(n, m, 3) places and rotations of POSITIONS, in states (n, N) of modes (n,)."""
     out = np.empty((len(states), 3 * len(module.POSITIONS)))
     for contact, y, row in zip(contacts.tolist(), states.tolist(), out, strict=True):
         module.positions(contact, y, p, row)
@@ -62,13 +62,13 @@ def positions_of(module: Any, found: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def rotations_of(module: Any, found: np.ndarray) -> dict[str, np.ndarray]:
-    """Of the bodies, by name, (...)."""
+    """Rotations of the bodies, by name, (...)."""
     kinds = zip(module.POSITIONS, module.POSITION_KINDS, strict=True)
     return {name: found[..., i, 2] for i, (name, kind) in enumerate(kinds) if kind in BODIES}
 
 
 def shapes(module: Any, p: np.ndarray) -> Shapes:
-    """What a sketch shows of a structure with parameters and constants p."""
+    """Outlines and members of a structure with parameters and constants p."""
     corners, ends = len(module.CORNERS), len(module.MEMBER_ENDS)
     out = np.empty(2 * (corners + ends + len(module.COPIES)))
     module.shapes(p, out)

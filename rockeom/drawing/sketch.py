@@ -76,7 +76,7 @@ class _Pose(NamedTuple):
 
 
 class Sketch:
-    """What is drawn of a structure in a state (N,) and the contact state of that number.
+    """A drawing of a structure in a state (N,) and the mode of that number.
 
     size : of the structure at rest, in proportion to which springs and hatches are drawn.
     copies : where each of a body that stands for several is drawn, beside its place.

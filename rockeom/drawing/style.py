@@ -110,7 +110,7 @@ def is_dimensionless(run: Run) -> bool:
 
 
 def ground_scale(run: Run) -> float:
-    """What one g is in the run's accelerations."""
+    """One g in the run's accelerations."""
     return 1.0 if is_dimensionless(run) else STANDARD_GRAVITY
 
 

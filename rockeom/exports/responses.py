@@ -101,8 +101,7 @@ def load(
     """The response in a file of `Response.save`: all of its properties give the same bits.
 
     structure : of a response of a structure that you declared, the declaration again, or a
-        structure made of it: files hold no code. What was derived from it must be what was derived
-        from the one before.
+        structure made of it: files hold no code. Its equations must be those of the simulation.
 
     Machine code is found or compiled where a property asks for it. Where this version of rockeom
     has other equations for a shipped structure than that which wrote the file, a warning says so.

@@ -39,7 +39,7 @@ _HOMES = {
 
 
 def __getattr__(name: str) -> Any:
-    """What a simulation under one motion has no use for is imported when it is asked for."""
+    """Import on first use the names that a simulation under one motion does not need."""
     if name in _HOMES:
         return getattr(import_module(f"rockeom.motion.{_HOMES[name]}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

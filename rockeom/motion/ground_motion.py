@@ -545,7 +545,7 @@ class GroundMotion:
     def peak_displacement(self) -> float:
         """Largest absolute displacement [m] within the duration, exact to rounding.
 
-        Of a record that ends with a velocity it is what that makes of it: see
+        A record that ends with a velocity has a displacement that grows with it: see
         `baseline_corrected`.
         """
         return intensity.peak_displacement(self)
@@ -641,9 +641,9 @@ class GroundMotion:
         """The record without the polynomial that fits its velocity best.
 
         degree : of the polynomial, fitted by least squares to all samples.
-        of : what it is fitted to: "velocity", "acceleration" or "displacement". Of the velocity and
-            the displacement it is one that starts at rest, as the ground does, and its derivative,
-            the first or the second, is taken from the acceleration.
+        of : the series that it fits: "velocity", "acceleration" or "displacement". For the velocity
+            and the displacement it starts at rest, as the ground does, and its derivative, the
+            first or the second, is subtracted from the acceleration.
 
         Raises MotionError for a motion without samples and for a degree that such a polynomial
         cannot have.

@@ -212,7 +212,7 @@ class _Parts:
         high: np.ndarray,
         of: np.ndarray | slice = slice(None),
     ) -> np.ndarray:
-        """Of a function of the acceleration, from the start of some parts up to local times."""
+        """Integral of a function of the acceleration, from the start of parts to local times."""
         low = self.low[of]
         half = 0.5 * (high - low)
         nodes, weights = gauss_rule()

@@ -29,7 +29,7 @@ class Processed(NamedTuple):
 
 
 _INTEGRALS = {"acceleration": 0, "velocity": 1, "displacement": 2}
-"""What a baseline is fitted to: how often the acceleration is integrated for it."""
+"""Number of integrations of the acceleration for each series that a baseline fits."""
 
 _MOST_DEGREE = 10
 _LARGEST_RATIO = 1000

@@ -226,7 +226,7 @@ def _open(path: FilePath) -> _Text:
 
 
 def _bytes(path: FilePath) -> bytes:
-    """What a file holds; raises MotionError where it cannot be read, is too long or no file."""
+    """The text of a file; raises MotionError where it cannot be read, is too long or no file."""
     most = _LARGEST_FILE // _BLOCK
     try:
         with open(path, "rb", opener=_open_at_once) as file:
@@ -658,7 +658,7 @@ def _decimal(path: FilePath, line: int, text: str) -> Decimal:
 
 
 def _unit_in_heading(table: _Table, column: int) -> str | None:
-    """What stands in brackets behind a column's name, as in "time (s)"."""
+    """The words in brackets behind a column's name, as in "time (s)"."""
     if len(table.names) != len(table.first):
         return None
     found = _BRACKETED.search(table.names[column])

@@ -9,9 +9,9 @@
 
 The oscillator is u'' + 2 xi omega u' + omega**2 u = -a_g, at rest at time zero. With the complex
 lambda = -xi omega + i omega sqrt(1 - xi**2), z = u' - conj(lambda) u obeys z' = lambda z - a_g, one
-equation of first order. Of a record, which is linear between its samples, it is solved exactly from
-sample to sample (Nigam and Jennings 1969); of an analytic motion its integral over each step is by
-Gauss's rule with eight places.
+equation of first order. Under a record, which is linear between its samples, it is solved exactly
+from sample to sample (Nigam and Jennings 1969); under an analytic motion Gauss's rule with eight
+places integrates each step.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ _PER_PERIOD = 16
 """Steps in a period, at least: no peak between two turns of the velocity is passed over then."""
 
 _PARTS = 8
-"""Of a step that may hold the largest value: each is looked at for a turn."""
+"""Parts of a step that may hold the largest value, each searched for a turn."""
 
 
 @dataclass(frozen=True)
@@ -165,7 +165,7 @@ class _Oscillator:
     # -- the largest values
 
     def largest(self) -> np.ndarray:
-        """Of |u| [m], |u'| [m/s] and |u'' + a_g| [m/s2], (3,).
+        """Largest |u| [m], |u'| [m/s] and |u'' + a_g| [m/s2], (3,).
 
         Each is the real part of a complex number c times z: its rate is that of c z'. They are
         looked for at the ends of the steps, within those that may exceed them, and afterwards.
@@ -231,7 +231,7 @@ class _UnderRecord(_Oscillator):
         self.times, self.z = dt * np.arange(len(self.push)), _recursion(growth, gained)
 
     def _step(self, time):
-        """What a step multiplies z by, and what the push at its start and at its end adds."""
+        """Factor of z in a step, and those of the push at its start and at its end."""
         w = np.asarray(self.rate * time)
         grown = np.expm1(w)
         near = np.abs(w) < 1e-2

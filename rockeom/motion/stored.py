@@ -26,7 +26,7 @@ class Collection(NamedTuple):
 
     package: str
     modules: tuple[str, ...]
-    """What has to be installed: the package's own module, and what reads its files."""
+    """Modules that must be installed: the package's own, and those that read its files."""
     extra: str
     """The extra of rockeom that brings all of it."""
     titles: Callable[[], dict[str, Stored]]

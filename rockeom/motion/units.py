@@ -32,7 +32,7 @@ def is_known(units: str) -> bool:
 
 
 def factor(units: str, gravity: float = STANDARD_GRAVITY) -> float:
-    """What a value in these units is multiplied by to be in m/s2.
+    """The factor of a value in these units to m/s2.
 
     gravity : the value of 1 g [m/s2], used for units="g" only.
 
@@ -79,7 +79,7 @@ CHANNEL_UNITS = (
 
 
 def channel_factor(units: str, gravity: float = STANDARD_GRAVITY) -> float | None:
-    """What a value in these units is multiplied by to be in SI units; None for unknown units.
+    """The factor of a value in these units to SI units; None for unknown units.
 
     Besides accelerations: lengths, angles, their rates, forces, and "-" for a pure number.
     """

@@ -22,7 +22,7 @@ def known(function: str, sweep: xr.Dataset, name: str) -> str:
 
 
 def only(function: str, found: xr.DataArray, sweep: xr.Dataset, *names: str) -> xr.DataArray:
-    """What is left of the dimensions when those of one value are dropped: those of the names.
+    """The array without dimensions of one value: those of the names are left.
 
     Raises ValueError where others have several values.
     """

@@ -43,7 +43,7 @@ Row = tuple[str, ...]
 
 @dataclass(frozen=True)
 class UnderRecord:
-    """What one record does to the structure, rocking and, if it has one, on a fixed base."""
+    """Effects of one record on the structure, rocking and, if it has one, on a fixed base."""
 
     run: Response
     fixed_run: Response | None
@@ -63,7 +63,7 @@ class UnderRecord:
 
     @cached_property
     def energy_error(self) -> float:
-        """Of the energy balances."""
+        """Error of the energy balances."""
         runs = (self.run, self.fixed_run)
         return max(energy_balance(run).error for run in runs if run is not None)
 
@@ -89,7 +89,7 @@ class UnderRecord:
 
 @dataclass(frozen=True)
 class DesignReport:
-    """What `design_report` found; `page` draws it, `html` and `write` hand it on."""
+    """Results of `design_report`; `page` draws them, `html` and `write` hand them on."""
 
     structure: Structure
     impact: ImpactLaw | None
@@ -188,7 +188,7 @@ class DesignReport:
 
     @cached_property
     def assumptions(self) -> tuple[str, ...]:
-        """What the model takes for granted, and how far the responses bear it out."""
+        """Assumptions of the model, and how far the responses bear them out."""
         friction = [one.run.support.friction_demand for one in self.standing]
         demands = (one.run.support.impact_friction_demand for one in self.standing)
         impulses = [demand for demand in demands if demand >= 0.0]

@@ -68,7 +68,7 @@ def bifurcation_diagram(
     branches: Iterable[OrbitBranch] = (),
     ax: Axes | None = None,
 ) -> Figure:
-    """What motions settle on, against a parameter, with the branches of orbits over the dots.
+    """Motions after settling, against a parameter, with the branches of orbits over the dots.
 
         bifurcation_diagram(found, x="beta", y="x_dot", at="before", branches=[symmetric, broken])
 
@@ -149,7 +149,7 @@ def _name_axes(ax: Axes, sections: xr.Dataset, x: str, y: str, at: str) -> None:
 
 
 def _label_of(sections: xr.Dataset, name: str, at: str) -> str:
-    """Of a state, the time of impacts or a parameter."""
+    """Label of a state, the time of impacts or a parameter."""
     if name == "impact_time":
         unit = coordinates.unit(sections[name].attrs["units"])
         return f"time of the impact in its cycle [{unit}]"
@@ -189,7 +189,7 @@ def _draw_branch(ax: Axes, branch: OrbitBranch, y: str, at: str) -> None:
 
 
 def _of_orbit(orbit: PeriodicOrbit, y: str, at: str) -> np.ndarray:
-    """What is drawn of an orbit; raises ValueError where it is not known."""
+    """The ordinate of an orbit; raises ValueError where it is not known."""
     if at == "before":
         return orbit.at_impacts(y)
     if at == "after" or orbit.mirror is not None:
@@ -217,7 +217,7 @@ _ORBITS = ("#9ecae1", "#fdae6b", "#a1d99b", "#dba9c8", "#f7f0a8", "#c7b8e2")
 
 @style.styled
 def basins_of_attraction(basins: xr.Dataset, *, x: str, y: str, ax: Axes | None = None) -> Figure:
-    """What motions end on, over the states from which they start, and the orbits themselves.
+    """Ends of motions over the states from which they start, and the orbits themselves.
 
         basins_of_attraction(analysis.dynamics.basins(found), x="theta", y="theta_dot")
 

@@ -40,7 +40,7 @@ _CLASSES = (
     ("overturns without impact", "#591513"),
     ("no answer", "#9a9a9a"),
 )
-"""What becomes of a case, each darker than the one before."""
+"""Outcomes of a case, each darker than the one before."""
 
 
 @style.styled
@@ -302,7 +302,7 @@ def fragility_curve(
 
     found : a sweep, or a curve that `analysis.risk.fit_fragility` has fitted.
     intensity, demand, limit : as of `analysis.fragility_of`; of overturning without the latter two.
-        Of a curve that is given, `intensity` labels the axis.
+        `intensity` labels the axis of a curve that is given.
     level : probability of the bounds at an intensity; they come from the Fisher information.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
 
@@ -364,7 +364,7 @@ def incremental_dynamic_analysis(
     record: str | None = None,
     ax: Axes | None = None,
 ) -> Figure:
-    """What each record asks of a structure as its intensity grows, and fractiles of all records.
+    """Demand of each record on a structure as its intensity grows, and fractiles of all records.
 
         incremental_dynamic_analysis(sweep, intensity="pga", demand="theta")
 

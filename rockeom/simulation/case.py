@@ -80,7 +80,7 @@ class Problems(NamedTuple):
 
     @classmethod
     def of(cls, cases: list[Problem]) -> Problems:
-        """Of one case after the other."""
+        """One case after the other."""
         widest = max(len(q.table) for q in cases)
         return cls(
             np.array([q.mode for q in cases]),
@@ -97,7 +97,7 @@ class Problems(NamedTuple):
 
     @classmethod
     def of_many(cls, problem: Problem, n: int) -> Problems:
-        """Of a problem whose numbers are those of n cases."""
+        """n cases out of one problem whose numbers hold all of theirs."""
 
         def spread(x: Any) -> np.ndarray:
             return np.broadcast_to(values(x), n).copy()

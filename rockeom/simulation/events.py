@@ -29,7 +29,7 @@ class Event:
     """The transition from one mode to another.
 
     kind : "impact"; "uplift"; "switch" (a foot leaves or meets a spring); "rest" (the limit of
-        infinitely many impacts). Of contacts that may open and slide: "landing", "lifting",
+        infinitely many impacts). Where contacts may open and slide: "landing", "lifting",
         "slip begins", "slip ends".
     time [s]; mode_before, mode_after : names of the modes.
     before, after : the states on both sides, by name.
@@ -150,7 +150,7 @@ class Impacts(Events):
     def speeds(self) -> np.ndarray:
         """(k,) sizes of the rates of rotation just before [rad/s, or the rotation's unit/s].
 
-        Of points that land, the speed of the fastest [m/s].
+        Where points land, the speed of the fastest [m/s].
         """
         before = self.columns.states[:, 0]
         if self.structure.stands_on_points:

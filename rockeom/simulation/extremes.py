@@ -115,7 +115,7 @@ class Search:
 class Running:
     """The extremes of quantities over steps that come one piece after the other.
 
-    Of a piece only those steps are held in which an extreme may lie. end : up to when [s].
+    It holds only the steps of a piece in which an extreme may lie. end : up to when [s].
     """
 
     def __init__(self, evaluate: Evaluate, end: float = np.inf) -> None:

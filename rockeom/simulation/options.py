@@ -28,8 +28,8 @@ class SolverOptions:
         than 20 000 explicit steps, and for four times as many as accuracy asks of Radau: by the
         fastest decay and the fastest other motion of the structure, linearised at rest in each
         mode. It is RK45 where rtol is 1e-6 or more and the steps, which end at the samples
-        of a record, are shorter than rtol**(1/5) over the fastest rate of motion. What was chosen
-        and why is in the `statistics` of a response.
+        of a record, are shorter than rtol**(1/5) over the fastest rate of motion. The choice
+        and its reason are in the `statistics` of a response.
     rtol, atol : relative and absolute tolerance of each state in a step; atol in the state's
         own unit.
     max_step : largest step [s].

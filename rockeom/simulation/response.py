@@ -120,7 +120,7 @@ class Response:
     def impacts(self) -> Impacts:
         """The impacts, in time order; `events` holds uplifts and other events, too.
 
-        Of contacts that may open and slide each landing is one.
+        Each landing of contacts that may open and slide is one.
         """
         return self.events.impacts
 
@@ -144,8 +144,8 @@ class Response:
     def overturned(self) -> str:
         """Name of the coordinate that has fallen, such as the rotation; empty if none has.
 
-        Of a motion that was followed to the end of its duration and falls afterwards, the one that
-        is nearest to its overturning angle.
+        The one nearest to its overturning angle, where the motion was followed to the end of its
+        duration and falls afterwards.
         """
         if self.outcome is not Outcome.OVERTURNED:
             return ""
@@ -301,7 +301,7 @@ class Response:
         return [f"Impact law: {law}. The impacts lost {lost} of kinetic energy in all."]
 
     def _uplift(self) -> list[str]:
-        """Of a motion that never lifted, the acceleration of the ground that would lift it."""
+        """The acceleration of the ground that would lift it, where the motion never lifted."""
         threshold = self.structure.uplift_acceleration if self.support.never_lifted else None
         if threshold is None or math.isinf(threshold):
             return []
@@ -319,9 +319,9 @@ class Response:
         path : of a netCDF-4 file, which is written whole or not at all; one that is there is
         replaced. It takes the extra `files`, see the README.
 
-        Files hold numbers and names, no code. Of a structure that you declared the file has the
-        parameters and a hash: `rk.load` takes the declaration again. Of an impact law of your own
-        it has the name alone, and a warning says so; only going on needs the law.
+        Files hold numbers and names, no code. The file has the parameters and a hash of a structure
+        that you declared: `rk.load` takes the declaration again. It has the name alone of an impact
+        law of your own, and a warning says so; only going on needs the law.
 
         Raises TypeError for a structure of a class of your own, ModuleNotFoundError without the
         extra, and OSError where the file cannot be written.

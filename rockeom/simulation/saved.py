@@ -36,8 +36,7 @@ from rockeom.structures.impact_laws import (
 )
 
 FORMAT = 1
-"""Of the files: one of a higher format is refused. Who changes it must still read the lower ones.
-"""
+"""Format of the files: a higher one is refused. A change of it must still read the lower ones."""
 
 LAWS = {
     law.__name__: law

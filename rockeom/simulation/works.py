@@ -159,7 +159,7 @@ class Works:
         return found | {"impact_loss": impacts}
 
     def balance(self) -> EnergyBalance:
-        """Of the whole motion."""
+        """Works and losses of the whole motion."""
         ground, damping, force, friction = self.table[-1, :4].tolist()
         impacts, gained = float(self.impacts[-1]), float(self.end - self.first[0])
         lost = damping - force

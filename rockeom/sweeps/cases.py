@@ -67,7 +67,7 @@ class Cases:
         return math.prod(self.shape)
 
     def places(self, rows: np.ndarray) -> tuple[np.ndarray, ...]:
-        """Of each name, which of its values the rows have."""
+        """Places of the values of the rows, for each name."""
         if self.which is None:
             return np.unravel_index(rows, self.shape)
         return tuple(places[rows] for places in self.which.values())
@@ -133,7 +133,7 @@ def _table(over: Any) -> Cases:
 
 
 def _column_names(over: Any) -> list[Any]:
-    """Of a dataset over one dimension, a DataFrame or a structured array."""
+    """Columns of a dataset over one dimension, a DataFrame or a structured array."""
     if isinstance(over, xr.Dataset):
         dims = {variable.dims for variable in over.data_vars.values()}
         if any(len(of) != 1 for of in dims) or len(dims) > 1:
@@ -217,7 +217,7 @@ def labels(values: Sequence[Any] | np.ndarray) -> list[Any]:
 
 
 def _name(value: Any) -> str:
-    """Of a motion, a structure or another object with a name; a word or number is its own."""
+    """Name of a motion, a structure or another object; a word or number is its own."""
     if isinstance(value, str) or is_number(value):
         return str(value)
     name = getattr(value, "name", None) or getattr(value, "model", None)
@@ -252,7 +252,7 @@ def _in_the_case(named: Mapping[str, Any]) -> str:
 
 
 def made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
-    """What the function makes of one value of each name; raises TypeError for what is no case."""
+    """The case that the function makes of one value of each name; TypeError for anything else."""
     found = case(**named)
     if not isinstance(found, Case):
         raise TypeError(

@@ -62,7 +62,7 @@ class Results:
     def empty(
         cls, n: int, states: int, times: int = 0, with_states: bool = False, m: int = 0, h: int = 0
     ) -> Results:
-        """Of n cases with so many states, the first `times` impacts, m quantities at h times."""
+        """Empty results of n cases: so many states, `times` impacts, m quantities at h times."""
         return cls(
             np.full(n, NOT_RUN, np.int64),
             np.full(n, np.nan),

@@ -72,10 +72,10 @@ def simulate_many(
     arrays : the function is called for many cases at once. Each argument is an object that
         calculates like a number and holds the values of all of them, and so is what the function
         makes of it: a structure, a pulse, a start, a law. That takes a microsecond or two a case
-        where a call for each takes tens, and gives the same results to the last bit. What the
-        function returns must follow from its arguments alone. Where the cases do not go the same
-        way (`if amplitude > 3`), or one number is asked for (`math.sin(x)`, a record scaled by x),
-        it is called again for those that do; `np.sin(x)` is of all at once. Values that are no
+        where a call for each takes tens, and gives the same results to the last bit. The
+        result of the function must follow from its arguments alone. Where the cases do not go the
+        same way (`if amplitude > 3`), or one number is asked for (`math.sin(x)`, a record scaled by
+        x), it is called again for those that do; `np.sin(x)` is of all at once. Values that are no
         numbers, such as motions, it gets one by one.
     impact_times : how many impact times of each case to keep. impact_states : keep the states
         before and after each of these impacts, too; each case is then simulated by itself with its
@@ -101,11 +101,11 @@ def simulate_many(
         much longer.
     store : a folder, such as "map.zarr", that keeps each chunk when it is done, of the package zarr
         (the extra `store`). The same call finds there what is done and does the rest;
-        the result is that of a call that was never stopped, to the last bit. What is killed loses
-        no more than the chunks under way. `threads`, `arrays`, `chunk` and `executor` may change
-        from call to call; the chunks remain those of the first. The sweep must be the same: its
-        names and values, structure, options and what is kept, and the function, of which is known
-        what it makes of the first case, the last, 14 between and one of each object in `over`.
+        the result is that of a call that was never stopped, to the last bit. A killed process
+        loses no more than the chunks under way. `threads`, `arrays`, `chunk` and `executor` may
+        change from call to call; the chunks remain those of the first. The sweep must be the same:
+        its names and values, structure, options and results, and the function, by the cases that it
+        makes: the first, the last, 14 between and one of each object in `over`.
         Another function that makes the same of these is not noticed. One process at a time may
         write.
     executor : who does the work instead of threads: anything whose `submit` returns futures, such
@@ -212,18 +212,18 @@ def _chunks(rows: np.ndarray, size: int) -> list[np.ndarray]:
 
 
 MOST_CONTACTS = 4
-"""Of a structure in lanes, which find in every step what each contact state would do."""
+"""Modes of a structure in lanes at most: every step evaluates them all."""
 
 
 def lanes_pay(module: ModuleType) -> bool:
     """Whether sweeps step in lanes where it is left open, by the structure alone.
 
-    They do where an impact ends a contact state, and nothing else, or no impact does, and where the
+    They do where an impact ends a mode, and nothing else, or no impact does, and where the
     rotation alone may fall. Others have been measured, the time of lanes in that of one motion
     after the other: 0.7 to 1.0 for the cart on two springs; for walls 0.6 to 1.5, and 4 to 15 s
     more of compiling; 2 to 2.5 for the block of Dirac pulses. Most of their steps end at events,
-    and lanes find in each what every contact state would do. Lanes cannot follow points, whose
-    next contact state is searched for.
+    and lanes evaluate every mode in each. Lanes cannot follow points, whose next mode is searched
+    for.
     """
     return (
         not getattr(module, "POINTS", ())
@@ -255,7 +255,7 @@ def _in_lanes(lanes: bool | None, module: ModuleType, method: str) -> bool:
         return pay and explicit
     if lanes and not pay:
         raise ValueError(
-            f"lanes gain too little for {module.NAME}, whose contact states change too often: "
+            f"lanes gain too little for {module.NAME}, whose modes change too often: "
             "leave lanes=True out"
         )
     if lanes and not explicit:

@@ -209,7 +209,7 @@ def _of_structure(structure: Structure) -> dict[str, _Knob]:
 
 
 def _units_of(structure: Structure, paths: list[_Path]) -> list[str]:
-    """Of each number that of the parameter of the equations that it is; "" where none is."""
+    """Unit of each number, if it is a parameter of the equations; else ""."""
     made, module = _made_of(structure), structure.module
     seeds = [Dual(_at(made, path), [1.0]) for path in paths]
     for path, seed in zip(paths, seeds, strict=True):
@@ -263,7 +263,7 @@ def _of_time(case: Case) -> dict[str, _Knob]:
 
 _TINY = 1e-100
 _FACTORS = {"amplitude": (_TINY * 1j, 0.0), "time_scale": (0.0, _TINY * 1j)}
-"""What is added to the factors of the ground's acceleration and time to derive by them: imaginary
+"""Additions to the factors of the ground's acceleration and time, to derive by them: imaginary
 parts so small that their squares vanish (Lyness and Moler 1967). Records have thousands of rows."""
 
 
@@ -283,7 +283,7 @@ _Path = tuple[Any, ...]
 
 
 def _made_of(x: Any) -> dict[str, Any]:
-    """What a structure, a support or a law was made of, by name."""
+    """The arguments of a structure, a support or a law, by name."""
     if isinstance(x, DeclaredStructure):
         return x.parameters()
     return {field.name: getattr(x, field.name) for field in fields(x)}
@@ -410,7 +410,7 @@ class _Moving:
         return None
 
     def event(self, what: str, number: str) -> int:
-        """Which of all passages the n-th impact is, or the n-th event."""
+        """Number among all events of the n-th impact, or of the n-th event."""
         kinds = self.run.events.columns[1][:, 0]
         every = np.ones(len(kinds), dtype=bool)
         some = np.flatnonzero(np.isin(kinds, (IMPACT, LANDING)) if what == "impact" else every)

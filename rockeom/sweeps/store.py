@@ -32,7 +32,7 @@ from rockeom.sweeps.results import NOT_RUN, Results
 from rockeom.sweeps.task import Task
 
 FORMAT = 2
-"""Of the files; another one is refused."""
+"""Format of the files; another one is refused."""
 
 SPREAD = 16
 """Cases, from the first to the last, that tell the function of a sweep from another one."""
@@ -187,7 +187,7 @@ def _make(path: Path, definition: Mapping[str, str], results: Results, chunk: in
 
 
 def definition(task: Task, cases: Cases, module: ModuleType) -> dict[str, str]:
-    """What a sweep is, in words and hashes: another one is not gone on with.
+    """A sweep in words and hashes, by which a store refuses another one.
 
     Functions cannot be compared, but what they make can: the numbers of the first case, the last
     and some between, and of one case of each object among the values.
@@ -216,7 +216,7 @@ def definition(task: Task, cases: Cases, module: ModuleType) -> dict[str, str]:
 
 
 def _of_values(values: Sequence[Any] | np.ndarray) -> np.ndarray | str:
-    """What tells values from others: numbers and words themselves, other objects by their names."""
+    """Identity of values: numbers and words themselves, names of other objects."""
     if {*map(type, values)} <= {float, np.float64}:
         return np.array(values)
     plain = all(isinstance(value, str) or is_number(value) for value in values)
@@ -313,5 +313,5 @@ else:
     import fcntl
 
     def _lock(file: BinaryIO) -> None:
-        """Of a kind that forked workers do not inherit, and that goes with its process."""
+        """A lock that forked workers do not inherit, and that goes with its process."""
         fcntl.lockf(file, fcntl.LOCK_EX | fcntl.LOCK_NB)

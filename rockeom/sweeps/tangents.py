@@ -42,14 +42,14 @@ class Tangents:
     """A motion with its derivatives along m directions, those of the duals of its case.
 
     response : the motion, with the bits that `simulate` gives. start (N, m) : of the state at the
-    start. event_times (k, m) : of the time of each passage of `response.events`. before, after
-    (k, N, m) : of the states on both sides of each passage, at the passage, which moves. end (N, m)
+    start. event_times (k, m) : of the time of each of `response.events`. before, after
+    (k, N, m) : of the states on both sides of each event, at the event, which moves. end (N, m)
     : of the state at the end of the motion, as far as a dual `duration` moves that, too; end_time
     (m,) : of the time of that end: zero, but where a structure falls or `duration` is a dual.
 
     grazing : "", or a sentence on the event that cannot be passed: one whose guard falls so slowly
     that its time is not known, so that a little more or less of anything and it is another, or
-    none. What is behind it is nan.
+    none. Derivatives behind it are nan.
     """
 
     response: Response
@@ -64,7 +64,7 @@ class Tangents:
 
     @property
     def along(self) -> ProblemTangents:
-        """Of the numbers from which the motion follows."""
+        """Derivatives of the numbers from which the motion follows."""
         return self.motion.along
 
     @property
@@ -94,7 +94,7 @@ def tangents(case: Case, options: SolverOptions | None = None) -> Tangents:
     accurate as the motion.
 
     Raises what `simulate` raises, and ValueError for a structure of which a force jumps where no
-    contact state ends: derivatives end there, too.
+    mode ends: derivatives end there, too.
 
     >>> start = rk.duals(theta=0.1, theta_dot=0.0)
     >>> flow = rk.tangents(rk.Case(block, motion, initial=start, duration=2.0))
@@ -112,7 +112,7 @@ def of_problem(
     if case.structure.jumps_between_events:
         raise ValueError(
             f"tangents: a force of {type(case.structure).__name__} jumps between its events, and "
-            "derivatives with it: give it one law for all speeds, or the speed of the last passage"
+            "derivatives with it: give it one law for all speeds, or the speed of the last impact"
         )
     response = simulated(nominal(case), problem, options)
     motion = Motion(response, problem, along)
@@ -125,7 +125,7 @@ def of_problem(
 
 
 class _Carried(NamedTuple):
-    """What `carry` has found along m directions: derivatives alone.
+    """Derivatives that `carry` propagates along m directions.
 
     stopped : 0, or why it did not come to the end, at the event `at`.
     """
@@ -269,13 +269,13 @@ class Motion:
 
 
 _RADIANS = {"DOP853": 0.6, "RK45": 0.2}
-"""Of a vibration, through which an explicit step goes without an error that counts; an implicit one
-is stable however long."""
+"""Radians of a vibration in an explicit step without an error that counts; an implicit one is
+stable however long."""
 
 _WHY = {
     0: "has no derivative: something is a root of what is zero there",
     GRAZES: "grazes: its guard falls so slowly that the time of it is not known",
-    OTHER_WAY: "is one of several passages that fit as well: which, is not known",
+    OTHER_WAY: "is one of several events that fit as well: which, is not known",
 }
 
 
