@@ -103,10 +103,10 @@ class Problems(NamedTuple):
             return np.broadcast_to(values(x), n).copy()
 
         def columns(x: np.ndarray) -> np.ndarray:
-            found = np.empty((n, *x.shape))
+            stacked = np.empty((n, *x.shape))
             for place, item in np.ndenumerate(x):
-                found[:, *place] = values(item)
-            return found
+                stacked[:, *place] = values(item)
+            return stacked
 
         def tables(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
             if x.dtype != object:  # one for all
@@ -201,8 +201,8 @@ class Case:
     mode: str | None = None
 
     def __post_init__(self) -> None:
-        given: tuple[object, object] = self.structure, self.motion
-        if isinstance(given[0], GroundMotion) and isinstance(given[1], Structure):
+        swapped: tuple[object, object] = self.structure, self.motion
+        if isinstance(swapped[0], GroundMotion) and isinstance(swapped[1], Structure):
             raise TypeError("structure and motion are swapped: the structure comes first")
         if not isinstance(self.structure, Structure):
             raise TypeError(
@@ -236,9 +236,10 @@ class Case:
         if abs(quiet - end) <= 1e-12 * abs(end):
             quiet = end  # a duration that is a difference of others is so but for rounding
         rigid = structure.rocks_on_rigid_ground or structure.stands_on_points
-        known = moves or rigid or self.mode is not None
+        decided = moves or rigid or self.mode is not None
+        towards = 0.0 if decided else self._about_to_turn(y0)
         return Problem(
-            mode=structure.contact(y0, self.mode, 0.0 if known else self._about_to_turn(y0)),
+            mode=structure.contact(y0, self.mode, towards),
             y0=y0,
             vector=structure.vector,
             table=structure.impact_table(self.impact),

@@ -48,10 +48,10 @@ def _uplift_acceleration(structure: Structure) -> float:
     """In m/s2; 0 where it is not known."""
     if is_dimensionless(structure.module):
         return 0.0
-    found = structure.uplift_acceleration
-    if found is None and structure.slenderness is not None:  # a block on feet that may slide
+    threshold = structure.uplift_acceleration
+    if threshold is None and structure.slenderness is not None:  # a block on feet that may slide
         return float(structure.parameters()["gravity"] * math.tan(structure.slenderness))
-    return found or 0.0
+    return threshold or 0.0
 
 
 def direction(motion: GroundMotion) -> tuple[str, ...]:
@@ -72,12 +72,12 @@ def default_masses(structure: Structure) -> tuple[str, ...]:
 
 def forces(structure: Structure) -> tuple[str, ...]:
     """Forces that are reported of a structure whose mass was not given."""
-    found = default_masses(structure)
-    if not found or is_dimensionless(structure.module):
+    masses = default_masses(structure)
+    if not masses or is_dimensionless(structure.module):
         return ()
-    verb = "is" if len(found) == 1 else "are"
+    verb = "is" if len(masses) == 1 else "are"
     return (
-        f"{' and '.join(found)} {verb} at the default, {structure.defaults()[found[0]]:g} kg: "
+        f"{' and '.join(masses)} {verb} at the default, {structure.defaults()[masses[0]]:g} kg: "
         "give the mass, or read forces, impulses and energies as those of one kilogram.",
     )
 

@@ -45,7 +45,7 @@ def families(module: ModuleType) -> dict[str, dict[str, str]]:
 
     A name that is one of the main ones stays with them.
     """
-    known = {*main_units(module)}
+    taken = {*main_units(module)}
     of: dict[str, list[tuple[str, str]]] = {
         PLACES: [
             (f"{_word(place)}_{what}", unit)
@@ -60,11 +60,11 @@ def families(module: ModuleType) -> dict[str, dict[str, str]]:
         BASE: [*_OF_BASE.items()],
         WORKS: [(name, "J") for name in (*names_of_works(module), "impact_loss")],
     }
-    found = {}
+    families_of = {}
     for family, names in of.items():
-        found[family] = dimensioned(module, {n: u for n, u in names if n not in known})
-        known |= {*found[family]}
-    return found
+        families_of[family] = dimensioned(module, {n: u for n, u in names if n not in taken})
+        taken |= {*families_of[family]}
+    return families_of
 
 
 def units_of(module: ModuleType) -> dict[str, str]:
@@ -158,24 +158,24 @@ class Quantities:
         tables = (p.ENERGIES, p.REACTIONS, p.KINEMATICS)
         values = [np.empty((n, len(names))) for names in tables]
         p.evaluate(mode, t, y, *self.ground.tables, self.structure.vector, *values)
-        found = {
+        quantities = {
             name: value[:, i]
             for names, value in zip(tables, values, strict=True)
             for i, name in enumerate(names)
         }
-        found["total_energy"] = values[0].sum(axis=1)
-        found["ground_acceleration"], found["vertical_ground_acceleration"] = self.ground(t)
-        return found
+        quantities["total_energy"] = values[0].sum(axis=1)
+        across, up = self.ground(t)
+        return quantities | {"ground_acceleration": across, "vertical_ground_acceleration": up}
 
     def columns(self, names: Sequence[str]) -> Evaluate:
         """The function that gives quantities (n, m) at times, states and modes (n,)."""
         wanted = sorted({self.family(name) for name in names})
 
         def columns(t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
-            found: dict[str, np.ndarray] = {}
+            quantities: dict[str, np.ndarray] = {}
             for family in wanted:
-                found |= self.of_family(family, Rows(t, y, mode))
-            return np.column_stack([found[name] for name in names])
+                quantities |= self.of_family(family, Rows(t, y, mode))
+            return np.column_stack([quantities[name] for name in names])
 
         return columns
 
@@ -184,14 +184,14 @@ class Quantities:
         states = self.structure.states
         wanted = {self.family(name) for name in names if name not in states}
         values, mode = self.steps("at").at(times, side)
-        found: dict[str, Any] = {n: values[:, i] for i, n in enumerate(states)}
+        quantities: dict[str, Any] = {n: values[:, i] for i, n in enumerate(states)}
         order = np.argsort(times, kind="stable")
         for family in sorted(wanted):
             rows = Rows(times[order], np.ascontiguousarray(values[order]), mode[order])
             for name, row in self.of_family(family, rows).items():
-                found[name] = np.empty(times.size)
-                found[name][order] = row
-        return found
+                quantities[name] = np.empty(times.size)
+                quantities[name][order] = row
+        return quantities
 
     def extremes_of(self, names: Sequence[str]) -> dict[str, Extremes]:
         """Extremes within the steps; those of a family are searched together."""
@@ -220,15 +220,15 @@ class Quantities:
 def _places(
     structure: Structure, mode: np.ndarray, y: np.ndarray, ax: np.ndarray, ay: np.ndarray
 ) -> dict[str, np.ndarray]:
-    found: dict[str, np.ndarray] = {}
+    quantities: dict[str, np.ndarray] = {}
     moved = motion_of_places(structure, mode, y, ax, ay)
     at_rest = _at_rest(structure)
     for i, place in enumerate(structure.module.POSITIONS):
         (x, rise, _), (vx, vy, _), (accx, accy, _) = moved[:, i]
         of = (x - at_rest[i, 0], rise - at_rest[i, 1], vx, vy, accx + ax, accy + ay)
         name = _word(place)
-        found |= {f"{name}_{what}": value for what, value in zip(_OF_PLACE, of, strict=True)}
-    return found
+        quantities |= {f"{name}_{what}": value for what, value in zip(_OF_PLACE, of, strict=True)}
+    return quantities
 
 
 def _at_rest(structure: Structure) -> np.ndarray:

@@ -214,8 +214,8 @@ class Response:
                 f"{self.t[0]} to {self.t[-1]} s"
             )
         names = self.states if names is None else names
-        found = self._quantities.at(flat, side, names)
-        return {name: found[name].reshape(times.shape) for name in names}
+        values = self._quantities.at(flat, side, names)
+        return {name: values[name].reshape(times.shape) for name in names}
 
     def extremes(self, name: str) -> Extremes:
         """Least and greatest value of any of `names`, found within the steps, and their times.
@@ -347,9 +347,9 @@ class Response:
         """
         from rockeom.simulation.tables import over_impacts, units_with_time  # xarray
 
-        found = self._over_time(names, times)
+        table = self._over_time(names, times)
         units = units_with_time(self.structure.module, self.units)
-        return found.assign(over_impacts(self.impacts, units))
+        return table.assign(over_impacts(self.impacts, units))
 
     def to_dataframe(self, names: Sequence[str] | None = None, times: Any = None) -> pd.DataFrame:
         """Quantities and the mode, a column each, over the time [s]; arguments as `to_xarray`.

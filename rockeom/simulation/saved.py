@@ -149,29 +149,29 @@ def _arrays(made: Mapping[str, Any]) -> dict[str, np.ndarray]:
     record = made["record"]
     if isinstance(record, Steps):
         fields: tuple[Any, ...] = record.span, record.mode, record.powers
-        found = dict(zip(("step_span", "step_contact", "step_powers"), fields, strict=True))
+        arrays = dict(zip(("step_span", "step_contact", "step_powers"), fields, strict=True))
     else:
         fields = record.t, record.y, record.mode
-        found = dict(zip(("sample_time", "sample_state", "sample_contact"), fields, strict=True))
+        arrays = dict(zip(("sample_time", "sample_state", "sample_contact"), fields, strict=True))
         rows = [dataclasses.astuple(one) for one in record.extremes.values()]
-        found["extremes"] = np.array(rows)
+        arrays["extremes"] = np.array(rows)
     names = ("passage_time", "passage_kind", "passage_state")
-    found |= zip(names, made["events"].columns, strict=True)
-    found["end"] = made["end"]
+    arrays |= zip(names, made["events"].columns, strict=True)
+    arrays["end"] = made["end"]
     for name in ("motion", "vertical"):
         if (motion := made[name]) is not None:
-            found[f"{name}_segments"] = motion.segments
+            arrays[f"{name}_segments"] = motion.segments
             if motion.samples is not None:
-                found[f"{name}_samples"] = motion.samples
-    return found
+                arrays[f"{name}_samples"] = motion.samples
+    return arrays
 
 
 def checksum(definition: str, arrays: Mapping[str, np.ndarray]) -> str:
-    found = hashlib.sha256(definition.encode())
+    digest = hashlib.sha256(definition.encode())
     for name, array in sorted(arrays.items()):
-        found.update(f"\0{name} {array.shape}\0".encode())
-        found.update(np.ascontiguousarray(array).data)
-    return found.hexdigest()
+        digest.update(f"\0{name} {array.shape}\0".encode())
+        digest.update(np.ascontiguousarray(array).data)
+    return digest.hexdigest()
 
 
 # -- files -----------------------------------------------------------------------------------------
@@ -183,7 +183,7 @@ def save(path: str | os.PathLike[str], made: Mapping[str, Any]) -> None:
     check_target(path)
     arrays = _arrays(made)
     definition = json.dumps(_definition(made))
-    found = xr.Dataset(
+    file = xr.Dataset(
         {name: (_DIMS[name], array, _attrs(name)) for name, array in arrays.items()}
         | {"definition": ((), definition)},
         attrs={
@@ -193,7 +193,7 @@ def save(path: str | os.PathLike[str], made: Mapping[str, Any]) -> None:
             "checksum": checksum(definition, arrays),
         },
     )
-    write(path, _netcdf(found, arrays))
+    write(path, _netcdf(file, arrays))
 
 
 def _netcdf(found: xr.Dataset, arrays: Mapping[str, np.ndarray]) -> bytes:

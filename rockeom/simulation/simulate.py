@@ -190,20 +190,20 @@ class _Bench:
             bound["max_steps"] = options.max_steps
         integrate["rest_tolerance"] = options.rest_tolerance
         code = FULL
-        found: list[EventColumns] = []
+        parts: list[EventColumns] = []
         while code == FULL:
             status[STEPS_KEPT] = status[EVENTS_KEPT] = 0
             code = integrate()
             kept, noted = int(status[STEPS_KEPT]), int(status[EVENTS_KEPT])
             if recorder is not None:
                 recorder.add(Steps(*(a[:kept] for a in self.steps)))
-            found.append(EventColumns(*(a[:noted].copy() for a in self.events)))
+            parts.append(EventColumns(*(a[:noted].copy() for a in self.events)))
         outcome = Outcome(OUTCOMES[code])
         if outcome is Outcome.COMPLETED and q.quiet_from <= q.end:
             outcome = self._later(p, 0.1 * q.end)
-        events = found[0]
-        if len(found) > 1:
-            events = EventColumns(*map(np.concatenate, zip(*found, strict=True)))
+        events = parts[0]
+        if len(parts) > 1:
+            events = EventColumns(*map(np.concatenate, zip(*parts, strict=True)))
         return Integrated(outcome, self.y.copy(), events, int(status[REFINED]))
 
     def _later(self, p: np.ndarray, reach: float) -> Outcome:

@@ -48,8 +48,8 @@ class Steps:
     def at(self, times: np.ndarray, side: str) -> tuple[np.ndarray, np.ndarray]:
         """States (m, N) and modes (m,) at times (m,)."""
         starts = self.span[:, 0]
-        found = np.searchsorted(starts, times, side="right" if side == "right" else "left")
-        index = np.clip(found - 1, 0, len(starts) - 1)
+        place = np.searchsorted(starts, times, side="right" if side == "right" else "left")
+        index = np.clip(place - 1, 0, len(starts) - 1)
         x = (times - starts[index]) / self.span[index, 1]
         return self.states(index, x), self.mode[index]
 
@@ -59,10 +59,10 @@ class Steps:
         for first in range(0, len(index), _TOGETHER):
             some = slice(first, first + _TOGETHER)
             powers, at = self.powers[index[some]], x[some, None]
-            found = powers[:, 7]
+            value = powers[:, 7]
             for j in range(6, -1, -1):
-                found = found * at + powers[:, j]
-            values[some] = found
+                value = value * at + powers[:, j]
+            values[some] = value
         return values
 
     def samples(self, spacing: float) -> Rows:

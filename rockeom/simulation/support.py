@@ -43,8 +43,8 @@ class Support:
         steps = self._quantities.steps("what the feet had to bear (friction_demand, lost_contact)")
 
         def forces(t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
-            found = self._feet(t, y, mode)
-            return np.column_stack([found, found[:, 1] + found[:, 2]])
+            feet = self._feet(t, y, mode)
+            return np.column_stack([feet, feet[:, 1] + feet[:, 2]])
 
         return tuple(extremes(steps, forces, self._until))
 
@@ -134,16 +134,16 @@ class Support:
         By the names of the points that rub on it, such as "upper_left+upper_right": of forces, and
         of impulses at landings. Empty for structures whose contacts cannot open and slide.
         """
-        found = surfaces(self._structure.module)
-        if len(found) == 1 and self._extremes is not None:
-            return dict.fromkeys(found, (self.friction_demand, self.impact_friction_demand))
+        groups = surfaces(self._structure.module)
+        if len(groups) == 1 and self._extremes is not None:
+            return dict.fromkeys(groups, (self.friction_demand, self.impact_friction_demand))
         impulses = demands_of_landings(
-            self._structure, self._events.columns, self._rows.y, list(found.values())
+            self._structure, self._events.columns, self._rows.y, list(groups.values())
         )
-        names = self._structure.module.POINTS if found else ()
+        names = self._structure.module.POINTS if groups else ()
         return {
             surface: (self._demand_of([names[i] for i in points]), impulse)
-            for (surface, points), impulse in zip(found.items(), impulses, strict=True)
+            for (surface, points), impulse in zip(groups.items(), impulses, strict=True)
         }
 
     def _demand_of(self, points: Sequence[str]) -> float:
@@ -252,8 +252,8 @@ def surfaces(module: ModuleType) -> dict[str, tuple[int, ...]]:
     for shared in module.SHARED:
         for i, j in enumerate(shared):
             first = [first[j] if f == first[i] else f for f in first]
-    found = [tuple(i for i, f in enumerate(first) if f == one) for one in dict.fromkeys(first)]
-    return {"+".join(module.POINTS[i] for i in points): points for points in found}
+    groups = [tuple(i for i, f in enumerate(first) if f == one) for one in dict.fromkeys(first)]
+    return {"+".join(module.POINTS[i] for i in points): points for points in groups}
 
 
 def least_coefficient(
@@ -317,9 +317,9 @@ def demands_of_landings(
         rows = np.vstack([normal[near], along[near]])
         (at,) = np.nonzero(near)
         pressed, rubbed = np.zeros(len(near)), np.zeros(len(near))
-        found = np.linalg.lstsq(rows.T, gained, rcond=1e-12)[0]
-        pressed[at], rubbed[at] = found[: len(at)], found[len(at) :]
-        whole = np.abs(found).sum()
+        impulses = np.linalg.lstsq(rows.T, gained, rcond=1e-12)[0]
+        pressed[at], rubbed[at] = impulses[: len(at)], impulses[len(at) :]
+        whole = np.abs(impulses).sum()
         for i, group in enumerate(map(list, groups)):
             across, up = float(rubbed[group].sum()), float(pressed[group].sum())
             if math.hypot(across, up) > 1e-9 * whole:

@@ -32,12 +32,12 @@ def over_time(
     times: np.ndarray, modes: np.ndarray, values: Mapping[str, np.ndarray], units: Mapping[str, str]
 ) -> xr.Dataset:
     """Quantities (n,) by name and names of the modes (n,) over "time" (n,)."""
-    found: dict[str, Any] = {
+    variables: dict[str, Any] = {
         name: ("time", of_name, _attributes(units[name], in_words(name)))
         for name, of_name in values.items()
     }
-    found["mode"] = "time", modes, {"long_name": "mode"}
-    return xr.Dataset(found, coords={"time": ("time", times, _attributes(units["t"], "time"))})
+    variables["mode"] = "time", modes, {"long_name": "mode"}
+    return xr.Dataset(variables, coords={"time": ("time", times, _attributes(units["t"], "time"))})
 
 
 def over_impacts(impacts: Impacts, units: Mapping[str, str]) -> dict[str, Any]:
@@ -45,14 +45,14 @@ def over_impacts(impacts: Impacts, units: Mapping[str, str]) -> dict[str, Any]:
     times, kinds, states = impacts.columns
     names = np.array(impacts.structure.module.CONTACTS)
     points = np.array([impact.contact for impact in impacts], dtype=str)
-    found: dict[str, Any] = {
+    variables: dict[str, Any] = {
         "impact_time": ("impact", times, _attributes(units["t"], "time of the impact")),
         "impact_contact": ("impact", points, {"long_name": "points that landed"}),
     }
     for side, when in enumerate(("before", "after")):
         modes = names[kinds[:, 1 + side]]
-        found[f"mode_{when}"] = "impact", modes, {"long_name": f"mode {when}"}
+        variables[f"mode_{when}"] = "impact", modes, {"long_name": f"mode {when}"}
         for i, name in enumerate(impacts.structure.states):
             about = _attributes(units[name], f"{in_words(name)} {when} the impact")
-            found[f"{name}_{when}"] = "impact", states[:, side, i], about
-    return found
+            variables[f"{name}_{when}"] = "impact", states[:, side, i], about
+    return variables

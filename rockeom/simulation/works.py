@@ -151,12 +151,12 @@ class Works:
             ]
             or [np.empty((0, len(self.names)))]
         )
-        found = dict(zip(self.names, (self.table[index] + within).T, strict=True))
+        works = dict(zip(self.names, (self.table[index] + within).T, strict=True))
         impacts = self.impacts[index].copy()
         rests = np.flatnonzero(self.rests[index])
         gained = self._energy(y[rests], mode[rests]) - self.first[index[rests]]
         impacts[rests] += self._unexplained(within[rests], gained)
-        return found | {"impact_loss": impacts}
+        return works | {"impact_loss": impacts}
 
     def balance(self) -> EnergyBalance:
         """Works and losses of the whole motion."""

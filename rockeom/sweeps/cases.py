@@ -87,17 +87,17 @@ class Cases:
 
     def coordinates(self) -> dict[str, Any]:
         """The variables of a dataset that say what the cases are."""
-        found: dict[str, Any] = {}
+        variables: dict[str, Any] = {}
         if self.which is not None:
-            found[ROW] = ROW, np.arange(self.total), {"long_name": "row of the table"}
+            variables[ROW] = ROW, np.arange(self.total), {"long_name": "row of the table"}
         for name, values in self.values.items():
-            told_apart = labels(values)
+            distinct = labels(values)
             attrs = {"long_name": name.replace("_", " "), **self.attrs.get(name, {})}
             if self.which is None:
-                found[name] = name, told_apart, attrs
+                variables[name] = name, distinct, attrs
             else:
-                found[name] = ROW, np.asarray(told_apart)[self.which[name]], attrs
-        return found
+                variables[name] = ROW, np.asarray(distinct)[self.which[name]], attrs
+        return variables
 
 
 def _grid(over: Mapping[Any, Any]) -> Cases:
@@ -106,9 +106,9 @@ def _grid(over: Mapping[Any, Any]) -> Cases:
         one = isinstance(values, str) or getattr(values, "ndim", 1) == 0
         if one or not isinstance(values, Iterable):
             raise TypeError(f"over has {name} = {told(values)}: give a list of values")
-    found = {name: _listed(values) for name, values in over.items()}
-    _check_not_empty(found)
-    return Cases(found, None, _attrs(over))
+    lists = {name: _listed(values) for name, values in over.items()}
+    _check_not_empty(lists)
+    return Cases(lists, None, _attrs(over))
 
 
 def _table(over: Any) -> Cases:
@@ -253,13 +253,13 @@ def _in_the_case(named: Mapping[str, Any]) -> str:
 
 def made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
     """The case that the function makes of one value of each name; TypeError for anything else."""
-    found = case(**named)
-    if not isinstance(found, Case):
+    one = case(**named)
+    if not isinstance(one, Case):
         raise TypeError(
-            f"the function of the sweep returned {told(found)}: "
+            f"the function of the sweep returned {told(one)}: "
             "let it return a case, rk.Case(structure, motion)"
         )
-    return found
+    return one
 
 
 class Batch(NamedTuple):
@@ -317,8 +317,8 @@ class Source:
 
     def one_by_one(self, rows: np.ndarray) -> Batch:
         points = zip(*(place.tolist() for place in self.cases.places(rows)), strict=True)
-        found = [self.made(point) for point in points]
-        return Batch(rows, Problems.of([q for _, q in found]), [case for case, _ in found])
+        pairs = [self.made(point) for point in points]
+        return Batch(rows, Problems.of([q for _, q in pairs]), [case for case, _ in pairs])
 
     def together(self, rows: np.ndarray) -> Iterator[Batch]:
         """As many at once as go the same way; raises what the first case does that cannot be."""

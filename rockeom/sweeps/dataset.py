@@ -50,16 +50,16 @@ class Sweep(xr.Dataset):
 
 def dataset(results: Results, task: Task, cases: Cases, module: ModuleType) -> Sweep:
     """All results of the cases, in one go: a dataset is slow to make."""
-    found = _Variables(cases.dims, cases.shape, module).of(results, task)
-    coordinates = {name: found.pop(name) for name in _COORDINATES if name in found}
-    return Sweep(found, coords=coordinates | cases.coordinates())
+    variables = _Variables(cases.dims, cases.shape, module).of(results, task)
+    coordinates = {name: variables.pop(name) for name in _COORDINATES if name in variables}
+    return Sweep(variables, coords=coordinates | cases.coordinates())
 
 
 def check_names(task: Task, cases: Cases, module: ModuleType) -> None:
     """Raises ValueError for a name in `over` that the dataset has for something else."""
     row = Results.of(task, 1, module.N_STATES)
-    found = _Variables((ROW,), (1,), module).of(row, task)
-    own = {*found}.union(*(variable[0] for variable in found.values())) - {ROW}
+    variables = _Variables((ROW,), (1,), module).of(row, task)
+    own = {*variables}.union(*(variable[0] for variable in variables.values())) - {ROW}
     for name in cases.values:
         if name in own:
             raise ValueError(
@@ -84,29 +84,29 @@ class _Variables:
 
     def of(self, results: Results, task: Task) -> dict[str, Any]:
         """All variables, by name."""
-        found = self.named("state", self.module.STATES) | self.of_cases(results)
+        variables = self.named("state", self.module.STATES) | self.of_cases(results)
         if results.times.size:
-            found["impact_time"] = self.shaped(
+            variables["impact_time"] = self.shaped(
                 results.times, "time of the impact", "impact", units=self.seconds
             )
         if results.impact_states.size:
-            found["side"] = ("side",), ["before", "after"], {"long_name": "side of the impact"}
-            found["impact_state"] = self.shaped(
+            variables["side"] = ("side",), ["before", "after"], {"long_name": "side of the impact"}
+            variables["impact_state"] = self.shaped(
                 results.impact_states, "state at the impact", "impact", "side", "state",
                 **self.one_unit(self.module.STATES),
             )  # fmt: skip
         if task.quantities:
-            found |= self.named("quantity", task.quantities) | self.extremes(
+            variables |= self.named("quantity", task.quantities) | self.extremes(
                 results.extremes, "quantity", task.quantities, "_quantity"
             )
         if task.times.size:
-            found["time"] = (
+            variables["time"] = (
                 ("time",), task.times, {"long_name": "time", "units": self.seconds}
             )  # fmt: skip
-            found["history"] = self.shaped(
+            variables["history"] = self.shaped(
                 results.histories, "history", "quantity", "time", **self.one_unit(task.quantities)
             )
-        return found
+        return variables
 
     def of_cases(self, results: Results) -> dict[str, Any]:
         """Variables that the compiled loop gives of every case."""
@@ -155,8 +155,8 @@ class _Variables:
 
     def one_unit(self, names: Sequence[str]) -> dict[str, str]:
         """The unit of all of them, if it is one."""
-        found = {self.units.get(name) for name in names}
-        return {"units": unit} if len(found) == 1 and (unit := found.pop()) else {}
+        units = {self.units.get(name) for name in names}
+        return {"units": unit} if len(units) == 1 and (unit := units.pop()) else {}
 
     def named(self, dim: str, names: Sequence[str]) -> dict[str, Any]:
         """Names and units along a dimension."""

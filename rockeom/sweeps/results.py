@@ -102,15 +102,15 @@ class Results:
                 duration=case.duration, vertical=case.vertical, mode=case.mode,
                 options=task.options,
             )  # fmt: skip
-            found = response.impacts.columns.states[: self.impact_states.shape[1]]
-            self.impact_states[row, : len(found)] = found
+            states = response.impacts.columns.states[: self.impact_states.shape[1]]
+            self.impact_states[row, : len(states)] = states
             if task.quantities:
                 of_each = response.extremes_of(task.quantities).values()
                 self.extremes[row] = np.array([(e.minimum, e.maximum) for e in of_each]).T
             if task.times.size:
-                known = task.times <= response.t[-1]
-                history = response.at(task.times[known], names=task.quantities)
-                self.histories[row, :, known] = np.stack([*history.values()], axis=1)
+                reached = task.times <= response.t[-1]
+                history = response.at(task.times[reached], names=task.quantities)
+                self.histories[row, :, reached] = np.stack([*history.values()], axis=1)
 
     def integrate(
         self,

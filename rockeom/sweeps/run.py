@@ -150,8 +150,8 @@ def simulate_many(
     check_names(task, cases, module)
     results = Results.of(task, cases.total, module.N_STATES)
     size = chunk or max(1, min(MOST_KEPT, -(-cases.total // CHUNKS)))
-    kept = nullcontext() if store is None else opened(store, task, cases, module, results, size)
-    with kept as on_disk:
+    stored = nullcontext() if store is None else opened(store, task, cases, module, results, size)
+    with stored as on_disk:
         rows = np.flatnonzero(results.outcome == NOT_RUN)
         with Progress(len(rows), sys.stderr.isatty() if progress is None else progress) as shown:
 
@@ -171,12 +171,12 @@ def simulate_many(
                 interrupted = False
             except KeyboardInterrupt:
                 interrupted = True
-    found = dataset(results, task, cases, module)
-    found.attrs |= {"model": module.NAME, "method": method, "chosen": because}
-    found.attrs["interrupted"] = int(interrupted)
+    dataset_ = dataset(results, task, cases, module)
+    dataset_.attrs |= {"model": module.NAME, "method": method, "chosen": because}
+    dataset_.attrs["interrupted"] = int(interrupted)
     if law := first.structure.describe_impact(first.impact):
-        found.attrs["impact_law"] = f"{law}, of the first case"
-    return found
+        dataset_.attrs["impact_law"] = f"{law}, of the first case"
+    return dataset_
 
 
 def _check_executor(executor: Any) -> None:

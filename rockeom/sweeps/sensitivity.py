@@ -139,17 +139,17 @@ def sensitivity(
             horizontal=_of_ground(case.motion, factors, len(given)),
             vertical=_of_ground(case.vertical, factors, len(given)),
         )
-    found = of_problem(seeded, problem, along, SolverOptions.of(options))
-    answers = [answer(name, found) for name in wanted]
+    motion = of_problem(seeded, problem, along, SolverOptions.of(options))
+    answers = [answer(name, motion) for name in wanted]
     return Sensitivity(
         wanted,
         given,
         np.array([float(answer.value) for answer in answers]),
         np.array([float(seed.value) for seed in seeds.values()]),
         np.array([answer.tangent for answer in answers]) + 0.0,  # none is -0.0
-        tuple(_unit_of(name, found.response) for name in wanted),
+        tuple(_unit_of(name, motion.response) for name in wanted),
         tuple(knobs[name].unit for name in given),
-        found,
+        motion,
     )
 
 
@@ -216,15 +216,15 @@ def _units_of(structure: Structure, paths: list[_Path]) -> list[str]:
         made[path[0]] = _put(made[path[0]], path[1:], seed)
     equations = type(structure)(**made).parameters()
     units = zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True)
-    known = {id(equations[name]): unit for name, unit in units}
-    return [known.get(id(seed), "") for seed in seeds]
+    unit_of = {id(equations[name]): unit for name, unit in units}
+    return [unit_of.get(id(seed), "") for seed in seeds]
 
 
 def _of_law(case: Case) -> dict[str, _Knob]:
     law: Any = case.impact
     if not is_dataclass(law):
         return {}
-    found = {
+    knobs = {
         name: _Knob(value, "-" if len(path) == 1 and name != "height" else "", turn)
         for name, path, value in _numbers(_made_of(law))
         if name != "seed"
@@ -234,8 +234,8 @@ def _of_law(case: Case) -> dict[str, _Knob]:
     if isinstance(law, EnergyRatio) and law.r is not None:
         ratio = float(mathematics.sqrt(law.r))
     if ratio is not None:
-        found["restitution"] = _Knob(ratio, "-", lambda of, e: replace(of, impact=VelocityRatio(e)))
-    return found
+        knobs["restitution"] = _Knob(ratio, "-", lambda of, e: replace(of, impact=VelocityRatio(e)))
+    return knobs
 
 
 def _of_start(case: Case) -> dict[str, _Knob]:
@@ -270,11 +270,11 @@ parts so small that their squares vanish (Lyness and Moler 1967). Records have t
 def _of_ground(motion: GroundMotion | None, factors: Mapping[int, str], m: int) -> np.ndarray:
     """(rows, 7, m) derivatives of a motion's table by its factors, which are some directions."""
     table = ground_table(motion)
-    found = np.zeros((m, *table.shape))
+    derivatives = np.zeros((m, *table.shape))
     for j, name in factors.items():
         acceleration, time = _FACTORS[name]
-        found[j] = scaled(table, 1.0 + acceleration, 1.0 + time).imag / _TINY
-    return np.moveaxis(found, 0, -1)
+        derivatives[j] = scaled(table, 1.0 + acceleration, 1.0 + time).imag / _TINY
+    return np.moveaxis(derivatives, 0, -1)
 
 
 # -- a number within what something was made of
@@ -448,20 +448,20 @@ _SIZES: dict[str, Callable[[Any], int]] = {
 
 def _told(module: Any, name: str) -> tuple[str, int, int]:
     """The function of the module that tells a quantity, "" of a state, and from where to where."""
-    known = {state: ("", i, i + 1) for i, state in enumerate(module.STATES)}
+    places = {state: ("", i, i + 1) for i, state in enumerate(module.STATES)}
     for function in ("kinematics", "energies"):
         for i, quantity in enumerate(getattr(module, function.upper())):
-            known[quantity] = function, i, i + 1
-    known["total_energy"] = "energies", 0, len(module.ENERGIES)
+            places[quantity] = function, i, i + 1
+    places["total_energy"] = "energies", 0, len(module.ENERGIES)
     for i, element in enumerate(module.ELEMENT_NAMES):
         for k, part in enumerate(OF_ELEMENT, 4 * i):
-            known[f"{element}_{part}"] = "elements", k, k + 1
-    if name not in known:
+            places[f"{element}_{part}"] = "elements", k, k + 1
+    if name not in places:
         raise ValueError(
-            f"of: derivatives are told of {', '.join(known)}: {name!r} is none of them"
-            f"{near(name, known)}"
+            f"of: derivatives are told of {', '.join(places)}: {name!r} is none of them"
+            f"{near(name, places)}"
         )
-    return known[name]
+    return places[name]
 
 
 def _extreme(motion: _Moving, which: str, name: str) -> Dual:
@@ -476,12 +476,12 @@ def _extreme(motion: _Moving, which: str, name: str) -> Dual:
     if motion.path.last_time - t <= tolerance:
         places.append(motion.at_end(name))
     if places:
-        found = min(places, key=lambda x: abs(float(x.value) - value))
+        extreme = min(places, key=lambda x: abs(float(x.value) - value))
     elif (corner := motion.corner(t, tolerance)) is not None:
-        found = motion.at_corner(name, corner)
+        extreme = motion.at_corner(name, corner)
     else:
-        found = motion.at_time(name, _where_it_turns(motion, name, t, tolerance))
-    return -found if which == "peak" and value < 0.0 else found
+        extreme = motion.at_time(name, _where_it_turns(motion, name, t, tolerance))
+    return -extreme if which == "peak" and value < 0.0 else extreme
 
 
 def _where_it_turns(motion: _Moving, name: str, t: float, tolerance: float) -> float:

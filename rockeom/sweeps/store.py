@@ -79,8 +79,8 @@ class Store:
         self.written[:] = [whole[chunk] and self._is_there(chunk) for chunk in range(len(whole))]
         there = np.repeat(self.written, self.size)[:n]
         for name, array in self.arrays.items():
-            found = self._read(name)[there]
-            array[there] = outcomes_of(found) if name == "outcome" else found
+            stored = self._read(name)[there]
+            array[there] = outcomes_of(stored) if name == "outcome" else stored
 
     def keep(self, rows: np.ndarray) -> None:
         """Write the chunks that are complete with these rows."""
@@ -192,7 +192,7 @@ def definition(task: Task, cases: Cases, module: ModuleType) -> dict[str, str]:
     Functions cannot be compared, but what they make can: the numbers of the first case, the last
     and some between, and of one case of each object among the values.
     """
-    found = {
+    facts = {
         "format": str(FORMAT),
         "structure": module.NAME,
         "equations and loop": task.revision,
@@ -205,14 +205,14 @@ def definition(task: Task, cases: Cases, module: ModuleType) -> dict[str, str]:
         "lanes": str(task.lanes),
     }
     if task.impact_states:  # not told of stores that were made before it could be asked for
-        found["impact_states"] = "True"
-    found |= {name: repr(value) for name, value in asdict(task.options).items()}
+        facts["impact_states"] = "True"
+    facts |= {name: repr(value) for name, value in asdict(task.options).items()}
     for name, values in cases.values.items():
         which = () if cases.which is None else (cases.which[name],)
-        found[f"values of {name}"] = _hash(_of_values(values), *which)
+        facts[f"values of {name}"] = _hash(_of_values(values), *which)
     source = task.source(cases, module, chunk=None)
-    found["what the function makes"] = _hash(*_problems(source, _sample(cases)))
-    return found
+    facts["what the function makes"] = _hash(*_problems(source, _sample(cases)))
+    return facts
 
 
 def _of_values(values: Sequence[Any] | np.ndarray) -> np.ndarray | str:

@@ -77,13 +77,13 @@ class Tangents:
 
         Raises ValueError for times outside of the motion.
         """
-        given = np.atleast_1d(numbers("Tangents.at: times", times))
+        instants = np.atleast_1d(numbers("Tangents.at: times", times))
         end = self.motion.last_time
-        if given.size and not (given.min() >= 0.0 and given.max() <= end):
+        if instants.size and not (instants.min() >= 0.0 and instants.max() <= end):
             raise ValueError(f"Tangents.at: times are from 0 to {end:.6g} s, where the motion ends")
-        order = np.argsort(given, kind="stable")
-        found = np.empty((len(given), *self.end.shape))
-        found[order] = self.motion.carried(given[order]).found
+        order = np.argsort(instants, kind="stable")
+        found = np.empty((len(instants), *self.end.shape))
+        found[order] = self.motion.carried(instants[order]).found
         return found
 
 
@@ -153,10 +153,10 @@ class Motion:
     @cached_property
     def shakes(self) -> np.ndarray:
         """(m,) whether the ground moves otherwise in a direction."""
-        found = np.zeros(self.directions, dtype=bool)
+        moves = np.zeros(self.directions, dtype=bool)
         for rows in self.grounds:
-            found |= [along.any() for along in np.moveaxis(rows, -1, 0)]
-        return found
+            moves |= [along.any() for along in np.moveaxis(rows, -1, 0)]
+        return moves
 
     @property
     def grounds(self) -> list[np.ndarray]:
@@ -281,11 +281,11 @@ _WHY = {
 
 def _dual(x: Any, along: np.ndarray, some: np.ndarray) -> np.ndarray:
     """Numbers with their derivatives in some directions behind them, as the program takes them."""
-    found = np.zeros((np.size(x), 1 + WIDTH))
-    found[:, 0] = np.ravel(x)
+    duals = np.zeros((np.size(x), 1 + WIDTH))
+    duals[:, 0] = np.ravel(x)
     for place, direction in enumerate(some, 1):  # one after the other: a record is long
-        found[:, place] = along[..., direction].ravel()
-    return found.reshape(*np.shape(x), 1 + WIDTH)
+        duals[:, place] = along[..., direction].ravel()
+    return duals.reshape(*np.shape(x), 1 + WIDTH)
 
 
 _NO_ROWS = np.empty((0, 7, 1 + WIDTH))

@@ -84,7 +84,7 @@ def in_executor(
                 continue
             del under_way[i]
             try:
-                found = future.result()
+                results_of_chunk = future.result()
             except (BrokenExecutor, CancelledError) as error:
                 if times[i] <= AGAIN:
                     give(i)
@@ -99,7 +99,7 @@ def in_executor(
                         "at the top level of a module"
                     )
                 raise
-            results.put(chunks[i], found)
+            results.put(chunks[i], results_of_chunk)
             done(chunks[i])
     finally:
         for future in under_way.values():
