@@ -65,7 +65,7 @@ column = rk.FlexibleStructure(**COLUMN, stiffness=571.8e3, damping=502.4)
 #
 # $$ m_e\ddot u + c\,\dot u + k\,u = -m_e\,a_g(t) . \tag{1} $$
 #
-# `fixed_base` takes this out of the equations of the structure that rocks: the same contact state
+# `fixed_base` takes this out of the equations of the structure that rocks: the same mode
 # of both feet, without the guards that end it. SciPy integrates (1) exactly where $a_g$ is
 # straight between samples.
 

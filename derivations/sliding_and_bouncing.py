@@ -264,7 +264,7 @@ assert sp.limit(mu_c, a, sp.oo) == (4 * b_**2 + h_**2) / (3 * b_ * h_)
 # $\mu_c$ for large $a$, the force grows over all bounds. We come back to it in Section 6.
 #
 # Does the engine agree? Nobody told it which motion follows which: it was given the gap and the
-# slip of each foot, and it tries all contact states.
+# slip of each foot, and it tries all modes.
 
 
 # %%
@@ -318,7 +318,7 @@ ax.legend(loc="upper center", bbox_to_anchor=(0.5, 1.14), ncols=4)
 plt.show()
 
 # %% [markdown]
-# *Figure 2. What begins from rest. Lines: the borders derived above. Marks: the contact state that
+# *Figure 2. What begins from rest. Lines: the borders derived above. Marks: the mode that
 # the engine found, at random.*
 #
 # Below $\mu = b/h$ the block never rocks from rest: it slides, whatever the ground does. The band

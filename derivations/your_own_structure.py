@@ -29,7 +29,7 @@
 # After this notebook you can
 #
 # 1. turn a sketch into bodies, coordinates and contacts, and say what is *not* to be declared;
-# 2. read the contact states and equations that follow, and compare them with your own;
+# 2. read the modes and equations that follow, and compare them with your own;
 # 3. find four checks for any structure that need no other program;
 # 4. declare feet at different heights, a tendon, an elastic column.
 
@@ -191,7 +191,7 @@ element = declared()
 # ## 3. What follows from it
 #
 # Each foot may be open, stick, or slip to either side; two level feet on one rigid base can only
-# slip together. That makes ten contact states.
+# slip together. That makes ten modes.
 
 # %%
 print(", ".join(element.modes.names))
@@ -409,7 +409,7 @@ plt.show()
 #    foot, where $x$ and $y$ follow $\theta$.*
 # 3. **An elastic column.** Put a mass $m_1$ at the height $h_1$ on a column that bends by $u$, with
 #    the stiffness $k_1$, and let the body be its base. Declare the coordinate $u$. What moves in
-#    the contact state "both"? *Hint: $m_1\ddot u + k_1 u = -m_1\ddot x_g$ and nothing else; in
+#    the mode "both"? *Hint: $m_1\ddot u + k_1 u = -m_1\ddot x_g$ and nothing else; in
 #    "both_slides_left" the base moves along.*
 # 4. **Ice.** Make the ground smooth, $\mu = 0$, and release the element from $\theta = 0.12$. Which
 #    point moves on a vertical line? Check it in a simulation. *Hint: no horizontal force; the
