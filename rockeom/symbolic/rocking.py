@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Required, TypedDict, Unpack
+from typing import Any, TypedDict, Unpack
 
 import sympy as sp
 
@@ -77,39 +77,44 @@ class RockingModel(HybridModel, Declared):
 
 
 class Description(TypedDict, total=False):
-    """Names, parameters and sketch of a `RockingModel`."""
+    """Further fields of a `RockingModel`."""
 
-    name: Required[str]
-    title: Required[str]
-    parameters: Required[Iterable[Parameter]]
     overturning: sp.Expr
     reference: str
     members: Iterable[Member]
     falls: Mapping[Coordinate, sp.Expr]
 
 
+class Rocking(Description, total=False):
+    """Further fields of a `RockingModel` and of its `Mode`."""
+
+    elastic_energy: sp.Expr
+    dissipation: sp.Expr
+    beside_feet: Point
+    small: tuple[sp.Symbol, ...]
+    elements: Iterable[Spring]
+
+
 def rocking_structure(
     *,
+    name: str,
+    title: str,
+    parameters: Iterable[Parameter],
     coordinates: Iterable[Coordinate],
     bodies: Callable[[Point], Iterable[Body]],
     half_width: sp.Expr,
     gravity: sp.Expr,
     rotation_angle: sp.Expr | None = None,
-    elastic_energy: sp.Expr = sp.S.Zero,
-    dissipation: sp.Expr = sp.S.Zero,
     load_on: str | None = None,
-    beside_feet: Point = (sp.S.Zero, sp.S.Zero),
-    small: tuple[sp.Symbol, ...] = (),
-    elements: Iterable[Spring] = (),
-    **described: Unpack[Description],
+    **declared: Unpack[Rocking],
 ) -> RockingModel:
     """A structure that rocks about the two edges of its base on rigid ground.
 
     `bodies(pivot)` gives the bodies when the structure turns about `pivot`; the first
     coordinate is the rotation, positive clockwise, about the right edge. Full contact is the
-    same structure with the rotation held at zero. `beside_feet`, `small` and `elements` are as in
-    `Mode`; `name`, `title`, `parameters`, `overturning`, `reference`, `members` and `falls` as in
-    `RockingModel`.
+    same structure with the rotation held at zero. `elastic_energy`, `dissipation`, `beside_feet`,
+    `small` and `elements` are as in `Mode`; `overturning`, `reference`, `members` and `falls` as
+    in `RockingModel`.
 
     A `Model` on `Pinned()` feet becomes the same by `on_pinned_feet`. It cannot replace this one:
     bodies here depend on the foot, and may have places that no free coordinates give. Examples are
@@ -118,15 +123,18 @@ def rocking_structure(
 
     Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
     """
-    name, coordinates = str(described["name"]), tuple(coordinates)
+    coordinates = tuple(coordinates)
     if not coordinates:
         raise ValueError(f"{name}: it has no coordinates: declare the rotation, first")
     angle = coordinates[0].position if rotation_angle is None else rotation_angle
+    described: Any = dict(declared)
+    of_mode = Rocking.__annotations__.keys() - Description.__annotations__.keys()
+    acting: Any = {k: described.pop(k) for k in of_mode & described.keys()}
+    energies = {k: acting[k] for k in ("elastic_energy", "dissipation") if k in acting}
     valid.expressions(
-        name, half_width=half_width, gravity=gravity, rotation_angle=angle,
-        elastic_energy=elastic_energy, dissipation=dissipation,
-    )  # fmt: skip
-    valid.points(name, beside_feet=beside_feet)
+        str(name), half_width=half_width, gravity=gravity, rotation_angle=angle, **energies
+    )
+    valid.points(str(name), beside_feet=acting.get("beside_feet", (0, 0)))
     if sp.sympify(half_width).is_nonpositive:
         raise ValueError(f"{name}: half_width is {half_width}: it must be positive")
     pivot = (SIDE * half_width, sp.Integer(0))
@@ -134,22 +142,20 @@ def rocking_structure(
     if not turning:
         raise ValueError(f"{name}: it has no bodies: declare the masses")
     load = turning[0].name if load_on is None else load_on
-    valid.known(name, "load_on", load, [b.name for b in turning])
+    valid.known(str(name), "load_on", load, [b.name for b in turning])
     edges = {"left": (-half_width, sp.Integer(0)), "right": (half_width, sp.Integer(0))}
     rocking = Mode(
         dict(SIDES),
         coordinates,
         turning,
         gravity,
-        sp.sympify(elastic_energy),
-        sp.sympify(dissipation),
-        {foot: Foot(turned(edge, pivot, angle)) for foot, edge in edges.items()},
-        next(b.position for b in turning if b.name == load),
-        small,
-        beside_feet=beside_feet,
-        elements=tuple(elements),
+        feet={foot: Foot(turned(edge, pivot, angle)) for foot, edge in edges.items()},
+        load_point=next(b.position for b in turning if b.name == load),
+        **acting | {k: sp.sympify(e) for k, e in energies.items()},
     )
-    return on_pinned_feet(rocking, coordinates[0], **described)
+    return on_pinned_feet(
+        rocking, coordinates[0], name=name, title=title, parameters=parameters, **described
+    )
 
 
 SIDES = {"left": -1, "right": 1}
@@ -157,7 +163,13 @@ SIDES = {"left": -1, "right": 1}
 
 
 def on_pinned_feet(
-    rocking: Mode, rotation: Coordinate, **described: Unpack[Description]
+    rocking: Mode,
+    rotation: Coordinate,
+    *,
+    name: str,
+    title: str,
+    parameters: Iterable[Parameter],
+    **described: Unpack[Description],
 ) -> RockingModel:
     """A structure on two feet that neither slip nor bounce, by its mode on one of them.
 
@@ -168,15 +180,15 @@ def on_pinned_feet(
 
     Raises ValueError where the feet do not rise and land so.
     """
-    check_turning(described["name"], rocking, rotation)
-    several: Any = {
-        "parameters": tuple(described["parameters"]),
-        "members": tuple(described.get("members", ())),
-    }
+    check_turning(name, rocking, rotation)
+    several: Any = {"members": tuple(described.get("members", ()))}
     full = _upright(rocking, rotation)
     (both,) = full.names
     opposite = dict(zip(SIDES, reversed(SIDES), strict=True))
     return RockingModel(
+        name,
+        title,
+        tuple(parameters),
         coordinates=rocking.coordinates,
         modes=(rocking, full),
         transitions=(
