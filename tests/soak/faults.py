@@ -162,7 +162,7 @@ FAULTS = {
     ),
     "feet": Fault(
         "unequal feet have the impact of the first",
-        "rockeom/symbolic/check.py",
+        "rockeom/symbolic/checks/derived.py",
         (("    _one_ratio(model, sample)\n", ""),),
         ("rigid_block",),
         ("feet",),
