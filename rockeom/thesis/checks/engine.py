@@ -135,8 +135,8 @@ def slender_scaled(model: RockingModel, side: int) -> sp.Expr:
 
 
 def centroid_acceleration(model: RockingModel, side: int, axis: int) -> sp.Expr:
-    phase = model.mode(CONTACT[side])
-    relative = rate(rate(phase.bodies[0].position[axis], phase.coordinates), phase.coordinates)
+    mode = model.mode(CONTACT[side])
+    relative = rate(rate(mode.bodies[0].position[axis], mode.coordinates), mode.coordinates)
     return in_polar(relative.subs(SIDE, side)) + (GROUND_X, sp.Integer(0))[axis]
 
 
@@ -193,24 +193,24 @@ def block_energy_ratio(model: RockingModel, side: int) -> sp.Expr:
 
 def settled(model: RockingModel) -> sp.Expr:
     """Compression of a spring in equilibrium without a load."""
-    phase = model.mode("both")
-    upright = {c.position: 0 for c in phase.coordinates if c is model.rotation}
-    turning, heaving = (row.subs({**upright, LOAD: 0}) for row in equilibrium(phase))
-    (heave,) = (c.position for c in phase.coordinates if c is not model.rotation)
+    mode = model.mode("both")
+    upright = {c.position: 0 for c in mode.coordinates if c is model.rotation}
+    turning, heaving = (row.subs({**upright, LOAD: 0}) for row in equilibrium(mode))
+    (heave,) = (c.position for c in mode.coordinates if c is not model.rotation)
     (at,) = sp.solve(heaving, heave)
-    foot = phase.feet["right"].position
+    foot = mode.feet["right"].position
     assert turning.subs(heave, at) == 0
     return -foot[1].subs({**upright, heave: at})
 
 
 def foot_force(model: RockingModel, foot: str) -> sp.Expr:
     """Static force of a spring at a rotation with both pressed, the vertical motion condensed."""
-    phase = model.mode("both")
-    (heave,) = (c for c in phase.coordinates if c is not model.rotation)
-    row = [c.name for c in phase.coordinates].index(heave.name)
-    (at,) = sp.solve(equilibrium(phase)[row], heave.position)
-    still = {c.velocity: 0 for c in phase.coordinates}
-    force = phase.feet[foot].force
+    mode = model.mode("both")
+    (heave,) = (c for c in mode.coordinates if c is not model.rotation)
+    row = [c.name for c in mode.coordinates].index(heave.name)
+    (at,) = sp.solve(equilibrium(mode)[row], heave.position)
+    still = {c.velocity: 0 for c in mode.coordinates}
+    force = mode.feet[foot].force
     assert force is not None
     return force.subs({**still, heave.position: at})
 
@@ -278,14 +278,14 @@ def from_pivot(model: RockingModel, side: int, body: int) -> sp.Matrix:
 
 
 def velocity(model: RockingModel, side: int, body: int) -> sp.Matrix:
-    phase = model.mode(CONTACT[side])
-    x, y, _ = body_velocity(phase.bodies[body], phase.coordinates)
+    mode = model.mode(CONTACT[side])
+    x, y, _ = body_velocity(mode.bodies[body], mode.coordinates)
     return sp.Matrix([x, y]).subs(SIDE, side)
 
 
 def kinetic(model: RockingModel, side: int, body: int) -> sp.Expr:
-    phase = model.mode(CONTACT[side])
-    return kinetic_energy(replace(phase, bodies=(phase.bodies[body],))).subs(SIDE, side)
+    mode = model.mode(CONTACT[side])
+    return kinetic_energy(replace(mode, bodies=(mode.bodies[body],))).subs(SIDE, side)
 
 
 def potential(model: RockingModel, side: int) -> sp.Expr:
