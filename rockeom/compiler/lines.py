@@ -379,11 +379,13 @@ class Lines:
         parts = zip(parts_of(value.type), value.parts, strict=True)
         return [f"{part} {operand}" for part, operand in parts]
 
-    def call(self, symbol: str, returns: Type, operands: Sequence[str], how: str = "") -> Value:
-        """how : attributes of the call."""
+    def call(
+        self, symbol: str, returns: Type, operands: Sequence[str], how: str = "", place: str = ""
+    ) -> Value:
+        """how : attributes of the call. place : for a result with a record, or "" for a new one."""
         if returned_in_place(returns):
             assert isinstance(returns, Tuple)
-            place = self.place_of(returns)
+            place = place or self.place_of(returns)
             self.line(f"call void @{symbol}({', '.join([*operands, f'ptr {place}'])}){how}")
             return Value(returns, (place,))
         type_, count = returned(returns), len(parts_of(returns))

@@ -521,6 +521,7 @@ class _Function:
         self.natural: set[str] = set()  # variables of loops, while they cannot be negative
         self.changed = False
         self.later: ast.AST | None = None
+        self.statement: ast.stmt | None = None  # that is being printed
 
     def body(self, symbol: str) -> str:
         """The whole function as text."""
@@ -865,7 +866,18 @@ class _Function:
                 for a, value in zip(node.args, given, strict=True)
             ]
         operands = [operand for value in given for operand in self.ir.given(value)]
-        return self.ir.call(symbol, returns, operands, how)
+        return self.ir.call(symbol, returns, operands, how, self._destination(node, returns))
+
+    def _destination(self, node: ast.Call, returns: Type) -> str:
+        """The place of a tuple that a call may write to at once, or none."""
+        match self.statement:
+            case ast.Return(value=value) if value is node:
+                return "%out"
+            case ast.Assign(targets=[ast.Name(id=name)], value=value) if value is node:
+                read = {n.id for a in node.args for n in ast.walk(a) if isinstance(n, ast.Name)}
+                if self.types.get(name, returns) == returns and name not in read:
+                    return self.ir.whole(name)
+        return ""
 
     def _is_record(self, node: ast.expr, type_: Type) -> bool:
         """Whether an argument is a record that is a variable, and is assigned more than once."""
@@ -952,6 +964,7 @@ class _Function:
         for statement in body:
             if not self.ir.open:
                 self.refuse(statement, "this is never reached")
+            self.statement = statement
             print_it = getattr(self, f"_do_{type(statement).__name__.lower()}", None)
             if print_it is None:
                 self.refuse(statement, f"{type(statement).__name__} is not among the statements")
