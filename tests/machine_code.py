@@ -5,7 +5,8 @@ from types import ModuleType
 from typing import Any
 
 from rockeom.compiler.machine import Loaded, compiled
-from rockeom.compiler.printer import Program, Text
+from rockeom.compiler.parsed import Text
+from rockeom.compiler.printer import Program
 from rockeom.integrator.program import texts
 
 HEAD = """

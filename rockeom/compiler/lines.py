@@ -1,6 +1,6 @@
 """Lines of LLVM's intermediate representation: what is done with values, whatever text asks for it.
 
-Nothing here knows Python's syntax; `rockeom/compiler/printer.py` does, and says what is to be done.
+Nothing here knows Python's syntax; the front end does, and says what is to be done.
 """
 
 from __future__ import annotations
@@ -719,13 +719,19 @@ class Lines:
         self.line(f"store {element} {value.operand}, ptr {at}")
 
     def fill(self, part: Value, value: Value) -> None:
-        """Give all numbers of a part of an array one value."""
+        """Give all numbers of a part of an array one value, or those of another array."""
         assert isinstance(part.type, Array)
         if part.type.dimensions != 1:
             raise Unfit("array[first:last] = number is for one dimension")
-        value = self.widened(value, part.type.element)
+        copies = isinstance(value.type, Array) and value.type.dimensions == 1
+        if not copies:
+            value = self.widened(value, part.type.element)
         with self.counting("0", part.parts[1], 1) as loop:
-            self.write(value, part._replace(parts=(self.address(part, loop.at),)))
+            number = value
+            if copies:
+                self.checked(loop.at, value.parts[1])
+                number = self.read(value._replace(parts=(self.address(value, loop.at),)))
+            self.write(number, part._replace(parts=(self.address(part, loop.at),)))
 
     def new_array(self, element: str, shape: tuple[int, ...]) -> Value:
         place = self.on_stack(element, max(math.prod(shape), 1))

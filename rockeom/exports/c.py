@@ -11,18 +11,15 @@ from typing import Any
 
 import numpy as np
 
+from rockeom.compiler.types import BOOL, FLOAT, INT, Array, Tuple, Type
 from rockeom.exports.closed import (
-    BOOL,
-    FLOAT,
-    INT,
-    Array,
     Function,
     Functions,
     Names,
-    Row,
-    Type,
     base_of,
+    is_row,
     names_of,
+    number_of,
 )
 from rockeom.exports.writer import EITHER, ITEM, OR, POWER, PRODUCT, SIGNED, STEP, SUM, Writer
 
@@ -51,8 +48,7 @@ _TYPES = {INT: "int", BOOL: "int", FLOAT: "double"}
 
 
 def _word(type_: Type) -> str:
-    element = type_.element if isinstance(type_, (Array, Row)) else type_
-    return _TYPES[element or FLOAT]
+    return _TYPES[number_of(type_)]
 
 
 class CWriter(Writer):
@@ -145,15 +141,15 @@ class CWriter(Writer):
         function = self.function
         given = []
         for name in function.arguments:
-            type_ = function.types.get(name)
-            if isinstance(type_, (Array, Row)):
+            type_ = function.types[name]
+            if isinstance(type_, (Array, Tuple)):
                 const = "" if name in function.fills else "const "
                 given.append(f"{const}{_word(type_)} *{self.names.of(name)}")
             else:
                 given.append(f"{_word(type_)} {self.names.of(name)}")
         given = [argument.replace(" ", JOINED) for argument in given]
         returns = function.returns
-        if isinstance(returns, (Array, Row)):
+        if isinstance(returns, Array) or is_row(returns):
             given.append(f"{_word(returns)}{JOINED}*result")
         word = _word(returns) if isinstance(returns, str) else "void"
         return f"{word} {self.prefix}{self.names.of(function.name)}({', '.join(given)})"
@@ -181,7 +177,7 @@ class CWriter(Writer):
         for statement in body:
             for name in before.get(statement, ()):
                 self.pending[-1].discard(name)
-                self.line(f"{_word(self.function.types.get(name))} {self.names.of(name)} = 0;")
+                self.line(f"{_word(self.function.types[name])} {self.names.of(name)} = 0;")
             self.inner = inside[statement] - here
             self.statement(statement)
         self.depth -= 1
@@ -218,7 +214,7 @@ class CWriter(Writer):
         if not self.is_pending(name):
             return found
         const = "const " if self.times[name] == 1 else ""
-        return f"{const}{_word(self.function.types.get(name))} {found}"
+        return f"{const}{_word(self.function.types[name])} {found}"
 
     def statement(self, node: ast.stmt) -> None:
         names = self.inner
@@ -283,10 +279,10 @@ class CWriter(Writer):
             self.line("return;")
             return
         type_ = self.function.returns
-        if isinstance(type_, Row) and isinstance(value, ast.Call):
+        if is_row(type_) and isinstance(value, ast.Call):
             self.line(f"{self.call(value, 'result')[0]};")
             self.line("return;")
-        elif isinstance(type_, Row):
+        elif is_row(type_):
             if not isinstance(value, ast.Tuple):
                 self.function.refuse(value, "a tuple is returned as it is written out")
             for i, item in enumerate(value.elts):
@@ -315,9 +311,9 @@ class CWriter(Writer):
 
     def unpack(self, targets: Sequence[ast.expr], value: ast.expr) -> None:
         row, name = self.type_of(value), self.new("pair")
-        assert isinstance(row, Row)
+        assert isinstance(row, Tuple)
         assert isinstance(value, ast.Call)
-        self.line(f"{_word(row)} {name}[{row.size}];")
+        self.line(f"{_word(row)} {name}[{len(row.items)}];")
         self.line(f"{self.call(value, name)[0]};")
         for i, target in enumerate(targets):
             self.put(target, f"{name}[{i}]")
@@ -340,11 +336,11 @@ class CWriter(Writer):
 
     def keep_row(self, name: str, value: ast.expr) -> None:
         row = self.type_of(value)
-        assert isinstance(row, Row)
+        assert isinstance(row, Tuple)
         assert isinstance(value, ast.Call)
         if not self.is_pending(name):
             self.function.refuse(value, f"{name} is found in several places")
-        self.line(f"{_word(row)} {self.names.of(name)}[{row.size}];")
+        self.line(f"{_word(row)} {self.names.of(name)}[{len(row.items)}];")
         self.line(f"{self.call(value, self.names.of(name))[0]};")
 
     def copy(self, target: ast.Subscript, value: ast.expr) -> None:

@@ -1,62 +1,50 @@
 """The functions of a generated module as they are written out for another language.
 
-Generated modules stand in a closed part of Python, see `rockeom.compiler.printer`: numbers, tuples
-of them, arrays that are passed in, calls, `while`, `for`, `if`. What a language with declared types
-must be told is found out here: the type of each variable, which arrays a function fills, what is
-needed of its values, and which names would mean something else there.
+The front end of the compiler types them, and refuses the same texts. Here is found out which arrays
+a function changes, which values are needed, and which names would mean something else in the other
+language.
 """
 
 from __future__ import annotations
 
 import ast
-import math
-import operator
 import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, reduce
 from typing import Any, NamedTuple, NoReturn
 
-import numpy as np
-
-from rockeom.compiler.printer import Program, Text
-from rockeom.compiler.types import MATH
-
-INT, BOOL, FLOAT = "int", "bool", "float"
-
-
-class Array(NamedTuple):
-    """Numbers of one type, one after the other."""
-
-    element: str
-
-
-class Row(NamedTuple):
-    """A tuple of as many numbers of one type."""
-
-    element: str
-    size: int
-
-
-Type = str | Array | Row | None
-"""None is what is not known yet, or a function that gives nothing back."""
+from rockeom.compiler.frontend import Function as Typed
+from rockeom.compiler.lines import joined, told
+from rockeom.compiler.parsed import UNKNOWN, Constants, Text
+from rockeom.compiler.printer import Program
+from rockeom.compiler.types import BOOL, FLOAT, INT, NOTHING, Array, Tuple, Type
 
 
 class Unwritten(NotImplementedError):  # noqa: N818
     """Of a text what is not written in another language, by function and line."""
 
 
-def joined(one: Type, other: Type) -> Type:
-    """The type of what may be either."""
-    if one is None or one == other:
-        return other
-    if other is None:
-        return one
-    if isinstance(one, Row) and isinstance(other, Row) and one.size == other.size:
-        return Row(str(joined(one.element, other.element)), one.size)
-    if isinstance(one, str) and isinstance(other, str):
-        return FLOAT if FLOAT in (one, other) else INT
-    raise Unwritten(f"either {one} or {other}")
+def joined_type(one: Type, other: Type) -> Type:
+    """The type of a value that has either."""
+    found = joined(one, other)
+    if found is None:
+        raise Unwritten(f"either {told(one)} or {told(other)}")
+    return found
+
+
+def number_of(type_: Type) -> str:
+    """The type of the numbers in a value."""
+    if isinstance(type_, Array):
+        return type_.element
+    if isinstance(type_, Tuple):
+        return number_of(reduce(joined_type, type_.items))
+    return type_
+
+
+def is_row(type_: Type) -> bool:
+    """Whether a value is a tuple of numbers."""
+    return isinstance(type_, Tuple) and type_ != NOTHING
 
 
 class Alias(NamedTuple):
@@ -68,15 +56,16 @@ class Alias(NamedTuple):
 
 @dataclass
 class Function:
-    """One function: its tree, and the types of its variables.
+    """One function: its tree, and the types of its variables and of its other expressions.
 
     fills : arrays among its arguments that it changes. lengths : of arrays of its own.
     """
 
     name: str
     tree: ast.FunctionDef
-    types: dict[str, Type] = field(default_factory=dict)
-    returns: Type = None
+    types: dict[str, Type]
+    typed: dict[ast.expr, Type]
+    returns: Type
     fills: set[str] = field(default_factory=set)
     lengths: dict[str, int] = field(default_factory=dict)
     aliases: dict[str, Alias] = field(default_factory=dict)
@@ -125,47 +114,53 @@ class Functions:
     """
 
     def __init__(self, texts: Sequence[Text], entries: Mapping[str, Sequence[Type]]) -> None:
-        self.constants: dict[str, Any] = Program(texts).names
-        # trees of their own: they are changed, and others print the same texts
-        bodies = [ast.parse(text.source, text.name).body for text in texts]
-        self.trees = {f.name: f for body in bodies for f in body if isinstance(f, ast.FunctionDef)}
+        program = Program(texts)
+        self.constants: dict[str, Any] = program.names
         self.entries = tuple(entries)
-        self.known: dict[str, Function] = {}
-        self.news = True
-        while self.news:
-            self.news = False
-            for name, types in entries.items():
-                self.asked(name, types)
-            for function in list(self.known.values()):
-                _Reader(self, function).read()
+        self.values = Constants(self.constants)
+        typed = _typed(program, entries)
+        self.known = {name: self._read(name, all_) for name, all_ in typed.items()}
+        for function in self.known.values():
+            self._find_calls(function)
+        for function in self.ordered():
+            _Reader(self, function).read()
         for function in self.known.values():
             function.body, _ = _needed(self, function.body, frozenset())
-            called = {ast.unparse(n.func) for s in function.body for n in calls_in(s)}
-            function.calls = [name for name in function.calls if name in called]
+            self._find_calls(function)
+
+    def _read(self, name: str, typed: Sequence[Typed]) -> Function:
+        """A function by what the front end says of it, for all types that it is called with."""
+        tree = typed[0].definition.tree
+        body = _pruned(tree.body, self.values)
+        written = ast.FunctionDef(name, tree.args, body, [])
+        return Function(
+            name,
+            ast.copy_location(written, tree),
+            _merged(one.types for one in typed),
+            _merged(one.typed for one in typed),
+            reduce(joined_type, (one.returns for one in typed)),
+        )
+
+    def _find_calls(self, function: Function) -> None:
+        """The functions that it calls, in the order in which their values are found."""
+        calls: dict[str, None] = {}
+
+        def add(call: ast.Call) -> None:
+            for argument in call.args:
+                if isinstance(argument, ast.Call):
+                    add(argument)
+            if (name := ast.unparse(call.func)) in self.known:
+                calls[name] = None
+
+        for statement in function.body:
+            for call in calls_in(statement):
+                add(call)
+        function.calls = list(calls)
 
     def changes(self, node: ast.AST) -> bool:
         """Whether a call in it changes an array."""
         called = (self.known.get(ast.unparse(call.func)) for call in calls_in(node))
         return any(function is not None and function.filled for function in called)
-
-    def asked(self, name: str, types: Sequence[Type]) -> Function:
-        """A function that is called with these types of arguments."""
-        if name not in self.known:
-            if name not in self.trees:
-                raise Unwritten(f"no function {name} is known")
-            self.known[name] = Function(name, _Pruned(self.constants).visit(self.trees[name]))
-            self.news = True
-        function = self.known[name]
-        for argument, type_ in zip(function.arguments, types, strict=True):
-            self.learn(function, argument, type_)
-        return function
-
-    def learn(self, function: Function, name: str, type_: Type) -> None:
-        """Widen the type of a variable."""
-        found = joined(function.types.get(name), type_)
-        if found is not None and found != function.types.get(name):
-            function.types[name] = found
-            self.news = True
 
     def ordered(self) -> list[Function]:
         """Each behind those that it calls."""
@@ -181,146 +176,80 @@ class Functions:
             add(name)
         return list(found.values())
 
-    # -- types --------------------------------------------------------------------------------
-
     def type_of(self, function: Function, node: ast.expr) -> Type:
-        """The type of an expression, as far as it is known."""
-        match node:
-            case ast.Constant(value=bool()):
-                return BOOL
-            case ast.Constant(value=value):
-                return INT if isinstance(value, int) else FLOAT
-            case ast.Name(id=name):
-                if name in function.own:
-                    return function.types.get(name)
-                return self._of_constant(function, node, self.constants.get(name))
-            case ast.BinOp(op=ast.Div() | ast.Pow()):
-                return FLOAT
-            case ast.BinOp(left=left, right=right):
-                return joined(self.type_of(function, left), self.type_of(function, right))
-            case ast.UnaryOp(op=ast.Not()) | ast.Compare() | ast.BoolOp():
-                return BOOL
-            case ast.UnaryOp(operand=operand):
-                return self.type_of(function, operand)
-            case ast.IfExp(body=body, orelse=orelse):
-                return joined(self.type_of(function, body), self.type_of(function, orelse))
-            case ast.Tuple(elts=items):
-                element: Type = None
-                for item in items:
-                    element = joined(element, self.type_of(function, item))
-                return None if element is None else Row(str(element), len(items))
-            case ast.Attribute(value=ast.Name(id="math" | "np"), attr=attribute):
-                return self._of_constant(function, node, getattr(math, attribute, None))
-            case ast.Subscript():
-                return self._of_item(function, node)
-            case ast.Call():
-                return self._of_call(function, node)
-        function.refuse(node, f"{type(node).__name__} is not written")
-
-    def _of_constant(self, function: Function, node: ast.expr, value: Any) -> Type:
-        while isinstance(value, (tuple, np.ndarray)) and len(value):
-            value = value[0]
-        if isinstance(value, (bool, np.bool_)):
-            return BOOL
-        if isinstance(value, (int, np.integer)):
-            return INT
-        if isinstance(value, (float, np.floating)):
-            return FLOAT
-        if isinstance(value, (tuple, np.ndarray)):  # of an element that is not there
-            return INT
-        function.refuse(node, f"{ast.unparse(node)} is no number")
-
-    def _of_item(self, function: Function, node: ast.Subscript) -> Type:
-        base = base_of(node)
-        if isinstance(base, ast.Name) and base.id not in function.own:
-            return self._of_constant(function, base, self.constants.get(base.id))
-        type_ = self.type_of(function, base)
-        if isinstance(node.slice, ast.Slice):
-            return type_
-        return type_.element if isinstance(type_, (Array, Row)) else None
-
-    def _of_call(self, function: Function, node: ast.Call) -> Type:
-        match node.func:
-            case ast.Name(id="abs" | "max" | "min"):
-                found: Type = None
-                for argument in node.args:
-                    found = joined(found, self.type_of(function, argument))
-                return found
-            case ast.Name(id="int" | "len"):
-                return INT
-            case ast.Name(id="float"):
-                return FLOAT
-            case ast.Name(id=name):
-                types = [self.type_of(function, a) for a in node.args]
-                called = self.asked(name, types)
-                if name not in function.calls:
-                    function.calls.append(name)
-                for own, given in zip(called.arguments, node.args, strict=True):
-                    if own in called.fills:
-                        self.fill(function, base_of(given))
-                return called.returns
-            case ast.Attribute(value=ast.Name(id="math"), attr="isfinite"):
-                return BOOL
-            case ast.Attribute(value=ast.Name(id="math"), attr=name) if name in MATH:
-                return FLOAT
-            case ast.Attribute(value=ast.Name(id="np"), attr="empty" | "zeros"):
-                return Array(INT if len(node.args) > 1 else FLOAT)
-        function.refuse(node, f"{ast.unparse(node.func)} is not written")
+        """The type of an expression."""
+        if isinstance(node, ast.Name) and node.id in function.own:
+            return function.types[node.id]
+        if node not in function.typed:  # a part of an expression that is constant as a whole
+            value = self.values.known(node)
+            return BOOL if isinstance(value, bool) else INT if isinstance(value, int) else FLOAT
+        return function.typed[node]
 
     def fill(self, function: Function, node: ast.expr) -> None:
         """An array is changed, and with it that of which it is a part."""
         if not isinstance(node, ast.Name):
             function.refuse(node, "only an array with a name is changed")
         name = node.id
-        if name not in function.fills:
-            function.fills.add(name)
-            self.news = True
+        function.fills.add(name)
         if name in function.aliases:
             self.fill(function, ast.Name(function.aliases[name].array))
 
     def constant(self, node: ast.expr) -> Any:
         """The value of an expression of constants; raises LookupError for any other."""
-        return _constant(node, self.constants)
+        value = self.values.known(node)
+        if value is UNKNOWN:
+            raise LookupError(ast.unparse(node))
+        return value
 
 
-_DONE: dict[type, Callable[..., Any]] = {
-    ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv,
-    ast.FloorDiv: operator.floordiv, ast.Mod: operator.mod, ast.USub: operator.neg,
-    ast.Lt: operator.lt, ast.LtE: operator.le, ast.Gt: operator.gt, ast.GtE: operator.ge,
-    ast.Eq: operator.eq, ast.NotEq: operator.ne,
-}  # fmt: skip
+def _typed(program: Program, entries: Mapping[str, Sequence[Type]]) -> dict[str, list[Typed]]:
+    """What the front end says of functions and all that they call, for the widest types, too."""
+    wanted: dict[str, tuple[Type, ...]] = {}
+    wider = {name: tuple(types) for name, types in entries.items()}
+    while wider != wanted:
+        wanted = wider
+        for name, types in wanted.items():
+            if name not in program.definitions:
+                raise Unwritten(f"no function {name} is known")
+            program.function(name, types, None, program.definitions[name])
+        wider = {}
+        for name, types in program.functions:
+            old = wider.get(name, types)
+            wider[name] = tuple(map(joined_type, old, types))
+    found: dict[str, list[Typed]] = {}
+    for (name, _), function in program.functions.items():
+        found.setdefault(name, []).append(function)
+    return found
 
 
-def _constant(node: ast.expr, constants: Mapping[str, Any]) -> Any:
-    match node:
-        case ast.Constant(value=value):
-            return value
-        case ast.Name(id=name) if isinstance(constants.get(name), (int, float, tuple)):
-            return constants[name]
-        case ast.BinOp(op=op, left=left, right=right) if type(op) in _DONE:
-            return _DONE[type(op)](_constant(left, constants), _constant(right, constants))
-        case ast.UnaryOp(op=ast.USub(), operand=operand):
-            return -_constant(operand, constants)
-        case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in _DONE:
-            return _DONE[type(op)](_constant(left, constants), _constant(right, constants))
-        case ast.Call(func=ast.Name(id="len"), args=[of]):
-            return len(_constant(of, constants))
-    raise LookupError(ast.unparse(node))
+def _merged(types: Iterable[Mapping[Any, Type]]) -> dict[Any, Type]:
+    """Types by their keys, each the widest."""
+    found: dict[Any, Type] = {}
+    for some in types:
+        for key, type_ in some.items():
+            found[key] = joined_type(found.get(key, type_), type_)
+    return found
 
 
-class _Pruned(ast.NodeTransformer):
-    """Without what never happens, by what is constant."""
-
-    def __init__(self, constants: Mapping[str, Any]) -> None:
-        self.constants = constants
-
-    def visit_If(self, node: ast.If) -> Any:
-        try:
-            known = _constant(node.test, self.constants)
-        except LookupError:
-            return self.generic_visit(node)
-        kept = node.body if known else node.orelse
-        return [self.visit(statement) for statement in kept] or ast.Pass()
+def _pruned(body: Sequence[ast.stmt], constants: Constants) -> list[ast.stmt]:
+    """Statements without what never happens, by what is constant."""
+    found: list[ast.stmt] = []
+    for statement in body:
+        match statement:
+            case ast.If(test=test, body=yes, orelse=no):
+                value = constants.known(test)
+                if value is not UNKNOWN:
+                    found += _pruned(yes if value else no, constants)
+                    continue
+                new: ast.stmt = ast.If(test, _pruned(yes, constants), _pruned(no, constants))
+            case ast.While(test=test, body=inner):
+                new = ast.While(test, _pruned(inner, constants), [])
+            case ast.For(target=target, iter=range_, body=inner):
+                new = ast.For(target, range_, _pruned(inner, constants), [])
+            case _:
+                new = statement
+        found.append(ast.copy_location(new, statement))
+    return found or [ast.Pass()]
 
 
 Live = frozenset[str]
@@ -348,21 +277,26 @@ def _needed(
                     if not isinstance(t, ast.Name) or t.id in after or functions.changes(v)
                 ]
                 if isinstance(target, ast.Tuple) and not isinstance(value, ast.Tuple):
-                    for item in target.elts:
-                        if isinstance(item, ast.Name) and item.id not in after:
-                            item.id = "_"
+                    names = [
+                        ast.Name("_", ast.Store())
+                        if isinstance(item, ast.Name) and item.id not in after
+                        else item
+                        for item in target.elts
+                    ]
                     if not functions.changes(value) and all(
-                        isinstance(item, ast.Name) and item.id == "_" for item in target.elts
+                        isinstance(item, ast.Name) and item.id == "_" for item in names
                     ):
                         continue
+                    new = ast.Assign([ast.Tuple(names, ast.Store())], value)
+                    statement = ast.copy_location(new, statement)
                 elif not pairs_left:
                     continue
                 elif isinstance(target, ast.Tuple):
                     targets, values = zip(*pairs_left, strict=True)
                     one = len(targets) == 1
-                    new = targets[0] if one else ast.Tuple(list(targets), ast.Store())
+                    left = targets[0] if one else ast.Tuple(list(targets), ast.Store())
                     given = values[0] if one else ast.Tuple(list(values), ast.Load())
-                    statement = ast.copy_location(ast.Assign([new], given), statement)
+                    statement = ast.copy_location(ast.Assign([left], given), statement)
                 after = after - _given_names(statement) | _loads(statement)
             case ast.If(test=test, body=yes, orelse=no):
                 yes, before = _needed(functions, yes, after, looping)
@@ -463,7 +397,7 @@ def one_by_one(several: Sequence[tuple[ast.expr, ast.expr]]) -> bool:
 
 
 class _Reader:
-    """Reads one function once, and tells what is new of the types."""
+    """Finds out which arrays a function changes, and which are parts of others."""
 
     def __init__(self, functions: Functions, function: Function) -> None:
         self.functions, self.function = functions, function
@@ -471,58 +405,29 @@ class _Reader:
     def read(self) -> None:
         self._block(self.function.body)
 
-    def _type(self, node: ast.expr) -> Type:
-        return self.functions.type_of(self.function, node)
-
     def _block(self, body: Iterable[ast.stmt]) -> None:
         for statement in body:
-            self._statement(statement)
-
-    def _statement(self, statement: ast.stmt) -> None:
-        function = self.function
-        match statement:
-            case ast.Assign(targets=targets, value=value):
-                for target in targets:
-                    self._assign(target, value)
-            case ast.AugAssign(target=target, value=value):
-                self._type(value)
-                self._give(target, self._type(value))
-            case ast.If(test=test, body=body, orelse=orelse):
-                self._type_inside(test)
-                self._block(body)
-                self._block(orelse)
-            case ast.While(test=test, body=body):
-                self._type_inside(test)
-                self._block(body)
-            case ast.For(target=ast.Name(id=name), iter=ast.Call(args=args), body=body):
-                for argument in args:
-                    self._type_inside(argument)
-                self.functions.learn(function, name, INT)
-                self._block(body)
-            case ast.Return(value=None) | ast.Pass() | ast.Break() | ast.Continue():
-                pass
-            case ast.Return(value=ast.expr() as value):
-                self._type_inside(value)
-                found = joined(function.returns, self._type(value))
-                if found != function.returns:
-                    function.returns, self.functions.news = found, True
-            case ast.Expr(value=value):
-                self._type_inside(value)
-            case _:
-                function.refuse(statement, f"{type(statement).__name__} is not written")
-
-    def _type_inside(self, node: ast.expr) -> None:
-        """Of all calls within an expression, what they are given."""
-        for call in calls_in(node):
-            self._type(call)
+            match statement:
+                case ast.Assign(targets=targets, value=value):
+                    for target in targets:
+                        self._assign(target, value)
+                case ast.AugAssign(target=target):
+                    self._fill(target)
+                case ast.If(body=body, orelse=orelse):
+                    self._block([*body, *orelse])
+                case ast.While(body=body) | ast.For(body=body):
+                    self._block(body)
+            for call in calls_in(statement):
+                called = self.functions.known.get(ast.unparse(call.func))
+                for own, given in zip(called.arguments, call.args, strict=True) if called else ():
+                    if called and own in called.fills:
+                        self.functions.fill(self.function, base_of(given))
 
     def _assign(self, target: ast.expr, value: ast.expr) -> None:
-        self._type_inside(value)
         several = pairs(target, value)
         if several is None:
-            row = self._type(value)
             for part in target.elts:  # type: ignore[attr-defined]
-                self._give(part, row.element if isinstance(row, Row) else None)
+                self._fill(part)
             return
         for one, given in several:
             if isinstance(one, ast.Name) and made_array(given):
@@ -530,7 +435,7 @@ class _Reader:
                 self.function.lengths[one.id] = size
             elif isinstance(one, ast.Name) and isinstance(given, ast.Subscript):
                 self._name_part(one.id, given)
-            self._give(one, self._type(given))
+            self._fill(one)
 
     def _name_part(self, name: str, given: ast.Subscript) -> None:
         if not isinstance(given.slice, ast.Slice):
@@ -539,16 +444,10 @@ class _Reader:
         if not isinstance(base, ast.Name) or given.slice.upper or given.slice.lower is None:
             self.function.refuse(given, "a part of an array is array[first:]")
         self.function.aliases[name] = Alias(base.id, given.slice.lower)
-        if name in self.function.fills:
-            self.functions.fill(self.function, base)
 
-    def _give(self, target: ast.expr, type_: Type) -> None:
-        if isinstance(target, ast.Name):
-            self.functions.learn(self.function, target.id, type_)
-        elif isinstance(target, ast.Subscript):
+    def _fill(self, target: ast.expr) -> None:
+        if isinstance(target, ast.Subscript):
             self.functions.fill(self.function, base_of(target))
-        else:
-            self.function.refuse(target, f"{type(target).__name__} is not assigned to")
 
 
 _KEPT = re.compile(r"(kept|pair|so|i)_\d+_")

@@ -16,19 +16,10 @@ from functools import lru_cache
 from types import ModuleType
 from typing import Any
 
-from rockeom.compiler.printer import Text
+from rockeom.compiler.parsed import Text
+from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
-from rockeom.exports.closed import (
-    FLOAT,
-    INT,
-    Array,
-    Function,
-    Functions,
-    Names,
-    Type,
-    in_plain_letters,
-    printable,
-)
+from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
 from rockeom.files import VERSION
 from rockeom.integrator.schema import SEARCHED, has_points
 from rockeom.integrator.texts import source, text_of
@@ -271,7 +262,7 @@ def _type(function: ast.FunctionDef, argument: str) -> Type:
         and node.value.id == argument
         for node in ast.walk(function)
     )
-    return Array(FLOAT) if is_array else FLOAT
+    return Array(FLOAT, 1) if is_array else FLOAT
 
 
 def _places(function: Function, argument: str) -> list[int]:

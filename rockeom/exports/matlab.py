@@ -8,11 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from rockeom.exports.closed import (
-    Function,
-    Names,
-    base_of,
-)
+from rockeom.compiler.types import NOTHING
+from rockeom.exports.closed import Function, Names, base_of
 from rockeom.exports.writer import ITEM, POWER, PRODUCT, SIGNED, SUM, Writer
 
 _WORDS = """
@@ -212,7 +209,7 @@ class MatlabWriter(Writer):
         """A call as a statement: its value, if that is wanted, and the arrays that it changes."""
         called = self.functions.known[ast.unparse(node.func)]
         left = []
-        if called.returns is not None:
+        if called.returns != NOTHING:
             left.append(result or "~")
         for argument, given in zip(called.arguments, node.args, strict=True):
             if argument in called.fills:
@@ -264,7 +261,7 @@ class MatlabWriter(Writer):
 
 def outputs(function: Function, names: Names) -> list[str]:
     """What a function gives: its value, and the arrays that it changes."""
-    value = ["result"] if function.returns is not None else []
+    value = ["result"] if function.returns != NOTHING else []
     return value + [names.of(a) for a in function.filled]
 
 

@@ -12,16 +12,14 @@ from typing import Any
 
 import numpy as np
 
+from rockeom.compiler.types import Type
 from rockeom.exports.closed import (
-    FLOAT,
-    Array,
     Function,
     Functions,
     Names,
-    Row,
-    Type,
     base_of,
     indices_of,
+    is_row,
     made_array,
     one_by_one,
     pairs,
@@ -190,7 +188,7 @@ class Writer:
 
     def is_row(self, node: ast.expr) -> bool:
         """Whether an expression is a call that gives several numbers."""
-        return isinstance(node, ast.Call) and isinstance(self.type_of(node), Row)
+        return isinstance(node, ast.Call) and is_row(self.type_of(node))
 
     # -- statements ---------------------------------------------------------------------------
 
@@ -280,7 +278,3 @@ class Writer:
 
     def copy(self, target: ast.Subscript, value: ast.expr) -> None:
         raise NotImplementedError
-
-
-def is_float(type_: Type) -> bool:
-    return (type_.element if isinstance(type_, (Array, Row)) else type_) == FLOAT

@@ -29,7 +29,8 @@ from rockeom.integrator.schema import SEARCHED, angles, has_points
 from rockeom.integrator.texts import digest, source, text_of
 
 if TYPE_CHECKING:
-    from rockeom.compiler.printer import Program as Printed, Text
+    from rockeom.compiler.parsed import Text
+    from rockeom.compiler.printer import Program as Printed
 
 _LANES = "integrator/lanes.py"
 _OF_POINTS = ("integrator/transitions/landings.py", "integrator/transitions/zeno.py")
@@ -52,8 +53,8 @@ JOINED = (
 _OF_ALL = (
     *_OF_STEPS, *_LOOPS, *_OF_POINTS, _TABLE, _SEARCH, "integrator/methods/tableau.py",
     "integrator/methods/coefficients.py", "integrator/methods/radau.py",
-    "integrator/methods/radau_step.py", "compiler/printer.py", "compiler/machine.py",
-    "compiler/lines.py", "compiler/types.py", "integrator/program.py",
+    "integrator/methods/radau_step.py", "compiler/printer.py", "compiler/frontend.py",
+    "compiler/parsed.py", "compiler/machine.py", "compiler/lines.py", "compiler/types.py", "integrator/program.py",
     "integrator/texts.py", "codes.py",
 )  # fmt: skip
 """Modules whose texts every program follows from, besides that of its structure."""
@@ -265,7 +266,7 @@ def _nothing_collected() -> Iterator[None]:
 
 def joined_texts(generated: ModuleType, method: str, part: str) -> list[Text]:
     """What a part of a program is printed from; entries of the other parts are called."""
-    from rockeom.compiler.printer import Text
+    from rockeom.compiler.parsed import Text
 
     own = {LOOP: _LOOPS, VECTORS: (VECTORS,), GLUE: (_LANES,), TANGENTS: (_VARIATIONAL,)}[part]
     found = texts(generated, method, part in (VECTORS, GLUE))
@@ -283,7 +284,7 @@ def joined_texts(generated: ModuleType, method: str, part: str) -> list[Text]:
 
 def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]:
     """The parts of a program, in the order in which one needs the other."""
-    from rockeom.compiler.printer import Text
+    from rockeom.compiler.parsed import Text
     from rockeom.integrator.methods.tableau import step_text, tableau
 
     n = generated.N_STATES // 2
@@ -321,6 +322,6 @@ def _contacts(generated: ModuleType) -> str:
 
 def _joined(name: str, fused: bool = False) -> Text:
     """The text of a module of this package as a part of a program."""
-    from rockeom.compiler.printer import Text
+    from rockeom.compiler.parsed import Text
 
     return Text(name, text_of(name), fused=fused)

@@ -10,7 +10,7 @@ import pytest
 
 import rockeom as rk
 from rockeom import codes
-from rockeom.compiler.printer import _BUILT_IN
+from rockeom.compiler.frontend import _BUILT_IN
 from rockeom.integrator.program import JOINED, texts
 from rockeom.integrator.schema import SEARCHED
 from rockeom.integrator.texts import text_of

@@ -10,7 +10,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from rockeom.compiler.printer import Program, Refused, Text
+from rockeom.compiler.parsed import Refused, Text
+from rockeom.compiler.printer import Program
 from rockeom.compiler.types import WIDTH
 from rockeom.integrator.texts import text_of
 from tests.machine_code import HEAD, functions

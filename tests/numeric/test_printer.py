@@ -14,10 +14,11 @@ import timeit
 import numpy as np
 import pytest
 
-from rockeom.compiler import lines as machine_lines, printer
+from rockeom.compiler import frontend, lines as machine_lines, parsed
 from rockeom.compiler.lines import Lines
 from rockeom.compiler.machine import Loaded, compiled
-from rockeom.compiler.printer import GROWTH, Program, Refused, Text
+from rockeom.compiler.parsed import Refused, Text
+from rockeom.compiler.printer import GROWTH, Program
 from tests.machine_code import HEAD, functions
 
 GREATEST_DIVISOR = """
@@ -340,8 +341,8 @@ WRONG = {
     "ints are subtracted the other way": (
         machine_lines.OF_INTS, "Sub", "add nsw", PLACES,
     ),
-    "a constant is negated": (printer._KNOWN, printer.ast.USub, lambda a: a, HORNER),
-    "the largest is the least": (printer._BUILT_IN, "max", Lines.least, CHOICES),
+    "a constant is negated": (parsed._OPERATORS, frontend.ast.USub, lambda a: a, HORNER),
+    "the largest is the least": (frontend._BUILT_IN, "max", Lines.least, CHOICES),
 }  # fmt: skip
 
 forked = pytest.mark.skipif(
@@ -387,7 +388,7 @@ WRONG_METHODS = {
         "_branch", lambda right: lambda self, test, a, b: right(self, test, b, a), "choices",
     ),
     "tuples are read from behind": ("_tuple", lambda right: lambda self, n: right(
-        self, printer.ast.Tuple(n.elts[::-1], n.ctx)
+        self, frontend.ast.Tuple(n.elts[::-1], n.ctx)
     ), "library"),
 }  # fmt: skip
 
@@ -395,8 +396,8 @@ WRONG_METHODS = {
 @forked
 @pytest.mark.parametrize(("name", "wrong", "text"), WRONG_METHODS.values(), ids=WRONG_METHODS)
 def test_wrong_method_of_the_printer_is_noticed(monkeypatch, name, wrong, text):
-    right = getattr(printer._Function, name)
-    monkeypatch.setattr(printer._Function, name, wrong(right))
+    right = getattr(frontend.Function, name)
+    monkeypatch.setattr(frontend.Function, name, wrong(right))
     assert is_noticed(TEXTS[text])
 
 
