@@ -46,6 +46,7 @@ _OF_STEPS = (
 """Texts with one job each, of which the loop makes use."""
 _LOOPS = ("integrator/loop.py", "integrator/batches.py")
 _DERIVATIVES, _VARIATIONAL = "integrator/derivatives.py", "integrator/variational.py"
+_SLOPES = "numbers/derivatives.py"
 JOINED = (
     SEARCHED, *_OF_POINTS, _TABLE, _SEARCH, *_OF_STEPS, *_LOOPS, _LANES, _DERIVATIVES, _VARIATIONAL,
 )  # fmt: skip
@@ -178,7 +179,7 @@ what it is called by. Derivatives are the texts of the loop once more, printed f
 _OTHERS = {
     VECTORS: (_LANES, "integrator/lanes_text.py"),
     GLUE: (_LANES, "integrator/lanes_text.py"),
-    TANGENTS: (_DERIVATIVES, _VARIATIONAL),
+    TANGENTS: (_SLOPES, _DERIVATIVES, _VARIATIONAL),
 }
 """Texts from which a part is made besides those of the loop."""
 

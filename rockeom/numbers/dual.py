@@ -18,7 +18,7 @@ import numpy as np
 
 from rockeom.numbers.batch import OPERATORS, boxed
 from rockeom.numbers.checks import number, numbers, told
-from rockeom.numbers.functions import FUNCTIONS, Compound
+from rockeom.numbers.functions import FUNCTIONS, IN_NUMPY, Compound
 
 Slope = Callable[..., Any]
 """Of a function f of numbers: its derivative by one of them, given all of them and f itself."""
@@ -96,8 +96,8 @@ def _are_floats(given: tuple[Any, ...]) -> bool:
     return any(isinstance(x, np.ndarray) and x.dtype == float and x.ndim == 1 for x in given)
 
 
-_IN_MATH = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2"}
-"""What NumPy calls otherwise."""
+_IN_MATH = {name: here for here, name in IN_NUMPY.items()} | {"arctan2": "atan2"}
+"""Names of `math` by those of NumPy."""
 
 
 def _slopes(name: str) -> tuple[Slope, ...]:

@@ -15,6 +15,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rockeom.numbers import derivatives
+
 
 @cache
 def gauss_rule() -> tuple[np.ndarray, np.ndarray]:
@@ -95,35 +97,27 @@ class Derivatives(NamedTuple):
     curvature: Callable[[Any], Any]
 
 
-def _none(x: Any) -> Any:
-    return 0.0 * x
+IN_NUMPY = {
+    "asin": "arcsin", "acos": "arccos", "atan": "arctan", "asinh": "arcsinh", "acosh": "arccosh",
+    "atanh": "arctanh",
+}  # fmt: skip
+"""Names that NumPy has instead of those of `math`."""
+
+_NAMES = tuple(
+    name.removesuffix("_curvature") for name in vars(derivatives) if name.endswith("_curvature")
+)
+_ARRAYS = SimpleNamespace(**{name: getattr(np, IN_NUMPY.get(name, name)) for name in _NAMES})
+
+
+def _of_arrays(name: str) -> Callable[[Any], Any]:
+    """A function of `rockeom.numbers.derivatives`, of arrays."""
+    return FunctionType(vars(derivatives)[name].__code__, {"math": _ARRAYS})
 
 
 FUNCTIONS: dict[str, Derivatives] = {
-    "sin": Derivatives(np.sin, np.cos, lambda x: -np.sin(x)),
-    "cos": Derivatives(np.cos, lambda x: -np.sin(x), lambda x: -np.cos(x)),
-    "tan": Derivatives(
-        np.tan, lambda x: np.cos(x) ** -2.0, lambda x: 2.0 * np.tan(x) * np.cos(x) ** -2.0
-    ),
-    "asin": Derivatives(
-        np.arcsin, lambda x: (1.0 - x**2) ** -0.5, lambda x: x * (1.0 - x**2) ** -1.5
-    ),
-    "acos": Derivatives(
-        np.arccos, lambda x: -((1.0 - x**2) ** -0.5), lambda x: -x * (1.0 - x**2) ** -1.5
-    ),
-    "atan": Derivatives(
-        np.arctan, lambda x: 1.0 / (1.0 + x**2), lambda x: -2.0 * x / (1.0 + x**2) ** 2
-    ),
-    "sinh": Derivatives(np.sinh, np.cosh, np.sinh),
-    "cosh": Derivatives(np.cosh, np.sinh, np.cosh),
-    "tanh": Derivatives(
-        np.tanh,
-        lambda x: 1.0 - np.tanh(x) ** 2,
-        lambda x: -2.0 * np.tanh(x) * (1.0 - np.tanh(x) ** 2),
-    ),
-    "exp": Derivatives(np.exp, np.exp, np.exp),
-    "log": Derivatives(np.log, lambda x: 1.0 / x, lambda x: -1.0 / x**2),
-    "sqrt": Derivatives(np.sqrt, lambda x: 0.5 * x**-0.5, lambda x: -0.25 * x**-1.5),
-    "fabs": Derivatives(np.abs, np.sign, _none),
-}
+    name: Derivatives(
+        vars(_ARRAYS)[name], _of_arrays(f"{name}_slope"), _of_arrays(f"{name}_curvature")
+    )
+    for name in _NAMES
+} | {"fabs": Derivatives(np.abs, np.sign, lambda x: 0.0 * x)}
 """By their names in `math`."""

@@ -26,6 +26,7 @@ from tests.machine_code import functions
 from tests.shipped import PINNED, plain
 
 STATES, STEP = 10, 1e-30
+SLOPES = text_of("numbers/derivatives.py") + text_of("integrator/derivatives.py")
 TOLERANCE = 1e-11
 
 ENTRIES = """
@@ -49,7 +50,7 @@ def carried_jump(
 @functools.cache
 def compiled(name):
     jumps = JUMP if name in PINNED else ""
-    return functions(source(module(name)) + text_of("integrator/derivatives.py") + ENTRIES + jumps)
+    return functions(source(module(name)) + SLOPES + ENTRIES + jumps)
 
 
 class Carried:

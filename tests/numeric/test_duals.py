@@ -175,10 +175,10 @@ def test_duals_calculate_as_numbers_do(x, y):
 
 @pytest.mark.parametrize("name", sorted(FUNCTIONS))
 def test_functions_of_duals_have_the_bits_of_numbers(name):
-    function = getattr(mathematics, name)
-    found = function(rk.Dual(0.3, [2.0, 0.0]))
-    assert float(found.value) == getattr(math, name)(0.3)
-    slope = (function(0.3 + 1e-6) - function(0.3 - 1e-6)) / 2e-6
+    function, x = getattr(mathematics, name), 1.3 if name == "acosh" else 0.3
+    found = function(rk.Dual(x, [2.0, 0.0]))
+    assert float(found.value) == getattr(math, name)(x)
+    slope = (function(x + 1e-6) - function(x - 1e-6)) / 2e-6
     np.testing.assert_allclose(found.tangent, [2.0 * slope, 0.0], rtol=1e-8)
 
 

@@ -78,6 +78,9 @@ def run(x: Duals, out: Duals):
 """
 
 
+SLOPES = text_of("numbers/derivatives.py") + text_of("integrator/derivatives.py")
+
+
 def dual(values, along):
     out = np.zeros((len(values), 1 + WIDTH))
     out[:, 0] = values
@@ -86,7 +89,7 @@ def dual(values, along):
 
 
 def of_duals(text):
-    return functions(HEAD + text_of("integrator/derivatives.py") + text, contract=False)
+    return functions(HEAD + SLOPES + text, contract=False)
 
 
 def test_root_that_a_loop_finds_has_the_derivatives_of_the_equation():

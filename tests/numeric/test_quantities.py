@@ -140,6 +140,7 @@ def test_arrays_of_states_tell_what_each_state_does(rows):
 def test_rates_of_a_function_are_its_slopes(name):
     of = FUNCTIONS[name].f
     x, v, a, h = np.array([0.3, 0.7]), 0.4, -0.9, 1e-3
+    x = x + 1.5 if name == "acosh" else x
     found = getattr(mathematics, name)(Jet(x, v, a))
     at = [of(x + v * t + 0.5 * a * t**2) for t in (-h, 0.0, h)]
     np.testing.assert_allclose(found.value, at[1], rtol=1e-15)
