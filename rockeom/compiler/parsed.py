@@ -9,10 +9,12 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from types import CodeType
-from typing import Any, NamedTuple, NoReturn
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
-from rockeom.compiler.lines import Value
 from rockeom.compiler.types import BOOL, DUAL, FLOAT, INT, Array, Tuple, Type
+
+if TYPE_CHECKING:  # machine code that is cached is loaded without what prints it
+    from rockeom.compiler.lines import Value
 
 ANNOTATIONS: dict[str, Type] = {
     "int": INT, "float": FLOAT, "bool": BOOL,

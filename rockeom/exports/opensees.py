@@ -133,15 +133,15 @@ def script(
     """The text of a stand-alone script for OpenSeesPy 3.7 that simulates a structure.
 
     structure : a `TwoSpringStructure`, or a `FlexibleStructure` on `TwoSprings`. motion : its
-    horizontal ground motion; a record is handed on as it is, a pulse by samples `step` apart.
+    horizontal ground motion; a record is written as it is, a pulse by samples `step` apart.
     initial : rotation, heave and, of a flexible one, u at the start; rates are zero. duration : of
     the motion if not given [s]. step : of Newmark's method [s]. out : the file of comma-separated
     values that the script writes, the structure's name and `_opensees.csv` if not given.
 
-    Of the rigid structure the error is of the second order in the step. The column of the flexible
-    one is an elastic beam there, whose end moves on an arc, which rockeom's does not: what that
-    takes of its stiffness is given back upright, and beyond it the two differ by the order of
-    u/height. Its damping is proportional to its stiffness.
+    The error of a rigid structure is of the second order in the step. The column of the flexible
+    one is an elastic beam there, whose end moves on an arc, which rockeom's does not: upright the
+    stiffness that this costs is added, and away from it the two differ by the order of u/height.
+    Its damping is proportional to its stiffness.
 
     Raises ValueError for another structure, for feet with dampers, for states that it does not take
     and for numbers that are not positive.
@@ -159,26 +159,17 @@ def script(
             f"{type(structure).__name__}: OpenSees has no spring and damper that press together "
             "and never pull: give feet without dampers, foundation_damping=0"
         )
-    initial = {} if initial is None else initial
-    check_states("initial", initial, structure)
-    places = ("theta", "heave", *(("u",) if elastic else ()))
-    for name in initial:
-        if name not in places:
-            raise ValueError(
-                f"initial: {name} is not handed on to OpenSees, which starts at rest: "
-                f"give {', '.join(places)}"
-            )
+    state = _initial_state(structure, initial or {}, elastic)
     step = _positive("step", step)
     lasts = _positive("duration", motion.duration if duration is None else duration)
     samples, spacing = _samples(motion, lasts, step)
     first = float(motion.acceleration(0.0))
-    started = structure.accelerations(initial, ground_acceleration=first)
-    state = {name: float(initial.get(name, 0.0)) for name in places}
+    started = structure.accelerations(state, ground_acceleration=first)
     numbers = {
         **values,
         **{"u": 0.0, "u_ddot": 0.0},
         **state,
-        **{f"{name}_ddot": started[name] for name in places},
+        **{f"{name}_ddot": started[name] for name in state},
         "duration": lasts,
         "step": step,
         "apart": spacing,
@@ -238,6 +229,21 @@ def _values(structure: Structure) -> tuple[dict[str, float], bool]:
         f"{type(structure).__name__} is not written for OpenSees: give a TwoSpringStructure, or a "
         "FlexibleStructure or LumpedMassStructure on TwoSprings"
     )
+
+
+def _initial_state(
+    structure: Structure, initial: Mapping[str, float], elastic: bool
+) -> dict[str, float]:
+    """Rotation, heave and u at the start."""
+    check_states("initial", initial, structure)
+    places = ("theta", "heave", *(("u",) if elastic else ()))
+    for name in initial:
+        if name not in places:
+            raise ValueError(
+                f"initial: {name} is not written for OpenSees, which starts at rest: "
+                f"give {', '.join(places)}"
+            )
+    return {name: float(initial.get(name, 0.0)) for name in places}
 
 
 def _positive(name: str, value: float) -> float:

@@ -24,12 +24,12 @@ from typing import TYPE_CHECKING, Any
 from rockeom.compiler.cache import kept
 from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.compiler.machine import Function, Loaded, compiled, target
+from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import NOTHING, Array, Entry
 from rockeom.integrator.schema import SEARCHED, angles, has_points
 from rockeom.integrator.texts import digest, source, text_of
 
 if TYPE_CHECKING:
-    from rockeom.compiler.parsed import Text
     from rockeom.compiler.printer import Program as Printed
 
 _LANES = "integrator/lanes.py"
@@ -243,7 +243,7 @@ def say(line: str) -> None:
 
 def _printed(generated: ModuleType, method: str, part: str, bounds: bool = False) -> Printed:
     """A part of a program as LLVM is given it."""
-    # only where something is compiled
+    # only where something is compiled; so are the texts of methods and lanes below
     from rockeom.compiler.printer import GROWTH, Program as Printed
 
     # a loop over lanes becomes one of vectors only where it calls nothing
@@ -267,8 +267,6 @@ def _nothing_collected() -> Iterator[None]:
 
 def joined_texts(generated: ModuleType, method: str, part: str) -> list[Text]:
     """What a part of a program is printed from; entries of the other parts are called."""
-    from rockeom.compiler.parsed import Text
-
     own = {LOOP: _LOOPS, VECTORS: (VECTORS,), GLUE: (_LANES,), TANGENTS: (_VARIATIONAL,)}[part]
     found = texts(generated, method, part in (VECTORS, GLUE))
     if part == TANGENTS:
@@ -285,7 +283,6 @@ def joined_texts(generated: ModuleType, method: str, part: str) -> list[Text]:
 
 def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]:
     """The parts of a program, in the order in which one needs the other."""
-    from rockeom.compiler.parsed import Text
     from rockeom.integrator.methods.tableau import step_text, tableau
 
     n = generated.N_STATES // 2
@@ -323,6 +320,4 @@ def _contacts(generated: ModuleType) -> str:
 
 def _joined(name: str, fused: bool = False) -> Text:
     """The text of a module of this package as a part of a program."""
-    from rockeom.compiler.parsed import Text
-
     return Text(name, text_of(name), fused=fused)

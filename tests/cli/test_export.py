@@ -68,7 +68,7 @@ def test_shipped_structures_are_written_without_deriving_them(tmp_path):
         ),
         (
             ("opensees", "two_spring_structure", *FREE, *ON_SPRINGS, "--initial", "theta_dot=1"),
-            "theta_dot is not handed on",
+            "theta_dot is not written for OpenSees",
         ),
         (
             ("opensees", "two_spring_structure", *FREE, *ON_SPRINGS, "--step", "0"),
