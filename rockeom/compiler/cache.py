@@ -1,6 +1,6 @@
 """The place on disk where compiled programs are kept between processes.
 
-What is read from here is run as machine code, so a file counts only if it is whole (its first line
+A file from here is run as machine code, so a file counts only if it is whole (its first line
 tells which program follows, its length and its SHA-256) and if nobody but this user can have
 written it. Any other file is made again and replaced. Where nothing can be stored (a full disk, a
 read-only home, a folder that is gone), each process compiles for itself, and nothing is raised.
@@ -106,7 +106,7 @@ def _head(key: str, payload: bytes) -> bytes:
 
 
 def _read(path: str, key: str) -> bytes | None:
-    """What was stored, or None; looked at and read through one opening of the file."""
+    """The stored code, or None; looked at and read through one opening of the file."""
     try:
         with open(path, "rb", opener=_open_itself) as f:
             state = os.fstat(f.fileno())

@@ -1,7 +1,7 @@
 """Marks of functions and arguments for the printer of machine code. Python itself ignores them.
 
 The texts that become machine code (generated modules, steps, the loop) are plain Python, and run as
-such. What they cannot say in Python stands here.
+such. The marks say what Python cannot.
 """
 
 from __future__ import annotations

@@ -49,9 +49,9 @@ from rockeom.compiler.lines import (
     Unfit,
     Value,
     a_tuple,
+    described,
     joined,
     literal,
-    told,
 )
 from rockeom.compiler.parsed import UNKNOWN, Constants, Definition, Texts
 from rockeom.compiler.types import (
@@ -83,8 +83,8 @@ class _Loop:
 class Function:
     """Prints one function for one set of types.
 
-    What Python's statements and expressions mean is said here, and which of them are refused; what
-    that is in LLVM, by `Lines`.
+    It knows the meaning of Python's statements and expressions, and refuses others; `Lines` knows
+    LLVM.
     """
 
     def __init__(self, program: Texts, definition: Definition, types: tuple[Type, ...]) -> None:
@@ -176,7 +176,7 @@ class Function:
     def _of_type(self, node: ast.expr, types: Sequence[Type], wanted: str) -> Value:
         value = self._value(node)
         if value.type not in types:
-            self.refuse(node, f"{wanted}, and this is {told(value.type)}")
+            self.refuse(node, f"{wanted}, and this is {described(value.type)}")
         return value
 
     def _number(self, node: ast.expr) -> Value:
@@ -293,7 +293,7 @@ class Function:
         second, blocks = self._value(node.orelse), (block, self.ir.block)
         type_ = joined(first.type, second.type)
         if type_ is None:
-            self.refuse(node, f"either {told(first.type)} or {told(second.type)}")
+            self.refuse(node, f"either {described(first.type)} or {described(second.type)}")
         # only now is the type known to which the first is widened, at the end of its block
         place = self.ir.place_of(type_) if isinstance(type_, Tuple) else ""
         self.ir.lines, after = self.ir.lines[:mark], self.ir.lines[mark:]
@@ -328,7 +328,7 @@ class Function:
         return operand if self._is_natural(node) else self.ir.from_end(operand, length)
 
     def _part(self, node: ast.Subscript) -> Value:
-        """What is subscripted, as an array without dimensions if it is a single number of one."""
+        """The object of a subscript; a single number of an array is one without dimensions."""
         indices: list[ast.expr] = []
         base: ast.expr = node
         value: Value | None = None
@@ -349,9 +349,9 @@ class Function:
         if not indices:
             return value
         if not isinstance(value.type, Array):
-            self.refuse(node, f"{told(value.type)} has no items")
+            self.refuse(node, f"{described(value.type)} has no items")
         if len(indices) > value.type.dimensions:
-            self.refuse(node, f"{len(indices)} indices of an {told(value.type)}")
+            self.refuse(node, f"{len(indices)} indices of an {described(value.type)}")
         operands = map(self._index, indices, value.parts[1:])
         return self.ir.place(value, operands, len(indices))
 
@@ -454,7 +454,7 @@ class Function:
             return value
         if wanted in (value.type, joined(wanted, value.type)):
             return self.ir.widened(value, wanted)
-        self.refuse(node, f"{name}.{field} is {told(wanted)}, not {told(value.type)}")
+        self.refuse(node, f"{name}.{field} is {described(wanted)}, not {described(value.type)}")
 
     def _replaced(self, node: ast.Call, of: ast.expr) -> Value:
         """A record with other values in some fields."""
@@ -474,7 +474,7 @@ class Function:
             i = type_.fields.index(field)
             old, new = type_.items[i], self._value(keyword.value)
             if joined(old, new.type) != old:
-                self.refuse(node, f"{field} is {told(old)}, not {told(new.type)}")
+                self.refuse(node, f"{field} is {described(old)}, not {described(new.type)}")
             changes[i] = self.ir.widened(new, old)
         return changes
 
@@ -563,7 +563,7 @@ class Function:
             self._store_name(target, value)
         elif isinstance(target, ast.Tuple):
             if not isinstance(value.type, Tuple) or len(value.type.items) != len(target.elts):
-                self.refuse(target, f"{told(value.type)} for {len(target.elts)} names")
+                self.refuse(target, f"{described(value.type)} for {len(target.elts)} names")
             for i, part in enumerate(target.elts):
                 self._store(part, self.ir.item(value, i))
         elif isinstance(target, ast.Subscript) and isinstance(target.slice, ast.Slice):
@@ -585,11 +585,13 @@ class Function:
         old = self.types.get(name, value.type)
         type_ = joined(old, value.type)
         if type_ is None:
-            self.refuse(target, f"{name} was {told(old)}, and would become {told(value.type)}")
+            self.refuse(
+                target, f"{name} was {described(old)}, and would become {described(value.type)}"
+            )
         if name in self.arguments and isinstance(old, Tuple):
             self.refuse(target, f"the argument {name} is a tuple, and stays what it is")
         if name in self.arguments and type_ != old:
-            self.refuse(target, f"the argument {name} is {told(old)}, and would change that")
+            self.refuse(target, f"the argument {name} is {described(old)}, and would change that")
         # what was left out may read a variable that is new
         self.changed |= type_ != old or (name not in self.types and self.later is not None)
         self.types[name] = type_
@@ -600,7 +602,9 @@ class Function:
         value = Value(NOTHING, ()) if statement.value is None else self._value(statement.value)
         type_ = joined(self.returns, value.type) if self.returned else value.type
         if type_ is None:
-            self.refuse(statement, f"it returned {told(self.returns)}, now {told(value.type)}")
+            self.refuse(
+                statement, f"it returned {described(self.returns)}, now {described(value.type)}"
+            )
         self.changed |= self.returned and type_ != self.returns
         self.returns, self.returned = type_, True
         self.ir.give_back(self.ir.widened(value, type_))

@@ -33,7 +33,7 @@ from rockeom.compiler.types import (
 
 
 class Unfit(Exception):  # noqa: N818
-    """What cannot be done with values of some types, and why."""
+    """An operation that values of some types do not have, and why."""
 
 
 class Value(NamedTuple):
@@ -88,17 +88,17 @@ def joined(a: Type, b: Type) -> Type | None:
     return FLOAT if found == {FLOAT, INT} else None
 
 
-def told(type_: Type) -> str:
+def described(type_: Type) -> str:
     """A type in Python's words."""
     if isinstance(type_, Array):
-        return f"array of {told(type_.element)} with {type_.dimensions} dimensions"
+        return f"array of {described(type_.element)} with {type_.dimensions} dimensions"
     if isinstance(type_, Tuple):
-        return f"({', '.join(map(told, type_.items))})" if type_.items else "nothing"
+        return f"({', '.join(map(described, type_.items))})" if type_.items else "nothing"
     return {FLOAT: "float", INT: "int", BOOL: "bool", DUAL: "number with derivatives"}[type_]
 
 
 def _aligned(part: str) -> str:
-    """How a vector stands in memory: among numbers of 64 bits."""
+    """How a vector lies in memory: among numbers of 64 bits."""
     return ", align 8" if part == VECTOR else ""
 
 
@@ -164,7 +164,7 @@ class Lines:
     declared : takes what is called of other libraries, by name. again : what is said of each loop
     over a range where it jumps back.
 
-    What is asked of values that have other types raises Unfit.
+    An operation on values of other types raises Unfit.
     """
 
     def __init__(
@@ -464,7 +464,7 @@ class Lines:
             items = enumerate(type_.items)
             wide = [self.widened(self.item(value, i), wider) for i, wider in items]
             return a_tuple(wide, type_.fields)
-        raise Unfit(f"{told(value.type)} where {told(type_)} is wanted")
+        raise Unfit(f"{described(value.type)} where {described(type_)} is wanted")
 
     def arithmetic(self, operation: str, left: Value, right: Value) -> Value:
         if left.type == right.type == BOOL and operation in OF_BOOLS:
@@ -523,7 +523,7 @@ class Lines:
         if value.type == DUAL:
             return self.largest(value, self.negative(value))
         if value.type != INT:
-            raise Unfit(f"no abs of {told(value.type)}")
+            raise Unfit(f"no abs of {described(value.type)}")
         below = self.new(f"icmp slt i64 {value.operand}, 0")
         other = self.new(f"sub nsw i64 0, {value.operand}")
         return self.number(INT, f"select i1 {below}, i64 {other}, i64 {value.operand}")
@@ -533,7 +533,9 @@ class Lines:
         for value in others:
             type_ = joined(best.type, value.type)
             if type_ not in (FLOAT, INT, DUAL):
-                raise Unfit(f"no largest or least of {told(best.type)}, {told(value.type)}")
+                raise Unfit(
+                    f"no largest or least of {described(best.type)}, {described(value.type)}"
+                )
             best, value = self.widened(best, type_), self.widened(value, type_)
             test = self.compared(better, value, best)
             fast = "" if type_ == INT else self.fast
@@ -548,7 +550,7 @@ class Lines:
 
     def length(self, value: Value) -> Value:
         if not isinstance(value.type, Array):
-            raise Unfit(f"no length of {told(value.type)}")
+            raise Unfit(f"no length of {described(value.type)}")
         return Value(INT, (value.parts[1],))
 
     def as_float(self, value: Value) -> Value:
@@ -606,7 +608,7 @@ class Lines:
     def of_duals(self, operation: str, left: Value, right: Value) -> Value:
         """Arithmetic where one or both have derivatives; the other has none."""
         if operation not in OF_FLOATS:
-            raise Unfit(f"{operation} of {told(DUAL)} is not among the operations")
+            raise Unfit(f"{operation} of {described(DUAL)} is not among the operations")
         a, b = self.value(left), self.value(right)
         da, db = (x.parts[1] if x.type == DUAL else "" for x in (left, right))
         found = self.arithmetic(operation, a, b)
@@ -667,7 +669,7 @@ class Lines:
         return Value(array.type, tuple(parts))
 
     def place(self, array: Value, indices: Iterator[str], count: int) -> Value:
-        """What stands at some indices of an array, as an array of the dimensions that are left."""
+        """The part of an array at some indices, as an array of the dimensions that are left."""
         assert isinstance(array.type, Array)
         dimensions, shape = array.type.dimensions, array.parts[1:]
         at = inside = ""
@@ -762,4 +764,4 @@ class Lines:
 def _numbers(what: str, *values: Value) -> None:
     for value in values:
         if value.type not in (FLOAT, INT, DUAL):
-            raise Unfit(f"no {what} with {told(value.type)}")
+            raise Unfit(f"no {what} with {described(value.type)}")

@@ -28,13 +28,13 @@ from rockeom.compiler.types import (
 LINKED = sys.platform != "win32"
 """Whether a program and its constants lie side by side, as LLVM's own linker puts them.
 
-Code then finds a constant by its distance, in half the instructions. Of Windows' objects that
-linker does not know all.
+Code then finds a constant by its distance, in half the instructions. That
+linker does not know all of Windows' objects.
 """
 
 
 def _machine(level: int = 2) -> llvm.TargetMachine:
-    """What compiles for this processor; a linker that it is given to owns it, and frees it.
+    """The compiler for this processor; a linker that receives it owns it, and frees it.
 
     level : of LLVM's code generator, up to 3; above 1 it takes longer for a loop that is no faster.
     """
@@ -52,7 +52,7 @@ def _machine(level: int = 2) -> llvm.TargetMachine:
 
 @cache
 def target() -> str:
-    """What machine code depends on besides its program."""
+    """All that machine code depends on besides its program."""
     return " ".join(
         (
             llvmlite.__version__,
@@ -70,7 +70,7 @@ PASSES = (
     "ipsccp", "dead_arg_elimination", "instruction_combine", "dead_store_elimination",
     "simplify_cfg",
 )  # fmt: skip
-"""What is done to a program before it becomes machine code, in this order.
+"""The passes over a program before it becomes machine code, in this order.
 
 LLVM's own -O2 takes three times as long for code that is no faster. `reassociate` settles the order
 of products, and by it which of them is part of a*b + c.
@@ -207,8 +207,7 @@ class Function:
 class Bound:
     """A function of machine code with its arguments, which it keeps; of one thread at a time.
 
-    What an argument has become is told by `bound[name] = value`; what happens in an array that is
-    bound need not be told.
+    `bound[name] = value` gives an argument a new value; changes within a bound array need nothing.
     """
 
     def __init__(self, function: Function) -> None:
@@ -262,11 +261,11 @@ _ELEMENTS: dict[str, tuple[np.dtype, tuple[int, ...]]] = {
     INT: (np.dtype(np.int64), ()),
     DUAL: (np.dtype(np.float64), (1 + WIDTH,)),
 }
-"""Of each element of an array: NumPy's type, and the dimension that stands behind the others."""
+"""NumPy's type of each element of an array, and the dimension behind the others."""
 
 
 def _nothing(_: Any) -> None:
-    """What a function gives back that returns nothing."""
+    """The result of a function that returns nothing."""
 
 
 _CONVERTED: dict[Any, Callable[[Any], Any]] = {BOOL: bool, NOTHING: _nothing}

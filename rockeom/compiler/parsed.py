@@ -42,7 +42,7 @@ class Refused(SyntaxError):  # noqa: N818
 
 
 class Definition(NamedTuple):
-    """A function as it stands in a text."""
+    """A function in a text."""
 
     tree: ast.FunctionDef
     text: Text

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from rockeom.compiler.frontend import Function, has_duals
-from rockeom.compiler.lines import Value, literal, parts_of, returned, told
+from rockeom.compiler.lines import Value, described, literal, parts_of, returned
 from rockeom.compiler.parsed import ANNOTATIONS, Definition, Text, Texts
 from rockeom.compiler.types import BOOL, FLOAT, INT, NOTHING, WIDTH, Array, Entry, Tuple, Type
 
@@ -58,7 +58,7 @@ class Program(Texts):
         types = tuple(type_ for _, type_ in arguments)
         symbol, returns = self.function(name, types, None, definition)
         if returns not in (FLOAT, INT, BOOL, NOTHING):
-            definition.refuse(None, f"an entry returns a number, not {told(returns)}")
+            definition.refuse(None, f"an entry returns a number, not {described(returns)}")
         lines, operands, i = [], [], 0
         parts = [part for type_ in types for part in parts_of(type_)]
         for type_ in types:
@@ -293,7 +293,7 @@ _NAMES = re.compile(r" %[\w.]+(?=[,)])")
 _TABLE = re.compile(r"@table\.\d+")
 _ROLLED = """!0 = distinct !{!0, !1}
 !1 = !{!"llvm.loop.unroll.disable"}"""
-"""What is said of the loops of a function that is marked @rolled."""
+"""Metadata of the loops of a function that is marked @rolled."""
 
 _CHECK = """define internal i1 @{}(i64 %index, i64 %size, ptr %text, i64 %line) noinline nounwind {{
   %inside = icmp {} i64 %index, %size

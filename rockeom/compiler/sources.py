@@ -1,4 +1,4 @@
-"""What a generated module follows from, besides its declaration: known without loading SymPy."""
+"""Sources of a generated module, besides its declaration: known without loading SymPy."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ DUAL = "dual"
 WIDTH = 16
 VECTOR = f"<{WIDTH} x double>"
 IN_MEMORY = {DUAL: f"[{1 + WIDTH} x double]"}
-"""What stands in a place of an array, where it is not what the type is called."""
+"""Types in a place of an array, where they differ from the name of the type."""
 
 
 def words(part: str) -> int:
@@ -22,14 +22,14 @@ def words(part: str) -> int:
 
 
 class Array(NamedTuple):
-    """Of an element type and a number of dimensions."""
+    """An array, by its element type and its number of dimensions."""
 
     element: str
     dimensions: int
 
 
 class Tuple(NamedTuple):
-    """Of some values; fields : their names where it is a record."""
+    """A tuple of values; fields : their names where it is a record."""
 
     items: tuple[Type, ...]
     fields: tuple[str, ...] = ()
@@ -37,7 +37,7 @@ class Tuple(NamedTuple):
 
 Type = str | Array | Tuple
 NOTHING = Tuple(())
-"""What a function without `return` gives back."""
+"""The result of a function without `return`."""
 
 
 class Entry(NamedTuple):

@@ -1,4 +1,4 @@
-"""What was derived, for other programs: the equations as C and MATLAB, models for OpenSees."""
+"""The derived equations for other programs: as C and MATLAB, and models for OpenSees."""
 
 from rockeom.exports.code import LANGUAGES, code, code_of_model
 

@@ -52,7 +52,7 @@ def _word(type_: Type) -> str:
 
 
 class CWriter(Writer):
-    """One function of C. What is global begins with `prefix`."""
+    """One function of C. Global names begin with `prefix`."""
 
     def __init__(self, functions: Functions, function: Function, names: Names, prefix: str) -> None:
         super().__init__(functions, function, names)
@@ -137,7 +137,7 @@ class CWriter(Writer):
         return [line.replace(JOINED, " ") for line in [*self.lines, "}"]]
 
     def head(self) -> str:
-        """What it is called by, and with what."""
+        """Its name, arguments and result."""
         function = self.function
         given = []
         for name in function.arguments:

@@ -1,7 +1,7 @@
 """The functions of a generated module as they are written out for another language.
 
-The front end of the compiler types them, and refuses the same texts. Here is found out which arrays
-a function changes, which values are needed, and which names would mean something else in the other
+The front end of the compiler types them, and refuses the same texts. This module finds out which
+arrays a function changes, which values it needs, and which names mean something else in the other
 language.
 """
 
@@ -15,21 +15,21 @@ from functools import cached_property, lru_cache, reduce
 from typing import Any, NamedTuple, NoReturn
 
 from rockeom.compiler.frontend import Function as Typed
-from rockeom.compiler.lines import joined, told
+from rockeom.compiler.lines import described, joined
 from rockeom.compiler.parsed import UNKNOWN, Constants, Text
 from rockeom.compiler.printer import Program
 from rockeom.compiler.types import BOOL, FLOAT, INT, NOTHING, Array, Tuple, Type
 
 
 class Unwritten(NotImplementedError):  # noqa: N818
-    """Of a text what is not written in another language, by function and line."""
+    """A part of a text that is not written in another language, by function and line."""
 
 
 def joined_type(one: Type, other: Type) -> Type:
     """The type of a value that has either."""
     found = joined(one, other)
     if found is None:
-        raise Unwritten(f"either {told(one)} or {told(other)}")
+        raise Unwritten(f"either {described(one)} or {described(other)}")
     return found
 
 
@@ -48,7 +48,7 @@ def is_row(type_: Type) -> bool:
 
 
 class Alias(NamedTuple):
-    """A name for what stands in an array from some place on."""
+    """A name for the part of an array from some place on."""
 
     array: str
     first: ast.expr
@@ -203,7 +203,7 @@ class Functions:
 
 
 def _typed(program: Program, entries: Mapping[str, Sequence[Type]]) -> dict[str, list[Typed]]:
-    """What the front end says of functions and all that they call, for the widest types, too."""
+    """Typed functions and all that they call, for the widest types, too."""
     wanted: dict[str, tuple[Type, ...]] = {}
     wider = {name: tuple(types) for name, types in entries.items()}
     while wider != wanted:
@@ -329,7 +329,7 @@ def calls_in(node: ast.AST) -> tuple[ast.Call, ...]:
 
 
 def base_of(node: ast.expr) -> ast.expr:
-    """What is subscripted."""
+    """The object of a subscript."""
     while isinstance(node, ast.Subscript):
         node = node.value
     return node
@@ -451,7 +451,7 @@ class _Reader:
 
 
 _KEPT = re.compile(r"(kept|pair|so|i)_\d+_")
-"""Names of what is kept for a moment, see `Writer.new`."""
+"""Names of temporary values, see `Writer.new`."""
 
 
 class Names:

@@ -1,8 +1,8 @@
 """The functions of a structure as one self-contained file of another language.
 
-What is written is the generated module that is simulated, and nothing else: its functions of the
-parameters, the equations of motion, guards, impact map and energies of each contact state. Of
-structures whose contacts open, slide and bounce, the search for what follows a landing as well.
+The file has the generated module that is simulated, and nothing else: its functions of the
+parameters, the equations of motion, guards, impact map and energies of each mode. Structures whose
+contacts open, slide and bounce have the search for the mode after a landing as well.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ ARRAYS = ("y", "p", "parameters", "out", "dy", "g", "matrix", "forces")
 FILLED = ("out", "dy", "g", "matrix", "forces")
 
 MEANINGS = {
-    "contact": "number of the contact state, see above",
+    "contact": "number of the mode, see above",
     "guard": "number of the guard that fell, from 0",
     "law": "0: the rate of rotation is multiplied by `ratio`; 1: the impulsive form of\n"
     "Lagrange's equations",
@@ -47,7 +47,7 @@ MEANINGS = {
     "load": "horizontal force at the load point [N]",
 }
 _LEFT_OUT = ("shapes", "sizes", "held_guards", "opening_acceleration")
-"""What only a sketch, a check of parameters and the integrator of the program ask for."""
+"""Functions that only a sketch, a check of parameters or the integrator needs."""
 
 _OF_POINTS = '''
 def impact(contact, guard, y, p, ax, ay, out):
@@ -74,7 +74,7 @@ def sine_cosine(x):
 
 @dataclass(frozen=True)
 class Described:
-    """A module and its functions, and all that is told of them in words.
+    """A module and its functions, with their descriptions.
 
     name : of the file. entries : what is called from outside.
     """
@@ -96,12 +96,12 @@ class Described:
 
     @property
     def passage(self) -> str:
-        """The function that gives the state after the end of a contact state."""
+        """The function that gives the state after the end of a mode."""
         return "impact" if "impact" in self.entries else "jump"
 
     @property
     def contact_names(self) -> dict[str, str]:
-        """The name of the constant that is the number of each contact state."""
+        """The name of the constant that is the number of each mode."""
         found = {}
         for i, contact in enumerate(self.module.CONTACTS):
             name = unicodedata.normalize("NFKC", contact.upper())
@@ -140,7 +140,7 @@ class Described:
         return self.functions.known["prepare"].lengths["p"]
 
     def head(self) -> list[str]:
-        """What the file is, its states, parameters and contact states, and how it is used."""
+        """Title, states, parameters and modes of the file, and how it is used."""
         m = self.module
         lines = [
             self.title,
@@ -162,7 +162,7 @@ class Described:
                 )
             ),
             "",
-            "Contact states, and how many guards end each:",
+            "Modes, and how many guards end each:",
             *_rows((f"{i}", n, f"{m.GUARDS[i]}") for i, n in enumerate(m.CONTACTS)),
             "",
             *self._use(),
@@ -172,12 +172,12 @@ class Described:
     def _use(self) -> list[str]:
         return [
             "`prepare` is called once for a set of parameters; it gives the p of all others.",
-            "Within a contact state integrate `rates` while all its `guards` are positive. Where",
+            "Within a mode integrate `rates` while all its `guards` are positive. Where",
             f"the first of them falls to zero, `{self.passage}` gives the state after it.",
         ]
 
     def arguments(self, function: Function, given: Sequence[str]) -> list[tuple[str, str]]:
-        """Name and meaning of each, those that are filled told by what stands in them."""
+        """Name and meaning of each; of arrays that are filled, their contents."""
         m = self.module
         sizes = {"y": m.N_STATES, "parameters": len(m.PARAMETERS)}
         sizes |= dict.fromkeys(("p", "result"), self.prepared())
@@ -195,7 +195,7 @@ class Described:
 
 
 def code_of_model(model: Any, language: str) -> str:
-    """The same of a RockingModel or Model."""
+    """A RockingModel or Model as the text of one file, see `code`."""
     return code(class_of_model(model).module, language)
 
 
@@ -237,7 +237,7 @@ def _described(module: ModuleType) -> Described:
 def _entries(texts: Sequence[Text], names: Sequence[str]) -> dict[str, list[Type]]:
     """The functions that a user calls, `prepare` first, with the types of their arguments.
 
-    names : those that are wanted of what stands in other texts than that of the structure.
+    names : those that are wanted of other texts than that of the structure.
     """
     trees = {
         f.name: f
@@ -253,7 +253,7 @@ def _entries(texts: Sequence[Text], names: Sequence[str]) -> dict[str, list[Type
 
 
 def _type(function: ast.FunctionDef, argument: str) -> Type:
-    """Of an argument of what is called from outside."""
+    """The type of an argument of a function that is called from outside."""
     if argument in WHOLE:
         return INT
     is_array = argument in ARRAYS or any(
@@ -295,7 +295,7 @@ def _rows(rows: Iterable[tuple[str, ...]]) -> list[str]:
 
 
 def _explained(described: Described, function: Function, given: Sequence[str]) -> list[str]:
-    """What a function does and what its arguments are."""
+    """Description of a function and of its arguments."""
     rows = described.arguments(function, given)
     width = max((len(name) for name, _ in rows), default=0)
     lines = [printable(line) for line in function.doc.splitlines()]
@@ -333,10 +333,10 @@ def _c(described: Described) -> str:
         writer = c.CWriter(described.functions, function, names, prefix)
         if entry:
             given = [*function.arguments, *(["result"] if function.name == "prepare" else [])]
-            told = _explained(described, function, given)
+            description = _explained(described, function, given)
         else:
-            told = [printable(line) for line in function.doc.splitlines()]
-        bodies += ["", *_comment(told), *writer.write("" if entry else "static ")]
+            description = [printable(line) for line in function.doc.splitlines()]
+        bodies += ["", *_comment(description), *writer.write("" if entry else "static ")]
         used += [name for name in writer.constants if name not in used]
     tables = []
     numbers = described.contact_names
@@ -392,7 +392,7 @@ def _matlab(described: Described) -> str:
         if entry:
             given = [a for a in function.arguments if a not in FILLED]
             filled = [a for a in function.arguments if a in FILLED]
-            told = _explained(described, function, [*given, *filled])
+            description = _explained(described, function, [*given, *filled])
             sizes = {a: f"zeros({described.size(function, a)}, 1)" for a in filled}
             call = ", ".join(sizes.get(a, names.of(a)) for a in function.arguments)
             handles.append(
@@ -400,8 +400,8 @@ def _matlab(described: Described) -> str:
             )
             handles.append(f"        {names.of(function.name)}({call});")
         else:
-            told = [printable(line) for line in function.doc.splitlines()]
-        bodies += ["", lines[0], *(f"    % {line}".rstrip() for line in told), *lines[1:]]
+            description = [printable(line) for line in function.doc.splitlines()]
+        bodies += ["", lines[0], *(f"    % {line}".rstrip() for line in description), *lines[1:]]
     m = described.module
     head = [
         *described.head(),
@@ -410,7 +410,7 @@ def _matlab(described: Described) -> str:
         "",
         "Arrays that a function fills are what it gives, behind a value of its own, as in",
         f"[follows, y] = m.{described.passage}(...).",
-        "Contact states, guards and laws are numbered from 0.",
+        "Modes, guards and impact laws are numbered from 0.",
     ]
     lines = [f"function m = {called}()", *(f"    % {line}".rstrip() for line in head)]
     for field, words in (
@@ -435,9 +435,9 @@ def _cells(head: str, words: Sequence[str]) -> list[str]:
 
 
 def file_name(module: ModuleType, language: str) -> str:
-    """What the file is called, without its ending; in MATLAB that is the function's name."""
+    """The name of the file without its ending; in MATLAB that is the function's name."""
     return Names(matlab.RESERVED if language == "matlab" else ()).of(module.NAME)
 
 
 LANGUAGES: Mapping[str, Callable[[Described], str]] = {"c": _c, "matlab": _matlab}
-"""What writes each language."""
+"""The writer of each language."""

@@ -144,7 +144,7 @@ class MatlabWriter(Writer):
                 self.function.refuse(node, f"{type(node).__name__} is not written")
 
     def test(self, node: ast.expr) -> str:
-        """What an `if` asks; calls that change an array are made before it, as far as need be."""
+        """The test of an `if`; calls that change an array are made before it, as far as need be."""
         if not self.functions.changes(node):
             return self.text(node)
         match node:
@@ -195,7 +195,7 @@ class MatlabWriter(Writer):
         self.line("end")
 
     def give(self, value: ast.expr) -> None:
-        """What a function returns."""
+        """Return a value."""
         if isinstance(value, ast.Call) and ast.unparse(value.func) in self.functions.known:
             self.invoke(value, "result")
         elif isinstance(value, ast.Tuple):
@@ -260,7 +260,7 @@ class MatlabWriter(Writer):
 
 
 def outputs(function: Function, names: Names) -> list[str]:
-    """What a function gives: its value, and the arrays that it changes."""
+    """The results of a function: its value, and the arrays that it changes."""
     value = ["result"] if function.returns != NOTHING else []
     return value + [names.of(a) for a in function.filled]
 

@@ -181,7 +181,7 @@ def script(
         of_u=",u" if elastic else "",
         columns=4 if elastic else 3,
     )
-    told = [
+    description = [
         f"{type(structure).__name__} of rockeom {VERSION}, for OpenSeesPy 3.7.",
         "",
         "pip install openseespy==3.7.1.2 (Python 3.11; 3.8 wants Python 3.12). Where the import",
@@ -191,7 +191,7 @@ def script(
         "and u is that of the upper mass across the column.",
     ]
     lines = [
-        '"""' + "\n".join(told) + '\n"""',
+        '"""' + "\n".join(description) + '\n"""',
         "",
         "import math",
         "import sys",

@@ -1,4 +1,4 @@
-"""What languages have in common: expressions, and the order of statements.
+"""The common part of the languages: expressions, and the order of statements.
 
 A language is a subclass that says how it writes numbers, calls, items of arrays and assignments.
 """
@@ -40,7 +40,7 @@ _COMPARISONS: dict[type, str] = {
 
 
 class Writer:
-    """Writes one function; what it has written so far stands in `lines`."""
+    """Writes one function into `lines`."""
 
     and_, or_, not_, unequal = "&&", "||", "!", "!="
     end, comment, go_on = "", "", ""
@@ -145,7 +145,7 @@ class Writer:
         return float(getattr(np, node.attr))
 
     def divided(self, node: ast.expr) -> str:
-        """What is divided, which is no whole number."""
+        """A dividend, as a number that is not whole."""
         return self.text(node, PRODUCT)
 
     def name(self, name: str) -> str:
@@ -154,13 +154,13 @@ class Writer:
         return self.constant(name)
 
     def constant(self, name: str) -> str:
-        """A constant of the text, which is told of where it is defined."""
+        """A constant of the text, which `constants` collects."""
         if name not in self.constants:
             self.constants.append(name)
         return self.constant_name(name)
 
     def compared(self, node: ast.Compare) -> tuple[str, int]:
-        """Each comparison of a chain; what stands in it has no effects."""
+        """Each comparison of a chain; its parts have no side effects."""
         found, left = [], node.left
         for op, right in zip(node.ops, node.comparators, strict=True):
             if isinstance(op, ast.In) and isinstance(right, ast.Tuple) and len(node.ops) == 1:
@@ -212,7 +212,7 @@ class Writer:
         self.depth -= 1
 
     def new(self, word: str) -> str:
-        """A name for what is kept for a moment."""
+        """A name for a temporary value."""
         self.temporary += 1
         return f"{word}_{self.temporary}_"
 

@@ -55,8 +55,8 @@ _OF_ALL = (
     *_OF_STEPS, *_LOOPS, *_OF_POINTS, _TABLE, _SEARCH, "integrator/methods/tableau.py",
     "integrator/methods/coefficients.py", "integrator/methods/radau.py",
     "integrator/methods/radau_step.py", "compiler/printer.py", "compiler/frontend.py",
-    "compiler/parsed.py", "compiler/machine.py", "compiler/lines.py", "compiler/types.py", "integrator/program.py",
-    "integrator/texts.py", "codes.py",
+    "compiler/parsed.py", "compiler/machine.py", "compiler/lines.py", "compiler/types.py",
+    "integrator/program.py", "integrator/texts.py", "codes.py",
 )  # fmt: skip
 """Modules whose texts every program follows from, besides that of its structure."""
 _SIZES = ("SCRATCH", "Z_SIZE", "W_SIZE", "FLOATS_SIZE", "DUALS_SIZE")

@@ -1,4 +1,4 @@
-"""Many numbers that are handled as one: what is written for one case, done for many at once.
+"""Many numbers that are handled as one: a text for one case, run for many at once.
 
 A `Many` holds a number of each of n cases and calculates as a number does, for all of them and,
 to the last bit, as each would by itself. Where one number is asked for (`if x > 0`, `math.sin(x)`,
@@ -45,7 +45,7 @@ class Many(NDArrayOperatorsMixin, Compound):
 
     @classmethod
     def of(cls, found: list[Any]) -> Many:
-        """Of the numbers that one case after the other has."""
+        """The numbers of one case after the other."""
         if {*map(type, found)} <= {float, np.float64}:
             return cls(np.array(found))
         values = np.empty(len(found), dtype=object)
@@ -80,7 +80,7 @@ class Many(NDArrayOperatorsMixin, Compound):
         raise Differs([np.flatnonzero(true), np.flatnonzero(~true)])
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *given: Any, **how: Any) -> Any:
-        """What NumPy does with numbers one by one, operators among it."""
+        """NumPy's functions of numbers one by one, operators among them."""
         if method != "__call__" or ufunc.signature is not None:
             return NotImplemented
         if any(isinstance(x, np.ndarray) for x in given):  # of objects, many among them

@@ -12,7 +12,7 @@ from rockeom.numbers.functions import Compound
 
 _LONGEST = 60  # letters of a value in an error
 LARGEST_WHOLE = 2**63 - 1
-"""What a compiled program can count to."""
+"""The largest whole number of a compiled program."""
 
 
 def told(value: Any) -> str:

@@ -1,7 +1,7 @@
-"""Numbers with their derivatives: what is written for numbers tells derivatives, too.
+"""Numbers with their derivatives: a text for numbers gives derivatives, too.
 
 A `Dual` calculates as a number does, to the same bits, and its derivatives along any directions by
-the rules of products and of the chain. A structure, a law of impact, a ground motion and an initial
+the rules of products and of the chain. A structure, an impact law, a ground motion and an initial
 state take duals for numbers.
 """
 
@@ -21,7 +21,7 @@ from rockeom.numbers.checks import number, numbers, told
 from rockeom.numbers.functions import FUNCTIONS, IN_NUMPY, Compound
 
 Slope = Callable[..., Any]
-"""Of a function f of numbers: its derivative by one of them, given all of them and f itself."""
+"""The derivative of a function f of numbers by one of them, from all of them and f itself."""
 
 
 def _through(
@@ -55,7 +55,7 @@ def _through_array(ufunc: np.ufunc, given: tuple[Any, ...]) -> np.ndarray:
 
 
 def _moved(slope: Any, tangent: np.ndarray) -> np.ndarray:
-    """What does not move moves nothing, however steep it is there."""
+    """A zero tangent stays zero, however steep the function is there."""
     if math.isfinite(slope):
         return slope * tangent
     return np.multiply(slope, tangent, where=tangent != 0.0, out=np.zeros(len(tangent)))
@@ -80,7 +80,7 @@ _OF_TWO: dict[str, tuple[Slope, ...]] = {
     "atan2": (lambda y, x, f: x / (x * x + y * y), lambda y, x, f: -y / (x * x + y * y)),
     "copysign": (lambda x, y, f: math.copysign(1.0, x) * math.copysign(1.0, y), lambda *_: 0.0),
 }
-"""Of functions of two numbers, by their names in `operator` or `math`."""
+"""Derivatives of functions of two numbers, by their names in `operator` or `math`."""
 
 _OF_ARRAYS: dict[Any, tuple[Slope, ...]] = {
     np.add: _OF_TWO["add"],
@@ -88,7 +88,7 @@ _OF_ARRAYS: dict[Any, tuple[Slope, ...]] = {
     np.multiply: _OF_TWO["mul"],
     np.true_divide: _OF_TWO["truediv"],
 }
-"""What is done with an array of floats at once: with thousands of samples of a record."""
+"""Operations on a whole array of floats: thousands of samples of a record."""
 
 
 def _are_floats(given: tuple[Any, ...]) -> bool:
@@ -205,7 +205,7 @@ class Dual(Compound):
     __hash__ = None  # type: ignore[assignment]
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *given: Any, **how: Any) -> Any:
-        """What NumPy does with numbers one by one, operators among it."""
+        """NumPy's functions of numbers one by one, operators among them."""
         if method != "__call__" or ufunc.signature is not None:
             return NotImplemented
         if ufunc in _OF_ARRAYS and not how and _are_floats(given):
@@ -232,7 +232,7 @@ class Dual(Compound):
 
 
 def _dual(value: np.float64, tangent: np.ndarray) -> Dual:
-    """What needs no check."""
+    """A dual of values that need no check."""
     found = object.__new__(Dual)
     found.value, found.tangent = value, tangent
     return found
@@ -269,8 +269,8 @@ def value_of(x: Any) -> Any:
 def nominal(x: Any) -> Any:
     """The same without derivatives: an object with floats wherever it holds duals.
 
-    What holds none is given back itself. Of tuples, lists, dicts and objects all parts are gone
-    through; functions, classes and modules are left.
+    An object without duals is returned itself. All parts of tuples, lists, dicts and objects are
+    looked at; functions, classes and modules are left.
     """
     if isinstance(x, Dual | np.ndarray):
         return value_of(x)

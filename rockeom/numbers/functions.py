@@ -1,4 +1,4 @@
-"""Functions of numbers, and of what stands for a number in a formula and has more behind it.
+"""Functions of numbers, and of objects that calculate as numbers and have more behind them.
 
 Such are the numbers of many cases (`rockeom.numbers.batch`), a number with its derivatives
 (`rockeom.numbers.dual`), and one with its rates (`rockeom.numbers.jet`). A formula that is written
@@ -25,7 +25,7 @@ def gauss_rule() -> tuple[np.ndarray, np.ndarray]:
 
 
 class Compound:
-    """What stands for a number and has more behind it."""
+    """An object that calculates as a number and has more behind it."""
 
     __slots__ = ()
 

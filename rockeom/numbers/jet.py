@@ -1,4 +1,4 @@
-"""Numbers with their first two rates: what is written for places tells velocities, too.
+"""Numbers with their first two rates: a text for places gives velocities, too.
 
 A `Jet` is a quantity of n states with its first and second derivative with respect to time, and
 calculates as a number does, by the rules of Leibniz and of the chain. A function of a generated
