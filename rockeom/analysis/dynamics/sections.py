@@ -393,12 +393,12 @@ class _Motions:
     how: _How
     maps: np.ndarray
     y: np.ndarray
-    phase: np.ndarray
+    mode: np.ndarray
     outcome: np.ndarray
     interrupted: bool = False
 
     def copy(self) -> _Motions:
-        here = self.y.copy(), self.phase.copy(), self.outcome.copy()
+        here = self.y.copy(), self.mode.copy(), self.outcome.copy()
         return _Motions(self.how, self.maps, *here, self.interrupted)
 
     @property
@@ -424,7 +424,7 @@ class _Motions:
             stands = sweep["outcome"].isin(STANDS).values
             self.interrupted = bool(sweep.attrs["interrupted"])
             self.outcome[there] = sweep["outcome"].values
-            self.phase[there] = sweep["final_mode"].values
+            self.mode[there] = sweep["final_mode"].values
             self.y[there] = np.where(stands[:, None], sweep["final"].values, np.nan)
             for key in recorded if impacts else ("impacts",):
                 recorded[key][there[stands]] = sweep[key].values[stands]
@@ -435,13 +435,13 @@ class _Motions:
         return recorded
 
     def _swept(self, there: np.ndarray, cycles: int, name: str, impacts: int) -> xr.Dataset:
-        def case(stroboscope: StroboscopicMap, phase: str, **state: float) -> Case:
+        def case(stroboscope: StroboscopicMap, mode: str, **state: float) -> Case:
             one, end = stroboscope, cycles * stroboscope.period
-            return Case(one.structure, one.motion, one.impact, state, end, mode=phase or None)
+            return Case(one.structure, one.motion, one.impact, state, end, mode=mode or None)
 
         threads, store = self.how.threads or os.cpu_count() or 1, self.how.store
         states = self.maps[0].structure.states
-        rows = {"stroboscope": self.maps[there], "phase": self.phase[there]}
+        rows = {"stroboscope": self.maps[there], "mode": self.mode[there]}
         rows |= {name: self.y[there, i] for i, name in enumerate(states)}
         return simulate_many(
             case,
