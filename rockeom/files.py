@@ -1,4 +1,4 @@
-"""Files that are written whole or not at all, and the version of rockeom that they name.
+"""Files that are written whole or not at all.
 
 Every file of a user is written here. The bytes go to a temporary file in the same folder, which
 then replaces the one that was there; so a full disk, an error or an end of the process leaves the
@@ -12,9 +12,6 @@ import stat
 import time
 from contextlib import suppress
 from pathlib import Path
-
-VERSION = "0.1.0"
-"""Of this rockeom; the package gives it as `__version__`."""
 
 TEMPORARY = ".rockeom.{}.tmp"
 _DAY = 86400.0  # s

@@ -1,4 +1,4 @@
-"""Former names of functions, classes, arguments and attributes.
+"""The release, and former names of functions, classes, arguments and attributes.
 
 For one release a former name works, and gives one DeprecationWarning with the name of today. All of
 them are made here, so that the release after removes them by the uses of this file. CHANGELOG lists
@@ -13,6 +13,9 @@ from collections.abc import Callable, Mapping
 from functools import wraps
 from operator import attrgetter
 from typing import Any, TypeVar
+
+VERSION = "0.1.0"
+"""The release whose names are those of today; the package gives it as `__version__`."""
 
 T = TypeVar("T")
 C = TypeVar("C", bound=type)

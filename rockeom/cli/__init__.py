@@ -14,7 +14,7 @@ from collections.abc import Sequence
 
 from rockeom.cli.commands import HELP, command
 from rockeom.cli.errors import UsageError
-from rockeom.files import VERSION
+from rockeom.renamed import VERSION
 
 _DESCRIPTION = """\
 Rocking structures: equations of motion derived symbolically, compiled, and integrated

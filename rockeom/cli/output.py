@@ -12,8 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from rockeom.files import VERSION, write
+from rockeom.files import write
 from rockeom.motion import GroundMotion
+from rockeom.renamed import VERSION
 from rockeom.simulation.events import MEASURABLE
 from rockeom.simulation.plausible import forces
 from rockeom.simulation.response import Response

@@ -20,11 +20,11 @@ from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
-from rockeom.files import VERSION
 from rockeom.integrator.schema import SEARCHED, has_points
 from rockeom.integrator.texts import source, text_of
 from rockeom.modelling.declared import class_of_model
 from rockeom.numbers.checks import near, told
+from rockeom.renamed import VERSION
 
 WHOLE = ("contact", "guard", "law", "number")
 ARRAYS = ("y", "p", "parameters", "out", "dy", "g", "matrix", "forces")

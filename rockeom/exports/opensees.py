@@ -13,9 +13,9 @@ from string import Template
 
 import numpy as np
 
-from rockeom.files import VERSION
 from rockeom.motion import GroundMotion
 from rockeom.numbers.checks import number
+from rockeom.renamed import VERSION
 from rockeom.structures.classes import Structure, check_states
 
 _BODY = Template('''

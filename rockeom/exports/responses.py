@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from rockeom.files import VERSION
 from rockeom.modelling.declared import class_of_model
 from rockeom.modelling.named import FAMILIES, SUPPORTS
 from rockeom.motion import GroundMotion
 from rockeom.numbers.checks import is_number, told
+from rockeom.renamed import VERSION
 from rockeom.simulation.events import KINDS, EventColumns, Events
 from rockeom.simulation.extremes import Extremes
 from rockeom.simulation.outcome import Outcome

@@ -18,8 +18,9 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from rockeom.files import VERSION, check_target, write
+from rockeom.files import check_target, write
 from rockeom.numbers.checks import installed_by, is_number, told
+from rockeom.renamed import VERSION
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.steps import Steps
 from rockeom.structures.classes import SHIPPED, DeclaredStructure, Structure
