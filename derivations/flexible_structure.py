@@ -711,7 +711,7 @@ assert [round(one, 3) for one in periods] == [0.092, 0.051]
 on_one_foot = rk.simulate(
     column, rk.GroundMotion.none(0.2), initial={"theta": 0.15, "u": 0.003}, mode="right"
 )
-assert set(on_one_foot.phase) == {"right"}
+assert set(on_one_foot.mode) == {"right"}
 times = np.linspace(0.0, 0.2, 4001)
 rate = on_one_foot.at(times)["u_dot"]
 turning = times[1:][rate[1:] * rate[:-1] < 0]

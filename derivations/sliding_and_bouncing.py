@@ -289,7 +289,7 @@ cases = np.column_stack([rng.uniform(0.0, 0.7, 150), rng.uniform(0.0, 10.0, 150)
 found = []
 for friction, push in cases:
     pushed = rk.simulate(sliding(friction), rk.GroundMotion.constant(push, 1e-6))
-    found.append(MOTIONS[pushed.phase[-1]])
+    found.append(MOTIONS[pushed.mode[-1]])
     assert found[-1] == begins(friction, push)
 assert set(found) == set(MOTIONS.values())
 
@@ -717,7 +717,7 @@ for friction, push in cases[:8]:
         rk.GroundMotion.constant(0.7 * push, 1e-6),
         vertical=rk.GroundMotion.constant(-0.3 * gravity, 1e-6),
     )
-    assert MOTIONS[lighter.phase[-1]] == begins(friction, push)
+    assert MOTIONS[lighter.mode[-1]] == begins(friction, push)
 slides = rk.simulate(sliding(0.2), still, initial={"x_dot": 0.5}, duration=1.0)
 assert math.isclose(slides.final["x"], 0.5**2 / (2 * 0.2 * gravity), rel_tol=1e-9)
 assert round(1e3 * slides.final["x"], 1) == 63.7

@@ -279,7 +279,7 @@ for towards, lever in [("right", B_ - d_), ("left", -(B_ + d_))]:
     lifting = -9.81 * lever / h_
     for share, expected in [(0.999, "both"), (1.001, towards)]:
         pushed = rk.simulate(grippy, rk.GroundMotion.constant(share * lifting, 1e-4))
-        assert pushed.phase[-1] == expected
+        assert pushed.mode[-1] == expected
 
 # %% [markdown]
 # **A limit that is known.** With $d = 0$ it is the block of
