@@ -23,7 +23,7 @@ from rockeom.simulation.options import SolverOptions
 from rockeom.sweeps.cases import Cases, first_of
 from rockeom.sweeps.dataset import Sweep, check_names, dataset
 from rockeom.sweeps.results import NOT_RUN, Results
-from rockeom.sweeps.store import opened
+from rockeom.sweeps.store import Store, opened
 from rockeom.sweeps.task import Task
 from rockeom.sweeps.workers import Progress, in_executor, in_threads
 
@@ -154,12 +154,7 @@ def simulate_many(
     with stored as on_disk:
         rows = np.flatnonzero(results.outcome == NOT_RUN)
         with Progress(len(rows), sys.stderr.isatty() if progress is None else progress) as shown:
-
-            def done(some: np.ndarray) -> None:
-                shown.add(len(some))
-                if on_disk is not None:
-                    on_disk.keep(some)
-
+            done = partial(_done, shown, on_disk)
             try:
                 if executor is None:
                     source = task.source(cases, module, chunk=chunk, threads=threads, rows=rows)
@@ -177,6 +172,12 @@ def simulate_many(
     if law := first.structure.describe_impact(first.impact):
         dataset_.attrs["impact_law"] = f"{law}, of the first case"
     return dataset_
+
+
+def _done(shown: Progress, on_disk: Store | None, rows: np.ndarray) -> None:
+    shown.add(len(rows))
+    if on_disk is not None:
+        on_disk.keep(rows)
 
 
 def _check_executor(executor: Any) -> None:
