@@ -753,7 +753,7 @@ def lanes(r: Record) -> Found:
     differ, and whether the outcome may; by a millionth, that of controlled steps.
     """
     seed = r.motion.seed
-    if not lanes_pay(r.program.module) or r.motion.options.method == "Radau":
+    if not lanes_pay(r.program) or r.motion.options.method == "Radau":
         return
     yield from _in_lanes(r, Dice(seed, 0, 4).one_of(1, 2, 3, 5), linear=True)
     yield from _in_lanes(r, Dice(seed, 0, 5).one_of(0, 0, 0, 3, 20), linear=False)

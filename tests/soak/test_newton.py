@@ -173,15 +173,13 @@ def test_a_seed_of_a_family_always_gives_the_same_motion():
 
 
 def altered(r: Told, **changes) -> Told:
-    """With other arrays: span, contact, powers, times, kinds, states, end, outcome."""
+    """With other arrays: span, mode, powers, times, kinds, states, end, outcome."""
     run = r.run
-    of_steps = {k: v for k, v in changes.items() if k in ("span", "contact", "powers")}
-    passages = tuple(
-        changes.get(k, v)
-        for k, v in zip(("times", "kinds", "states"), run.events.columns, strict=True)
-    )
+    of_steps = {k: v for k, v in changes.items() if k in ("span", "mode", "powers")}
+    columns = {k: v for k, v in changes.items() if k in ("times", "kinds", "states")}
+    events = replace(run.events, columns=run.events.columns._replace(**columns))
     rest = {k: v for k, v in changes.items() if k in ("end", "outcome", "duration")}
-    made = replace(run, record=replace(run.steps, **of_steps), passages=passages, **rest)
+    made = replace(run, record=replace(run.steps, **of_steps), events=events, **rest)
     return Told(r.motion, made, r.by_hand)
 
 
@@ -251,9 +249,9 @@ def test_tension_is_noticed():
     names = r.program.CONTACTS
     contact = r.contact.copy()
     contact[contact == names.index("right")] = names.index("both")
-    found = kinds(altered(r, contact=contact))
+    found = kinds(altered(r, mode=contact))
     assert {"gap", "constraint"} <= found
-    hung = altered(r, contact=np.full_like(contact, names.index("left")))
+    hung = altered(r, mode=np.full_like(contact, names.index("left")))
     assert {"tension", "friction", "gap"} & kinds(hung)
 
 
@@ -314,7 +312,7 @@ def slip_events(seed: int) -> np.ndarray:
 def test_motion_given_up_where_a_mode_fits_is_noticed(word):
     r = rocked()
     step = int(r.length.argmax())
-    steps = {k: getattr(r.run.steps, k)[: step + 1] for k in ("span", "contact", "powers")}
+    steps = {k: getattr(r.run.steps, k)[: step + 1] for k in ("span", "mode", "powers")}
     events = r.times <= r.start[step]
     given_up = altered(
         r, **steps, times=r.times[events], kinds=r.run.events.columns[1][events],
@@ -337,5 +335,5 @@ def test_spring_that_presses_before_it_is_touched_is_noticed():
     motion = replace(motion, options=rk.SolverOptions())
     r = Told(motion, motion.run(), by_hand)
     every = next(i for i, on in enumerate(r.program.ELEMENT_STATES) if all(on))
-    found = kinds(altered(r, contact=np.full_like(r.contact, every)))
+    found = kinds(altered(r, mode=np.full_like(r.contact, every)))
     assert "spring" in found

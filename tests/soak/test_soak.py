@@ -112,17 +112,15 @@ def a_record(model: str, wanted) -> Record:
 
 
 def tampered(record: Record, **changes) -> Record:
-    """With other arrays: span, contact, powers, times, kinds, states, end, outcome."""
+    """With other arrays: span, mode, powers, times, kinds, states, end, outcome."""
     run = record.run
     steps = replace(
-        run.steps, **{k: v for k, v in changes.items() if k in ("span", "contact", "powers")}
+        run.steps, **{k: v for k, v in changes.items() if k in ("span", "mode", "powers")}
     )
-    passages = tuple(
-        changes.get(k, v)
-        for k, v in zip(("times", "kinds", "states"), run.events.columns, strict=True)
-    )
+    columns = {k: v for k, v in changes.items() if k in ("times", "kinds", "states")}
+    events = replace(run.events, columns=run.events.columns._replace(**columns))
     rest = {k: v for k, v in changes.items() if k in ("end", "outcome")}
-    return Record(record.motion, replace(run, record=steps, passages=passages, **rest))
+    return Record(record.motion, replace(run, record=steps, events=events, **rest))
 
 
 def bounced(record: Record) -> bool:
@@ -161,7 +159,7 @@ def test_fall_through_the_ground_is_noticed():
     """An impact left out: the motion goes on on the same side."""
     contact = block().contact.copy()
     contact[contact == 0] = 2
-    assert "guard" in words(tampered(block(), contact=contact))
+    assert "guard" in words(tampered(block(), mode=contact))
 
 
 def test_event_left_out_is_noticed():
@@ -197,7 +195,7 @@ def test_success_short_of_the_end_is_noticed():
 def test_state_that_is_not_overturned_is_noticed():
     span = block().run.steps.span[:5]
     early = tampered(
-        block(), span=span, contact=block().contact[:5], powers=block().run.steps.powers[:5],
+        block(), span=span, mode=block().contact[:5], powers=block().run.steps.powers[:5],
         times=np.empty(0), kinds=np.empty((0, 4), int), states=np.empty((0, 2, 2)),
         end=block().last[4], outcome=Outcome.OVERTURNED,
     )  # fmt: skip
