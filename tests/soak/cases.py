@@ -61,7 +61,7 @@ class Motion:
             "impact": self.impact,
             "initial": self.initial,
             "vertical": self.vertical,
-            "phase": self.phase,
+            "mode": self.phase,
         }
 
     def mirrored(self) -> Motion:

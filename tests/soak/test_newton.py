@@ -198,7 +198,7 @@ def test_rest_that_swallows_a_motion_is_noticed():
     events[np.flatnonzero(r.kinds == REST)[-1]] = True
     states = r.run.events.columns[2][events].copy()
     states[-1, 0] = powers[first, 0]
-    kept = {"powers": powers, "span": span, "contact": r.contact[: first + 1]}
+    kept = {"powers": powers, "span": span, "mode": r.contact[: first + 1]}
     kept = {k: np.concatenate([v, getattr(r.run.steps, k)[last:]]) for k, v in kept.items()}
     found = kinds(
         altered(
