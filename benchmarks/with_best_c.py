@@ -153,7 +153,7 @@ def equations_differ(structure: rk.Structure, states: int = 50) -> float:
 
             found = np.empty(n)
             c.accelerate(
-                ctypes.c_int(module.CONTACTS.index(phase)), at(y), at(parameters),
+                ctypes.c_int(module.MODES.index(phase)), at(y), at(parameters),
                 ctypes.c_double(ground), at(found),
             )  # fmt: skip
             opens = c.opens(

@@ -28,7 +28,7 @@ Source: thesis 4-18, 4-20, 4-27 to 4-31, 4-39.
                 energy_ratio_4 [-]: energy ratio r of a passage, in piece 4 at no speed
                 energy_ratio_slope_4 [s/m]: slope of the energy ratio in piece 4
                 gravity [m/s2]: acceleration of gravity
-    contacts    left, left_inward, left_inward_slack, left_inward_yield, left_near, left_near_slack, left_near_yield, left_slack, left_yield, right, right_inward, right_inward_slack, right_inward_yield, right_near, right_near_slack, right_near_yield, right_slack, right_yield
+    modes       left, left_inward, left_inward_slack, left_inward_yield, left_near, left_near_slack, left_near_yield, left_slack, left_yield, right, right_inward, right_inward_slack, right_inward_yield, right_near, right_near_slack, right_near_yield, right_slack, right_yield
 
 Operations before and after common subexpressions were shared:
     accelerations            852   208
@@ -55,7 +55,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "43f7be2302b0eaf4"
+SOURCE_HASH = "7f417804c7f245a0"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"
@@ -173,7 +173,7 @@ PARAMETER_SIGNS = (
     "+",
 )
 SIZES = ()
-CONTACTS = (
+MODES = (
     "left",
     "left_inward",
     "left_inward_slack",
@@ -306,7 +306,7 @@ TARGETS = (  # mode to which each guard leads
     (11, 9, -1, -1,),  # right_slack
     (9, -1, -1, -1,),  # right_yield
 )
-CLOSED = (  # guard of the mode that follows which is closed on entering it
+REVERSE = (  # guard of the mode that follows which is closed on entering it
     (1, -1, 1, -1,),  # left
     (-1, 0, -1, 2,),  # left_inward
     (-1, 0, 3, -1,),  # left_inward_slack
@@ -346,8 +346,8 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1, -1,),  # right_slack
     (-1, -1, -1, -1,),  # right_yield
 )
-NARROW = True  # whether forces may act in a small part of a step
-HELD = -1  # mode whose guards are sums of the state and the ground, or -1
+LOCALISED = True  # whether forces may act in a small part of a step
+FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -1341,8 +1341,8 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 
 @inlined
-def held_guards(y, p, ax, g):
-    """Guards of the mode HELD into g, each divided by what is positive.
+def full_contact_guards(y, p, ax, g):
+    """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """

@@ -7,7 +7,7 @@ Source: Prieto et al. (2004); thesis 2-17 to 2-29.
     parameters  alpha [rad]: angle of the line from edge to centroid
                 energy_ratio [-]: ratio of kinetic energies after and before an impact
                 regularisation [-]: width of an impact in x
-    contacts    left, left_core, left_tail, right, right_core, right_tail
+    modes       left, left_core, left_tail, right, right_core, right_tail
 
 Operations before and after common subexpressions were shared:
     accelerations             20    20
@@ -33,7 +33,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "e4f5ba43a22a254f"
+SOURCE_HASH = "2153d27863e28707"
 
 NAME = "dirac_delta_block"
 CLASS = "DiracDeltaBlock"
@@ -48,7 +48,7 @@ PARAMETER_MEANINGS = (
 )
 PARAMETER_SIGNS = ("+", "+", "+",)
 SIZES = ()
-CONTACTS = ("left", "left_core", "left_tail", "right", "right_core", "right_tail",)
+MODES = ("left", "left_core", "left_tail", "right", "right_core", "right_tail",)
 REACTIONS = ("horizontal_reaction",)
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 KINEMATICS = ("displacement",)
@@ -96,7 +96,7 @@ TARGETS = (  # mode to which each guard leads
     (5, 1,),  # right_core
     (3, 4,),  # right_tail
 )
-CLOSED = (  # guard of the mode that follows which is closed on entering it
+REVERSE = (  # guard of the mode that follows which is closed on entering it
     (0, -1,),  # left
     (1, 1,),  # left_core
     (0, 0,),  # left_tail
@@ -112,8 +112,8 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # right_core
     (-1, -1,),  # right_tail
 )
-NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # mode whose guards are sums of the state and the ground, or -1
+LOCALISED = False  # whether forces may act in a small part of a step
+FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -281,8 +281,8 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 
 @inlined
-def held_guards(y, p, ax, g):
-    """Guards of the mode HELD into g, each divided by what is positive.
+def full_contact_guards(y, p, ax, g):
+    """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """

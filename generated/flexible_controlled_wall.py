@@ -20,7 +20,7 @@ Source: thesis 4-8, 4-33; Lagrange's equations in place of 4-27 and 4-32; the fi
                 stiffness [N/m]: stiffness of the wall against its deflection
                 damping [N s/m]: viscous damping coefficient of the deflection
                 gravity [m/s2]: acceleration of gravity
-    contacts    left, left_slack, left_yield, right, right_slack, right_yield
+    modes       left, left_slack, left_yield, right, right_slack, right_yield
 
 Operations before and after common subexpressions were shared:
     accelerations           1739   549
@@ -47,7 +47,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "6a34f1ccd6daddf6"
+SOURCE_HASH = "86159e563c0f9c4a"
 
 NAME = "flexible_controlled_wall"
 CLASS = "FlexibleControlledWall"
@@ -128,7 +128,7 @@ PARAMETER_SIGNS = (
 SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
-CONTACTS = ("left", "left_slack", "left_yield", "right", "right_slack", "right_yield",)
+MODES = ("left", "left_slack", "left_yield", "right", "right_slack", "right_yield",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction", "tendon_force",)
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 KINEMATICS = (
@@ -186,7 +186,7 @@ TARGETS = (  # mode to which each guard leads
     (1, 3, -1,),  # right_slack
     (2, 3, -1,),  # right_yield
 )
-CLOSED = (  # guard of the mode that follows which is closed on entering it
+REVERSE = (  # guard of the mode that follows which is closed on entering it
     (0, -1, 1,),  # left
     (0, 2, -1,),  # left_slack
     (0, 1, -1,),  # left_yield
@@ -202,8 +202,8 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right_slack
     (-1, -1, -1,),  # right_yield
 )
-NARROW = True  # whether forces may act in a small part of a step
-HELD = -1  # mode whose guards are sums of the state and the ground, or -1
+LOCALISED = True  # whether forces may act in a small part of a step
+FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -773,8 +773,8 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 
 @inlined
-def held_guards(y, p, ax, g):
-    """Guards of the mode HELD into g, each divided by what is positive.
+def full_contact_guards(y, p, ax, g):
+    """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """

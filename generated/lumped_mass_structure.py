@@ -12,7 +12,7 @@ Source: thesis 5-8 to 5-14.
                 base_inertia [kg m2]: its moment of inertia about its centroid
                 half_width [m]: half of the distance between the feet
                 gravity [m/s2]: acceleration of gravity
-    contacts    left, both, right
+    modes       left, both, right
 
 Operations before and after common subexpressions were shared:
     accelerations             12    11
@@ -39,7 +39,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "20c4b079900bb8a6"
+SOURCE_HASH = "09470430447312da"
 
 NAME = "lumped_mass_structure"
 CLASS = "LumpedMassStructure"
@@ -70,7 +70,7 @@ PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+", "+", "+",)
 SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
-CONTACTS = ("left", "both", "right",)
+MODES = ("left", "both", "right",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
@@ -106,7 +106,7 @@ TARGETS = (  # mode to which each guard leads
     (0, 2,),  # both
     (0, -1,),  # right
 )
-CLOSED = (  # guard of the mode that follows which is closed on entering it
+REVERSE = (  # guard of the mode that follows which is closed on entering it
     (0, -1,),  # left
     (0, 0,),  # both
     (0, -1,),  # right
@@ -116,8 +116,8 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # both
     (-1, -1,),  # right
 )
-NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # mode whose guards are sums of the state and the ground, or -1
+LOCALISED = False  # whether forces may act in a small part of a step
+FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -286,8 +286,8 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 
 @inlined
-def held_guards(y, p, ax, g):
-    """Guards of the mode HELD into g, each divided by what is positive.
+def full_contact_guards(y, p, ax, g):
+    """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """

@@ -6,7 +6,7 @@ Source: Hogan (1989); thesis 2-13.
     states      x, x_dot
     parameters  alpha [rad]: angle of the line from edge to centroid
                 radius_ratio [-]: $m R^2/I_o$, 3/4 for a rectangular block
-    contacts    left, both, right
+    modes       left, both, right
 
 Operations before and after common subexpressions were shared:
     accelerations             12    11
@@ -33,7 +33,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "7e55f65a4f2fb370"
+SOURCE_HASH = "f56dca1651a61c51"
 
 NAME = "nondimensional_block"
 CLASS = "NondimensionalBlock"
@@ -50,7 +50,7 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the moment of inertia of body 'block'", True, ("radius_ratio",), "it must not be negative"),
     ("the distance of the feet", False, ("alpha", "radius_ratio",), "the left foot must stand to the left of the right one"),
 )
-CONTACTS = ("left", "both", "right",)
+MODES = ("left", "both", "right",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
@@ -86,7 +86,7 @@ TARGETS = (  # mode to which each guard leads
     (0, 2,),  # both
     (0, -1,),  # right
 )
-CLOSED = (  # guard of the mode that follows which is closed on entering it
+REVERSE = (  # guard of the mode that follows which is closed on entering it
     (0, -1,),  # left
     (0, 0,),  # both
     (0, -1,),  # right
@@ -96,8 +96,8 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # both
     (-1, -1,),  # right
 )
-NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # mode whose guards are sums of the state and the ground, or -1
+LOCALISED = False  # whether forces may act in a small part of a step
+FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -259,8 +259,8 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 
 @inlined
-def held_guards(y, p, ax, g):
-    """Guards of the mode HELD into g, each divided by what is positive.
+def full_contact_guards(y, p, ax, g):
+    """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """

@@ -16,7 +16,7 @@ Source: thesis 4-32.
                 yield_force [N]: yield force of tendon
                 eccentricity [m]: place of tendon along the base, from the centreline, positive to the right
                 gravity [m/s2]: acceleration of gravity
-    contacts    left, left_slack, left_yield, both, both_slack, right, right_slack, right_yield
+    modes       left, left_slack, left_yield, both, both_slack, right, right_slack, right_yield
 
 Operations before and after common subexpressions were shared:
     accelerations             78    58
@@ -43,7 +43,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "94227bae8572b1cb"
+SOURCE_HASH = "62748ef7e0798aaf"
 
 NAME = "simplified_substitute_gravity_wall"
 CLASS = "SimplifiedSubstituteGravityWall"
@@ -83,7 +83,7 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the moment of inertia of body 'wall'", True, ("mass", "pivot_inertia", "centroid_height", "half_width",), "it must not be negative"),
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
-CONTACTS = (
+MODES = (
     "left",
     "left_slack",
     "left_yield",
@@ -158,7 +158,7 @@ TARGETS = (  # mode to which each guard leads
     (1, 5, -1,),  # right_slack
     (2, 5, -1,),  # right_yield
 )
-CLOSED = (  # guard of the mode that follows which is closed on entering it
+REVERSE = (  # guard of the mode that follows which is closed on entering it
     (0, -1, 1,),  # left
     (0, 2, -1,),  # left_slack
     (0, 1, -1,),  # left_yield
@@ -178,8 +178,8 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right_slack
     (-1, -1, -1,),  # right_yield
 )
-NARROW = True  # whether forces may act in a small part of a step
-HELD = -1  # mode whose guards are sums of the state and the ground, or -1
+LOCALISED = True  # whether forces may act in a small part of a step
+FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -519,8 +519,8 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 
 @inlined
-def held_guards(y, p, ax, g):
-    """Guards of the mode HELD into g, each divided by what is positive.
+def full_contact_guards(y, p, ax, g):
+    """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """

@@ -9,7 +9,7 @@ Source: Housner (1963); thesis 2-3, 2-14.
                 alpha [rad]: angle of that line from the vertical
                 inertia [kg m2]: moment of inertia about the centroid
                 gravity [m/s2]: acceleration of gravity
-    contacts    left, both, right
+    modes       left, both, right
 
 Operations before and after common subexpressions were shared:
     accelerations              6     6
@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "009abefa7fbcfa24"
+SOURCE_HASH = "e3a1d4d362ab1431"
 
 NAME = "slender_block"
 CLASS = "SlenderBlock"
@@ -55,7 +55,7 @@ PARAMETER_SIGNS = ("+", "+", "+", "+", "+",)
 SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("radius", "alpha",), "the left foot must stand to the left of the right one"),
 )
-CONTACTS = ("left", "both", "right",)
+MODES = ("left", "both", "right",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
@@ -91,7 +91,7 @@ TARGETS = (  # mode to which each guard leads
     (0, 2,),  # both
     (0, -1,),  # right
 )
-CLOSED = (  # guard of the mode that follows which is closed on entering it
+REVERSE = (  # guard of the mode that follows which is closed on entering it
     (0, -1,),  # left
     (0, 0,),  # both
     (0, -1,),  # right
@@ -101,8 +101,8 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # both
     (-1, -1,),  # right
 )
-NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # mode whose guards are sums of the state and the ground, or -1
+LOCALISED = False  # whether forces may act in a small part of a step
+FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -264,8 +264,8 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 
 @inlined
-def held_guards(y, p, ax, g):
-    """Guards of the mode HELD into g, each divided by what is positive.
+def full_contact_guards(y, p, ax, g):
+    """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """

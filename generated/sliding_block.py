@@ -11,7 +11,7 @@ Source: Shenton (1996).
                 gravity [m/s2]: acceleration of gravity
                 friction [-]: coefficient of friction at each foot
                 restitution [-]: ratio of the rates of a gap after and before an impact
-    contacts    both, both_slides_right, both_slides_left, left, left_slides_right, left_slides_left, right, right_slides_right, right_slides_left, flight
+    modes       both, both_slides_right, both_slides_left, left, left_slides_right, left_slides_left, right, right_slides_right, right_slides_left, flight
 
 Operations before and after common subexpressions were shared:
     rates                    140   108
@@ -41,7 +41,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import everywhere, fused, inlined
 
-SOURCE_HASH = "85cb97b2cb4dbfc9"
+SOURCE_HASH = "089bb353c50c00c7"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -65,7 +65,7 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("1 less the restitution of contact 'right'", True, ("restitution",), "give 0 to 1"),
     ("the width of contact 'right'", False, ("half_width",), "the point of side -1 must stand to the left of that of side 1"),
 )
-CONTACTS = (
+MODES = (
     "both",
     "both_slides_right",
     "both_slides_left",
@@ -250,7 +250,7 @@ TARGETS = (  # mode to which a switch leads
     (-1, -1, -1, -1,),  # right_slides_left
     (-1, -1, -1, -1,),  # flight
 )
-CLOSED = (  # guard of it that leads back
+REVERSE = (  # guard of it that leads back
     (-1, -1, -1, -1,),  # both
     (-1, -1, -1, -1,),  # both_slides_right
     (-1, -1, -1, -1,),  # both_slides_left
@@ -274,8 +274,8 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1, -1,),  # right_slides_left
     (-1, -1, -1, -1,),  # flight
 )
-NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # mode whose guards are sums of the state and the ground, or -1
+LOCALISED = False  # whether forces may act in a small part of a step
+FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 BOTH = 0

@@ -14,7 +14,7 @@ Source: Psycharis (1990).
                 upper_inertia [kg m2]: moment of inertia about the centroid of the upper block
                 gravity [m/s2]: acceleration of gravity
                 restitution [-]: ratio of the rates of a gap after and before an impact
-    contacts    both_upper_both, both_upper_left, both_upper_right, left_upper_both, right_upper_both, both, left_upper_left, left_upper_right, right_upper_left, right_upper_right, upper_both, left, right, upper_left, upper_right, flight
+    modes       both_upper_both, both_upper_left, both_upper_right, left_upper_both, right_upper_both, both, left_upper_left, left_upper_right, right_upper_left, right_upper_right, upper_both, left, right, upper_left, upper_right, flight
 
 Operations before and after common subexpressions were shared:
     rates                   1472   970
@@ -45,7 +45,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import everywhere, fused, inlined
 
-SOURCE_HASH = "f6aa78c0a0c970ef"
+SOURCE_HASH = "d0cb76811b13beec"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"
@@ -100,7 +100,7 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
     ("1 less the restitution of contact 'upper_right'", True, ("restitution",), "give 0 to 1"),
     ("the width of contact 'upper_right'", False, ("upper_half_width",), "the point of side -1 must stand to the left of that of side 1"),
 )
-CONTACTS = (
+MODES = (
     "both_upper_both",
     "both_upper_left",
     "both_upper_right",
@@ -378,7 +378,7 @@ TARGETS = (  # mode to which a switch leads
     (-1, -1, -1, -1,),  # upper_right
     (-1, -1, -1, -1,),  # flight
 )
-CLOSED = (  # guard of it that leads back
+REVERSE = (  # guard of it that leads back
     (-1, -1, -1, -1,),  # both_upper_both
     (-1, -1, -1, -1,),  # both_upper_left
     (-1, -1, -1, -1,),  # both_upper_right
@@ -414,8 +414,8 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1, -1,),  # upper_right
     (-1, -1, -1, -1,),  # flight
 )
-NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # mode whose guards are sums of the state and the ground, or -1
+LOCALISED = False  # whether forces may act in a small part of a step
+FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 BOTH_UPPER_BOTH = 0

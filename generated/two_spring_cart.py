@@ -13,7 +13,7 @@ Source: thesis 5-15, 5-25, 5-33.
                 half_width [m]: half of the distance between the feet
                 gravity [m/s2]: acceleration of gravity
                 foundation_stiffness [N/m]: stiffness of each spring
-    contacts    both_left, left, both_right, right
+    modes       both_left, left, both_right, right
 
 Operations before and after common subexpressions were shared:
     accelerations              8     8
@@ -39,7 +39,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "8ddb70150dcb333b"
+SOURCE_HASH = "36fe267cb07175bb"
 
 NAME = "two_spring_cart"
 CLASS = "TwoSpringCart"
@@ -70,7 +70,7 @@ PARAMETER_MEANINGS = (
 )
 PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+", "+", "+", "+",)
 SIZES = ()
-CONTACTS = ("both_left", "left", "both_right", "right",)
+MODES = ("both_left", "left", "both_right", "right",)
 REACTIONS = ("horizontal_reaction",)
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 KINEMATICS = ("displacement",)
@@ -110,7 +110,7 @@ TARGETS = (  # mode to which each guard leads
     (0, 3,),  # both_right
     (2, -1,),  # right
 )
-CLOSED = (  # guard of the mode that follows which is closed on entering it
+REVERSE = (  # guard of the mode that follows which is closed on entering it
     (0, 0,),  # both_left
     (1, -1,),  # left
     (0, 0,),  # both_right
@@ -122,8 +122,8 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # both_right
     (-1, -1,),  # right
 )
-NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # mode whose guards are sums of the state and the ground, or -1
+LOCALISED = False  # whether forces may act in a small part of a step
+FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 BOTH_LEFT = 0
@@ -273,8 +273,8 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 
 @inlined
-def held_guards(y, p, ax, g):
-    """Guards of the mode HELD into g, each divided by what is positive.
+def full_contact_guards(y, p, ax, g):
+    """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """

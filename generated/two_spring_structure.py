@@ -14,7 +14,7 @@ Source: thesis 5.3.2, derived exactly instead of 5-15.
                 gravity [m/s2]: acceleration of gravity
                 foundation_stiffness [N/m]: stiffness of each spring
                 foundation_damping [N s/m]: damping of each spring
-    contacts    left, both, flight, right
+    modes       left, both, flight, right
 
 Operations before and after common subexpressions were shared:
     accelerations             78    76
@@ -40,7 +40,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "3cddb45d486fb5fa"
+SOURCE_HASH = "73b7e5e75eab1342"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"
@@ -75,7 +75,7 @@ PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+", "+", "+", "+", "+",)
 SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
-CONTACTS = ("left", "both", "flight", "right",)
+MODES = ("left", "both", "flight", "right",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
@@ -117,7 +117,7 @@ TARGETS = (  # mode to which each guard leads
     (0, 3,),  # flight
     (1, 2,),  # right
 )
-CLOSED = (  # guard of the mode that follows which is closed on entering it
+REVERSE = (  # guard of the mode that follows which is closed on entering it
     (1, 0,),  # left
     (0, 0,),  # both
     (1, 1,),  # flight
@@ -129,8 +129,8 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (2, 4,),  # flight
     (2, -1,),  # right
 )
-NARROW = False  # whether forces may act in a small part of a step
-HELD = -1  # mode whose guards are sums of the state and the ground, or -1
+LOCALISED = False  # whether forces may act in a small part of a step
+FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -416,8 +416,8 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 
 @inlined
-def held_guards(y, p, ax, g):
-    """Guards of the mode HELD into g, each divided by what is positive.
+def full_contact_guards(y, p, ax, g):
+    """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """

@@ -10,7 +10,7 @@ Source: Chopra and Yim (1985); thesis 2-7, 2-8.
                 stiffness [N/m]: flexural stiffness of the column
                 damping [N s/m]: viscous damping coefficient of the column
                 gravity [m/s2]: acceleration of gravity
-    contacts    left, both, right
+    modes       left, both, right
 
 Operations before and after common subexpressions were shared:
     accelerations             19    18
@@ -37,7 +37,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "90bce0c85f28f09c"
+SOURCE_HASH = "3a9802f7b4ecc717"
 
 NAME = "uplifting_oscillator"
 CLASS = "UpliftingOscillator"
@@ -57,7 +57,7 @@ PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+",)
 SIZES = (  # what, whether it may be zero, parameters, remedy
     ("the distance of the feet", False, ("half_width",), "the left foot must stand to the left of the right one"),
 )
-CONTACTS = ("left", "both", "right",)
+MODES = ("left", "both", "right",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
@@ -93,7 +93,7 @@ TARGETS = (  # mode to which each guard leads
     (0, 2,),  # both
     (0, -1,),  # right
 )
-CLOSED = (  # guard of the mode that follows which is closed on entering it
+REVERSE = (  # guard of the mode that follows which is closed on entering it
     (0, -1,),  # left
     (0, 0,),  # both
     (0, -1,),  # right
@@ -103,8 +103,8 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # both
     (-1, -1,),  # right
 )
-NARROW = False  # whether forces may act in a small part of a step
-HELD = 1  # mode whose guards are sums of the state and the ground, or -1
+LOCALISED = False  # whether forces may act in a small part of a step
+FULL_CONTACT = 1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
 RATIO, IMPULSIVE = 0, 1
 LEFT = 0
@@ -296,8 +296,8 @@ def jump(contact, guard, law, ratio, y, p, out):
 
 
 @inlined
-def held_guards(y, p, ax, g):
-    """Guards of the mode HELD into g, each divided by what is positive.
+def full_contact_guards(y, p, ax, g):
+    """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.
     """

@@ -152,7 +152,7 @@ def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
         ("in Python", f"rockeom.{of.__name__}(...)"),
         ("coordinates", ", ".join(f"{name} [{unit}]" for name, unit in units)),
         ("states", ", ".join(module.STATES)),
-        ("modes", ", ".join(module.CONTACTS)),
+        ("modes", ", ".join(module.MODES)),
         ("impact laws", laws if _has_impacts(module) else _without_a_law(module)),
     ]
     return "\n".join(

@@ -43,8 +43,8 @@ def _tables(text: Text, held: int) -> list[str]:
         f"GUARDS = ({', '.join(str(len(_outgoing(model, x))) for x in model.mode_names)},)",
         *_of_transitions(model),
         *_of_guards(model),
-        f"NARROW = {bool(model.functions)}  # whether forces may act in a small part of a step",
-        f"HELD = {held}  # mode whose guards are sums of the state and the ground, or -1",
+        f"LOCALISED = {bool(model.functions)}  # whether forces may act in a small part of a step",
+        f"FULL_CONTACT = {held}  # mode whose guards are sums of the state and the ground, or -1",
         f"HAS_IMPULSIVE = {_impulsive(model)}",
     ]
 
@@ -76,7 +76,7 @@ def _of_guards(model: HybridModel) -> list[str]:
             {c: [model.mode_names.index(t.target) for t in row] for c, row in leaving.items()},
         ),
         *rows(
-            "CLOSED = (  # guard of the mode that follows which is closed on entering it",
+            "REVERSE = (  # guard of the mode that follows which is closed on entering it",
             {c: _closed(model, c) for c in leaving},
         ),
         *rows(
@@ -209,7 +209,7 @@ def _image(model: HybridModel, contact: str) -> str | None:
 
 
 def _held_guards(text: Text) -> int:
-    """Add `held_guards`; returns the mode that it is for, -1 if there is none.
+    """Add `full_contact_guards`; returns the mode that it is for, -1 if there is none.
 
     An acceleration out of M a = f lifts a foot. But for the factor that M gives, which is positive,
     it is often a sum of the states and of the ground's acceleration, each by a constant: in a step,
@@ -219,8 +219,8 @@ def _held_guards(text: Text) -> int:
     contact = next(iter(found)) if len(found) == 1 else None
     sums = found[contact] if contact else []
     text.function(
-        "held_guards(y, p, ax, g)",
-        """Guards of the mode HELD into g, each divided by what is positive.
+        "full_contact_guards(y, p, ax, g)",
+        """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
 
     Sums of the states and ax, while there is no vertical shaking.""",
         text.evaluate("guards", {f"g[{i}]": e for i, e in enumerate(sums)}, "    ", hoist=True)

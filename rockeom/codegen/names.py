@@ -15,7 +15,7 @@ import unicodedata
 _PROGRAM = """
 abs float max min np math range __debug__
 
-accelerations elements energies guards held_guards jump kinematics masses momentum
+accelerations elements energies guards full_contact_guards jump kinematics masses momentum
 opening_acceleration overturning positions powers prepare rates reactions shapes sine_cosine
 sizes statics velocity_ratio fused inlined everywhere overturns_at
 
@@ -24,8 +24,8 @@ free_motion points point_laws
 contact s y p ax ay dy g i number out law ratio guard load found value parameters total_gravity
 matrix forces pattern equations
 
-CLASS CLOSED CONTACTS COPIES CORNERS ELEMENT_NAMES ENERGIES FALLS GUARDS HAS_IMPULSIVE HELD
-IMPULSIVE KINDS KINEMATICS MEMBERS MEMBER_ENDS NAME N_FALLS N_GUARDS N_PARTS N_STATES NARROW
+CLASS REVERSE MODES COPIES CORNERS ELEMENT_NAMES ENERGIES FALLS GUARDS HAS_IMPULSIVE FULL_CONTACT
+IMPULSIVE KINDS KINEMATICS MEMBERS MEMBER_ENDS NAME N_FALLS N_GUARDS N_PARTS N_STATES LOCALISED
 PARAMETERS PARAMETER_MEANINGS PARAMETER_SIGNS PARAMETER_UNITS PARTS POSITIONS POSITION_KINDS
 RATIO REACTIONS ROTATION ROTATION_RATE ROUNDER SIDES SIZES SOURCE_HASH STATES STATE_UNITS TARGETS
 TRANSITIONS

@@ -634,8 +634,8 @@ def _tables(written: Written) -> list[str]:
         *column("GUARDS = (", {name: str(len(row)) for name, row in guards_in.items()}),
         *_states_of_contact(of, modes, slips),
         *_of_guards(of, modes, guards_in, longest_row),
-        "NARROW = False  # whether forces may act in a small part of a step",
-        "HELD = -1  # mode whose guards are sums of the state and the ground, or -1",
+        "LOCALISED = False  # whether forces may act in a small part of a step",
+        "FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1",
         "HAS_IMPULSIVE = False",
     ]
 
@@ -734,6 +734,6 @@ def _of_guards(
             lambda r: r.subject,
         ),
         *numbers_of("TARGETS = (  # mode to which a switch leads", lambda r: r.target),
-        *numbers_of("CLOSED = (  # guard of it that leads back", lambda r: r.back),
+        *numbers_of("REVERSE = (  # guard of it that leads back", lambda r: r.back),
         *numbers_of("PARTS = (  # place in g of the two parts of a guard, or -1", lambda r: r.part),
     ]

@@ -60,7 +60,7 @@ def _words(model: HybridModel) -> list[str]:
         *table("PARAMETER_MEANINGS", [p.meaning for p in model.parameters]),
         *table("PARAMETER_SIGNS", [_sign(p) for p in model.parameters]),
         *_of_sizes(model),
-        *table("CONTACTS", model.mode_names),
+        *table("MODES", model.mode_names),
     ]
 
 

@@ -182,7 +182,7 @@ def contact_spans(run: Run) -> tuple[np.ndarray, list[str]]:
     spans: list[list[float]] = []
     names: list[str] = []
     for (start, end), mode in zip(*run.support.spans, strict=True):
-        name = feet_of(run.structure.module.CONTACTS[mode])
+        name = feet_of(run.structure.module.MODES[mode])
         if names and names[-1] == name:
             spans[-1][1] = end
         else:

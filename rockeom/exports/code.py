@@ -46,7 +46,7 @@ MEANINGS = {
     "result": "the p of all other functions",
     "load": "horizontal force at the load point [N]",
 }
-_LEFT_OUT = ("shapes", "sizes", "held_guards", "opening_acceleration")
+_LEFT_OUT = ("shapes", "sizes", "full_contact_guards", "opening_acceleration")
 """Functions that only a sketch, a check of parameters or the integrator needs."""
 
 _OF_POINTS = '''
@@ -103,7 +103,7 @@ class Described:
     def contact_names(self) -> dict[str, str]:
         """The name of the constant that is the number of each mode."""
         found = {}
-        for i, contact in enumerate(self.module.CONTACTS):
+        for i, contact in enumerate(self.module.MODES):
             name = unicodedata.normalize("NFKC", contact.upper())
             while self.functions.constants.get(name) is not i:
                 name += "_"
@@ -163,7 +163,7 @@ class Described:
             ),
             "",
             "Modes, and how many guards end each:",
-            *_rows((f"{i}", n, f"{m.GUARDS[i]}") for i, n in enumerate(m.CONTACTS)),
+            *_rows((f"{i}", n, f"{m.GUARDS[i]}") for i, n in enumerate(m.MODES)),
             "",
             *self._use(),
         ]
@@ -342,7 +342,7 @@ def _c(described: Described) -> str:
     numbers = described.contact_names
     for contact, name in numbers.items():
         tables += c.table(
-            f"{prefix.upper()}{names.of(name)}", described.module.CONTACTS.index(contact)
+            f"{prefix.upper()}{names.of(name)}", described.module.MODES.index(contact)
         )
     sizes = {
         "N_STATES": described.module.N_STATES,
@@ -416,11 +416,11 @@ def _matlab(described: Described) -> str:
     for field, words in (
         ("states", m.STATES),
         ("parameters", m.PARAMETERS),
-        ("contacts", m.CONTACTS),
+        ("contacts", m.MODES),
     ):
         lines += _cells(f"    m.{field} = ", words)
     for contact, name in described.contact_names.items():
-        lines.append(f"    m.{names.of(name)} = {m.CONTACTS.index(contact)};")
+        lines.append(f"    m.{names.of(name)} = {m.MODES.index(contact)};")
     text = "\n".join([*lines, *handles, "end", *bodies, ""])
     return text + _EITHER if "either(" in text else text
 

@@ -199,7 +199,7 @@ class _File:
             raise self.error(f"its structure is {made!r}, and {told(self.given)} is given")
         module = made.module
         names = (definition["states"], definition["contacts"])
-        if names != (list(module.STATES), list(module.CONTACTS)):
+        if names != (list(module.STATES), list(module.MODES)):
             raise self.error(
                 f"{made.model} of rockeom {self.version} had other states or modes than "
                 f"it has in this one, {VERSION}"
@@ -239,7 +239,7 @@ class _File:
     def response(self) -> Response:
         definition = json.loads(self.definition_text)
         structure = self.structure(definition)
-        n, contacts = len(structure.states), len(structure.module.CONTACTS)
+        n, contacts = len(structure.states), len(structure.module.MODES)
         times = self.array("passage_time", None)
         kinds = self.array("passage_kind", len(times), 4)
         self.check_below("passage_kind", kinds[:, 0], len(KINDS))

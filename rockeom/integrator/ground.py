@@ -118,7 +118,7 @@ def segment_for(table, n, t):
 
 @inlined
 def straight(gx, gy):
-    """Whether the ground moves by a straight line, and not up or down: see `held_guards`."""
+    """Whether the ground moves by a straight line, and not up or down; see full_contact_guards."""
     return gx[2] == 0.0 and gy[2] == 0.0 and gy[3] == 0.0 and gy[4] == 0.0
 
 

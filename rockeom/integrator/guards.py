@@ -29,14 +29,14 @@ if TYPE_CHECKING:  # joined before this text
     )
     from rockeom.integrator.ground import ground_acceleration, straight
     from rockeom.integrator.interface import (
+        FULL_CONTACT,
         GUARDS,
-        HELD,
         KINDS,
+        LOCALISED,
         N_GUARDS,
         N_PARTS,
         N_STAGES,
         N_STATES,
-        NARROW,
         NODES,
         PARTS,
         QUARTIC,
@@ -45,9 +45,9 @@ if TYPE_CHECKING:  # joined before this text
         ROTATION_RATE,
         SAMPLES_TO_BERNSTEIN,
         SIDES,
+        full_contact_guards,
         grain_of,
         guards,
-        held_guards,
         is_known,
         rates,
     )
@@ -148,7 +148,7 @@ def stays_held(mode, t, h, ground, case, a):
 
     They are sampled on the quintics through both ends, see `stays_open`.
     """
-    if HELD >= 0 and mode == HELD and straight(ground.x, ground.y):
+    if FULL_CONTACT >= 0 and mode == FULL_CONTACT and straight(ground.x, ground.y):
         return stays_on_both_feet(t, h, a.y, a.y_new, a.k, case.p, ground.x)
     n, w, g, b, quintics = N_STATES // 2, a.w, a.g, a.b, a.stack
     quintics_through_ends(h, a.y, a.y_new, a.k, quintics)
@@ -192,7 +192,7 @@ def stays_on_both_feet(t, h, y, y_new, k, p, gx):
                 before, here, behind = quintics[at], quintics[at + 1], quintics[at + 2]
                 w[i] = here
                 w[n + i] = rate * (j * (here - before) + (5 - j) * (behind - here))
-        held_guards(w, p, ground + j * change, g)
+        full_contact_guards(w, p, ground + j * change, g)
         for n_g in range(N_GUARDS):
             least, most, total = min(least, g[n_g]), max(most, g[n_g]), total + g[n_g]
     return 1e-3 * most < least and math.isfinite(total)
@@ -201,7 +201,7 @@ def stays_on_both_feet(t, h, y, y_new, k, p, gx):
 @inlined
 def acts_beside(contact, guard, there, away):
     """Whether forces that act beside a closed gap only may, where a guard is closed."""
-    return NARROW and guard >= 0 and beside_gap(contact, guard, there, away)
+    return LOCALISED and guard >= 0 and beside_gap(contact, guard, there, away)
 
 
 @inlined

@@ -29,21 +29,21 @@ SIDES: tuple[float, ...]
 GUARDS: tuple[int, ...]
 KINDS: tuple[tuple[int, ...], ...]
 TARGETS: tuple[tuple[int, ...], ...]
-CLOSED: tuple[tuple[int, ...], ...]
+REVERSE: tuple[tuple[int, ...], ...]
 PARTS: tuple[tuple[int, ...], ...]
 POINT_STATES: tuple[tuple[int, ...], ...]
 ELEMENT_STATES: tuple[tuple[int, ...], ...]
 SHARED: tuple[tuple[int, ...], ...]
 SUBJECTS: tuple[tuple[int, ...], ...]
-NARROW: bool
-HELD: int
+LOCALISED: bool
+FULL_CONTACT: int
 
 ROUNDER: float
 
 def rates(contact: Int, y: Floats, p: Floats, ax: Float, ay: Float, dy: Floats) -> None: ...
 def opening_acceleration(contact: Int, y: Floats, p: Floats, ax: Float, ay: Float) -> float: ...
 def guards(contact: Int, y: Floats, p: Floats, ax: Float, ay: Float, g: Floats) -> None: ...
-def held_guards(y: Floats, p: Floats, ax: Float, g: Floats) -> None: ...
+def full_contact_guards(y: Floats, p: Floats, ax: Float, g: Floats) -> None: ...
 def jump(
     contact: Int, guard: Int, law: Int, ratio: Float, y: Floats, p: Floats, out: Floats
 ) -> int: ...

@@ -53,7 +53,6 @@ if TYPE_CHECKING:  # joined before this text
         segment_at,
     )
     from rockeom.integrator.interface import (
-        CLOSED,
         DAMPING,
         GAP_SIDES,
         KINDS,
@@ -62,6 +61,7 @@ if TYPE_CHECKING:  # joined before this text
         N_STATES,
         NODE_PLACES,
         PLACES,
+        REVERSE,
         ROTATION,
         ROTATION_RATE,
         SIDES,
@@ -446,7 +446,7 @@ def impact(lane, z, w, batch, scratch):
     if status[IMPACTS] > batch.max_impacts:
         batch.outcome[case] = TOO_MANY_IMPACTS
     elif SIDES[contact] != 0.0:
-        touching = CLOSED[before][0]
+        touching = REVERSE[before][0]
         contact, rests = fly_or_rest(lane, z, case, contact, speed, batch, scratch)
         if rests:
             touching = -1

@@ -104,7 +104,7 @@ def _accelerations(generated: ModuleType) -> str:
     text = f"\n\n@inlined\ndef accelerations_of_lanes(contact, {arguments}, p, ax, ay):\n"
     if len(_held(generated)) < 2:
         return f"{text}    return accelerations(contact, {arguments}, p, ax, ay)\n"
-    for c in range(len(generated.CONTACTS)):
+    for c in range(len(generated.MODES)):
         found = ", ".join(f"{'b' if c else 'a'}_{i}" for i in range(n))
         text += f"    ({found},) = accelerations({c}, {arguments}, p, ax, ay)\n"
         if c:

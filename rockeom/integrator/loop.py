@@ -78,7 +78,7 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.interface import (
         ERROR_EXPONENT,
         EXTRAPOLATES,
-        HELD,
+        FULL_CONTACT,
         KINDS,
         N_ALL_STAGES,
         N_GUARDS,
@@ -307,7 +307,7 @@ def is_full(motion, recorder):
 def may_be_quiet(motion, recorder):
     """Whether steps may be taken in which nothing but the motion itself is looked at."""
     quiet = not motion.rate_stale and motion.touching < 0 and not records_steps(recorder)
-    return quiet and (rocking(motion.mode) or motion.mode == HELD)
+    return quiet and (rocking(motion.mode) or motion.mode == FULL_CONTACT)
 
 
 def quiet_steps(motion, ground, turn, case, a, recorder):
@@ -336,7 +336,7 @@ def quiet_steps(motion, ground, turn, case, a, recorder):
         error = take_step(mode, t, h, y, p, now.x, now.y, case.rtol, case.atol, k, y_new)
         gap = gap_at_ends(SIDES[mode], h, y, y_new, k)
         open_ = stays_open(gap, -1)
-        if HELD >= 0 and mode == HELD:
+        if FULL_CONTACT >= 0 and mode == FULL_CONTACT:
             open_ = stays_on_both_feet(t, h, y, y_new, k, p, now.x)
         ordinary = error <= (most_error(case.rtol) if equal else 1.0) and finite_end(k) and open_
         if not ordinary or may_fall(case.fallen, gap, h, y, y_new, k, p):

@@ -16,9 +16,9 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.interface import (
         COARSE,
         ERROR_EXPONENT,
+        LOCALISED,
         N_STAGES,
         N_STATES,
-        NARROW,
         rates,
     )
     from rockeom.integrator.overturning import own_time
@@ -37,7 +37,7 @@ def first_step(mode, t, y, rate, p, ground, rtol, atol, w, later):
         speed = max(speed, abs(rate[i]) / scale)
     cautious = 1e-6 if size < 1e-5 or speed < 1e-5 else 0.01 * size / speed
     longest = 0.1 * own_time(mode, y, p)
-    if NARROW or not rocking(mode) or not cautious < longest:
+    if LOCALISED or not rocking(mode) or not cautious < longest:
         return cautious
     for i in range(N_STATES):
         w[i] = y[i] + cautious * rate[i]

@@ -107,8 +107,8 @@ class Events(Sequence[Event]):
             Event(
                 float(time),
                 KINDS[kind],
-                module.CONTACTS[before],
-                module.CONTACTS[after],
+                module.MODES[before],
+                module.MODES[after],
                 dict(zip(states, pair[0].tolist(), strict=True)),
                 dict(zip(states, pair[1].tolist(), strict=True)),
                 contact,

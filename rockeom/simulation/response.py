@@ -114,7 +114,7 @@ class Response:
     @property
     def mode(self) -> np.ndarray:
         """(n,) name of the mode at each sample."""
-        return np.array(self.structure.module.CONTACTS)[self._rows.mode]
+        return np.array(self.structure.module.MODES)[self._rows.mode]
 
     @property
     def impacts(self) -> Impacts:
@@ -138,7 +138,7 @@ class Response:
             rk.simulate(run.structure, aftershock, initial=run.final, mode=run.final_mode)
         """
         kinds = self.events.columns.kinds
-        return self.structure.module.CONTACTS[kinds[-1, 2] if len(kinds) else self._rows.mode[0]]
+        return self.structure.module.MODES[kinds[-1, 2] if len(kinds) else self._rows.mode[0]]
 
     @cached_property
     def overturned(self) -> str:
@@ -371,7 +371,7 @@ class Response:
             if t.ndim != 1:
                 raise ValueError(f"times has the shape {t.shape}: give one dimension, (n,)")
             values = self.at(t, names=names)
-            modes = np.array(self.structure.module.CONTACTS)[self.steps.at(t, "right")[1]]
+            modes = np.array(self.structure.module.MODES)[self.steps.at(t, "right")[1]]
         units = units_with_time(self.structure.module, self.units)
         return over_time(t, modes, values, units).assign_attrs(
             model=self.structure.model,

@@ -43,7 +43,7 @@ def over_time(
 def over_impacts(impacts: Impacts, units: Mapping[str, str]) -> dict[str, Any]:
     """Variables over "impact": times, points, modes and states before and after."""
     times, kinds, states = impacts.columns
-    names = np.array(impacts.structure.module.CONTACTS)
+    names = np.array(impacts.structure.module.MODES)
     points = np.array([impact.contact for impact in impacts], dtype=str)
     variables: dict[str, Any] = {
         "impact_time": ("impact", times, _attributes(units["t"], "time of the impact")),

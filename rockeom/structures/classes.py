@@ -121,7 +121,7 @@ class Structure:
     def rocks_on_rigid_ground(self) -> bool:
         """Whether the edges of the base are pivots, and full contact is a phase of its own."""
         m = self.module
-        return "both" in m.CONTACTS and UPLIFT in m.KINDS[m.CONTACTS.index("both")]
+        return "both" in m.MODES and UPLIFT in m.KINDS[m.MODES.index("both")]
 
     @functools.cached_property
     def stands_on_points(self) -> bool:
@@ -212,10 +212,10 @@ class Structure:
         rotation, rate = values[m.ROTATION], values[m.ROTATION_RATE]
         if phase is not None:
             if not isinstance(phase, str):
-                raise TypeError(f"phase is {told(phase)}: give one of {', '.join(m.CONTACTS)}")
-            if phase not in m.CONTACTS:
-                raise ValueError(f"no phase {phase!r}; {self.model} has {', '.join(m.CONTACTS)}")
-            number = m.CONTACTS.index(phase)
+                raise TypeError(f"phase is {told(phase)}: give one of {', '.join(m.MODES)}")
+            if phase not in m.MODES:
+                raise ValueError(f"no phase {phase!r}; {self.model} has {', '.join(m.MODES)}")
+            number = m.MODES.index(phase)
             side = m.SIDES[number]
             turned = abs(rotation) > 1e-9  # an impact's state may be a rounding error off
             if self.rocks_on_rigid_ground and (
@@ -260,7 +260,7 @@ class Structure:
                     return number
         raise ValueError(
             f"no phase of {self.model} holds {_named(m.STATES, y)}: each of "
-            f"{', '.join(m.CONTACTS[number] for number in margins)} would have ended before; "
+            f"{', '.join(m.MODES[number] for number in margins)} would have ended before; "
             "correct the state"
         )
 
@@ -279,7 +279,7 @@ class Structure:
         before the gap opened.
         """
         m = self.module
-        for target, back in zip(m.TARGETS[contact], m.CLOSED[contact], strict=True):
+        for target, back in zip(m.TARGETS[contact], m.REVERSE[contact], strict=True):
             if back >= 0 and m.PARTS[target][back] >= 0 and self._margins(target, y)[back] > 0.0:
                 return True
         return False
@@ -396,7 +396,7 @@ class Structure:
             ratio = impact.velocity_ratio(self, float(y[m.ROTATION_RATE]), impact_number)
         out = np.empty_like(y)
         follows = m.jump(contact, 0, law, ratio, y, self.vector, out)
-        return dict(zip(self.states, out.tolist(), strict=True)), m.CONTACTS[follows]
+        return dict(zip(self.states, out.tolist(), strict=True)), m.MODES[follows]
 
     def law(self, impact: ImpactLaw | None) -> tuple[int, float]:
         """(law, ratio) for the compiled functions; None is `default_impact`.
@@ -1342,7 +1342,7 @@ class _ControlledWall(Structure):
         side = "left" if (y[m.ROTATION] or y[m.ROTATION_RATE]) < 0 else "right"
         beyond = self._elastic_force(side, y) - self.yield_force
         if beyond > 0.0:
-            yielding = m.CONTACTS.index(f"{side}_yield")
+            yielding = m.MODES.index(f"{side}_yield")
             if self._margin(yielding, y) < 0.0:
                 y[m.STATES.index("permanent_extension")] = beyond / self.tendon_stiffness
         return y
@@ -1354,7 +1354,7 @@ class _ControlledWall(Structure):
         """Force of the tendon [N], if it neither yields nor is slack."""
         m = self.module_for(y, self.vector)
         forces = np.empty(len(m.REACTIONS), np.result_type(y, self.vector))
-        m.reactions(m.CONTACTS.index(side), y, self.vector, 0.0, 0.0, forces)
+        m.reactions(m.MODES.index(side), y, self.vector, 0.0, 0.0, forces)
         return number("tendon_force", forces[m.REACTIONS.index("tendon_force")])
 
     def pushover(self, rotations) -> np.ndarray:
@@ -1372,7 +1372,7 @@ class _ControlledWall(Structure):
         side = "left" if rotation < 0 else "right"
         elastic = self._elastic_force(side, y)
         state = "_yield" if elastic > self.yield_force else "_slack" if elastic < 0 else ""
-        return self._load(m.CONTACTS.index(side + state), y), y
+        return self._load(m.MODES.index(side + state), y), y
 
     def _load(self, contact: int, y: np.ndarray) -> float:
         """The force with which the rotation of a state is in equilibrium [N]."""

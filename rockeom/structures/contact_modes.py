@@ -404,10 +404,10 @@ def _by_elements(
 def named(module: ModuleType, phase: Any) -> int:
     """Number of the contact state named; raises TypeError or ValueError where it is none."""
     if not isinstance(phase, str):
-        raise TypeError(f"phase is {phase!r}: give one of {', '.join(module.CONTACTS)}")
-    if phase not in module.CONTACTS:
-        raise ValueError(f"no phase {phase!r}; {module.NAME} has {', '.join(module.CONTACTS)}")
-    return module.CONTACTS.index(phase)
+        raise TypeError(f"phase is {phase!r}: give one of {', '.join(module.MODES)}")
+    if phase not in module.MODES:
+        raise ValueError(f"no phase {phase!r}; {module.NAME} has {', '.join(module.MODES)}")
+    return module.MODES.index(phase)
 
 
 def subjects(

@@ -86,7 +86,7 @@ class FixedBase(Structure):
             raise ValueError(f"{held[0]} is {y[m.STATES.index(held[0])]}: it is held at zero")
         if phase not in (None, FULL_CONTACT):
             raise ValueError(f"no phase {phase!r} of {self.model}: its feet stay on the ground")
-        return m.CONTACTS.index(FULL_CONTACT)
+        return m.MODES.index(FULL_CONTACT)
 
     def law(self, impact: ImpactLaw | None) -> tuple[int, float]:
         """Raises ValueError for a law: there are no impacts."""
@@ -106,7 +106,7 @@ class FixedBase(Structure):
         n = m.N_STATES // 2
         rates = np.zeros(m.N_STATES, p.dtype)
         moving = np.repeat([0.0, 1.0], n)
-        m.rates(m.CONTACTS.index(FULL_CONTACT), moving, p, 0.0, 0.0, rates)
+        m.rates(m.MODES.index(FULL_CONTACT), moving, p, 0.0, 0.0, rates)
         return np.tile(rates[:n] != 0.0, 2)
 
     @functools.cached_property
@@ -114,7 +114,7 @@ class FixedBase(Structure):
         """(2 n, 2 n) of the rates by the states of what moves, about standing."""
         m = self.module
         n = m.N_STATES // 2
-        contact = m.CONTACTS.index(FULL_CONTACT)
+        contact = m.MODES.index(FULL_CONTACT)
         free = np.flatnonzero(self._free)
 
         def rates(y: np.ndarray) -> np.ndarray:
@@ -164,7 +164,7 @@ class FixedBase(Structure):
         """
         m = self.module
         n = m.N_STATES // 2
-        contact = m.CONTACTS.index(FULL_CONTACT)
+        contact = m.MODES.index(FULL_CONTACT)
         free = np.flatnonzero(self._free[:n]).tolist()
         upright, shaken = np.zeros(m.N_STATES), np.zeros(m.N_STATES)
         m.rates(contact, upright, self.vector, 1.0, 0.0, shaken)
@@ -258,7 +258,7 @@ def _held(rocking: ModuleType) -> ModuleType:
     name = f"{rocking.NAME}_fixed_base"
     guards = tuple(
         0 if contact == FULL_CONTACT else count
-        for contact, count in zip(rocking.CONTACTS, rocking.GUARDS, strict=True)
+        for contact, count in zip(rocking.MODES, rocking.GUARDS, strict=True)
     )
     text = _with(source(rocking), "NAME", repr(name).replace("'", '"'))
     return load_text(name, _with(text, "GUARDS", repr(guards)))

@@ -53,7 +53,7 @@ def _linear(m: ModuleType, p: np.ndarray, first: int) -> Iterator[np.ndarray]:
     """
     steps = 1e-6 * np.eye(m.N_STATES)[first:]
     forth, back = np.empty((2, *steps.shape))
-    for contact in range(min(len(m.CONTACTS), _MOST_LINEAR)):
+    for contact in range(min(len(m.MODES), _MOST_LINEAR)):
         try:
             for step, after, before in zip(steps, forth, back, strict=True):
                 m.rates(contact, step, p, 0.0, 0.0, after)

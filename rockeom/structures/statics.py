@@ -41,7 +41,7 @@ def equilibrium(structure: Structure, rotation: float) -> tuple[float, np.ndarra
     if structure.stands_on_points:
         return _on_points(structure, rotation)
     if structure.rocks_on_rigid_ground:
-        return _solve(structure, m.CONTACTS.index("right" if side > 0 else "left"), rotation)
+        return _solve(structure, m.MODES.index("right" if side > 0 else "left"), rotation)
     for contact, count in enumerate(m.GUARDS):
         if m.SIDES[contact] * side < 0:
             continue

@@ -111,7 +111,7 @@ class _Variables:
     def of_cases(self, results: Results) -> dict[str, Any]:
         """Variables that the compiled loop gives of every case."""
         ran = results.outcome != NOT_RUN
-        modes, flags = np.array([*self.module.CONTACTS, ""]), flags_of(results.outcome)
+        modes, flags = np.array([*self.module.MODES, ""]), flags_of(results.outcome)
         gains, gained = results.gains[:, 0].astype(np.int64), results.gains[:, 1]
         states = self.module.STATES
         peaks = np.where(ran[:, None, None], results.peaks, np.nan)

@@ -228,9 +228,9 @@ def lanes_pay(module: ModuleType) -> bool:
     """
     return (
         not getattr(module, "POINTS", ())
-        and not module.NARROW
+        and not module.LOCALISED
         and not module.N_FALLS
-        and len(module.CONTACTS) <= MOST_CONTACTS
+        and len(module.MODES) <= MOST_CONTACTS
         and all(
             kinds[:guards] == (IMPACT,) or IMPACT not in kinds[:guards]
             for guards, kinds in zip(module.GUARDS, module.KINDS, strict=True)

@@ -173,7 +173,7 @@ def test_many_states_at_once_give_what_each_gives(name):
     structure = SHIPPED[name](**plain(name))
     m, rng = structure.module, np.random.default_rng(5)
     y = rng.uniform(-0.1, 0.1, (12, m.N_STATES))
-    contact = rng.integers(0, len(m.CONTACTS), 12)
+    contact = rng.integers(0, len(m.MODES), 12)
     given = {"energies": (), "kinematics": (), "reactions": (0.3, -0.1), "statics": (2.0,)}
     for function, more in given.items():
         found = at_states(structure, function, contact, y, *more)

@@ -108,7 +108,7 @@ class Carried:
 
     def carried(self, function, length):
         """(length, n) derivatives of a generated function: in Python, and in machine code."""
-        number = module(self.name).CONTACTS.index(self.contact)
+        number = module(self.name).MODES.index(self.contact)
         plain = getattr(of_compounds(module(self.name)), function)
         machine = compiled(self.name)[f"carried_{function}"]
         found = np.empty((2, length, STATES))
@@ -214,10 +214,10 @@ def test_jump(name, law):
                 slopes[m.ROTATION_RATE] = by * rates[0] + ratio * rates[1]
             slopes[m.ROTATION] = 0.0
         for i, (y, p, _) in enumerate(case.duals):
-            out, contact = np.zeros((m.N_STATES, 1 + WIDTH)), m.CONTACTS.index(t.source)
+            out, contact = np.zeros((m.N_STATES, 1 + WIDTH)), m.MODES.index(t.source)
             given = map(in_memory, (with_slopes([ratio], [by]), y, p))
             follows = compiled(name)["carried_jump"](contact, 0, law, *given, out)
-            slopes = expected[m.CONTACTS[follows]][:, i]
+            slopes = expected[m.MODES[follows]][:, i]
             np.testing.assert_allclose(
                 out[:, 1], slopes, rtol=0, atol=TOLERANCE * np.abs(slopes).max()
             )
@@ -276,7 +276,7 @@ def test_accelerations_while_points_stick_and_slip(name):
         for i, expected in enumerate(exact.T):
             p, y, a = (with_slopes(x[:, i], dx[:, i]) for x, dx in zip(drawn, along, strict=True))
             p, out = of_compounds(m).prepare(p), np.zeros((2 * d, 1 + WIDTH))
-            number = m.CONTACTS.index(state.name)
+            number = m.MODES.index(state.name)
             compiled(name)["carried_rates"](number, *map(in_memory, (y, p, a)), out)
             for column, value in enumerate((expected.real, expected.imag / STEP)):
                 size = np.abs(value).max()

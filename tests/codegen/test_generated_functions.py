@@ -188,7 +188,7 @@ class Sample:
 
     def generated(self, function, length, *arguments):
         """(length, n): a function of the generated module at each state."""
-        number = module(self.name).CONTACTS.index(self.contact)
+        number = module(self.name).MODES.index(self.contact)
         out = np.empty((self.n, length))
         compiled = getattr(module(self.name), function)
         states, structures = np.ascontiguousarray(self.y.T), self.prepared
@@ -380,7 +380,7 @@ def test_jumps_are_compared_wherever_there_are_any():
 @pytest.mark.parametrize("name", ["flexible_structure", "uplifting_oscillator"])
 def test_guards_on_both_feet_are_sums_but_for_what_is_positive(name):
     m = module(name)
-    assert m.CONTACTS[m.HELD] == "both"
+    assert m.MODES[m.FULL_CONTACT] == "both"
     rng = np.random.default_rng(17)
     for _ in range(50):
         values = [TYPICAL[name][k] * rng.uniform(0.8, 1.25) for k in m.PARAMETERS]
@@ -390,8 +390,8 @@ def test_guards_on_both_feet_are_sums_but_for_what_is_positive(name):
         ground = rng.uniform(-5.0, 5.0, 3)
         whole, sums = np.empty((3, 2)), np.empty((3, 2))
         for y, ax, g, s in zip(states, ground, whole, sums, strict=True):
-            m.guards(m.HELD, y, p, ax, 0.0, g)
-            m.held_guards(y, p, ax, s)
+            m.guards(m.FULL_CONTACT, y, p, ax, 0.0, g)
+            m.full_contact_guards(y, p, ax, s)
         # one factor for each guard, whatever the ground and the speed: it is that of a mass
         factor = whole / sums
         assert (factor > 0.0).all()
@@ -399,14 +399,14 @@ def test_guards_on_both_feet_are_sums_but_for_what_is_positive(name):
         # a sum at the mean of three is the mean of three sums, whatever the positions
         states[:, 1] = rng.uniform(-0.01, 0.01, 3)
         for y, ax, s in zip(states, ground, sums, strict=True):
-            m.held_guards(y, p, ax, s)
+            m.full_contact_guards(y, p, ax, s)
         mean = np.empty(2)
-        m.held_guards(states.mean(axis=0), p, ground.mean(), mean)
+        m.full_contact_guards(states.mean(axis=0), p, ground.mean(), mean)
         np.testing.assert_allclose(mean, sums.mean(axis=0), rtol=0, atol=1e-12 * abs(sums).max())
 
 
 def test_structures_whose_guards_on_both_feet_are_such_sums():
-    assert {name for name in rk.models() if module(name).HELD >= 0} == {
+    assert {name for name in rk.models() if module(name).FULL_CONTACT >= 0} == {
         "flexible_structure",
         "uplifting_oscillator",
         "wall_with_frame",
@@ -449,10 +449,10 @@ def test_jump(name, law):
         structures, out = sample.prepared, np.empty_like(sample.y)
         for i in range(N):
             row = np.empty(len(out))
-            source = m.CONTACTS.index(t.source)
+            source = m.MODES.index(t.source)
             y = np.ascontiguousarray(sample.y[:, i])
             follows = m.jump(source, 0, law, 0.7, y, structures[i], row)
-            assert m.CONTACTS[follows] == targets[i]
+            assert m.MODES[follows] == targets[i]
             out[:, i] = row
         met |= set(targets)
         assert_agree(f"impact from {t.source}", out, expected, size)

@@ -122,7 +122,7 @@ def calls(name):
     rng = np.random.default_rng(zlib.crc32(name.encode()))
     p = m.prepare(parameters(name))
     found = []
-    contacts = range(len(m.CONTACTS))
+    contacts = range(len(m.MODES))
     if len(contacts) > 8:
         contacts = sorted(rng.choice(contacts, 8, replace=False).tolist())
     for contact in [*contacts, *contacts]:

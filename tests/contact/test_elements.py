@@ -42,14 +42,14 @@ def parameters(rng):
 
 
 def test_two_springs_have_the_contact_states_of_the_shipped_structure():
-    assert sorted(on_two_springs().CONTACTS) == sorted(SHIPPED.CONTACTS)
+    assert sorted(on_two_springs().MODES) == sorted(SHIPPED.MODES)
 
 
-@pytest.mark.parametrize("contact", SHIPPED.CONTACTS)
+@pytest.mark.parametrize("contact", SHIPPED.MODES)
 def test_two_springs_move_as_the_shipped_structure(contact):
     """Rates, energies, reactions and guards, at random states: one was declared phase by phase."""
     rng, mine = np.random.default_rng(1), on_two_springs()
-    here, there = mine.CONTACTS.index(contact), SHIPPED.CONTACTS.index(contact)
+    here, there = mine.MODES.index(contact), SHIPPED.MODES.index(contact)
     for _ in range(20):
         p, q = parameters(rng)
         y, ground = rng.normal(0, 0.3, 4), rng.normal(0, 1, 2)
@@ -67,18 +67,18 @@ def test_two_springs_move_as_the_shipped_structure(contact):
 
 def _led_to(m, contact, y, p, ground):
     """Each guard's value and parts by the contact state to which it leads."""
-    g, number = np.zeros(m.N_GUARDS + m.N_PARTS), m.CONTACTS.index(contact)
+    g, number = np.zeros(m.N_GUARDS + m.N_PARTS), m.MODES.index(contact)
     m.guards(number, y, p, *ground, g)
     found = {}
     for k in range(m.GUARDS[number]):
         assert m.KINDS[number][k] == SWITCH
         part = m.PARTS[number][k]
         parts = sorted(g[part : part + 2]) if part >= 0 else []
-        found[m.CONTACTS[m.TARGETS[number][k]]] = [g[k], *parts]
+        found[m.MODES[m.TARGETS[number][k]]] = [g[k], *parts]
     return found
 
 
-@pytest.mark.parametrize("contact", SHIPPED.CONTACTS)
+@pytest.mark.parametrize("contact", SHIPPED.MODES)
 def test_two_springs_switch_as_the_shipped_structure(contact):
     rng, mine = np.random.default_rng(2), on_two_springs()
     for _ in range(20):
@@ -95,7 +95,7 @@ def test_the_guard_that_leads_back_is_that_of_the_same_element():
     m = on_two_springs()
     for contact, targets in enumerate(m.TARGETS):
         for k, target in enumerate(targets):
-            back = m.CLOSED[contact][k]
+            back = m.REVERSE[contact][k]
             assert m.TARGETS[target][back] == contact
             assert m.SUBJECTS[target][back] == m.SUBJECTS[contact][k]
 
@@ -171,7 +171,7 @@ def test_each_guard_leads_to_the_set_with_one_neighbour_more_or_less():
         for k, target in enumerate(m.TARGETS[contact]):
             if target == contact:
                 assert g[k] > 0.0
-                assert m.PARTS[contact][k] == m.CLOSED[contact][k] == -1
+                assert m.PARTS[contact][k] == m.REVERSE[contact][k] == -1
 
 
 def test_too_many_elements_are_refused_when_they_are_declared():

@@ -169,6 +169,6 @@ def test_closed_points_of_a_rest_are_closed():
             np.array([state[name] for name in run.structure.states])
             for state in (event.before, event.after)
         )
-        closed = np.array(module.POINT_STATES[module.CONTACTS.index(event.mode_after)]) != OPEN
+        closed = np.array(module.POINT_STATES[module.MODES.index(event.mode_after)]) != OPEN
         assert Points(module, before, p).gap[closed].max(initial=0.0) < 1e-9
         assert np.abs(Points(module, after, p).gap[closed]).max(initial=0.0) < 1e-14

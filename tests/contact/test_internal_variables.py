@@ -219,7 +219,7 @@ def test_a_maxwell_element_is_one_by_its_force_and_by_the_place_of_its_damper():
     assert (*energy.STATE_UNITS[3::4], *force.STATE_UNITS[3::4]) == ("m s", "m", "N s", "N")
     rng, symbols = np.random.default_rng(5), [c.position for c in COORDINATES]
     at = sp.lambdify([*symbols, *(p.symbol for p in by_energy.parameters)], LIFT)
-    for contact in range(len(force.CONTACTS)):
+    for contact in range(len(force.MODES)):
         values = rng.uniform(0.5, 1.5, len(force.PARAMETERS))
         y, ground = rng.normal(0.0, 0.4, 8), rng.normal(0.0, 1.0, 2)
         if force.POINT_STATES[contact][0] != OPEN:
@@ -328,7 +328,7 @@ def test_radiation_into_the_ground_and_the_speed_of_the_last_passage_are_smooth_
     state = {"y": 1.0, "y_dot": 0.7, "memory": 0.3, "passage_speed": 0.2, "theta_dot": -0.5}
     given = np.array([state.get(n, 0.0) for n in module.STATES])
     found = np.zeros(len(given))
-    module.rates(module.CONTACTS.index("flight"), given, p, 0.0, 0.0, found)
+    module.rates(module.MODES.index("flight"), given, p, 0.0, 0.0, found)
     rate = dict(zip(module.STATES, found, strict=True))
     assert rate["memory"] == pytest.approx((0.7 - 0.3) / RELAXATION, rel=1e-14)
     assert rate["passage_speed"] == pytest.approx((0.5 - 0.2) / RELAXATION, rel=1e-14)

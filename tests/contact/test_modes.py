@@ -46,7 +46,7 @@ def module(name: str):
 def cases(name: str, seed: int):
     """(module, contact, state that fits it, parameters, ground) of each contact state."""
     m, rng = module(name), np.random.default_rng(seed)
-    for contact in range(len(m.CONTACTS)):
+    for contact in range(len(m.MODES)):
         values = dict(zip(m.PARAMETERS, rng.uniform(0.5, 1.5, len(m.PARAMETERS)), strict=True))
         values["friction"] = 0.3 * values.get("friction", 0.0)
         p = m.prepare(np.array([values[name] for name in m.PARAMETERS]))
@@ -70,12 +70,12 @@ def test_accelerations_and_forces_fulfil_all_equations_at_once(name, seed):
         n = m.N_STATES // 2
         told = dict(zip(m.REACTIONS, forces, strict=True))
         normal = np.array([told[f"{point}_reaction"] for point in m.POINTS])
-        assert small(rates[n:] - found.accelerations, found.accelerations), m.CONTACTS[contact]
+        assert small(rates[n:] - found.accelerations, found.accelerations), m.MODES[contact]
         assert small(rates[:n] - y[n:], y)
-        assert small(normal - found.normal, found.normal), m.CONTACTS[contact]
+        assert small(normal - found.normal, found.normal), m.MODES[contact]
         for first, many in kkt.groups(m, contact).items():
             total = sum(told[f"{m.POINTS[i]}_friction"] for i in many)
-            assert small(total - found.friction[first], found.normal), m.CONTACTS[contact]
+            assert small(total - found.friction[first], found.normal), m.MODES[contact]
 
 
 @EACH
@@ -188,7 +188,7 @@ def test_of_four_feet_at_different_heights_any_two_stand_and_no_three():
 def test_on_unequal_feet_the_block_leans():
     m = module("unequal_feet")
     p = m.prepare(np.array([1.0, 1.0, 0.7, 9.81, 0.4, 0.0, 0.3, 0.5, 0.1]))
-    y = kkt.put_on(m, m.CONTACTS.index("both"), np.zeros(6), p)
+    y = kkt.put_on(m, m.MODES.index("both"), np.zeros(6), p)
     assert y[2] == pytest.approx(-np.arctan(0.1 / 0.8), abs=1e-15)
     found = kkt.solve(m, 0, y, p, 0.0, 0.0)
     # the centroid by hand: moments about the left foot, on level ground

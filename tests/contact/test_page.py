@@ -47,7 +47,7 @@ def values_in(contact: str, at_rest: bool):
     """(reader of what stands for this contact state, its module's arguments)."""
     rng, m = np.random.default_rng(11), MODULE
     parameters = rng.uniform(0.5, 1.5, len(m.PARAMETERS))
-    p, number = m.prepare(parameters), m.CONTACTS.index(contact)
+    p, number = m.prepare(parameters), m.MODES.index(contact)
     y = np.zeros(6) if at_rest else kkt.put_on(m, number, rng.normal(0, 0.4, 6), p)
     ground = rng.normal(0, 1, 2)
     found = kkt.solve(m, number, y, p, *ground)
@@ -103,7 +103,7 @@ def impact(contact: int, y, p, before):
 PARTS = ("", "Equations of motion", "Forces of contact", "Impact")
 
 
-@pytest.mark.parametrize("contact", MODULE.CONTACTS)
+@pytest.mark.parametrize("contact", MODULE.MODES)
 @pytest.mark.parametrize("part", PARTS)
 def test_each_equation_holds(contact, part):
     if contact == "flight" and part != "Equations of motion":
@@ -116,7 +116,7 @@ def test_each_equation_holds(contact, part):
         assert left == pytest.approx(right, rel=1e-9, abs=1e-9), line
 
 
-@pytest.mark.parametrize("contact", [c for c in MODULE.CONTACTS if c not in ("both", "flight")])
+@pytest.mark.parametrize("contact", [c for c in MODULE.MODES if c not in ("both", "flight")])
 def test_each_beginning_from_rest_holds(contact):
     read = values_in(contact, at_rest=True)
     lines = shown(contact, "From rest")

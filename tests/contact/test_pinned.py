@@ -147,8 +147,8 @@ def test_the_block_moves_as_the_shipped_one():
 def test_the_column_computes_what_the_shipped_one_does():
     """Its module, at random states in each contact state and over both impacts."""
     mine, theirs = load_text("free_column", module_text(column())), flexible_structure_module
-    assert (mine.CONTACTS, mine.KINDS, mine.TARGETS) == (
-        theirs.CONTACTS, theirs.KINDS, theirs.TARGETS,
+    assert (mine.MODES, mine.KINDS, mine.TARGETS) == (
+        theirs.MODES, theirs.KINDS, theirs.TARGETS,
     )  # fmt: skip
     rng = np.random.default_rng(1)
     p = theirs.prepare(rng.uniform(0.5, 2.0, len(theirs.PARAMETERS)))

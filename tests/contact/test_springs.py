@@ -49,7 +49,7 @@ def test_a_spring_beside_springs_that_press_adds_no_contact_state():
     guy = Spring("guy", 2 * theta.position, k, c, initial_force=sp.Integer(5))
     model = replace(plainly, elements=(guy, *plainly.elements))
     module = load_text("guyed", module_text(model))
-    assert set(module.CONTACTS) == set(plainly.modes.names)
+    assert set(module.MODES) == set(plainly.modes.names)
     assert tuple(e.name for e in plainly.elements) == module.ELEMENTS
     assert ("guy", *module.ELEMENTS) == module.ELEMENT_NAMES
     rng = np.random.default_rng(1)
@@ -88,7 +88,7 @@ def test_elements_of_a_structure_store_its_energy_and_lose_its_power(name):
     structure = SHIPPED[name](**plain(name))
     m, p = structure.module, structure.vector
     rng = np.random.default_rng(2)
-    for contact in range(len(m.CONTACTS)):
+    for contact in range(len(m.MODES)):
         for _ in range(3):
             y = rng.normal(0.0, 0.05, m.N_STATES)
             told, energies, powers = np.zeros(4 * len(m.ELEMENT_NAMES)), np.zeros(3), np.zeros(3)
@@ -105,13 +105,13 @@ def test_springs_under_feet_have_the_names_of_their_feet_on_both_sides():
     structure = SHIPPED["two_spring_structure"](**plain("two_spring_structure"))
     m, p = structure.module, structure.vector
     y = np.array([0.2, -0.3, 0.1, -0.4])
-    for contact in range(len(m.CONTACTS)):
+    for contact in range(len(m.MODES)):
         told, forces, moved = np.zeros(8), np.zeros(3), np.zeros(3)
         m.elements(contact, y, p, told)
         m.reactions(contact, y, p, 0.0, 0.0, forces)
         m.kinematics(contact, y, p, moved)
         settled = np.zeros(3)
-        m.elements(m.CONTACTS.index("both"), np.zeros(4), p, told_at_rest := np.zeros(8))
+        m.elements(m.MODES.index("both"), np.zeros(4), p, told_at_rest := np.zeros(8))
         m.kinematics(contact, np.zeros(4), p, settled)
         assert told[[1, 5]] == pytest.approx(forces[1:])
         assert told[[0, 4]] - told_at_rest[[0, 4]] == pytest.approx(settled[1:] - moved[1:])

@@ -84,7 +84,7 @@ def test_a_motion_goes_on_from_its_events_as_it_did(name):
 def test_slow_motion_of_a_structure_at_rest_is_its_whole_motion():
     slides = block()
     contact = slides.contact(slides.state({"x_dot": 1e-6}))
-    assert slides.module.CONTACTS[contact] == "both_slides_right"
+    assert slides.module.MODES[contact] == "both_slides_right"
 
 
 @pytest.mark.parametrize("state", [{"y": -1e-4}, {"x_dot": 1.0, "y": 0.0}])

@@ -27,7 +27,7 @@ OF_POINTS = {
     "points", "point_laws",
 }  # fmt: skip
 """What only modules have whose contact states are found; the loop asks no other for them."""
-OF_TABLES = {"jump", "held_guards"}
+OF_TABLES = {"jump", "full_contact_guards"}
 """What they do not have, in turn."""
 OF_FALLS = {"FALLS", "overturns_at"}
 """What only those have of which several coordinates may fall."""
@@ -95,7 +95,7 @@ def test_kinds_and_laws_are_those_of_the_generated_modules():
     for name in rk.models():
         m = importlib.import_module(f"rockeom.generated.{name}")
         assert (m.RATIO, m.IMPULSIVE) == (codes.RATIO, codes.IMPULSIVE)
-        for contact, kinds in zip(m.CONTACTS, m.KINDS, strict=True):
+        for contact, kinds in zip(m.MODES, m.KINDS, strict=True):
             leaving = [codes.KIND_OF[k] for source, _, k in m.TRANSITIONS if source == contact]
             assert [*kinds[: len(leaving)]] == leaving
 

@@ -38,7 +38,7 @@ def pulse(start, length, acceleration, duration):
 
 def steps_in(run, phase):
     """(n, 2) start and length of the steps in a contact phase."""
-    return run.steps.span[run.steps.mode == BLOCK.module.CONTACTS.index(phase)]
+    return run.steps.span[run.steps.mode == BLOCK.module.MODES.index(phase)]
 
 
 def test_block_that_stands_under_a_sine_lifts_where_the_push_reaches_its_weight():

@@ -46,7 +46,7 @@ def stays(structure, h, ends, gx, gy=QUIET):
     a = f["arrays_of"](y, np.zeros(4), np.zeros(f["SCRATCH"]))
     a.y_new[:], a.k[3], a.k[f["N_STAGES"] * 4 + 3] = y_new, at_start, at_end
     case = f["Case"](*[None] * len(f["Case"]._fields))._replace(p=constants(structure))
-    return f["stays_held"](f["HELD"], 0.0, h, f["Ground"](0, gx, 0, gy), case, a)
+    return f["stays_held"](f["FULL_CONTACT"], 0.0, h, f["Ground"](0, gx, 0, gy), case, a)
 
 
 def least_guard(structure, h, ends, line):
@@ -57,7 +57,8 @@ def least_guard(structure, h, ends, line):
     slope, g, p = path.derivative(), np.zeros(2), constants(structure)
     found = []
     for t in np.linspace(0.0, h, 200):
-        m.guards(m.HELD, np.array([0.0, path(t), 0.0, slope(t)]), p, line[3] + line[4] * t, 0.0, g)
+        y = np.array([0.0, path(t), 0.0, slope(t)])
+        m.guards(m.FULL_CONTACT, y, p, line[3] + line[4] * t, 0.0, g)
         found += [*g]
     return min(found)
 
@@ -117,16 +118,16 @@ def test_step_on_both_feet_is_the_step_of_every_contact_state(structure, law):
     for _ in range(5):
         y = np.array([0.0, random.uniform(-1e-3, 1e-3), 0.0, random.uniform(-0.3, 0.3)])
         found = []
-        for held in (f["HELD"], -1):
+        for held in (f["FULL_CONTACT"], -1):
             k, y_new = np.zeros(f["SCRATCH"]), np.zeros(4)
-            structure.module.rates(f["HELD"], y, constants(structure), 0.7, 0.0, k)
-            names["HELD"] = held
+            structure.module.rates(f["FULL_CONTACT"], y, constants(structure), 0.7, 0.0, k)
+            names["FULL_CONTACT"] = held
             error = f["take_step"](
-                f["HELD"], 0.0, 0.004, y, constants(structure), law, QUIET, 1e-10,
+                f["FULL_CONTACT"], 0.0, 0.004, y, constants(structure), law, QUIET, 1e-10,
                 np.full(4, 1e-12), k, y_new,
             )  # fmt: skip
             found.append([error, *y_new, *k])
-        names["HELD"] = f["HELD"]
+        names["FULL_CONTACT"] = f["FULL_CONTACT"]
         assert found[0] == found[1]
 
 
@@ -138,7 +139,7 @@ def test_time_to_rest_is_that_of_all_flights_one_by_one(ratio):
     for _ in range(40):
         speed = 10.0 ** random.uniform(-4.0, -1.5)
         u, u_dot, ax = random.uniform(-1.0, 1.0, 3) * [5e-4, 0.05, 2.0]
-        right = m.CONTACTS.index("right")
+        right = m.MODES.index("right")
         y = np.array([0.0, u, speed, u_dot])
         rate, out = np.zeros(4), np.zeros(4)
         m.rates(right, y, p, ax, 0.0, rate)

@@ -185,7 +185,7 @@ def test_no_decay_or_vibration_is_wrong_unseen(name, angle):
 
     step = {
         "np": np, "math": math, "N_STATES": 4, "accelerations": accelerations,
-        "ground_at_stages": lambda *ground: None, "HELD": -1,
+        "ground_at_stages": lambda *ground: None, "FULL_CONTACT": -1,
     }  # fmt: skip
     exec(step_text(tableau(name), 2), step)
     k, y = np.zeros(4 * step["N_ALL_STAGES"] + 99), np.array([0.0, 0.0, 1.0, 0.0])

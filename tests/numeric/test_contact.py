@@ -198,7 +198,7 @@ def test_wall_beyond_yield_on_its_way_back_has_drawn_its_tendon_out(wall, side):
     far = 0.05 if q == "theta" else 0.12
     state = {q: side * far, f"{q}_dot": -side * 0.1}
     assert wall.reactions(state)["tendon_force"] == pytest.approx(wall.yield_force, rel=1e-12)
-    phase = wall.module.CONTACTS[wall.contact(wall.state(state))]
+    phase = wall.module.MODES[wall.contact(wall.state(state))]
     assert phase.startswith("right" if side > 0 else "left")
     mirrored = {name: -value for name, value in state.items()}
     assert wall.accelerations(state)[q] == -wall.accelerations(mirrored)[q]
@@ -207,7 +207,7 @@ def test_wall_beyond_yield_on_its_way_back_has_drawn_its_tendon_out(wall, side):
         wall.accelerations(state | {"permanent_extension": 0.0})
     # outwards it still yields
     outwards = {q: side * far, f"{q}_dot": side * 0.1}
-    assert wall.module.CONTACTS[wall.contact(wall.state(outwards))].endswith("yield")
+    assert wall.module.MODES[wall.contact(wall.state(outwards))].endswith("yield")
 
 
 @pytest.mark.parametrize(
@@ -247,6 +247,6 @@ def test_upright_structure_begins_on_the_side_to_which_it_will_go():
                     else make(sign * amplitude, *rest)
                 )
                 cases.append(rk.Case(structure, motion).problem())
-            names = [structure.module.CONTACTS[case.mode] for case in cases]
+            names = [structure.module.MODES[case.mode] for case in cases]
             assert {name.split("_")[0] for name in names} in ({"left", "right"}, {"both"})
             assert names[0] != names[1]

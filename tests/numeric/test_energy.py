@@ -24,7 +24,7 @@ STRUCTURES = pytest.mark.parametrize("structure", every_structure(), ids=by_mode
 def excess_energy(run):
     """Energy above that of the structure standing still, and the largest of it."""
     s = run.structure
-    phase = "both" if "both" in s.module.CONTACTS else "both_right"
+    phase = "both" if "both" in s.module.MODES else "both_right"
     rest = sum(s.energies({}, phase=phase).values())
     energy = run["total_energy"] - rest
     return energy, np.abs(energy).max()
@@ -79,7 +79,7 @@ def change_at_impact(structure, side, state, law):
     m = structure.module
     phase = next(
         c
-        for c, s, kinds, n in zip(m.CONTACTS, m.SIDES, m.KINDS, m.GUARDS, strict=True)
+        for c, s, kinds, n in zip(m.MODES, m.SIDES, m.KINDS, m.GUARDS, strict=True)
         if s == side and n and kinds[0] == 0
     )
     rotation, rate = m.STATES[m.ROTATION], m.STATES[m.ROTATION_RATE]

@@ -92,7 +92,7 @@ def structure_of(name: str) -> rk.Structure:
 def made_up(structure, samples=None) -> Response:
     """A response that nobody simulated, each number of which is another."""
     rng = np.random.default_rng(3)
-    n, contacts, k = len(structure.states), len(structure.module.CONTACTS), 7
+    n, contacts, k = len(structure.states), len(structure.module.MODES), 7
     powers = rng.standard_normal((k, 8, n))
     powers[0, 0, 0], powers[1, 1, 0] = -0.0, 5e-324
     span = np.column_stack([0.1 * np.arange(k), np.full(k, 0.1)])

@@ -192,7 +192,7 @@ def test_masses_move_as_the_kinetic_energy_says(name, data):
     m, p, n = structure.module, structure.vector, structure.module.N_STATES // 2
     numbers = st.floats(-0.15, 0.15)
     y = np.array(data.draw(st.lists(numbers, min_size=2 * n, max_size=2 * n)))
-    contact = data.draw(st.integers(0, len(m.CONTACTS) - 1))
+    contact = data.draw(st.integers(0, len(m.MODES) - 1))
     if m.SIDES[contact]:
         y[m.ROTATION] = m.SIDES[contact] * abs(y[m.ROTATION])
     energies = np.zeros(3)
@@ -219,7 +219,7 @@ def test_load_point_and_feet_are_displaced_as_the_response_says(name):
     m, p = structure.module, structure.vector
     y = np.linspace(0.02, 0.1, m.N_STATES)
     told = np.zeros(len(m.KINEMATICS))
-    for contact in range(len(m.CONTACTS)):
+    for contact in range(len(m.MODES)):
         m.kinematics(contact, y, p, told)
         here, rest = places(m, np.array([contact, contact]), np.array([y, 0.0 * y]), p)
         moved = dict(zip(m.POSITIONS, here - rest, strict=True))

@@ -82,7 +82,7 @@ def test_velocities_and_accelerations_are_the_slopes_of_places(make):
     ground = np.column_stack([run.motion.acceleration(t), run.vertical.acceleration(t)])
     for contact in np.unique(rows[0]):
         of = rows[0] == contact
-        phase = module.CONTACTS[contact]
+        phase = module.MODES[contact]
         here = {name: value[of] for name, value in states.items()}
         if run.structure.rocks_on_rigid_ground and phase == "both":
             here = {name: value for name, value in here.items() if "theta" not in name}

@@ -48,9 +48,9 @@ def two_storeys(support, **changes):
 def test_the_rigid_structure_on_two_springs_is_the_two_spring_structure():
     """The same contact states, accelerations and forces: one derived of phases, one of elements."""
     composed, shipped = lumped(rk.TwoSprings(**SPRINGS)), on_springs()
-    assert sorted(composed.module.CONTACTS) == sorted(shipped.module.CONTACTS)
+    assert sorted(composed.module.MODES) == sorted(shipped.module.MODES)
     rng = np.random.default_rng(5)
-    for phase in shipped.module.CONTACTS:
+    for phase in shipped.module.MODES:
         for _ in range(10):
             state = dict(zip(shipped.states, rng.uniform(-0.05, 0.05, 4), strict=True))
             for ask in ("accelerations", "reactions"):
@@ -286,7 +286,7 @@ def test_on_a_foot_that_sticks_it_moves_as_on_pinned_feet(storeys, side):
         state["theta"] = side * abs(state["theta"])
         expected = pinned.accelerations(state, 1.5, 0.5, phase=phase)
         y = sliding.state(state)
-        assert sliding.module.CONTACTS[sliding.contact(y)] == phase
+        assert sliding.module.MODES[sliding.contact(y)] == phase
         found = sliding.accelerations(state, 1.5, 0.5, phase=phase)  # whether or not it can stick
         for name, value in expected.items():
             assert found[name] == pytest.approx(value, rel=1e-9, abs=1e-9)

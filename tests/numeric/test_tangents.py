@@ -194,7 +194,7 @@ def test_what_impacts_leave_of_a_volume_of_the_space_of_states():
 
         def kinetic(theta_dot, u_dot):
             y[2:] = theta_dot, u_dot
-            number = structure.module.CONTACTS.index(contact)
+            number = structure.module.MODES.index(contact)
             structure.module.energies(number, y, structure.vector, energy)
             return energy[0]
 

@@ -75,7 +75,7 @@ def modes(structure, rotation):
     """Circular frequencies of small motion about the equilibrium under a held push [rad/s]."""
     m, p = structure.module, structure.vector
     force, y = structure.equilibrium(rotation)
-    contact = m.CONTACTS.index("right")
+    contact = m.MODES.index("right")
 
     def lacking(q):
         out = np.zeros(2)
@@ -115,7 +115,7 @@ def test_mass_matrix_and_stiffness_are_those_of_the_motion():
     y = {"theta": 0.02, "u": 0.3}
     out = np.zeros(2)
     s = linked()
-    s.module.statics(s.module.CONTACTS.index("right"), s.state(y), s.vector, 0.0, out)
+    s.module.statics(s.module.MODES.index("right"), s.state(y), s.vector, 0.0, out)
     found = s.accelerations(y)
     assert found["theta"] == pytest.approx(-out[0] / PIVOT_INERTIA, rel=1e-12)
     assert found["u"] == pytest.approx(-out[1] / FRAME["frame_mass"], rel=1e-12)

@@ -120,7 +120,7 @@ def printed(module: ModuleType, contract: bool = False) -> Ways:
 def asked(module: ModuleType, vector: np.ndarray, seed: int) -> Iterator[tuple[str, tuple]]:
     """Names of functions, with random arguments for each contact state."""
     rng = np.random.default_rng(seed)
-    for contact in range(len(module.CONTACTS)):
+    for contact in range(len(module.MODES)):
         y = rng.normal(size=module.N_STATES) * 10.0 ** rng.uniform(-6, 0)
         ax, ay = rng.normal(size=2) * 5.0
         for name in ("jump", *ASKED):
@@ -150,7 +150,7 @@ def differences(
                 near = same | (np.abs(first - second) <= room)
                 off = np.abs(first - second).max() / max(np.abs(first).max(), 1e-300)
             if not near.all():
-                found.append(f"{name} in {module.CONTACTS[given[0]]}, seed {seed}: {off:.3g}")
+                found.append(f"{name} in {module.MODES[given[0]]}, seed {seed}: {off:.3g}")
     return found
 
 

@@ -68,7 +68,7 @@ def test_frames_at_random_states_show_what_the_generated_module_says(run):
     structure, rng = run.structure, np.random.default_rng(8)
     animation = run.animate(end=0.2)
     animation.states = rng.normal(scale=0.2, size=animation.states.shape)
-    animation.contacts = rng.integers(len(structure.module.CONTACTS), size=len(animation))
+    animation.contacts = rng.integers(len(structure.module.MODES), size=len(animation))
     for i, (contact, y) in enumerate(zip(animation.contacts, animation.states, strict=True)):
         shown = marks(frame(animation, i))
         kinds = structure.module.POSITION_KINDS

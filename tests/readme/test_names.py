@@ -246,13 +246,12 @@ def test_contact_states_of_any_name():
         for contact, name in names.items():
             found = []
             for m, called in ((usual_module, contact), (module, name)):
-                number, p = m.CONTACTS.index(called), m.prepare(parameters)
+                number, p = m.MODES.index(called), m.prepare(parameters)
                 g, dy, after = np.zeros(m.N_GUARDS), np.zeros(2), np.zeros(2)
                 m.guards(number, y, p, 0.0, 0.0, g)
                 m.rates(number, y, p, 0.3, 0.1, dy)
                 follows = [
-                    m.CONTACTS[m.jump(number, i, 0, 0.9, y, p, after)]
-                    for i in range(m.GUARDS[number])
+                    m.MODES[m.jump(number, i, 0, 0.9, y, p, after)] for i in range(m.GUARDS[number])
                 ]
                 found.append((g, dy, follows))
             np.testing.assert_array_equal(found[0][0], found[1][0])

@@ -255,7 +255,7 @@ def _start(dice: Dice, structure: Structure, scales: Scales) -> tuple[dict[str, 
     phase = None
     # what is less is taken for a rounding error of an impact, and any side may be named
     if dice.chance(0.08) and not 0.0 < abs(initial.get(states[rotation], 0.0)) < 2e-6 * bound:
-        phase = dice.one_of(*structure.module.CONTACTS)
+        phase = dice.one_of(*structure.module.MODES)
         if "yield" in phase and not initial.get(states[rotation]):
             phase = None  # upright a tendon yields neither out nor in: a tie of both
     return initial, phase

@@ -140,7 +140,7 @@ class Record:
     def slack(self) -> float:
         if self.motion.options.method == "Radau":
             return SMOOTH
-        return NARROW if self.program.NARROW else SLACK
+        return NARROW if self.program.LOCALISED else SLACK
 
     @property
     def closed_gap(self) -> float:
@@ -216,7 +216,7 @@ def ordered(r: Record) -> Found:
     wrong = np.flatnonzero(r.sources[1:] != r.targets[:-1])
     if len(wrong):
         i = wrong[0] + 1
-        names = r.program.CONTACTS
+        names = r.program.MODES
         yield (
             f"phases: the event at {r.times[i]:.9g} s leaves {names[r.sources[i]]}, the one before "
             f"leads to {names[r.targets[i - 1]]}"
@@ -225,7 +225,7 @@ def ordered(r: Record) -> Found:
 
 def joined(r: Record) -> Found:
     """Each step begins where the step or event before it has ended."""
-    names = np.array(r.program.CONTACTS)
+    names = np.array(r.program.MODES)
     # events happen at the start of a step, to the last bit; those at the end have none after them
     at = np.searchsorted(r.times, r.start[1:], side="left")
     until = np.searchsorted(r.times, r.start[1:], side="right")
@@ -266,7 +266,7 @@ def passages(r: Record) -> Found:
     moved = r.after - r.before
     rate = half + rotation
     error = r.error(r.before)
-    names = np.array(m.CONTACTS)
+    names = np.array(m.MODES)
     sides = np.array(m.SIDES)
 
     def told(i: int) -> str:
@@ -319,7 +319,7 @@ def passages(r: Record) -> Found:
 def guarded(r: Record) -> Found:
     """Every guard of the contact state is positive inside each step: nothing is penetrated."""
     ax, ay = r.ground
-    names = r.program.CONTACTS
+    names = r.program.MODES
     for c in np.unique(r.contact):
         steps = np.flatnonzero((r.contact == c) & ~r.rests)
         y = r.inside[steps].reshape(-1, r.program.N_STATES)
@@ -381,7 +381,7 @@ def balanced(r: Record) -> Found:
         i = int(ratio.argmax())
         yield (
             f"energy: {lacks[i]:.3g} J from nothing in the step from {r.start[i]:.9g} s, "
-            f"{r.length[i]:.3g} s, in {r.program.CONTACTS[r.contact[i]]}: {ratio[i]:.3g} of what "
+            f"{r.length[i]:.3g} s, in {r.program.MODES[r.contact[i]]}: {ratio[i]:.3g} of what "
             f"may be, {abs(lacks[i]) / max(np.abs(new[:, i]).max(), 1e-300):.3g} of the energy"
         )
     yield from _rests(r)
@@ -462,7 +462,7 @@ def _taken(r: Record, start: np.ndarray, contact: int, ratio: float, rotation: i
     speed = abs(start[rate]) * ratio ** np.arange(n + 1.0)
     other = next(
         c for c, side in enumerate(m.SIDES)
-        if side == -m.SIDES[contact] and m.CONTACTS[c] == other_side(m.CONTACTS[contact])
+        if side == -m.SIDES[contact] and m.MODES[c] == other_side(m.MODES[contact])
     )  # fmt: skip
     sides = m.SIDES[contact] * (-1.0) ** np.arange(n)
     contacts = np.where(sides == m.SIDES[contact], contact, other)
@@ -542,7 +542,7 @@ def mirrored(r: Record) -> Found:
         return  # both feet would lift at once, which no contact state describes
     twin = r.motion.mirrored()
     image = Record(twin, twin.run())
-    names = m.CONTACTS
+    names = m.MODES
     if image.run.outcome is not r.run.outcome:
         yield f"mirror: {r.run.outcome}, its image {image.run.outcome}"
         return
@@ -647,7 +647,7 @@ def _apart(r: Record) -> tuple[str, np.ndarray | None]:
             initial=dict(zip(m.STATES, state.tolist(), strict=True)),
             vertical=None if vertical is None else later(vertical, at, run.duration),
             duration=run.duration - at,
-            mode=m.CONTACTS[contact],
+            mode=m.MODES[contact],
             options=r.motion.options,
         )
 

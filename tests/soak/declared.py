@@ -79,7 +79,7 @@ def numbers(m: types.ModuleType, dice: Dice) -> dict[str, np.ndarray]:
     p = m.prepare(dice.rng.uniform(0.5, 2.0, len(m.PARAMETERS)))
     y = dice.rng.uniform(-0.5, 0.5, m.N_STATES)
     found = {}
-    for c, name in enumerate(m.CONTACTS):
+    for c, name in enumerate(m.MODES):
         shapes = {
             "rates": (m.N_STATES, (0.3, -0.2)),
             "guards": (m.N_GUARDS + m.N_PARTS, (0.3, -0.2)),
@@ -125,7 +125,7 @@ def _turned_over(m: types.ModuleType, dice: Dice) -> Iterator[str]:
         for law in (0, 1) if m.HAS_IMPULSIVE else (0,):
             out = np.zeros(2)
             landing = np.array([0.0, rate])
-            m.jump(m.CONTACTS.index(source), 0, law, m.velocity_ratio(p), landing, p, out)
+            m.jump(m.MODES.index(source), 0, law, m.velocity_ratio(p), landing, p, out)
             if not np.isclose(out[1], expected * rate, rtol=1e-9):
                 yield (
                     f"feet at {b1:.3g} and {b2:.3g} m, height {h:.3g} m: the rate after an impact "
@@ -192,7 +192,7 @@ def held_at(structure: Structure, rotation: float) -> float:
         heave = 0.0 if both else weight / (2 * k) + lever - weight / k
         side = "both" if both else "right" if theta > 0 else "left"
         y = np.array([[theta], [heave], [0.0], [0.0]])
-        return float(physics(m.NAME).energies(m.CONTACTS.index(side), y, p).sum())
+        return float(physics(m.NAME).energies(m.MODES.index(side), y, p).sum())
 
     step = 1e-4 * abs(rotation)
     ends = [energy(rotation + n * step) for n in (-2, -1, 1, 2)]

@@ -125,7 +125,7 @@ class Told(Record):
         return tuple(int(pressed in (foot, "both")) for foot in ("left", "right"))
 
     def name(self, contact: int) -> str:
-        return self.program.CONTACTS[contact]
+        return self.program.MODES[contact]
 
 
 def on_contacts(r: Told) -> Found:

@@ -246,7 +246,7 @@ def test_motion_at_another_rate_than_the_velocities_say_is_noticed():
 def test_tension_is_noticed():
     """A foot that has left the ground is said to stick: it holds the block down."""
     r = rocked()
-    names = r.program.CONTACTS
+    names = r.program.MODES
     contact = r.contact.copy()
     contact[contact == names.index("right")] = names.index("both")
     found = kinds(altered(r, mode=contact))

@@ -691,8 +691,8 @@ def test_an_impact_may_stand_behind_a_switch():
     behind = replace(cart, transitions=tuple(reversed(cart.transitions)))
     module = module_of(behind)
     usual = module_of(cart)
-    for contact in usual.CONTACTS:
-        number = usual.CONTACTS.index(contact)
+    for contact in usual.MODES:
+        number = usual.MODES.index(contact)
         assert module.KINDS[number] == usual.KINDS[number]
         assert module.TARGETS[number] == usual.TARGETS[number]
 

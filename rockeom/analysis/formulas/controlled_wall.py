@@ -608,7 +608,7 @@ class _Held:
         self._y[:, m.ROTATION] = d
 
         def contact(tendon: str) -> np.ndarray:
-            left, right = (m.CONTACTS.index(f"{side}{tendon}") for side in ("left", "right"))
+            left, right = (m.MODES.index(f"{side}{tendon}") for side in ("left", "right"))
             return np.where(d < 0, left, right)
 
         self._contact = contact("")

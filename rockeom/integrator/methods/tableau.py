@@ -374,8 +374,8 @@ def quick_step_{m}(mode, {_STEP_ARGUMENTS}):
     """`take_step` by one set of equations."""
 {body}'''
     if n > 1:  # a structure of one coordinate takes no steps in full contact
-        branches += f"""    if HELD >= 0:
-        if mode == HELD:
+        branches += f"""    if FULL_CONTACT >= 0:
+        if mode == FULL_CONTACT:
             return full_contact_step({_STEP_ARGUMENTS})
 """
         errors = error_text(method, n, still=[rotation])
@@ -383,7 +383,7 @@ def quick_step_{m}(mode, {_STEP_ARGUMENTS}):
 
 def full_contact_step({_STEP_ARGUMENTS}):
     """`take_step` on both feet, where little of the equations is left."""
-{_step_body(method, n, "HELD", errors, still=[rotation])}'''
+{_step_body(method, n, "FULL_CONTACT", errors, still=[rotation])}'''
     return branches, functions
 
 

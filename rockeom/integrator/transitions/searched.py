@@ -32,7 +32,6 @@ from rockeom.compiler.decorators import inlined, rolled
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.interface import (
-        CLOSED,
         ELEMENT_STATES,
         GUARDS,
         KINDS,
@@ -42,6 +41,7 @@ if TYPE_CHECKING:  # joined before this text
         N_POINTS,
         N_STATES,
         POINT_STATES,
+        REVERSE,
         ROTATION,
         SHARED,
         SUBJECTS,
@@ -795,8 +795,8 @@ def pass_on(contact, guard, h, y, p, ground, rtol, known, out):
         follows, touching = contact, -1
         if N_ELEMENTS > 0:
             follows = jump(contact, guard, 0, 0.0, y, p, out)
-            if CLOSED[contact][guard] >= 0:
-                touching = int(1.0 / HALVES[CLOSED[contact][guard]])
+            if REVERSE[contact][guard] >= 0:
+                touching = int(1.0 / HALVES[REVERSE[contact][guard]])
         return follows, touching
     near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
     wanted = np.zeros(ROWS)

@@ -23,11 +23,11 @@ if TYPE_CHECKING:  # joined before this text
         to_impact,
     )
     from rockeom.integrator.interface import (
-        CLOSED,
         GUARDS,
         KINDS,
+        LOCALISED,
         N_STATES,
-        NARROW,
+        REVERSE,
         ROTATION_RATE,
         SIDES,
         TARGETS,
@@ -41,8 +41,8 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.transitions.declared import may_fade, ratio_at, stand, time_to_rest
 
 MOST_IDLE = 100  # events at one instant; with more they are chatter
-QUIET_STEPS = not NARROW  # whether steps in which nothing can happen are taken apart
-EXTRAPOLATES = not NARROW  # whether the end of a step may be moved on its quintics
+QUIET_STEPS = not LOCALISED  # whether steps in which nothing can happen are taken apart
+EXTRAPOLATES = not LOCALISED  # whether the end of a step may be moved on its quintics
 
 
 @inlined
@@ -66,7 +66,7 @@ def is_rounding(mode, guard, y, p):
 @inlined
 def free_flight(mode, touching, t, y, p, k):
     """(guard, time): a hop so short that its parabola tells where it ends, or an infinite time."""
-    if NARROW or touching != 0 or not rocking(mode):
+    if LOCALISED or touching != 0 or not rocking(mode):
         return 0, np.inf
     flight = -2.0 * y[ROTATION_RATE] / k[ROTATION_RATE]
     height = SIDES[mode] * y[ROTATION_RATE] * flight  # not lost among the smallest numbers
@@ -95,7 +95,7 @@ def certain_event(motion, ground, step, gap, case, a):
     open_, place = False, NEVER
     if rocking(motion.mode):
         open_ = stays_open(gap, motion.touching)
-        place = NEVER if open_ or NARROW else closes_once(gap, motion.touching)
+        place = NEVER if open_ or LOCALISED else closes_once(gap, motion.touching)
     return 0 if place < NEVER else -1, place, open_, False
 
 
@@ -115,7 +115,7 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
     mode = jump(before, guard, case.law, ratio, a.y, case.p, a.after)
     touching = -1
     if kind != IMPACT or SIDES[mode] != 0.0:
-        touching = CLOSED[before][guard]
+        touching = REVERSE[before][guard]
     elif motion.idle > 1:
         # it opened and closed in no time: that uplift was none
         for i in range(GUARDS[mode]):
