@@ -170,7 +170,7 @@ def shipped(name):
 @functools.cache
 def parts(name):
     """A structure, and mass and inertia of each of its bodies."""
-    structure, model = shipped(name), SHIPPED[name]()
+    structure, model = shipped(name), SHIPPED[name]().hybrid
     values = {p.symbol: structure.parameters()[p.name] for p in model.parameters}
 
     def number(expr):
