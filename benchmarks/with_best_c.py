@@ -149,7 +149,7 @@ def equations_differ(structure: rk.Structure, states: int = 50) -> float:
                 state_at: np.ndarray, phase: str = phase, ground: float = ground
             ) -> list[float]:
                 state = dict(zip(module.STATES, state_at.tolist(), strict=True))
-                return list(structure.accelerations(state, ground, phase=phase).values())
+                return list(structure.accelerations(state, ground, mode=phase).values())
 
             found = np.empty(n)
             c.accelerate(

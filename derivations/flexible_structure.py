@@ -468,9 +468,9 @@ print(f"ratio of (6) with u = 0: {float(ratio.subs(u, 0).subs(numbers)):.3f}")
 
 def energy_change(law, state, phase):
     """Energy after an impact minus before it [J]."""
-    then, follows = column.after_impact(state, phase=phase, impact=law)
+    then, follows = column.after_impact(state, mode=phase, impact=law)
     energy = [
-        sum(column.energies(y, phase=p).values()) for y, p in [(state, phase), (then, follows)]
+        sum(column.energies(y, mode=p).values()) for y, p in [(state, phase), (then, follows)]
     ]
     return energy[1] - energy[0]
 
@@ -570,7 +570,7 @@ of_points = {symbol: points[name] for symbol, name in names.items() if name in p
 assert float(ratio.subs(u, 0).subs(of_points)) < 0
 
 landing = {"theta_dot": -0.3, "u_dot": 0.02}
-then, follows = two_points.after_impact(landing, phase="right", impact=rk.Impulsive())
+then, follows = two_points.after_impact(landing, mode="right", impact=rk.Impulsive())
 assert follows == "both"
 assert then["theta_dot"] == 0.0
 assert np.isclose(then["u_dot"], 0.02 + 1.05 * -0.3, rtol=1e-12)
@@ -744,8 +744,8 @@ for factor in (1, 10, 100):
     damped = rk.FlexibleStructure(**COLUMN, stiffness=571.8e3, damping=502.4 * factor)
     run = rk.simulate(damped, still_ground, impact=rk.AngularMomentum(), initial=release)
     found = np.array([
-        sum(damped.energies(impact.after, phase=impact.mode_after).values())
-        - sum(damped.energies(impact.before, phase=impact.mode_before).values())
+        sum(damped.energies(impact.after, mode=impact.mode_after).values())
+        - sum(damped.energies(impact.before, mode=impact.mode_before).values())
         for impact in run.impacts
     ])  # fmt: skip
     added.append(found[found > 1e-9])

@@ -551,7 +551,7 @@ needed = sp.simplify(friction.subs(theta, 0))
 claim = 3 * sp.sin(alpha) * sp.cos(alpha) / (4 - 3 * sp.sin(alpha) ** 2)
 assert sp.simplify(needed - claim) == 0
 
-engine = block.reactions({"theta": 0.0}, phase="right")
+engine = block.reactions({"theta": 0.0}, mode="right")
 ratio = -engine["horizontal_reaction"] / engine["right_reaction"]
 assert np.isclose(ratio, float(needed.subs(alpha, block.alpha)), rtol=1e-12)
 sp.Eq(F / N, needed)

@@ -253,7 +253,7 @@ for k, event in enumerate(found.response.events):
     ground = two_sines.acceleration(event.time)
     sides = ("right", "left") if event.before["theta_dot"] < 0 else ("left", "right")
     a_minus, a_plus = (
-        squat.accelerations({"theta": 0.0}, ground_acceleration=ground, phase=side)["theta"]
+        squat.accelerations({"theta": 0.0}, ground_acceleration=ground, mode=side)["theta"]
         for side in sides
     )
     v_minus, v_plus = event.before["theta_dot"], event.after["theta_dot"]

@@ -295,9 +295,9 @@ assert set(found) == set(MOTIONS.values())
 
 values = {m: 1.0, b_: half_width, h_: half_height, g: gravity, mu: 0.3, a: 8.0}
 engine = sliding(0.3)
-state = engine.accelerations({}, ground_acceleration=8.0, phase="left_slides_left")
+state = engine.accelerations({}, ground_acceleration=8.0, mode="left_slides_left")
 assert math.isclose(state["theta"], -slide_rock[psi].subs(values))
-reaction = engine.reactions({}, ground_acceleration=8.0, phase="left_slides_left")
+reaction = engine.reactions({}, ground_acceleration=8.0, mode="left_slides_left")
 assert math.isclose(reaction["left_reaction"], slide_rock[N].subs(values))
 
 # %%
@@ -524,7 +524,7 @@ dropped = rk.simulate(cube, still, initial=start, duration=1e-6)
 
 
 def kinetic(values):
-    return cube.energies(values, phase="flight")["kinetic_energy"]
+    return cube.energies(values, mode="flight")["kinetic_energy"]
 
 
 gain = kinetic(impact.after) / kinetic(impact.before)

@@ -320,7 +320,7 @@ plt.show()
 # %%
 last = run.impacts[-1]
 speed = abs(last.after["theta_dot"])
-acceleration = abs(block.accelerations({"theta": 0.0}, phase="right")["theta"])
+acceleration = abs(block.accelerations({"theta": 0.0}, mode="right")["theta"])
 assert math.isclose(acceleration, p**2 * math.sin(alpha), rel_tol=1e-12)
 assert abs(rigid_end - last.time - 2 * speed / acceleration / (1 - e)) < 1e-9
 

@@ -27,7 +27,7 @@ _NAMES_OF = {
     "rockeom.sweeps.run": ("simulate_many",),
     "rockeom.sweeps.dataset": ("Sweep",),
     "rockeom.simulation.extremes": ("Extremes",),
-    "rockeom.structures.fixed_base": ("rayleigh_damping",),
+    "rockeom.structures.modal": ("rayleigh_damping",),
     "rockeom.structures.impact_laws": (
         "AngularMomentum",
         "EnergyLossAtSpeed",
@@ -98,7 +98,6 @@ if TYPE_CHECKING:
     from rockeom.simulation.response import Response as Response
     from rockeom.simulation.simulate import simulate as simulate
     from rockeom.structures.classes import *  # noqa: F403
-    from rockeom.structures.fixed_base import rayleigh_damping as rayleigh_damping
     from rockeom.structures.impact_laws import (
         AngularMomentum as AngularMomentum,
         EnergyLossAtSpeed as EnergyLossAtSpeed,
@@ -108,6 +107,7 @@ if TYPE_CHECKING:
         RandomEnergyRatio as RandomEnergyRatio,
         VelocityRatio as VelocityRatio,
     )
+    from rockeom.structures.modal import rayleigh_damping as rayleigh_damping
     from rockeom.sweeps.dataset import Sweep as Sweep
     from rockeom.sweeps.run import simulate_many as simulate_many
     from rockeom.sweeps.sensitivity import (

@@ -62,10 +62,10 @@ NEVER_SLIPS = 1e300
 ENERGY_ROUNDING = 1e-9
 """An impact gains energy where the kinetic energy grows by more than this part of itself."""
 
-# Laws of impact: what is prescribed is the ratio of the rates of rotation; the directions in which
-# momentum is conserved; the ratio of the energies, by the speed, or by the foot that lands and the
-# speed; the ratio of the rates, by that foot and the number of the impact
-RATIO, IMPULSIVE, AT_SPEED, BY_FOOT, BY_NUMBER = range(5)
+# Impact laws prescribe the ratio of the rates of rotation; or the directions in which momentum is
+# conserved; or the ratio of the kinetic energies, in a table by the speed alone; or in one by which
+# an impact may lose next to nothing where the next one, on the other foot, loses much
+RATIO, IMPULSIVE, TABULATED, UNEVEN = range(4)
 
 # What `integrate` must know of a motion to go on with it, by columns of `status`
 (

@@ -37,7 +37,7 @@ def names_for_type_checkers() -> dict[str, str]:
     (block,) = (node for node in tree.body if isinstance(node, ast.If))
     imports = [node for node in block.body if isinstance(node, ast.ImportFrom)]
     (whole,) = (node.module for node in imports if node.names[0].name == "*")
-    classes = {c.__name__: whole for c in SHIPPED.values() if c.__module__ == whole}
+    classes = {c.__name__: whole for c in SHIPPED.values()}
     named = {a.asname: node.module for node in imports for a in node.names if a.name != "*"}
     return {"Structure": whole, **classes, **named}
 

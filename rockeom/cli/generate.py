@@ -13,8 +13,8 @@ from rockeom.numbers.checks import near
 
 DESCRIPTION = """\
 For who changes rockeom itself. Derive every shipped structure and rewrite generated/, a module
-and a page for each; or, with --check, compare and change nothing. Takes half a minute, for one
-NAME a second or a few.
+and a page for each, and their classes in rockeom/structures; or, with --check, compare and change
+nothing. Takes half a minute, for one NAME a second or a few.
 """
 EPILOG = """\
 examples:
@@ -49,7 +49,7 @@ def run(args: argparse.Namespace) -> int:
 def _write(folder: Path, names: Collection[str]) -> int:
     changed = write.write_generated(folder, names)
     for path in changed:
-        print(f"wrote generated/{path.name}")
+        print(f"wrote {path.relative_to(folder.parent).as_posix()}")
     if not changed:
         print("generated/ was up to date")
     return 0

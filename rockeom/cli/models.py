@@ -5,10 +5,10 @@ from __future__ import annotations
 import argparse
 import dataclasses
 from collections.abc import Mapping, Sequence
-from types import ModuleType
 from typing import Any
 
 from rockeom.cli.errors import UsageError, lists, numbers, words
+from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
 from rockeom.modelling.named import (
     FAMILIES,
@@ -18,7 +18,8 @@ from rockeom.modelling.named import (
     structure,
     takes_support,
 )
-from rockeom.structures.classes import SHIPPED, Structure
+from rockeom.structures.base import Structure
+from rockeom.structures.classes import SHIPPED
 from rockeom.structures.impact_laws import Impulsive, default_law
 
 DESCRIPTION = """\
@@ -168,7 +169,7 @@ def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
 
 
 def _of_support(
-    of: type[Structure], module: ModuleType, arguments: Mapping[str, int | str]
+    of: type[Structure], module: GeneratedModule, arguments: Mapping[str, int | str]
 ) -> list[str]:
     """Supports of a structure, and the parameters of each."""
     if not takes_support(of):
@@ -185,7 +186,7 @@ def _of_support(
     return [*own, "", "It may stand on", *(f"  {line}" for line in _aligned(_supports()))]
 
 
-def _parameters(of: type[Structure], module: ModuleType) -> list[tuple[str, str, str, str]]:
+def _parameters(of: type[Structure], module: GeneratedModule) -> list[tuple[str, str, str, str]]:
     """A table of the names that --set takes."""
     words = zip(module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True)
     known = dict(zip(module.PARAMETERS, words, strict=True))
@@ -206,23 +207,23 @@ def _parameters(of: type[Structure], module: ModuleType) -> list[tuple[str, str,
     return rows
 
 
-def _has_impacts(module: ModuleType) -> bool:
+def _has_impacts(module: GeneratedModule) -> bool:
     return any(kind == "impact" for _, _, kind in module.TRANSITIONS)
 
 
-def _without_a_law(module: ModuleType) -> str:
+def _without_a_law(module: GeneratedModule) -> str:
     if getattr(module, "POINTS", ()):
         return "none: each point has its restitution, and its friction if it may slip"
     return "none: the contacts are springs"
 
 
-def _module(of: type[Structure], arguments: Mapping[str, int | str]) -> ModuleType:
+def _module(of: type[Structure], arguments: Mapping[str, int | str]) -> GeneratedModule:
     if arguments.get("support") == "pinned":  # as if not given
         arguments = {name: value for name, value in arguments.items() if name != "support"}
     return module_of(of.model, **arguments)
 
 
-def _title(module: ModuleType) -> str:
+def _title(module: GeneratedModule) -> str:
     return (module.__doc__ or "").partition("\n")[0].rstrip(".")
 
 

@@ -14,7 +14,6 @@ from rockeom.motion import GroundMotion
 from rockeom.simulation.options import METHODS, SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.simulation.simulate import simulate
-from rockeom.structures.classes import check_names
 from rockeom.structures.impact_laws import (
     AngularMomentum,
     EnergyRatio,
@@ -22,6 +21,7 @@ from rockeom.structures.impact_laws import (
     Impulsive,
     VelocityRatio,
 )
+from rockeom.structures.parameters import check_names
 
 DESCRIPTION = """\
 Simulate a structure under a ground motion and say in words what happened; with --out,

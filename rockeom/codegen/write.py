@@ -6,6 +6,7 @@ import difflib
 from collections.abc import Collection, Iterator
 from pathlib import Path
 
+from rockeom.codegen.classes import CLASSES, DECLARATIONS, classes, declarations
 from rockeom.codegen.module import module_text
 from rockeom.codegen.names import string
 from rockeom.codegen.tables import class_name
@@ -28,56 +29,61 @@ SHIPPED = {{
 '''
 
 
-def expected_files(names: Collection[str] = ()) -> Iterator[tuple[str, str]]:
-    """(file name, text) of all that stands in `generated/`, or what these structures change there.
+def expected_files(
+    names: Collection[str] = (), folder: Path = GENERATED
+) -> Iterator[tuple[Path, str]]:
+    """(path, text) of all generated files, or of those that these structures change.
 
-    That is a module and a page a structure, and the list of all. Raises ValueError where a
-    structure is not called as the function that declares it.
+    Each structure has a module and a page in `generated/`; the list of all, their classes and the
+    list of these are files for all structures. Raises ValueError where a structure is not called as
+    the function that declares it.
     """
     rows = "\n".join(f"    {string(name)}: {string(class_name(name))}," for name in SHIPPED)
-    yield INDEX, _INDEX.format(rows=rows)
+    yield folder / INDEX, _INDEX.format(rows=rows)
+    models, package = {name: build() for name, build in SHIPPED.items()}, folder.parent / "rockeom"
+    yield package / DECLARATIONS, declarations(models, SHIPPED)
+    yield package / CLASSES, classes(SHIPPED, package)
     for name, build in SHIPPED.items():
         if names and name not in names:
             continue
-        model = build()
+        model = models[name]
         if model.name != name:
             raise ValueError(
                 f"{build.__module__}.{name} declares a structure named {model.name!r}: give both "
                 "one name"
             )
-        yield f"{name}.py", module_text(model)
-        yield f"{name}.md", model.markdown()
+        yield folder / f"{name}.py", module_text(model)
+        yield folder / f"{name}.md", model.markdown()
 
 
 def write_generated(folder: Path = GENERATED, names: Collection[str] = ()) -> list[Path]:
     """Write every generated file, or those of some structures; the paths of those that changed."""
     from rockeom.files import write  # no part of what the text of a module follows from
 
-    folder.mkdir(exist_ok=True)
     changed = []
-    for name, text in expected_files(names):
-        path = folder / name
+    for path, text in expected_files(names, folder):
         if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.parent.mkdir(parents=True, exist_ok=True)
             write(path, text)
             changed.append(path)
     return changed
 
 
 def check_generated(folder: Path = GENERATED, names: Collection[str] = ()) -> str:
-    """The differences between `generated/` and what the derivation gives, as one diff.
+    """The differences between the generated files and those that the derivation gives, as one diff.
 
     Empty if there are none. Files that nothing generates are differences too.
     """
     diffs: list[str] = []
-    for name, text in expected_files(names):
-        path = folder / name
+    for path, text in expected_files(names, folder):
+        name = path.relative_to(folder.parent).as_posix()
         found = path.read_text(encoding="utf-8") if path.exists() else ""
         if found != text:
             diffs += difflib.unified_diff(
                 found.splitlines(keepends=True),
                 text.splitlines(keepends=True),
-                f"generated/{name}",
-                f"derived/{name}",
+                name,
+                f"derived {name}",
             )
     for path in sorted(folder.glob("*.*")):
         if path.suffix in {".py", ".md"} and path.name != INDEX and path.stem not in SHIPPED:

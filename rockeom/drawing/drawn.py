@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from types import ModuleType
 from typing import Any, Protocol
 
 import numpy as np
@@ -71,7 +70,7 @@ class Structure(Protocol):
     def model(self) -> str: ...
 
     @property
-    def module(self) -> ModuleType: ...
+    def module(self) -> Any: ...
 
     @property
     def vector(self) -> np.ndarray: ...

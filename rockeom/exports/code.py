@@ -13,14 +13,13 @@ import unicodedata
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from types import ModuleType
 from typing import Any
 
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
-from rockeom.integrator.schema import SEARCHED, has_points
+from rockeom.integrator.schema import SEARCHED, GeneratedModule, has_points
 from rockeom.integrator.texts import source, text_of
 from rockeom.modelling.declared import class_of_model
 from rockeom.numbers.checks import near, told
@@ -79,7 +78,7 @@ class Described:
     name : of the file. entries : what is called from outside.
     """
 
-    module: ModuleType
+    module: GeneratedModule
     name: str
     functions: Functions
     entries: tuple[str, ...]
@@ -199,7 +198,7 @@ def code_of_model(model: Any, language: str) -> str:
     return code(class_of_model(model).module, language)
 
 
-def code(module: ModuleType, language: str) -> str:
+def code(module: GeneratedModule, language: str) -> str:
     """A generated module as the text of one file of "c" or "matlab".
 
     Both hold functions of plain numbers and arrays, by the names that they have in the module:
@@ -221,7 +220,7 @@ def code(module: ModuleType, language: str) -> str:
 
 
 @lru_cache(maxsize=1)  # of a structure that is written in both languages
-def _described(module: ModuleType) -> Described:
+def _described(module: GeneratedModule) -> Described:
     texts = [Text(f"{module.NAME}.py", source(module))]
     if has_points(module):
         texts += [Text(SEARCHED, text_of(SEARCHED)), Text("impact", _OF_POINTS)]
@@ -434,7 +433,7 @@ def _cells(head: str, words: Sequence[str]) -> list[str]:
     return [*lines, "    };"]
 
 
-def file_name(module: ModuleType, language: str) -> str:
+def file_name(module: GeneratedModule, language: str) -> str:
     """The name of the file without its ending; in MATLAB that is the function's name."""
     return Names(matlab.RESERVED if language == "matlab" else ()).of(module.NAME)
 

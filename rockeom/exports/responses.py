@@ -36,8 +36,9 @@ from rockeom.simulation.saved import (
     checksum,
 )
 from rockeom.simulation.steps import Steps
-from rockeom.structures.classes import SHIPPED, DeclaredStructure, Structure
-from rockeom.structures.fixed_base import FixedBase
+from rockeom.structures.base import FixedBase, Structure
+from rockeom.structures.classes import SHIPPED
+from rockeom.structures.declared import DeclaredStructure
 from rockeom.structures.impact_laws import ImpactLaw
 
 if TYPE_CHECKING:

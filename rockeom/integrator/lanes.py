@@ -91,7 +91,7 @@ if TYPE_CHECKING:  # joined before this text
     )
     from rockeom.integrator.records import Batch, Ground, Recorder
     from rockeom.integrator.steps import first_step, most_error
-    from rockeom.integrator.transitions.declared import ratio_at, stand, time_to_rest
+    from rockeom.integrator.transitions.declared import stand, time_to_rest, velocity_ratio_at
 
 # Rows of the lanes' array z, each of one number a lane. One flat array, and places that differ by
 # constants, leave the compiler no doubt that lanes are independent.
@@ -436,7 +436,8 @@ def impact(lane, z, w, batch, scratch):
     if status[IMPACTS] < batch.impact_times.shape[1]:
         batch.impact_times[case, status[IMPACTS]] = t
     before, speed = int(z[Z_CONTACT + lane]), abs(y[ROTATION_RATE])
-    contact = jump(before, 0, law, ratio_at(law, ratio, status[IMPACTS], y, p), y, p, after)
+    passed = velocity_ratio_at(law, ratio, status[IMPACTS], y[ROTATION_RATE], p)
+    contact = jump(before, 0, law, passed, y, p, after)
     add_gain(before, contact, y, after, p, scratch[_POWERS:_GUARDS], batch.gains[case])
     touching = -1
     status[IMPACTS] += 1

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from textwrap import indent
-from types import ModuleType
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +17,7 @@ from rockeom.integrator.methods.tableau import (
     error_text,
     samples_to_bernstein,
 )
+from rockeom.integrator.schema import GeneratedModule
 
 LANES = 16
 """Motions that step together: two of the widest vectors that processors have."""
@@ -97,7 +97,7 @@ def sine_cosine(x):
 """What takes the place of a generated module's `sine_cosine` in the step of lanes."""
 
 
-def _accelerations(generated: ModuleType) -> str:
+def _accelerations(generated: GeneratedModule) -> str:
     """A function of all contact states without branches: what they have in common is found once."""
     n = generated.N_STATES // 2
     arguments = ", ".join([f"q_{i}" for i in range(n)] + [f"v_{i}" for i in range(n)])
@@ -112,7 +112,7 @@ def _accelerations(generated: ModuleType) -> str:
     return f"{text}    return ({', '.join(f'a_{i}' for i in range(n))},)\n"
 
 
-def gap_sides(generated: ModuleType) -> tuple[float, ...]:
+def gap_sides(generated: GeneratedModule) -> tuple[float, ...]:
     """Of each contact state that an impact ends, and nothing else, its side; 0 of all others."""
     return tuple(
         side if kinds[:guards] == (IMPACT,) else 0.0
@@ -122,12 +122,12 @@ def gap_sides(generated: ModuleType) -> tuple[float, ...]:
     )
 
 
-def _held(generated: ModuleType) -> list[int]:
+def _held(generated: GeneratedModule) -> list[int]:
     """Contact states that all their guards are asked of, sampled in a step."""
     return [c for c, side in enumerate(gap_sides(generated)) if side == 0.0]
 
 
-def _sampled(generated: ModuleType) -> str:
+def _sampled(generated: GeneratedModule) -> str:
     """Lines that find whether all guards clearly stay open, as `stays_held` of the loop does.
 
     They are sampled on the quintics through both ends of a step. A guard that a contact state has
@@ -197,7 +197,7 @@ class _Lines(NamedTuple):
     within: str
 
 
-def _lines(generated: ModuleType, parameters: int) -> _Lines:
+def _lines(generated: GeneratedModule, parameters: int) -> _Lines:
     n = generated.N_STATES // 2
     step = f"""        t, h = z[Z_T + lane], z[Z_H + lane]
         p = ({", ".join(_at("Z_P", i) for i in range(parameters))},)
@@ -217,7 +217,7 @@ def _lines(generated: ModuleType, parameters: int) -> _Lines:
     return _Lines(step, start, end, within)
 
 
-def lanes_text(method: Tableau, generated: ModuleType) -> str:
+def lanes_text(method: Tableau, generated: GeneratedModule) -> str:
     """Source of one step of `LANES` motions of a structure at once; `lanes.py` says of what.
 
     Each loop over the lanes holds the whole work of a lane in plain numbers and without branches,
@@ -283,7 +283,7 @@ def control_lanes(z: Floats):
 '''
 
 
-def _step(method: Tableau, generated: ModuleType, lines: _Lines) -> str:
+def _step(method: Tableau, generated: GeneratedModule, lines: _Lines) -> str:
     s, n = method.stages, generated.N_STATES // 2
     atol = ", ".join(f"tolerances[{i}]" for i in range(2 * n))
 
@@ -312,7 +312,7 @@ def step_lanes(z: Floats, rtol: float, tolerances: Floats):
 '''
 
 
-def _judge(generated: ModuleType, lines: _Lines) -> str:
+def _judge(generated: GeneratedModule, lines: _Lines) -> str:
     r = generated.ROTATION
     return f'''
 
@@ -339,7 +339,7 @@ def judge_lanes(z: Floats, coarse: float):
 '''
 
 
-def _judge_held(generated: ModuleType, lines: _Lines) -> str:
+def _judge_held(generated: GeneratedModule, lines: _Lines) -> str:
     held, r = _held(generated), generated.ROTATION
     contact = "z[Z_CONTACT + lane]" if len(held) > 1 else held[0]
     functions = generated.N_GUARDS + generated.N_PARTS
@@ -360,7 +360,7 @@ def judge_held_lanes(z: Floats, coarse: float):
 '''
 
 
-def _accept(generated: ModuleType, lines: _Lines) -> str:
+def _accept(generated: GeneratedModule, lines: _Lines) -> str:
     n, moved = generated.N_STATES // 2, ""
     for i in range(n):
         moved += f"        {_at('Z_Q', i)} = q1_{i} if stands else q0_{i}\n"

@@ -18,7 +18,6 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
-from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 from rockeom.compiler.cache import kept
@@ -26,7 +25,7 @@ from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.compiler.machine import Function, Loaded, compiled, target
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import NOTHING, Array, Entry
-from rockeom.integrator.schema import SEARCHED, angles, has_points
+from rockeom.integrator.schema import SEARCHED, GeneratedModule, angles, has_points
 from rockeom.integrator.texts import digest, source, text_of
 
 if TYPE_CHECKING:
@@ -86,7 +85,9 @@ class Program:
     evaluate: Function
     carry: Function
 
-    def __init__(self, name: str, module: ModuleType, *codes: bytes, bounds: bool = False) -> None:
+    def __init__(
+        self, name: str, module: GeneratedModule, *codes: bytes, bounds: bool = False
+    ) -> None:
         entries: dict[str, Entry] = {}
         sizes: dict[str, int] = {}
         objects = []
@@ -115,7 +116,7 @@ def _of_lists(entry: list[Any]) -> tuple[Any, Any]:
 _LOCK = lock_held_by_forks()
 
 
-def program(generated: ModuleType, method: str, lanes: bool = False) -> Program:
+def program(generated: GeneratedModule, method: str, lanes: bool = False) -> Program:
     """The program of a generated module and a method's name, compiled where it is not kept yet.
 
     lanes : with `integrate_lanes`, too.
@@ -125,7 +126,7 @@ def program(generated: ModuleType, method: str, lanes: bool = False) -> Program:
         return _of_parts(generated, method, parts, checks_bounds())
 
 
-def carrying(generated: ModuleType, method: str) -> Program:
+def carrying(generated: GeneratedModule, method: str) -> Program:
     """The program that carries derivatives along the motions of a generated module."""
     with _LOCK:
         return _of_parts(generated, method, (TANGENTS,), checks_bounds())
@@ -141,7 +142,9 @@ def checks_bounds() -> bool:
 
 
 @cache
-def _of_parts(generated: ModuleType, method: str, parts: tuple[str, ...], bounds: bool) -> Program:
+def _of_parts(
+    generated: GeneratedModule, method: str, parts: tuple[str, ...], bounds: bool
+) -> Program:
     keys = [_key(generated, method, part, bounds) for part in parts]
     codes = [
         kept(*key, lambda part=part: _made(generated, method, part, bounds))  # type: ignore[misc]
@@ -186,20 +189,22 @@ _OTHERS = {
 _SAID = {VECTORS: " in lanes", GLUE: " in lanes", TANGENTS: " for derivatives"}
 
 
-def _key(generated: ModuleType, method: str, part: str, bounds: bool = False) -> tuple[str, str]:
+def _key(
+    generated: GeneratedModule, method: str, part: str, bounds: bool = False
+) -> tuple[str, str]:
     """Name of a part of a program, and a hash of all that its code follows from."""
     ending = ("" if part == LOOP else f"_{part}") + ("_bounds" if bounds else "")
     sources = _sources(generated, method, part, bounds)
     return f"{generated.NAME}_{method.lower()}{ending}", digest(part, target(), *sources)
 
 
-def revision(generated: ModuleType, method: str, lanes: bool = False) -> str:
+def revision(generated: GeneratedModule, method: str, lanes: bool = False) -> str:
     """A hash of all texts that a program follows from, the same for every processor."""
     part = GLUE if lanes else LOOP
     return digest(part, *_sources(generated, method, part, checks_bounds()))
 
 
-def _sources(generated: ModuleType, method: str, part: str, bounds: bool) -> tuple[str, ...]:
+def _sources(generated: GeneratedModule, method: str, part: str, bounds: bool) -> tuple[str, ...]:
     return (
         source(generated), _contacts(generated), method,
         *(text_of(name) for name in (*_OF_ALL, *_OTHERS.get(part, ()))),
@@ -207,7 +212,7 @@ def _sources(generated: ModuleType, method: str, part: str, bounds: bool) -> tup
     )  # fmt: skip
 
 
-def _made(generated: ModuleType, method: str, part: str, bounds: bool = False) -> bytes:
+def _made(generated: GeneratedModule, method: str, part: str, bounds: bool = False) -> bytes:
     """A line that describes a part of a program, and its machine code."""
     started = time.monotonic()
     printed = _printed(generated, method, part, bounds)
@@ -241,7 +246,7 @@ def say(line: str) -> None:
         sys.stderr.flush()
 
 
-def _printed(generated: ModuleType, method: str, part: str, bounds: bool = False) -> Printed:
+def _printed(generated: GeneratedModule, method: str, part: str, bounds: bool = False) -> Printed:
     """A part of a program as LLVM is given it."""
     # only where something is compiled; so are the texts of methods and lanes below
     from rockeom.compiler.printer import GROWTH, Program as Printed
@@ -265,7 +270,7 @@ def _nothing_collected() -> Iterator[None]:
             gc.enable()
 
 
-def joined_texts(generated: ModuleType, method: str, part: str) -> list[Text]:
+def joined_texts(generated: GeneratedModule, method: str, part: str) -> list[Text]:
     """What a part of a program is printed from; entries of the other parts are called."""
     own = {LOOP: _LOOPS, VECTORS: (VECTORS,), GLUE: (_LANES,), TANGENTS: (_VARIATIONAL,)}[part]
     found = texts(generated, method, part in (VECTORS, GLUE))
@@ -281,7 +286,7 @@ def joined_texts(generated: ModuleType, method: str, part: str) -> list[Text]:
     return found
 
 
-def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]:
+def texts(generated: GeneratedModule, method: str, lanes: bool = False) -> list[Text]:
     """The parts of a program, in the order in which one needs the other."""
     from rockeom.integrator.methods.tableau import step_text, tableau
 
@@ -311,7 +316,7 @@ def texts(generated: ModuleType, method: str, lanes: bool = False) -> list[Text]
     return parts
 
 
-def _contacts(generated: ModuleType) -> str:
+def _contacts(generated: GeneratedModule) -> str:
     """What finds the contact state that follows, where a structure does not declare it."""
     if not has_points(generated):
         return "N_POINTS = N_KNOWN = 0\n"

@@ -8,6 +8,7 @@ import sys
 from functools import cache
 from importlib.resources import files
 from types import ModuleType
+from typing import Any
 
 
 @cache
@@ -20,7 +21,7 @@ def digest(*texts: str) -> str:
     return hashlib.sha256("\0".join(texts).encode()).hexdigest()[:20]
 
 
-def source(generated: ModuleType) -> str:
+def source(generated: Any) -> str:
     """Of a file, or of what `load_text` has put in its place."""
     return "".join(linecache.getlines(str(generated.__file__)))
 

@@ -31,6 +31,7 @@ if TYPE_CHECKING:  # joined before this text
         N_PARTS,
         N_POINTS,
         N_STATES,
+        ROTATION_RATE,
         guards,
         jump,
         moving,
@@ -40,7 +41,7 @@ if TYPE_CHECKING:  # joined before this text
         value,
     )
     from rockeom.integrator.records import Case, Ground, Recorder, State
-    from rockeom.integrator.transitions.declared import ratio_at, stand, time_to_rest
+    from rockeom.integrator.transitions.declared import stand, time_to_rest, velocity_ratio_at
     from rockeom.integrator.transitions.searched import (
         AX,
         AY,
@@ -401,7 +402,7 @@ def passed(e, now, length, impacts, recorder, ground, case, varied, duals):
     mode, guard = recorder.event_kinds[e, 1], recorder.event_kinds[e, 3]
     y, out, p = duals[_MOVED:_BEHIND], duals[_BEHIND:_STATE], varied.p
     if N_POINTS == 0:
-        ratio = ratio_at(case.law, varied.ratio[0], impacts, y, p)
+        ratio = velocity_ratio_at(case.law, varied.ratio[0], impacts, y[ROTATION_RATE], p)
         follows = jump(mode, guard, case.law, ratio, y, p, out)
     else:
         ahead, known = 1e-5 * length, duals[_KNOWN_POINTS:]

@@ -6,31 +6,25 @@ import dataclasses
 import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from types import ModuleType
 from typing import Any, ClassVar
 
 from rockeom.codes import MOST_CONTACT_STATES
+from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import number, told, whole_number
-from rockeom.structures.classes import (
-    Structure,
-    Support,
-    _structure_class,
-    check_restitution,
-    check_support,
-    check_values,
-)
-from rockeom.structures.fixed_base import rayleigh_damping
+from rockeom.structures.modal import rayleigh_damping
+from rockeom.structures.parameters import check_restitution, check_values
+from rockeom.structures.supports import Support, SupportedStructure
 
 
 @dataclass(frozen=True)
 class Pinned(Support):
-    """Feet that may lift, and neither slide nor bounce: what a structure stands on by itself."""
+    """Feet that may lift, and neither slide nor bounce: the support if none is given."""
 
     kind: ClassVar[str] = "pinned"
 
-    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
         return module_of(superstructure, **arguments)
 
 
@@ -45,8 +39,12 @@ def _turns(what: str, inertia: float) -> None:
 
 @dataclass(frozen=True, kw_only=True)
 class _Springs(Support):
-    """What supports on springs and dampers share: stiffness [N/m] and damping [N s/m] of each."""
+    """Supports on springs and dampers: stiffness [N/m] and damping [N s/m] of each."""
 
+    called: ClassVar[Mapping[str, str]] = {
+        "stiffness": "foundation_stiffness",
+        "damping": "foundation_damping",
+    }
     stiffness: float
     damping: float
 
@@ -55,7 +53,7 @@ class _Springs(Support):
         check_values(type(self).__name__, values, frozenset({"damping"}))
 
     def parameters(self) -> dict[str, float]:
-        return {"foundation_stiffness": self.stiffness, "foundation_damping": self.damping}
+        return {name: getattr(self, own) for own, name in self.called.items()}
 
     def check_base(self, what: str, mass: float, inertia: float) -> None:
         _turns(what, inertia)
@@ -83,7 +81,7 @@ class TwoSprings(_Springs):
         if self.guided not in ("centre", "foot"):
             raise ValueError(f'TwoSprings: guided is {told(self.guided)}: give "centre" or "foot"')
 
-    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
         return module_of(superstructure, **arguments, support="two_springs", guided=self.guided)
 
 
@@ -109,11 +107,11 @@ class Winkler(_Springs):
         if sets > MOST_CONTACT_STATES:
             raise ValueError(
                 f"Winkler: springs is {n}, which press in {sets} sets of neighbours, more than the "
-                f"{MOST_CONTACT_STATES} contact states of a structure: give 90 or fewer"
+                f"{MOST_CONTACT_STATES} modes of a structure: give 90 or fewer"
             )
         object.__setattr__(self, "springs", n)
 
-    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
         return module_of(superstructure, **arguments, support="winkler", springs=self.springs)
 
 
@@ -146,12 +144,11 @@ class Sliding(Support):
             )
         _turns(what, inertia)
 
-    def module(self, superstructure: str, **arguments: int) -> ModuleType:
+    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
         return module_of(superstructure, **arguments, support="sliding")
 
 
-@_structure_class
-class ShearFrame(Structure):
+class ShearFrame(SupportedStructure):
     """A frame of any number of storeys, elastic and damped, on a rigid base that rocks.
 
     masses [kg], heights of the floors above the feet [m], stiffnesses [N/m] and dampings [N s/m]
@@ -192,7 +189,6 @@ class ShearFrame(Structure):
     dampings: Sequence[float]
     half_width: float
     base_mass: float
-    support: Any = None
     inertias: Sequence[float] | None = None
     base_height: float = 0.0
     base_inertia: float = 0.0
@@ -219,13 +215,16 @@ class ShearFrame(Structure):
                     "the lowest up"
                 )
 
+        super().__post_init__()
+
+    def of_base(self) -> tuple[float, float]:
         inertia = (
             sum(self.inertias or ()) + self.base_inertia + self.base_mass * self.base_height**2
         )
-        check_support("ShearFrame", self.support, self.base_mass, inertia)
+        return self.base_mass, inertia
 
     @functools.cached_property
-    def module(self) -> ModuleType:
+    def module(self) -> GeneratedModule:
         """The generated module of so many storeys on this support."""
         return (self.support or Pinned()).module(self.model, storeys=len(self.masses))
 
@@ -250,14 +249,14 @@ class ShearFrame(Structure):
         return dataclasses.replace(self, dampings=[beta * k for k in self.stiffnesses])
 
     def parameters(self) -> dict[str, float]:
-        found = {
+        values = {
             f"{name}_{i}": value
             for every, name in self.of_each.items()
             for i, value in enumerate(getattr(self, every), 1)
         }
         for name in ("half_width", "base_mass", "base_height", "base_inertia", "gravity"):
-            found[name] = getattr(self, name)
-        return found | (self.support.parameters() if self.support else {})
+            values[name] = getattr(self, name)
+        return values | (self.support.parameters() if self.support else {})
 
 
 def _each(name: str, values: Any, may_vanish: bool = False) -> tuple[float, ...]:

@@ -1,4 +1,4 @@
-"""From a declaration to a structure: where what derives and what simulates are joined."""
+"""From a declaration to a structure: the derivation and the simulation meet here."""
 
 from __future__ import annotations
 
@@ -8,15 +8,16 @@ import sys
 import time
 from collections.abc import Callable
 from functools import cache, partial
-from importlib import import_module
-from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from rockeom.compiler.cache import kept
 from rockeom.compiler.sources import digest
 from rockeom.integrator.program import announce, say
+from rockeom.integrator.schema import GeneratedModule
 from rockeom.integrator.texts import load_text
-from rockeom.structures.classes import SHIPPED, DeclaredStructure, Structure, class_of
+from rockeom.structures.base import Structure, generated_module
+from rockeom.structures.classes import SHIPPED
+from rockeom.structures.declared import DeclaredStructure, class_of
 
 if TYPE_CHECKING:
     from rockeom.symbolic import RockingModel
@@ -38,7 +39,7 @@ def class_of_model(model: RockingModel) -> type[DeclaredStructure]:
 
         made = class_of(_kept_module(model.name, declaration_digest(model), lambda: model))
         copyreg.pickle(made, partial(_reduced, cache(partial(pickle.dumps, model))))
-        _CLASSES[id(model)] = model, made  # the model kept: its id is used
+        _CLASSES[id(model)] = model, made  # the model is kept, since its id is used
     return _CLASSES[id(model)][1]
 
 
@@ -48,21 +49,21 @@ def _reduced(declaration: Callable[[], bytes], structure: DeclaredStructure) -> 
 
 
 def _again(module: str, declaration: bytes, values: dict[str, float]) -> Structure:
-    """In another process the module is derived again, or found where this machine keeps it."""
+    """In another process the module is derived again, or read from the cache of this machine."""
     if module in sys.modules:
         return class_of(sys.modules[module])(**values)
     return class_of_model(pickle.loads(declaration))(**values)
 
 
 @cache
-def module_of(name: str, **arguments: str | int) -> ModuleType:
+def module_of(name: str, **arguments: str | int) -> GeneratedModule:
     """The generated module of a shipped structure, or of one of a family, by its arguments.
 
     That is derived once on a machine: SymPy is loaded where the module is not kept yet, and only
     there.
     """
     if name in SHIPPED and not arguments:
-        return import_module(f"rockeom.generated.{name}")
+        return generated_module(name)
 
     def model() -> RockingModel:
         from rockeom.symbolic import derive
@@ -72,7 +73,7 @@ def module_of(name: str, **arguments: str | int) -> ModuleType:
     return _kept_module(name, digest(name, repr(sorted(arguments.items()))), model)
 
 
-def _kept_module(name: str, digest: str, model: Callable[[], RockingModel]) -> ModuleType:
+def _kept_module(name: str, digest: str, model: Callable[[], RockingModel]) -> GeneratedModule:
     def text() -> bytes:
         from rockeom.codegen import module_text
 
@@ -81,8 +82,8 @@ def _kept_module(name: str, digest: str, model: Callable[[], RockingModel]) -> M
         modes = len(of.hybrid.mode_names)
         if modes > MANY_MODES:
             say(f"deriving {of.name} with {modes} modes")
-        found = module_text(of).encode()
+        encoded = module_text(of).encode()
         announce(f"derived {of.name}", started)
-        return found
+        return encoded
 
-    return load_text(name, kept(f"{name}_module", digest, text).decode())
+    return cast(GeneratedModule, load_text(name, kept(f"{name}_module", digest, text).decode()))

@@ -1,7 +1,7 @@
 """Structures by the names of their models: shipped ones, families, and what they stand on.
 
 A family is declared for each set of its arguments, such as a shear frame for each number of
-storeys. What a base stands on has a name, too; its parameters then stand beside those of the
+storeys. Supports have names, too; their parameters are then given beside those of the
 structure, `foundation_stiffness` and `foundation_damping` for those of a spring:
 
     structure("flexible_structure", mass=..., support="winkler", springs=4, ...)
@@ -16,13 +16,15 @@ from typing import Any
 from rockeom.modelling.composed import Pinned, ShearFrame, Sliding, TwoSprings, Winkler
 from rockeom.modelling.declared import class_of_model
 from rockeom.numbers.checks import near, told
-from rockeom.structures.classes import SHIPPED, ParameterError, Structure, Support
+from rockeom.structures.base import Structure
+from rockeom.structures.classes import SHIPPED
+from rockeom.structures.parameters import ParameterError
+from rockeom.structures.supports import Support
 
 FAMILIES: Mapping[str, type[Structure]] = {"shear_frame": ShearFrame}
 SUPPORTS: Mapping[str, type[Support]] = {
     support.kind: support for support in (Pinned, TwoSprings, Winkler, Sliding)
 }
-_CALLED = {"stiffness": "foundation_stiffness", "damping": "foundation_damping"}
 
 
 def structure(model: Any, /, **parameters: Any) -> Structure:
@@ -77,32 +79,35 @@ def takes_support(made: type[Structure]) -> bool:
 
 def parameters_of(support: str) -> dict[str, Any]:
     """Defaults of a support's parameters by name, `dataclasses.MISSING` where there is none."""
-    fields = dataclasses.fields(SUPPORTS[support])  # type: ignore[arg-type]
-    return {_CALLED.get(field.name, field.name): field.default for field in fields}
+    made = SUPPORTS[support]
+    fields = dataclasses.fields(made)  # type: ignore[arg-type]
+    return {made.called.get(field.name, field.name): field.default for field in fields}
 
 
 def _supported(made: type[Structure], parameters: Mapping[str, Any]) -> dict[str, Any]:
     """The parameters, a support that is named made of those that are its own."""
-    found = dict(parameters)
+    arguments = dict(parameters)
     if not takes_support(made):
-        return found
+        return arguments
     every = {name for support in SUPPORTS for name in parameters_of(support)}
-    beside = [name for name in found if name in every]
-    support = found.get("support")
+    beside = [name for name in arguments if name in every]
+    support = arguments.get("support")
     if not isinstance(support, str):
         if beside:
             raise ParameterError(
                 f"{made.__name__}: {beside[0]} is a parameter of a support: name that, as in "
                 f'support="{_that_takes(beside)}"'
             )
-        return found
+        return arguments
     if support not in SUPPORTS:
         raise ValueError(
             f"{made.__name__}: support is {support!r}{near(support, SUPPORTS)}; there are "
             f"{', '.join(SUPPORTS)}"
         )
     own = parameters_of(support)
-    missing = [n for n, default in own.items() if default is dataclasses.MISSING and n not in found]
+    missing = [
+        n for n, default in own.items() if default is dataclasses.MISSING and n not in arguments
+    ]
     wrong = [f"missing {', '.join(missing)}"] if missing else []
     wrong += [f"unknown {name}{near(name, own)}" for name in beside if name not in own]
     if wrong:
@@ -110,10 +115,10 @@ def _supported(made: type[Structure], parameters: Mapping[str, Any]) -> dict[str
             f"{made.__name__} on the support {support!r}: {'; '.join(wrong)}. Beside its own "
             f"parameters it takes {', '.join(own) or 'none'}"
         )
-    plain = {called: name for name, called in _CALLED.items()}
-    values = {plain.get(name, name): found.pop(name) for name in own if name in found}
-    found["support"] = SUPPORTS[support](**values)
-    return found
+    plain = {called: name for name, called in SUPPORTS[support].called.items()}
+    values = {plain.get(name, name): arguments.pop(name) for name in own if name in arguments}
+    arguments["support"] = SUPPORTS[support](**values)
+    return arguments
 
 
 def _that_takes(names: list[str]) -> str:

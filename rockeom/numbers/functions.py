@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import cache
-from types import FunctionType, ModuleType, SimpleNamespace
+from types import FunctionType, SimpleNamespace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -72,7 +72,7 @@ def isfinite(x: Any) -> Any:
 
 
 @cache
-def of_compounds(module: ModuleType) -> Any:
+def of_compounds(module: Any) -> Any:
     """The functions of a generated module, which take compounds; arrays hold objects."""
     names = vars(module) | {
         "math": mathematics,
@@ -84,7 +84,7 @@ def of_compounds(module: ModuleType) -> Any:
     return SimpleNamespace(**names)
 
 
-def for_arrays(module: ModuleType, *arrays: np.ndarray) -> Any:
+def for_arrays(module: Any, *arrays: np.ndarray) -> Any:
     """The generated module, for compounds where arrays hold such."""
     return of_compounds(module) if any(x.dtype == object for x in arrays) else module
 

@@ -29,8 +29,7 @@ from rockeom.motion import STANDARD_GRAVITY, GroundMotion
 from rockeom.simulation.plausible import ROUGHEST, default_masses, forces, shaking
 from rockeom.simulation.response import Outcome, Response
 from rockeom.simulation.simulate import simulate
-from rockeom.structures.classes import Structure
-from rockeom.structures.fixed_base import FixedBase
+from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.impact_laws import ImpactLaw
 
 A4 = (8.27, 11.69)  # in

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,8 +16,9 @@ from rockeom.numbers.batch import values
 from rockeom.numbers.checks import number, told
 from rockeom.numbers.dual import directions, tangent_of, value_of
 from rockeom.numbers.functions import isfinite
-from rockeom.structures.classes import Structure, check_states
+from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.structures.parameters import check_states
 
 STILL = np.empty((0, 7))
 """The table of ground that stands still, which all share."""
@@ -213,13 +215,12 @@ class Case:
         if self.vertical is not None:
             _check_motion("vertical", self.vertical)
         if self.initial is not None:
-            check_states("initial", self.initial, self.structure)
+            check_states("initial", self.initial, self.structure.states)
 
     def problem(self) -> Problem:
         """The case in numbers; raises ValueError for a state or a duration that cannot be."""
         structure, motion = self.structure, self.motion
         y0 = structure.state({} if self.initial is None else self.initial)
-        rotation = y0[structure.module.ROTATION]
         for name, fallen in structure.falls.items():
             value = y0[structure.states.index(name)]
             if abs(value) > fallen * (1.0 + AT_THE_END):
@@ -231,15 +232,11 @@ class Case:
         if not (isfinite(end) and end > 0):
             raise ValueError(f"duration is {end} s: it must be finite and positive")
         law, ratio = structure.law(self.impact)
-        moves = rotation or y0[structure.module.ROTATION_RATE]
         quiet = max(m.shaking_ends for m in (motion, self.vertical) if m is not None)
         if abs(quiet - end) <= 1e-12 * abs(end):
             quiet = end  # a duration that is a difference of others is so but for rounding
-        rigid = structure.rocks_on_rigid_ground or structure.stands_on_points
-        decided = moves or rigid or self.mode is not None
-        towards = 0.0 if decided else self._about_to_turn(y0)
         return Problem(
-            mode=structure.contact(y0, self.mode, towards),
+            mode=structure.contact(y0, self.mode, partial(self._about_to_turn, y0)),
             y0=y0,
             vector=structure.vector,
             table=structure.impact_table(self.impact),
@@ -266,7 +263,7 @@ class Case:
         first = next((push for push in _pushes(self.motion) if push != 0.0), 0.0)
         turn, rate = 0.0, np.zeros(len(y0), np.result_type(y0, p))
         for side in (-1.0, 1.0):
-            contact = structure.contact(y0, None, side)
+            contact = structure.contact(y0, None, partial(float, side))
             m.rates(contact, y0, p, next(_pushes(self.motion)), lift, rate)
             turn += rate[m.ROTATION_RATE]
         return np.sign(turn) or -np.sign(first)

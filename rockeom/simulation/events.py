@@ -11,10 +11,12 @@ import numpy as np
 
 from rockeom import renamed
 from rockeom.codes import ENERGY_ROUNDING, IMPACT, KIND_OF, LANDING, REST
-from rockeom.structures.classes import Structure
-from rockeom.structures.contact_modes import HAPPENED, landing_speeds, subjects
+from rockeom.integrator.schema import has_landings
+from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import filled
+from rockeom.structures.modes import modes_of
 from rockeom.structures.pickled import made_of
+from rockeom.structures.searched_modes import HAPPENED, landing_speeds
 
 KINDS = (*KIND_OF, "rest", *HAPPENED.values())
 """Words of the kinds of events, by number."""
@@ -102,7 +104,8 @@ class Events(Sequence[Event]):
     @cached_property
     def _events(self) -> tuple[Event, ...]:
         module, states = self.structure.module, self.structure.states
-        points = subjects(module, self.columns.kinds, self.columns.states, self.structure.vector)
+        p = self.structure.vector
+        points = modes_of(module).subjects(module, self.columns.kinds, self.columns.states, p)
         return tuple(
             Event(
                 float(time),
@@ -153,9 +156,10 @@ class Impacts(Events):
         Where points land, the speed of the fastest [m/s].
         """
         before = self.columns.states[:, 0]
-        if self.structure.stands_on_points:
-            return landing_speeds(self.structure, before)
-        return np.abs(before[:, self.structure.module.ROTATION_RATE])
+        module = self.structure.module
+        if has_landings(module):
+            return landing_speeds(module, self.structure.vector, before)
+        return np.abs(before[:, module.ROTATION_RATE])
 
     def above(self, rate: float = MEASURABLE) -> tuple[Event, ...]:
         """The impacts before which the structure turned faster than `rate`.
@@ -206,7 +210,14 @@ class Impacts(Events):
     def _of_sides(self, function: str, size: int, side: int) -> np.ndarray:
         """(size, k) of a function of the module in the states before (0) or after (1)."""
         _, kinds, states = self.columns
-        return filled(self.structure, function, size, kinds[:, 1 + side], states[:, side])
+        return filled(
+            self.structure.module,
+            self.structure.vector,
+            function,
+            size,
+            kinds[:, 1 + side],
+            states[:, side],
+        )
 
     def describe(self) -> str:
         """How many impacts there were, and how many of them were faster than MEASURABLE."""

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 from rockeom.simulation.case import Problem
 from rockeom.simulation.options import SolverOptions
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import Structure
 
 
 class Choice(NamedTuple):

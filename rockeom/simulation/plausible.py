@@ -13,9 +13,8 @@ from rockeom.motion import GroundMotion
 from rockeom.simulation.events import Impacts
 from rockeom.simulation.steps import Rows
 from rockeom.simulation.support import Support
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.evaluation import at_states
-from rockeom.structures.fixed_base import FixedBase
 from rockeom.structures.impact_laws import Impulsive
 from rockeom.structures.units import is_dimensionless
 
@@ -114,7 +113,7 @@ def gained(structure: Structure, impacts: Impacts, law: str) -> tuple[str, ...]:
         f"{len(gains)} of {len(impacts)} impacts gained kinetic energy, "
         f"{gains.sum():.4g}{unit} in all"
     )
-    if structure.stands_on_points:
+    if structure.has_landings:
         return (f"{text}, which friction with a restitution above zero can cause.",)
     exact = isinstance(structure.default_impact, Impulsive)
     return (f"{text}, by {law}." + " Impulsive() conserves the momenta, and gains none." * exact,)
@@ -127,7 +126,7 @@ def beyond_balance(structure: Structure, rows: Rows) -> tuple[str, ...]:
         return ()
     around = np.array([start, start])
     around[:, m.ROTATION] *= 1.0 - 1e-6, 1.0 + 1e-6
-    energy = at_states(structure, "energies", rows.mode[[0, 0]], around)
+    energy = at_states(structure.module, structure.vector, "energies", rows.mode[[0, 0]], around)
     potential = energy["gravitational_energy"] + energy["elastic_energy"]
     if potential[1] >= potential[0]:
         return ()

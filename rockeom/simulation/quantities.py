@@ -10,14 +10,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 
 from rockeom.drawing.positions import places, positions_of, rotations_of
 from rockeom.integrator.program import Program, program
-from rockeom.integrator.schema import has_points
+from rockeom.integrator.schema import GeneratedModule
 from rockeom.motion import GroundMotion
 from rockeom.simulation.case import ground_table
 from rockeom.simulation.events import EventColumns
@@ -26,7 +25,7 @@ from rockeom.simulation.recorder import Samples
 from rockeom.simulation.steps import Evaluate, Rows, Steps
 from rockeom.simulation.works import Works, names_of_works
 from rockeom.structures import evaluation
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import OF_ELEMENT, elements, filled, motion_of_places
 from rockeom.structures.units import dimensioned, main_units
 
@@ -40,7 +39,7 @@ _OF_BASE = {"base_shear": "N", "overturning_moment": "N m"}
 
 
 @cache
-def families(module: ModuleType) -> dict[str, dict[str, str]]:
+def families(module: GeneratedModule) -> dict[str, dict[str, str]]:
     """Units of the quantities besides the main ones, by name, of each family.
 
     A name that is one of the main ones stays with them.
@@ -67,7 +66,7 @@ def families(module: ModuleType) -> dict[str, dict[str, str]]:
     return families_of
 
 
-def units_of(module: ModuleType) -> dict[str, str]:
+def units_of(module: GeneratedModule) -> dict[str, str]:
     """Unit of each quantity of a response, by name; "-" where it has none."""
     found = main_units(module)
     for units in families(module).values():
@@ -147,7 +146,7 @@ class Quantities:
         if family == WORKS:
             return self.works.at(rows)
         if family == ELEMENTS:
-            return elements(self.structure, mode, y)
+            return elements(self.structure.module, self.structure.vector, mode, y)
         of = _places if family == PLACES else _base
         return of(self.structure, mode, y, *self.ground(t))
 
@@ -221,7 +220,7 @@ def _places(
     structure: Structure, mode: np.ndarray, y: np.ndarray, ax: np.ndarray, ay: np.ndarray
 ) -> dict[str, np.ndarray]:
     quantities: dict[str, np.ndarray] = {}
-    moved = motion_of_places(structure, mode, y, ax, ay)
+    moved = motion_of_places(structure.module, structure.vector, mode, y, ax, ay)
     at_rest = _at_rest(structure)
     for i, place in enumerate(structure.module.POSITIONS):
         (x, rise, _), (vx, vy, _), (accx, accy, _) = moved[:, i]
@@ -236,8 +235,7 @@ def _at_rest(structure: Structure) -> np.ndarray:
     m = structure.module
     y = np.zeros(m.N_STATES)
     out = np.empty(3 * len(m.POSITIONS))
-    contact = 0 if has_points(m) else structure.contact(y)  # on which places of points depend not
-    m.positions(contact, y, structure.vector, out)
+    m.positions(0, y, structure.vector, out)  # upright they are those of any mode
     return out.reshape(-1, 3)
 
 
@@ -266,12 +264,14 @@ class Places:
     def velocities(self) -> dict[str, np.ndarray]:
         """Velocities (n, 2) [m/s]."""
         _, y, mode = self._rows
-        return evaluation.velocities(self._structure, mode, y)
+        return evaluation.velocities(self._structure.module, self._structure.vector, mode, y)
 
     def accelerations(self) -> dict[str, np.ndarray]:
         """Absolute accelerations (n, 2), with those of the ground [m/s2]."""
         t, y, mode = self._rows
-        return evaluation.accelerations(self._structure, mode, y, *self._ground(t))
+        return evaluation.accelerations(
+            self._structure.module, self._structure.vector, mode, y, *self._ground(t)
+        )
 
 
 # -- the ground ---------------------------------------------------------------------------------
@@ -283,8 +283,8 @@ def _base(
     """By the momentum and the angular momentum of all bodies (d'Alembert)."""
     m = structure.module
     bodies = sum(kind in ("body", "massless") for kind in m.POSITION_KINDS)
-    moved = motion_of_places(structure, mode, y, ax, ay)
-    masses = filled(structure, "masses", 2 * bodies + 1, mode, y)
+    moved = motion_of_places(structure.module, structure.vector, mode, y, ax, ay)
+    masses = filled(structure.module, structure.vector, "masses", 2 * bodies + 1, mode, y)
     gravity = masses[-1]
     shear, moment = np.zeros(len(y)), np.zeros(len(y))
     middle = _middle(m, moved[0])
@@ -298,9 +298,13 @@ def _base(
     return {"base_shear": shear, "overturning_moment": moment}
 
 
-def _middle(module: ModuleType, places: np.ndarray) -> Any:
+def _middle(module: GeneratedModule, places: np.ndarray) -> Any:
     """Place of the middle of the base along the ground, where the base slides."""
-    feet = [i for i, kind in enumerate(module.POSITION_KINDS) if kind == "foot"]
-    if not (has_points(module) and feet):
+    feet = [
+        i
+        for i, (name, kind) in enumerate(zip(module.POSITIONS, module.POSITION_KINDS, strict=True))
+        if kind == "foot" and f"{name}_slip" in module.KINEMATICS
+    ]
+    if not feet:
         return 0.0
     return places[feet, 0].mean(axis=0)

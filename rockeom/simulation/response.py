@@ -24,7 +24,7 @@ from rockeom.simulation.recorder import Samples
 from rockeom.simulation.steps import Rows, Steps
 from rockeom.simulation.support import Support
 from rockeom.simulation.works import EnergyBalance
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.structures.pickled import made_of
 from rockeom.structures.units import is_dimensionless
@@ -254,7 +254,7 @@ class Response:
     def hints(self) -> tuple[str, ...]:
         """Plausible mistakes in the structure, its start, its ground motion and its impacts."""
         structure, support = self.structure, self.support
-        stood = support.never_lifted or (structure.stands_on_points and not len(self.events))
+        stood = support.never_lifted or (structure.has_landings and not len(self.events))
         law = self.statistics.get("impact_law", "their law")
         return (
             *structure.hints(),

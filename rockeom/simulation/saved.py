@@ -23,8 +23,9 @@ from rockeom.numbers.checks import installed_by, is_number, told
 from rockeom.renamed import VERSION
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.steps import Steps
-from rockeom.structures.classes import SHIPPED, DeclaredStructure, Structure
-from rockeom.structures.fixed_base import FixedBase
+from rockeom.structures.base import FixedBase, Structure
+from rockeom.structures.classes import SHIPPED
+from rockeom.structures.declared import DeclaredStructure
 from rockeom.structures.impact_laws import (
     AngularMomentum,
     EnergyLossAtSpeed,

@@ -38,7 +38,7 @@ from rockeom.simulation.recorder import (
 )
 from rockeom.simulation.response import Response
 from rockeom.simulation.steps import Steps
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 
 

@@ -5,18 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from functools import cached_property
-from types import ModuleType
 
 import numpy as np
 
 from rockeom.codes import LANDING, SLIP_LEFT, SLIP_RIGHT
-from rockeom.integrator.schema import has_points
+from rockeom.integrator.schema import GeneratedModule, has_landings
 from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.extremes import Extremes, extremes, last_crest
 from rockeom.simulation.quantities import Quantities
 from rockeom.simulation.steps import Evaluate, Rows, Steps
-from rockeom.structures.classes import Structure
-from rockeom.structures.contact_modes import Points
+from rockeom.structures.base import Structure
+from rockeom.structures.searched_modes import Points
 
 
 class Support:
@@ -109,7 +108,7 @@ class Support:
 
         return least_coefficient(
             self._quantities.steps("friction_demand"), forces, horizontal, vertical, self._until,
-            self._structure.stands_on_points,
+            self._structure.has_landings,
         )  # fmt: skip
 
     @cached_property
@@ -140,7 +139,7 @@ class Support:
         impulses = demands_of_landings(
             self._structure, self._events.columns, self._rows.y, list(groups.values())
         )
-        names = self._structure.module.POINTS if groups else ()
+        names = getattr(self._structure.module, "POINTS", ())
         return {
             surface: (self._demand_of([names[i] for i in points]), impulse)
             for (surface, points), impulse in zip(groups.items(), impulses, strict=True)
@@ -166,12 +165,10 @@ class Support:
 
         Empty where contacts cannot slide.
         """
-        if not self._structure.stands_on_points:
+        module = self._structure.module
+        if not has_landings(module):
             return np.empty((0, 2))
-        slides = [
-            not {SLIP_RIGHT, SLIP_LEFT}.isdisjoint(row)
-            for row in self._structure.module.POINT_STATES
-        ]
+        slides = [not {SLIP_RIGHT, SLIP_LEFT}.isdisjoint(row) for row in module.POINT_STATES]
         spans, modes = self.spans
         return spans[np.array(slides)[modes]]
 
@@ -201,7 +198,7 @@ class Support:
             )
         if self._extremes is None:
             return "The model has no feet: it says nothing of sliding or contact."
-        if self._structure.stands_on_points:
+        if self._structure.has_landings:
             return self._describe_sliding()
         text = self._describe_friction()
         if self.lost_contact:
@@ -236,17 +233,17 @@ class Support:
         return text + f" The impulses at its impacts needed {impulses:.3g}." * (impulses > 0)
 
 
-def meets_ground(module: ModuleType) -> bool:
+def meets_ground(module: GeneratedModule) -> bool:
     """Whether feet meet rigid ground in impacts."""
-    return has_points(module) or {"impact", "uplift"} <= {kind for *_, kind in module.TRANSITIONS}
+    return has_landings(module) or {"impact", "uplift"} <= {kind for *_, kind in module.TRANSITIONS}
 
 
-def surfaces(module: ModuleType) -> dict[str, tuple[int, ...]]:
+def surfaces(module: GeneratedModule) -> dict[str, tuple[int, ...]]:
     """The points that rub on one surface, by their names joined by "+": numbers of points.
 
     Points are of one surface where a mode lets them share their friction.
     """
-    if not has_points(module):
+    if not has_landings(module):
         return {}
     first = list(range(len(module.POINTS)))
     for shared in module.SHARED:
@@ -303,7 +300,7 @@ def demands_of_landings(
     n = module.N_STATES // 2
     _, kinds, landings = events.of(LANDING)
     largest = [0.0] * len(groups)
-    if not len(landings):
+    if not (has_landings(module) and len(landings)):
         return largest
     points = Points(module, landings[:, 0], p)
     # beside where the motion goes: at a landing all coordinates may be none, but for rounding

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
+from rockeom.integrator.schema import GeneratedModule
 from rockeom.simulation.events import Impacts
 from rockeom.structures.units import in_udunits, time_unit
 
 
-def units_with_time(module: ModuleType, units: Mapping[str, str]) -> dict[str, str]:
+def units_with_time(module: GeneratedModule, units: Mapping[str, str]) -> dict[str, str]:
     """Unit of the time "t" and of all quantities."""
     return {"t": time_unit(module)} | dict(units)
 

@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from types import ModuleType
 from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.codes import REST
-from rockeom.integrator.schema import has_points
+from rockeom.integrator.schema import GeneratedModule, has_landings
 from rockeom.numbers.functions import gauss_rule
 from rockeom.simulation.events import EventColumns
 from rockeom.simulation.steps import Rows, Steps
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import at_states, filled, jets
 
 _WORKS = ("ground_work", "damping_loss", "force_work", "friction_loss")
 
 
-def names_of_works(module: ModuleType) -> tuple[str, ...]:
+def names_of_works(module: GeneratedModule) -> tuple[str, ...]:
     """Names of the works and losses, but for that of impacts."""
     return (*_WORKS, *(f"{name}_loss" for name in module.ELEMENT_NAMES))
 
@@ -78,7 +77,7 @@ class Works:
         )
         times, kinds, states = events
         ends = starts + lengths
-        self.rests = np.isin(ends, times[kinds[:, 0] == REST]) & has_points(structure.module)
+        self.rests = np.isin(ends, times[kinds[:, 0] == REST]) & has_landings(structure.module)
         lost = np.zeros(n + 1)
         seams = np.flatnonzero(np.isin(starts[1:], times)) + 1
         lost[seams] = self.last[seams - 1] - self.first[seams]
@@ -94,7 +93,9 @@ class Works:
         self.impacts = np.cumsum(lost + inside)
 
     def _energy(self, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
-        return filled(self.structure, "energies", 3, mode, y).sum(axis=0)
+        return filled(self.structure.module, self.structure.vector, "energies", 3, mode, y).sum(
+            axis=0
+        )
 
     @staticmethod
     def _unexplained(work: np.ndarray, gained: np.ndarray) -> np.ndarray:
@@ -115,16 +116,16 @@ class Works:
 
     def _powers(self, t: np.ndarray, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
         """(m, n), in the order of the names."""
-        structure, ground = self.structure, self.ground(t)
-        module, n = structure.module, len(structure.module.ELEMENT_NAMES)
-        powers = filled(structure, "powers", 3, mode, y, *ground)
-        lost = filled(structure, "elements", 4 * n, mode, y).reshape(n, 4, len(t))[:, 3]
+        module, p, ground = self.structure.module, self.structure.vector, self.ground(t)
+        n = len(module.ELEMENT_NAMES)
+        powers = filled(module, p, "powers", 3, mode, y, *ground)
+        lost = filled(module, p, "elements", 4 * n, mode, y).reshape(n, 4, len(t))[:, 3]
         friction = np.zeros((1, len(t)))
-        if has_points(module):
-            rates = filled(structure, "rates", module.N_STATES, mode, y, *ground)
+        if has_landings(module):
+            rates = filled(module, p, "rates", module.N_STATES, mode, y, *ground)
             size = len(module.KINEMATICS)
-            slips = jets(structure, "kinematics", size, mode, y, rates)[1]
-            forces = at_states(structure, "reactions", mode, y, *ground)
+            slips = jets(module, p, "kinematics", size, mode, y, rates)[1]
+            forces = at_states(module, p, "reactions", mode, y, *ground)
             for point in module.POINTS:
                 rate = slips[module.KINEMATICS.index(f"{point}_slip")]
                 friction[0] -= forces[f"{point}_friction"] * rate
@@ -164,7 +165,14 @@ class Works:
         impacts, gained = float(self.impacts[-1]), float(self.end - self.first[0])
         lost = damping - force
         left = ground - lost - friction - impacts - gained
-        kinetic = filled(self.structure, "energies", 3, self.steps.mode, self.steps.powers[:, 0])[0]
+        kinetic = filled(
+            self.structure.module,
+            self.structure.vector,
+            "energies",
+            3,
+            self.steps.mode,
+            self.steps.powers[:, 0],
+        )[0]
         largest = max(*map(abs, (ground, lost, friction, impacts, gained)), float(kinetic.max()))
         error = abs(left) / largest if largest else 0.0
         return EnergyBalance(ground, lost, impacts, gained, error, friction)

@@ -1,4 +1,10 @@
-"""Laws of impact, each named by what it prescribes so that none can be taken for another."""
+"""Impact laws, each named by the quantity that it prescribes, so that none is confused.
+
+A law prescribes a ratio of velocities e, of kinetic energies r = e**2, or the directions in which
+momentum is conserved. A new one is a class of this file that `LAWS` lists, and a name in
+`rockeom/__init__.py`; one whose ratio depends on the impact writes a `Table` of r, which the loop
+and `after_impact` read by the same function.
+"""
 
 from __future__ import annotations
 
@@ -8,26 +14,31 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from types import ModuleType
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from rockeom.codes import AT_SPEED, BY_FOOT, BY_NUMBER, IMPULSIVE, RATIO
+from rockeom.codes import IMPULSIVE, RATIO, TABULATED, UNEVEN
+from rockeom.integrator.schema import GeneratedModule
+from rockeom.integrator.transitions.declared import tabulated_energy_ratio
 from rockeom.numbers.checks import is_number, number, numbers, told
 from rockeom.numbers.functions import isfinite, mathematics
 
 
 class ImpactLaw(Protocol):
-    """What an impact does to the velocities."""
+    """The velocities after an impact, by those before."""
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
-        """(law, ratio) for a structure whose rigid velocity ratio is given."""
+        """(code, e) for the compiled loop: one of `rockeom.codes`, and the ratio of velocities.
+
+        velocity_ratio : e of the structure taken as rigid. has_impulsive : whether its masses
+        determine the impulses. name : of its model.
+        """
         ...
 
 
 class Landing(Protocol):
-    """What a law may ask of the structure whose impacts it describes.
+    """The structure whose impacts an impact law describes.
 
     model : its name. speed_height [m] : of the point whose speed is meant, or None. rocking_inertia
     [kg m2] : twice the kinetic energy at an impact for a rotation of 1 rad/s and no other motion.
@@ -41,37 +52,70 @@ class Landing(Protocol):
     def rocking_inertia(self) -> float: ...
 
 
-class TabledLaw:
-    """A law whose ratio is not one number: the loop reads a table of it behind the parameters."""
+class Row(NamedTuple):
+    """r of the impacts up to a limit of the rate of rotation w [rad/s].
 
-    code = RATIO
+    r = ratio + slope |w| + reciprocal/|w|
+    """
+
+    ratio: float
+    slope: float = 0.0
+    reciprocal: float = 0.0
+    limit: float = math.inf
+
+
+class Table(NamedTuple):
+    """Ratios r of the kinetic energies of rocking after and before an impact, for the loop.
+
+    left, right : rows of the impacts in which that foot lands, as many of one as of the other: of
+    increasing limits, or numbers alone, one for each impact, behind which the first one follows.
+    bounded : whether r below 0 counts as 0, and r above 1 as 1; else an impact that would give
+    energy ends the motion as not finite.
+    """
+
+    left: Sequence[Row] | Sequence[float]
+    right: Sequence[Row] | Sequence[float]
+    bounded: bool = False
+
+    def numbers(self) -> list[float]:
+        """In the order of `tabulated_energy_ratio`, which reads them from their end."""
+        rows = [
+            (row.limit, row.ratio, row.slope, row.reciprocal) if isinstance(row, Row) else (row,)
+            for row in (*self.left, *self.right)
+        ]
+        flat = [number for row in rows for number in row]
+        return [*flat, float(len(self.left)), float(len(rows[0])), float(self.bounded)]
+
+    def energy_ratio(self, rate: float, impact: int = 0) -> float:
+        """r as tabulated, of an impact by the rate before it [rad/s] and its number."""
+        r: float = tabulated_energy_ratio(impact, rate, np.array(self.numbers()))
+        return min(max(r, 0.0), 1.0) if self.bounded else r
+
+
+class TabulatedLaw:
+    """An impact law whose ratio is not one number: the loop reads its table."""
+
+    code = UNEVEN
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
-        return (self.code, math.nan) if self.table_needed else (RATIO, self.only_ratio)
+        return (self.code, math.nan) if self.table_needed else (RATIO, self.only_velocity_ratio)
 
     @property
     def table_needed(self) -> bool:
         return True
 
     @property
-    def only_ratio(self) -> float:
-        """Of the rates, where no table is needed."""
+    def only_velocity_ratio(self) -> float:
+        """e, where no table is needed."""
         raise NotImplementedError
 
-    def table(self, structure: Landing) -> list[float]:
-        """The numbers, which the loop reads from their end on; see `ratio_at` there."""
-        raise NotImplementedError
-
-    def velocity_ratio(self, structure: Landing, rate: float, impact: int) -> float:
-        """What `ratio_at` of the loop finds: of the rates after and before an impact.
-
-        rate : before it [rad/s]. impact : its number in the motion, from 0 on.
-        """
+    def table(self, structure: Landing) -> Table:
+        """r of the impacts of a structure."""
         raise NotImplementedError
 
 
 @dataclass(frozen=True, repr=False)
-class EnergyRatio(TabledLaw):
+class EnergyRatio(TabulatedLaw):
     """Prescribed ratio r of the rocking motion's kinetic energies after and before an impact.
 
     The rate of rotation is multiplied by sqrt(r), other rates are left (thesis 2-4).
@@ -89,7 +133,6 @@ class EnergyRatio(TabledLaw):
     r: float | None = None
     left: float | None = None
     right: float | None = None
-    code = BY_FOOT
 
     def __post_init__(self) -> None:
         one_or_each_foot("EnergyRatio", "r", self.r, self.left, self.right)
@@ -109,7 +152,7 @@ class EnergyRatio(TabledLaw):
         return self.r is None
 
     @property
-    def only_ratio(self) -> float:
+    def only_velocity_ratio(self) -> float:
         return mathematics.sqrt(self.r)
 
     def of_foot(self, foot: str) -> float:
@@ -118,11 +161,8 @@ class EnergyRatio(TabledLaw):
         assert r is not None
         return r
 
-    def table(self, structure: Landing) -> list[float]:
-        return [self.of_foot("left"), 0.0, 0.0, self.of_foot("right"), 0.0, 0.0]
-
-    def velocity_ratio(self, structure: Landing, rate: float, impact: int) -> float:
-        return math.sqrt(self.of_foot(landing_foot(rate)))
+    def table(self, structure: Landing) -> Table:
+        return Table([Row(self.of_foot("left"))], [Row(self.of_foot("right"))])
 
 
 @dataclass(frozen=True)
@@ -168,7 +208,7 @@ class Impulsive:
 
 
 @dataclass(frozen=True)
-class EnergyRatioAtSpeed(TabledLaw):
+class EnergyRatioAtSpeed(TabulatedLaw):
     """Energy ratio r that depends on the speed at the impact, in straight pieces.
 
     pieces : of increasing speed, each (limit, r at no speed, slope [s/m]); r is theirs below the
@@ -181,7 +221,7 @@ class EnergyRatioAtSpeed(TabledLaw):
 
     pieces: tuple[tuple[float, float, float], ...]
     height: float | None = None
-    code = AT_SPEED
+    code = TABULATED
 
     def __post_init__(self) -> None:
         if not _are_pieces(self.pieces):
@@ -270,8 +310,7 @@ class EnergyRatioAtSpeed(TabledLaw):
 
     def at(self, speed: float) -> float:
         """r at a speed [m/s], of either sign."""
-        speed = abs(number("speed", speed))
-        return next(r + slope * speed for limit, r, slope in self.pieces if speed < limit)
+        return self._at_height(1.0).energy_ratio(abs(number("speed", speed)))
 
     def lever(self, structure: Landing) -> float:
         """Height of the point whose speed it is [m]; raises ValueError where none is known."""
@@ -283,20 +322,20 @@ class EnergyRatioAtSpeed(TabledLaw):
             )
         return lever
 
-    def table(self, structure: Landing) -> list[float]:
-        lever = self.lever(structure)
+    def _at_height(self, height: float) -> Table:
+        """By the rate of rotation about a point so far below that whose speed it is [m]."""
         rows = [
-            (limit / lever if limit < math.inf else limit, r, slope * lever)
+            Row(r, slope * height, 0.0, limit / height if limit < math.inf else limit)
             for limit, r, slope in self.pieces
         ]
-        return [*(number for row in rows for number in row), float(len(rows))]
+        return Table(rows, rows)
 
-    def velocity_ratio(self, structure: Landing, rate: float, impact: int) -> float:
-        return math.sqrt(self.at(rate * self.lever(structure)))
+    def table(self, structure: Landing) -> Table:
+        return self._at_height(self.lever(structure))
 
 
 @dataclass(frozen=True)
-class EnergyLossAtSpeed(TabledLaw):
+class EnergyLossAtSpeed(TabulatedLaw):
     """Energy that an impact takes, by the rate of rotation w before it: a1 |w| + a2 w2 + a3 |w|3.
 
     left, right : (a1, a2, a3) of the impacts in which that foot lands [J s, J s2, J s3]; which foot
@@ -312,7 +351,6 @@ class EnergyLossAtSpeed(TabledLaw):
 
     left: tuple[float, float, float]
     right: tuple[float, float, float]
-    code = BY_FOOT
 
     def __post_init__(self) -> None:
         for foot in ("left", "right"):
@@ -375,25 +413,25 @@ class EnergyLossAtSpeed(TabledLaw):
 
     def at(self, rate: float, inertia: float) -> float:
         """r at a rate before the impact [rad/s], of a structure with that inertia [kg m2]."""
-        w, (a1, a2, a3) = abs(number("rate", rate)), getattr(self, landing_foot(rate))
+        return self._with_inertia(inertia).energy_ratio(number("rate", rate))
+
+    def _with_inertia(self, inertia: float) -> Table:
         half = 0.5 * inertia
-        return min(max((1.0 - a2 / half) - a3 / half * w - a1 / half / w, 0.0), 1.0)
+        left, right = (
+            [Row(1.0 - a2 / half, -a3 / half, -a1 / half)] for a1, a2, a3 in (self.left, self.right)
+        )
+        return Table(left, right, bounded=True)
 
-    def table(self, structure: Landing) -> list[float]:
-        half = 0.5 * structure.rocking_inertia
-        rows = [(1.0 - a2 / half, -a3 / half, -a1 / half) for a1, a2, a3 in (self.left, self.right)]
-        return [number for row in rows for number in row]
-
-    def velocity_ratio(self, structure: Landing, rate: float, impact: int) -> float:
-        return math.sqrt(self.at(rate, structure.rocking_inertia)) if rate else 0.0
+    def table(self, structure: Landing) -> Table:
+        return self._with_inertia(structure.rocking_inertia)
 
 
 DRAWS = 500
-"""How many ratios are drawn for a motion; behind them they begin anew."""
+"""How many ratios are drawn for a motion; behind the last the first one follows."""
 
 
 @dataclass(frozen=True, repr=False)
-class RandomEnergyRatio(TabledLaw):
+class RandomEnergyRatio(TabulatedLaw):
     """Energy ratio r drawn at each impact from a measured distribution, by seed (thesis 6.4).
 
         rk.RandomEnergyRatio([0.763, 0.948, 0.769, 0.922], seed=1)
@@ -419,7 +457,6 @@ class RandomEnergyRatio(TabledLaw):
     left: tuple[float, ...] | None = None
     right: tuple[float, ...] | None = None
     seed: int = 0
-    code = BY_NUMBER
 
     def __post_init__(self) -> None:
         one_or_each_foot("RandomEnergyRatio", "values", self.values, self.left, self.right)
@@ -427,13 +464,13 @@ class RandomEnergyRatio(TabledLaw):
             given = getattr(self, name)
             if given is None:
                 continue
-            found = numbers(f"{name} of RandomEnergyRatio", given, "give measured energy ratios")
-            if found.ndim != 1 or not np.any((found >= 0) & (found <= 1)):
+            ratios = numbers(f"{name} of RandomEnergyRatio", given, "give measured energy ratios")
+            if ratios.ndim != 1 or not np.any((ratios >= 0) & (ratios <= 1)):
                 raise ValueError(
                     f"{name} of RandomEnergyRatio is {told(given)} without one from 0 (no rebound) "
                     "to 1 (no loss): give a list of measured energy ratios"
                 )
-            object.__setattr__(self, name, tuple(found.tolist()))
+            object.__setattr__(self, name, tuple(ratios.tolist()))
         if not (is_number(self.seed) and int(self.seed) == self.seed and self.seed >= 0):
             raise TypeError(f"seed is {told(self.seed)}: give a whole number from 0 on")
         object.__setattr__(self, "seed", int(self.seed))
@@ -465,19 +502,19 @@ class RandomEnergyRatio(TabledLaw):
         return f"RandomEnergyRatio(left={left}, right={right}, seed={self.seed})"
 
     def of_foot(self, foot: str) -> np.ndarray:
-        """(m,) the values from 0 to 1 that are drawn from where "left" or "right" lands, sorted."""
+        """(m,) the values from 0 to 1, sorted, of the impacts in which "left" or "right" lands."""
         given = self.values if self.values is not None else getattr(self, foot)
-        found = np.sort(given)
-        return found[(found >= 0) & (found <= 1)]
+        ratios = np.sort(given)
+        return ratios[(ratios >= 0) & (ratios <= 1)]
 
     @property
     def mean(self) -> float:
-        """Of what is drawn, each foot as often as the other."""
+        """Mean of the ratios that are drawn, each foot as often as the other."""
         return float(np.mean([np.mean(self.of_foot(foot)) for foot in ("left", "right")]))
 
     @property
     def std(self) -> float:
-        """Standard deviation of what is drawn, each foot as often as the other."""
+        """Standard deviation of the ratios that are drawn, each foot as often as the other."""
         feet = [self.of_foot(foot) for foot in ("left", "right")]
         square = np.mean([np.mean(values**2) for values in feet])
         return float(np.sqrt(max(square - self.mean**2, 0.0)))
@@ -489,16 +526,22 @@ class RandomEnergyRatio(TabledLaw):
         feet = {foot: self.of_foot(foot) for foot in ("left", "right")}
         return {foot: r[(places * len(r)).astype(int)] for foot, r in feet.items()}
 
-    def table(self, structure: Landing) -> list[float]:
-        drawn = [*self.drawn["left"].tolist(), *self.drawn["right"].tolist()]
-        return [*map(mathematics.sqrt, drawn), float(DRAWS)]
-
-    def velocity_ratio(self, structure: Landing, rate: float, impact: int) -> float:
-        return math.sqrt(self.drawn[landing_foot(rate)][impact % DRAWS])
+    def table(self, structure: Landing) -> Table:
+        return Table(self.drawn["left"].tolist(), self.drawn["right"].tolist())
 
 
-def default_law(module: ModuleType) -> ImpactLaw:
-    """The impact law of a structure whose impacts have none named, by what its module declares.
+LAWS: dict[str, Any] = {
+    law.__name__: law
+    for law in (
+        AngularMomentum, EnergyLossAtSpeed, EnergyRatio, EnergyRatioAtSpeed, Impulsive,
+        RandomEnergyRatio, VelocityRatio,
+    )
+}  # fmt: skip
+"""The impact laws by name: those that a file of a response may hold."""
+
+
+def default_law(module: GeneratedModule) -> ImpactLaw:
+    """The impact law of a structure for which none is named, by what its module declares.
 
     The impulse at the new foot changes the rates of all coordinates. AngularMomentum changes that
     of the rotation alone: exact for a rigid body; with further coordinates, such as the bending of
@@ -508,19 +551,16 @@ def default_law(module: ModuleType) -> ImpactLaw:
     return Impulsive() if bends else AngularMomentum()
 
 
-_LAWS = (VelocityRatio, AngularMomentum, Impulsive, TabledLaw)
-
-
 def check_law(impact: Any) -> None:
-    """Raise TypeError for what is no law of impact; a number could be either ratio."""
-    if isinstance(impact, _LAWS):
+    """Raise TypeError for anything but an impact law; a number could be r or e."""
+    if type(impact) in LAWS.values():
         return
     try:  # a law of the caller's own; a path, too, has a method of that name
         inspect.signature(impact.resolve).bind(1.0, True, "name")
     except (AttributeError, TypeError, ValueError):
         r = impact if is_number(impact) else 0.8
         raise TypeError(
-            f"impact is {told(impact)}: give a law, such as rk.EnergyRatio({r}) or "
+            f"impact is {told(impact)}: give an impact law, such as rk.EnergyRatio({r}) or "
             f"rk.VelocityRatio({r}), rk.AngularMomentum() or rk.Impulsive()"
         ) from None
 

@@ -1,4 +1,4 @@
-"""What of an object is pickled and copied."""
+"""Pickles and copies of objects with cached properties."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from typing import Any
 
 
 def made_of(self: object) -> dict[str, Any]:
-    """What an object was made of, without what was found out of it: for `__getstate__`.
+    """The fields of an object without its cached properties: for `__getstate__`.
 
-    Modules and machine code are among what is found: another process finds them again.
+    Modules and machine code are among these: another process computes them again.
     """
     of = type(self)
     return {

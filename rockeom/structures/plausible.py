@@ -1,19 +1,20 @@
 """Questions about parameters that are allowed and hardly meant: lengths and dampings.
 
-Each function returns the sentences of one question, none where the values are plausible.
+Each function returns the sentences of one question, none where the values are plausible. p : the
+parameters and constants, plain numbers.
 """
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rockeom.drawing.positions import shapes
+from rockeom.integrator.schema import GeneratedModule
+from rockeom.structures.declared_modes import rocks_on_rigid_ground
+from rockeom.structures.modal import Modal, free_states
 from rockeom.structures.units import is_dimensionless
-
-if TYPE_CHECKING:
-    from rockeom.structures.classes import Structure
 
 TALLEST = 50.0
 """Size of a body above which its lengths are questioned [m]."""
@@ -21,13 +22,13 @@ LEAST_DAMPING = 1e-3
 """Part of critical damping below which that of a damped column is questioned."""
 
 
-def size(structure: Structure) -> tuple[str, ...]:
+def size(m: GeneratedModule, p: np.ndarray) -> tuple[str, ...]:
     """Lengths in centimetres or millimetres that were given for metres."""
-    if is_dimensionless(structure.module) or structure.vector.dtype != float:
+    if is_dimensionless(m):
         return ()
-    rows = zip(structure.module.PARAMETER_UNITS, structure.vector, strict=False)
+    rows = zip(m.PARAMETER_UNITS, p, strict=False)
     lengths = [float(value) for unit, value in rows if unit == "m"]
-    for corners in structure.shapes.outlines.values():
+    for corners in shapes(m, p).outlines.values():
         lengths += np.ptp(corners, axis=0).tolist()
     largest = max(lengths, default=0.0)
     if not largest > TALLEST:
@@ -38,24 +39,22 @@ def size(structure: Structure) -> tuple[str, ...]:
     )
 
 
-def damping(structure: Structure) -> tuple[str, ...]:
+def damping(m: GeneratedModule, p: np.ndarray) -> tuple[str, ...]:
     """A damping ratio that was given for a damping in N s/m."""
-    if structure.vector.dtype != float:
-        return ()
-    return _of_columns(structure) or _of_dampers(structure)
+    return _of_columns(m, p) or _of_dampers(m, p)
 
 
-def _of_columns(structure: Structure) -> tuple[str, ...]:
-    """By the first mode on a fixed base."""
-    if not structure.rocks_on_rigid_ground:
+def _of_columns(m: GeneratedModule, p: np.ndarray) -> tuple[str, ...]:
+    """By the first mode of vibration on a fixed base."""
+    if not rocks_on_rigid_ground(m):
         return ()
-    units = zip(structure.module.PARAMETER_UNITS, structure.vector, strict=False)
+    units = zip(m.PARAMETER_UNITS, p, strict=False)
     if not any(unit == "N s/m" and value > 0.0 for unit, value in units):
         return ()
-    try:
-        held = structure.fixed_base()
-    except ValueError:  # nothing moves on a fixed base
+    free = free_states(m, p)
+    if not free.any():
         return ()
+    held = Modal(m, p, free)
     ratio, period = held.damping_ratios[0], held.periods[0]
     if not 0.0 < ratio < LEAST_DAMPING:
         return ()
@@ -66,11 +65,10 @@ def _of_columns(structure: Structure) -> tuple[str, ...]:
     )
 
 
-def _of_dampers(structure: Structure) -> tuple[str, ...]:
-    """By the stiffness beside each damper and the largest mass, which tell the order of a ratio."""
-    module = structure.module
-    units = dict(zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True))
-    values = dict(zip(module.PARAMETERS, structure.vector.tolist(), strict=False))
+def _of_dampers(m: GeneratedModule, p: np.ndarray) -> tuple[str, ...]:
+    """By the stiffness beside each damper and the largest mass: the order of a ratio."""
+    units = dict(zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True))
+    values = dict(zip(m.PARAMETERS, p.tolist(), strict=False))
     mass = max((values[name] for name, unit in units.items() if unit == "kg"), default=0.0)
     for name, unit in units.items():
         spring = name.replace("damping", "stiffness")

@@ -1,4 +1,4 @@
-"""Units of what is known of a motion, by its structure."""
+"""Units of the quantities of a motion, by its structure."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ def is_dimensionless(module: Any) -> bool:
 
 
 def main_units(module: Any) -> dict[str, str]:
-    """Units of all that compiled functions tell, by name, states first; "-" where it has none."""
-    found = dict(zip(module.STATES, module.STATE_UNITS, strict=True))
-    found |= dict.fromkeys((*module.ENERGIES, "total_energy"), "J")
-    found |= dict.fromkeys(module.REACTIONS, "N") | dict.fromkeys(module.KINEMATICS, "m")
-    found |= dict.fromkeys(("ground_acceleration", "vertical_ground_acceleration"), "m/s2")
-    return dimensioned(module, found)
+    """Units of the values of compiled functions by name, states first; "-" for pure numbers."""
+    units = dict(zip(module.STATES, module.STATE_UNITS, strict=True))
+    units |= dict.fromkeys((*module.ENERGIES, "total_energy"), "J")
+    units |= dict.fromkeys(module.REACTIONS, "N") | dict.fromkeys(module.KINEMATICS, "m")
+    units |= dict.fromkeys(("ground_acceleration", "vertical_ground_acceleration"), "m/s2")
+    return dimensioned(module, units)
 
 
 def dimensioned(module: Any, units: Mapping[str, str]) -> dict[str, str]:
@@ -30,5 +30,5 @@ def time_unit(module: Any) -> str:
 
 
 def in_udunits(unit: str) -> str:
-    """As tables with the CF conventions say it: 1 where there is none."""
+    """The unit in tables with the CF conventions: 1 where there is none."""
     return "1" if unit == "-" else unit

@@ -7,12 +7,12 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 
+from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.batch import Differs, Many
 from rockeom.numbers.checks import is_number, told
 from rockeom.simulation.case import Case, Problem, Problems, without_duals
@@ -283,7 +283,7 @@ class Source:
     case: Callable[..., Case]
     cases: Cases
     chunk: int | None
-    module: ModuleType
+    module: GeneratedModule
     arrays: bool
     threads: int = 1
     rows: np.ndarray | None = None

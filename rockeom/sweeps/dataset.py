@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
 from rockeom.codes import OUTCOMES
+from rockeom.integrator.schema import GeneratedModule
 from rockeom.simulation.quantities import units_of
 from rockeom.structures.units import in_udunits, time_unit
 from rockeom.sweeps.cases import ROW, Cases
@@ -48,14 +48,14 @@ class Sweep(xr.Dataset):
         return page_of_sweep(self)
 
 
-def dataset(results: Results, task: Task, cases: Cases, module: ModuleType) -> Sweep:
+def dataset(results: Results, task: Task, cases: Cases, module: GeneratedModule) -> Sweep:
     """All results of the cases, in one go: a dataset is slow to make."""
     variables = _Variables(cases.dims, cases.shape, module).of(results, task)
     coordinates = {name: variables.pop(name) for name in _COORDINATES if name in variables}
     return Sweep(variables, coords=coordinates | cases.coordinates())
 
 
-def check_names(task: Task, cases: Cases, module: ModuleType) -> None:
+def check_names(task: Task, cases: Cases, module: GeneratedModule) -> None:
     """Raises ValueError for a name in `over` that the dataset has for something else."""
     row = Results.of(task, 1, module.N_STATES)
     variables = _Variables((ROW,), (1,), module).of(row, task)
@@ -77,7 +77,9 @@ class _Variables:
     dims, shape : of the cases.
     """
 
-    def __init__(self, dims: tuple[str, ...], shape: tuple[int, ...], module: ModuleType) -> None:
+    def __init__(
+        self, dims: tuple[str, ...], shape: tuple[int, ...], module: GeneratedModule
+    ) -> None:
         self.dims, self.shape, self.module = dims, shape, module
         self.units = {name: in_udunits(unit) for name, unit in units_of(module).items()}
         self.seconds = in_udunits(time_unit(module))

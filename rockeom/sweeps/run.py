@@ -9,13 +9,13 @@ from collections.abc import Callable, Sequence
 from contextlib import nullcontext
 from dataclasses import replace
 from functools import partial
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 
 from rockeom.codes import IMPACT
 from rockeom.integrator.program import program, revision
+from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.checks import told, whole_number
 from rockeom.simulation.case import Case
 from rockeom.simulation.method_selection import DEFAULT, Choice, chosen
@@ -216,7 +216,7 @@ MOST_CONTACTS = 4
 """Modes of a structure in lanes at most: every step evaluates them all."""
 
 
-def lanes_pay(module: ModuleType) -> bool:
+def lanes_pay(module: GeneratedModule) -> bool:
     """Whether sweeps step in lanes where it is left open, by the structure alone.
 
     They do where an impact ends a mode, and nothing else, or no impact does, and where the
@@ -249,7 +249,7 @@ def _method(case: Case, options: SolverOptions) -> Choice:
     return Choice(method, f"{because}, by the first case")
 
 
-def _in_lanes(lanes: bool | None, module: ModuleType, method: str) -> bool:
+def _in_lanes(lanes: bool | None, module: GeneratedModule, method: str) -> bool:
     """Whether a sweep steps in lanes, as asked or by its structure and method."""
     pay, explicit = lanes_pay(module), method != "Radau"
     if lanes is None:

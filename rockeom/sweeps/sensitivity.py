@@ -17,7 +17,8 @@ from rockeom.numbers.functions import mathematics, of_compounds
 from rockeom.simulation.case import Case, ground_table, parted
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
-from rockeom.structures.classes import DeclaredStructure, Structure
+from rockeom.structures.base import Structure
+from rockeom.structures.declared import DeclaredStructure
 from rockeom.structures.evaluation import OF_ELEMENT
 from rockeom.structures.impact_laws import EnergyRatio, VelocityRatio
 from rockeom.structures.units import time_unit
@@ -200,24 +201,12 @@ def _knobs(case: Case) -> dict[str, _Knob]:
 def _of_structure(structure: Structure) -> dict[str, _Knob]:
     module = structure.module
     signs = dict(zip(module.PARAMETERS, module.PARAMETER_SIGNS, strict=True))
-    numbers = [x for x in _numbers(_made_of(structure)) if signs.get(x[0]) != "n"]  # whole ones
-    units = _units_of(structure, [path for _, path, _ in numbers])
+    units = dict(zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True))
     return {
-        name: _Knob(value, unit, _turned("structure", path))
-        for (name, path, value), unit in zip(numbers, units, strict=True)
+        name: _Knob(value, units.get(structure.parameter_at(path), ""), _turned("structure", path))
+        for name, path, value in _numbers(_made_of(structure))
+        if signs.get(name) != "n"  # whole ones
     }
-
-
-def _units_of(structure: Structure, paths: list[_Path]) -> list[str]:
-    """Unit of each number, if it is a parameter of the equations; else ""."""
-    made, module = _made_of(structure), structure.module
-    seeds = [Dual(_at(made, path), [1.0]) for path in paths]
-    for path, seed in zip(paths, seeds, strict=True):
-        made[path[0]] = _put(made[path[0]], path[1:], seed)
-    equations = type(structure)(**made).parameters()
-    units = zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True)
-    unit_of = {id(equations[name]): unit for name, unit in units}
-    return [unit_of.get(id(seed), "") for seed in seeds]
 
 
 def _of_law(case: Case) -> dict[str, _Knob]:
@@ -240,7 +229,7 @@ def _of_law(case: Case) -> dict[str, _Knob]:
 
 def _of_start(case: Case) -> dict[str, _Knob]:
     structure, initial = case.structure, dict(case.initial or {})
-    named = initial if structure.stands_on_points else structure.states
+    named = initial if structure.has_landings else structure.states
     units = dict(zip(structure.states, structure.module.STATE_UNITS, strict=True))
 
     def turn(name: str) -> Turn:
@@ -305,14 +294,6 @@ def _numbers_at(name: str, path: _Path, value: Any) -> Iterator[tuple[str, _Path
         for field, item in _made_of(value).items():
             if not isinstance(item, int):  # how many there are of something
                 yield from _numbers_at(f"{name}.{field}", (*path, field), item)
-
-
-def _at(values: Any, path: _Path) -> Any:
-    first, *rest = path
-    inside = values[first]
-    if not rest:
-        return inside
-    return _at(inside if isinstance(inside, tuple | list) else _made_of(inside), tuple(rest))
 
 
 def _put(value: Any, path: _Path, x: Dual) -> Any:

@@ -19,12 +19,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
-from types import ModuleType
 from typing import Any, BinaryIO
 
 import numpy as np
 
 from rockeom.compiler.locks import lock_held_by_forks
+from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.checks import installed_by, is_number, told
 from rockeom.sweeps.cases import Cases, Source, labels
 from rockeom.sweeps.dataset import FLAGS, PENDING, flags_of, outcomes_of
@@ -124,7 +124,7 @@ def _meaning() -> dict[str, Any]:
 
 @contextmanager
 def opened(
-    path: Any, task: Task, cases: Cases, module: ModuleType, results: Results, chunk: int
+    path: Any, task: Task, cases: Cases, module: GeneratedModule, results: Results, chunk: int
 ) -> Iterator[Store]:
     """The store of a sweep at a path, made where there is none, for this process alone.
 
@@ -186,7 +186,7 @@ def _make(path: Path, definition: Mapping[str, str], results: Results, chunk: in
 # -- the definition ------------------------------------------------------------------------------
 
 
-def definition(task: Task, cases: Cases, module: ModuleType) -> dict[str, str]:
+def definition(task: Task, cases: Cases, module: GeneratedModule) -> dict[str, str]:
     """A sweep in words and hashes, by which a store refuses another one.
 
     Functions cannot be compared, but what they make can: the numbers of the first case, the last

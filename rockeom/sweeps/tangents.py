@@ -188,9 +188,8 @@ class Motion:
         before = float(np.nextafter(t, 0.0))  # at a corner a motion tells what is behind it
         ground = [0.0 if g is None else g.acceleration(before) for g in (r.motion, r.vertical)]
         rates = np.empty(len(r.states))
-        r.structure.module.rates(
-            int(contact[0]), y[0], r.structure.vector, *map(float, ground), rates
-        )
+        across, up = map(float, ground)
+        r.structure.module.rates(int(contact[0]), y[0], r.structure.vector, across, up, rates)
         return rates
 
     @cached_property

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 
+from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.checks import numbers, whole_number
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
@@ -57,7 +57,7 @@ class Task:
         """Whether each case is made and simulated by itself, with its whole response."""
         return bool(self.quantities or self.impact_states)
 
-    def source(self, cases: Cases, module: ModuleType, **how: Any) -> Source:
+    def source(self, cases: Cases, module: GeneratedModule, **how: Any) -> Source:
         """The maker of the cases; cases with whole responses are made one by one."""
         arrays = self.arrays and not self.needs_responses
         return Source(self.case, cases, module=module, arrays=arrays, **how)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import importlib
 import math
 import pkgutil
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, field
 from functools import lru_cache, partial
 from inspect import Parameter, signature
 from typing import Any
@@ -14,26 +15,44 @@ from rockeom.symbolic import structures
 from rockeom.symbolic.rocking import RockingModel
 from rockeom.symbolic.valid import ArgumentError
 
+
+@dataclass(frozen=True)
+class Arguments:
+    """How the class of a shipped structure takes its parameters, beside names, units and meanings.
+
+    may_vanish : those that may be zero. defaults : numbers; or words for what the class computes.
+    called : the argument of a parameter that has another name, or that is a part of it.
+    """
+
+    may_vanish: Collection[str] = ()
+    defaults: Mapping[str, float | str] = field(default_factory=dict)
+    called: Mapping[str, str] = field(default_factory=dict)
+
+
 _PLACES: dict[str, float] = {}
 _DECLARED: dict[str, Callable[[], RockingModel]] = {}
+ARGUMENTS: dict[str, Arguments] = {}
+"""Those of the classes of shipped structures, by name."""
 FAMILIES: dict[str, Callable[..., RockingModel]] = {}
 """The functions that declare a structure for each set of their arguments, by name."""
 
 
-def shipped(declare: Any = None, /, *, place: float = math.inf) -> Any:
+def shipped(declare: Any = None, /, *, place: float = math.inf, **arguments: Any) -> Any:
     """Mark the function that declares a structure, which is called by the function's name.
 
-    place : in lists of all structures. Those that name none come last, by their names.
+    place : in lists of all structures. Those that name none come last, by their names. arguments :
+    those of `Arguments`. The docstring of the function becomes that of the class.
 
     Raises ValueError where two functions declare a structure of one name.
     """
     if declare is None:
-        return partial(shipped, place=place)
+        return partial(shipped, place=place, **arguments)
     name = declare.__name__
     if name in _DECLARED and _DECLARED[name].__module__ != declare.__module__:
         there = ", ".join(f.__module__ for f in (_DECLARED[name], declare))
         raise ValueError(f"two structures are called {name}, in {there}: rename one")
     _PLACES[name], _DECLARED[name] = place, declare
+    ARGUMENTS[name] = Arguments(**arguments)
     return declare
 
 

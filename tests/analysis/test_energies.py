@@ -8,7 +8,8 @@ import pytest
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import identification
-from rockeom.structures.classes import SHIPPED, class_of
+from rockeom.structures.classes import SHIPPED
+from rockeom.structures.declared import class_of
 from rockeom.structures.evaluation import at_states
 from tests.numeric.structures import FOUNDATION_STIFFNESS, S1, column, every_structure
 from tests.shipped import plain
@@ -40,7 +41,7 @@ def free(peaks, speed=0.3):
 
 def place_of(structure, y, name="displacement"):
     contact = np.array([structure.contact(state) for state in y])
-    return at_states(structure, "kinematics", contact, y)[name]
+    return at_states(structure.module, structure.vector, "kinematics", contact, y)[name]
 
 
 def module_of(kind):
@@ -176,7 +177,7 @@ def test_many_states_at_once_give_what_each_gives(name):
     contact = rng.integers(0, len(m.MODES), 12)
     given = {"energies": (), "kinematics": (), "reactions": (0.3, -0.1), "statics": (2.0,)}
     for function, more in given.items():
-        found = at_states(structure, function, contact, y, *more)
+        found = at_states(structure.module, structure.vector, function, contact, y, *more)
         for i, state in enumerate(y):
             out = np.empty(len(found))
             getattr(m, function)(int(contact[i]), state, structure.vector, *more, out)

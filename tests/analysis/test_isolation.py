@@ -105,7 +105,7 @@ def test_balance_of_a_free_decay_is_what_it_lost_at_its_impacts():
     assert balance.impacts == pytest.approx(-balance.gained, rel=1e-9)
     first, *_ = run.impacts
     kinetic = [
-        run.structure.energies(s, phase=p)["kinetic_energy"]
+        run.structure.energies(s, mode=p)["kinetic_energy"]
         for s, p in ((first.before, first.mode_before), (first.after, first.mode_after))
     ]
     assert kinetic[1] == pytest.approx(0.8 * kinetic[0], rel=1e-12)

@@ -45,11 +45,11 @@ def test_forces_at_an_impact_are_the_reactions_upright(side, foot, rate, inertia
         rate, side, mass=block.mass, radius_ratio=ratio, **SHAPE
     )
     state = {"theta_dot": rate}
-    reactions = block.reactions(state, phase=foot)
+    reactions = block.reactions(state, mode=foot)
     assert horizontal == pytest.approx(reactions["horizontal_reaction"], rel=1e-11)
     assert vertical == pytest.approx(reactions[f"{foot}_reaction"], rel=1e-11)
     assert formulas.acceleration_at_impact(side, radius_ratio=ratio, **SHAPE) == pytest.approx(
-        block.accelerations(state, phase=foot)["theta"], rel=1e-12
+        block.accelerations(state, mode=foot)["theta"], rel=1e-12
     )
 
 
@@ -57,7 +57,7 @@ def test_forces_at_an_impact_are_the_reactions_upright(side, foot, rate, inertia
 def test_slender_form_is_the_slender_blocks_acceleration(side, foot):
     slender = rk.SlenderBlock(**SHAPE)
     assert formulas.acceleration_at_impact(side, slender=True, **SHAPE) == pytest.approx(
-        slender.accelerations({}, phase=foot)["theta"], rel=1e-12
+        slender.accelerations({}, mode=foot)["theta"], rel=1e-12
     )
     excess = formulas.acceleration_at_impact(
         side, slender=True, **SHAPE

@@ -109,25 +109,26 @@ def test_hand_edit_is_shown_and_mended(tmp_path, monkeypatch):
     # One structure is enough for the mechanism; `rockeom generate --check` compares all.
     some = {"nondimensional_block": SHIPPED["nondimensional_block"]}
     monkeypatch.setattr("rockeom.codegen.write.SHIPPED", some)
-    write_generated(tmp_path)
-    assert check_generated(tmp_path) == ""
+    folder = tmp_path / "generated"
+    write_generated(folder)
+    assert check_generated(folder) == ""
 
-    edited = tmp_path / "nondimensional_block.py"
+    edited = folder / "nondimensional_block.py"
     text = edited.read_text(encoding="utf-8")
     assert "ROTATION = 0\n" in text
     edited.write_text(text.replace("ROTATION = 0\n", "ROTATION = 1\n"), encoding="utf-8")
-    (tmp_path / "nondimensional_block.md").unlink()
-    (tmp_path / "forgotten.py").write_text("")
+    (folder / "nondimensional_block.md").unlink()
+    (folder / "forgotten.py").write_text("")
 
-    diff = check_generated(tmp_path)
+    diff = check_generated(folder)
     assert "-ROTATION = 1\n+ROTATION = 0\n" in diff
     assert "nondimensional_block.py" in diff
     assert "nondimensional_block.md" in diff
     assert "forgotten.py" in diff
 
-    (tmp_path / "forgotten.py").unlink()
-    assert {path.name for path in write_generated(tmp_path)} == {
+    (folder / "forgotten.py").unlink()
+    assert {path.name for path in write_generated(folder)} == {
         "nondimensional_block.py",
         "nondimensional_block.md",
     }
-    assert check_generated(tmp_path) == ""
+    assert check_generated(folder) == ""

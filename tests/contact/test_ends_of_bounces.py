@@ -9,7 +9,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.codes import OPEN
-from rockeom.structures.contact_modes import Points
+from rockeom.structures.searched_modes import Points
 from tests.soak.cases import Motion
 from tests.soak.mechanics import of_sliding_block, of_stack
 from tests.soak.newton import Told, on_contacts

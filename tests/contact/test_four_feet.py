@@ -72,7 +72,7 @@ def test_it_lifts_about_the_lowest_foot_behind_which_the_ground_moves(structure,
         motion = rk.GroundMotion.constant(a, 1e-6)
         mode = rk.simulate(structure, motion).mode[-1]
         assert mode == (pivot if more > 1 else "b_c")
-        turns = structure.accelerations({}, a, phase=mode)["theta"]
+        turns = structure.accelerations({}, a, mode=mode)["theta"]
         expected = -side * MASS * (abs(a) * HEIGHT - G * arm) / about(pivot) if more > 1 else 0.0
         assert turns == pytest.approx(expected, abs=1e-12)
 

@@ -16,7 +16,7 @@ import sympy as sp
 import rockeom as rk
 from rockeom.codes import LANDING, LIFTING, SLIPPING, STICKING, SWITCH
 from rockeom.modelling.declared import class_of_model
-from rockeom.structures.contact_modes import Points
+from rockeom.structures.searched_modes import Points
 from rockeom.symbolic.algebra import inverted, tidy
 from rockeom.symbolic.reactions import total_reaction
 from tests.contact import declared, kkt

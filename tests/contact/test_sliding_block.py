@@ -43,7 +43,7 @@ def started(block: Block, across: float, up: float) -> tuple[str, dict[str, floa
         vertical=rk.GroundMotion.constant(up, 1e-6),
     )
     phase = run.mode[-1]
-    return phase, structure(block).accelerations({}, across, up, phase=phase)
+    return phase, structure(block).accelerations({}, across, up, mode=phase)
 
 
 def assert_starts_as_by_hand(b, h, mu, a, up):
@@ -102,7 +102,7 @@ def test_a_slide_rock_presses_with_what_was_found_by_hand():
     by_hand = exact.start(a, G, b, h, mu)
     assert by_hand.motion == "slide-rock"
     phase, _ = started(block, a, 0.0)
-    forces = structure(block).reactions({}, a, phase=phase)
+    forces = structure(block).reactions({}, a, mode=phase)
     assert forces["left_reaction"] == pytest.approx(3.0 * by_hand.normal, rel=1e-12)
     assert forces["left_friction"] == pytest.approx(3.0 * by_hand.friction, rel=1e-12)
     assert forces["right_reaction"] == pytest.approx(0.0, abs=1e-12)

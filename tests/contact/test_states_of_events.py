@@ -7,7 +7,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.codes import IMPOSSIBLE
-from rockeom.structures import contact_modes as contact_states
+from rockeom.structures import searched_modes as contact_states
 
 from .declared import four_feet
 
@@ -90,7 +90,7 @@ def test_slow_motion_of_a_structure_at_rest_is_its_whole_motion():
 @pytest.mark.parametrize("state", [{"y": -1e-4}, {"x_dot": 1.0, "y": 0.0}])
 def test_a_state_that_contradicts_the_contacts_of_a_stack_is_refused(state):
     whole = dict.fromkeys(stack().states, 0.0) | state
-    with pytest.raises(ValueError, match=r"gap|no contact state"):
+    with pytest.raises(ValueError, match=r"gap|no mode"):
         stack().positions(whole)
 
 
@@ -113,4 +113,4 @@ def by_forces_that_fit_none(structure):
     module, y = structure.module, structure.state({})
     with pytest.MonkeyPatch.context() as patch:
         patch.setitem(contact_states._searching(module), "fits_by_forces", lambda *_: IMPOSSIBLE)
-        contact_states.by_forces(module, 0, y, structure.vector, (0.0, 0.0))
+        contact_states.mode_under_forces(module, 0, y, structure.vector, (0.0, 0.0))

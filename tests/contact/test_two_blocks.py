@@ -158,7 +158,7 @@ def test_a_state_of_both_on_one_foot_accelerates_as_the_reference():
     q, v = moved(STACK, {name: float(run[name][0]) for name in run.states})
     found = one(STACK.assembly.motions(q, v))
     assert found.pattern == (OPEN, STICK, STICK, OPEN)
-    turns = structure(STACK).accelerations(state, phase="right_upper_left")
+    turns = structure(STACK).accelerations(state, mode="right_upper_left")
     assert turns["theta"] == pytest.approx(found.motion[2], rel=1e-10)
     assert turns["phi"] == pytest.approx(found.motion[5], rel=1e-10)
 

@@ -10,7 +10,7 @@ import sympy as sp
 import rockeom as rk
 from rockeom import codegen
 from rockeom.modelling import declared as of_declarations
-from rockeom.structures.contact_modes import Points
+from rockeom.structures.searched_modes import Points
 from rockeom.symbolic.algebra import SIDE, brief, vanishes
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 

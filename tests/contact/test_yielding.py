@@ -207,7 +207,7 @@ def test_a_wall_with_yielding_bars_has_the_loop_of_a_flag_and_comes_back_upright
     about_foot = WALL["inertia"] + m * (b**2 + h**2)
     angular = np.array(
         [
-            wall.accelerations({name: run[name][i] for name in run.states}, phase=phase[i])["theta"]
+            wall.accelerations({name: run[name][i] for name in run.states}, mode=phase[i])["theta"]
             for i in range(len(theta))
         ]
     )
@@ -253,7 +253,7 @@ def test_the_pushover_of_a_wall_with_bars_draws_them_out():
 
 
 def landing_energy(wall, landing) -> float:
-    return sum(wall.energies(landing.before, phase=landing.mode_before).values())
+    return sum(wall.energies(landing.before, mode=landing.mode_before).values())
 
 
 BESIDE = {

@@ -6,7 +6,7 @@ import itertools
 import sympy as sp
 
 import rockeom as rk
-from rockeom.structures.classes import class_of
+from rockeom.structures.declared import class_of
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import Body, coordinate, parameter
 from rockeom.symbolic.rocking import RockingModel

@@ -291,10 +291,10 @@ def test_pulse_shorter_than_any_step(length):
     uplift = run.events[0]
     assert (uplift.time, uplift.kind, uplift.mode_after) == (50.0, "uplift", "right")
     length = (50.0 + length) - 50.0  # as times near 50 s have it
-    acceleration = BLOCK.accelerations({}, ground_acceleration=-push, phase="right")["theta"]
+    acceleration = BLOCK.accelerations({}, ground_acceleration=-push, mode="right")["theta"]
     after = run.at(50.0 + 2 * length)
     # the weight slows it meanwhile
-    weight = BLOCK.accelerations({}, phase="right")["theta"]
+    weight = BLOCK.accelerations({}, mode="right")["theta"]
     expected = acceleration * length + weight * length
     assert after["theta_dot"] == pytest.approx(expected, rel=1e-8)
     assert run.outcome is rk.Outcome.CAME_TO_REST

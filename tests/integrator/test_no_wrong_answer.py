@@ -125,7 +125,7 @@ def test_a_step_that_is_not_finite_ends_the_motion_within_max_steps():
 def test_wall_with_a_narrow_transition_keeps_its_energy(transition, rtol):
     """The restoring force sets in within 0.3 mm of upright; no step may pass over it unseen."""
     wall = dataclasses.replace(rk.ControlledWall.thesis(), transition=transition)
-    rest = sum(wall.energies({}, phase="right").values())
+    rest = sum(wall.energies({}, mode="right").values())
     for theta in (0.002, 0.005, 0.009):
         run = rk.simulate(
             wall,

@@ -90,7 +90,7 @@ def test_impulsive_law_for_the_cart():
 
 def test_after_impact_in_a_phase_without_impact():
     with raises(ValueError, "no impact", "both"):
-        BLOCK.after_impact({}, phase="both")
+        BLOCK.after_impact({}, mode="both")
 
 
 # -- states and phases
@@ -364,7 +364,7 @@ METHODS = {
     "energies": lambda state, **others: BLOCK.energies(state, **others),
     "reactions": lambda state, **others: BLOCK.reactions(state, **others),
     "after_impact": lambda state, **others: BLOCK.after_impact(
-        state, **({"phase": "right"} | others)
+        state, **({"mode": "right"} | others)
     ),
     "state": lambda state: BLOCK.state(state),
 }
@@ -385,9 +385,9 @@ def test_method_asked_of_what_is_no_state(method):
         ("accelerations", "vertical_ground_acceleration", SHAKE),
         ("reactions", "ground_acceleration", {"horizontal": 1.2}),
         ("reactions", "vertical_ground_acceleration", None),
-        ("reactions", "phase", 1),
-        ("energies", "phase", ["right"]),
-        ("after_impact", "phase", np.array(["right"])),
+        ("reactions", "mode", 1),
+        ("energies", "mode", ["right"]),
+        ("after_impact", "mode", np.array(["right"])),
         ("after_impact", "impact", 0.9),
         ("after_impact", "impact", rk.Impulsive),
     ],

@@ -142,7 +142,7 @@ def test_uplift_of_a_flexible_structure_is_where_a_foot_ceases_to_press(stiffnes
     run = rk.simulate(column(stiffness=stiffness), ramp(60.0, duration=0.2))
     first = run.events[0]
     assert first.kind == "uplift"
-    force = column(stiffness=stiffness).reactions(first.before, 60.0 * first.time, phase="both")
+    force = column(stiffness=stiffness).reactions(first.before, 60.0 * first.time, mode="both")
     assert abs(force["right_reaction"]) < 1e-9 * TOTAL_MASS * GRAVITY
     assert force["left_reaction"] == pytest.approx(TOTAL_MASS * GRAVITY, rel=1e-9)
     # and it pressed until then
@@ -203,7 +203,7 @@ def test_wall_beyond_yield_on_its_way_back_has_drawn_its_tendon_out(wall, side):
     mirrored = {name: -value for name, value in state.items()}
     assert wall.accelerations(state)[q] == -wall.accelerations(mirrored)[q]
     assert sum(wall.energies(state).values()) == sum(wall.energies(mirrored).values())
-    with pytest.raises(ValueError, match=r"no phase of .* holds"):
+    with pytest.raises(ValueError, match=r"no mode of .* holds"):
         wall.accelerations(state | {"permanent_extension": 0.0})
     # outwards it still yields
     outwards = {q: side * far, f"{q}_dot": side * 0.1}

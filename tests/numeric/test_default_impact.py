@@ -124,8 +124,8 @@ def test_no_landing_of_a_structure_that_bends_gains_energy_by_default(name, valu
     state |= {"theta": 0.0, "theta_dot": -turning if right else turning}
     phase = "right" if right else "left"
     after, follows = structure.after_impact(state, phase)
-    before = structure.energies(state, phase=phase)["kinetic_energy"]
-    left = structure.energies(after, phase=follows)["kinetic_energy"]
+    before = structure.energies(state, mode=phase)["kinetic_energy"]
+    left = structure.energies(after, mode=follows)["kinetic_energy"]
     assert left <= before * (1 + 1e-12)
 
 

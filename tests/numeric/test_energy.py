@@ -25,7 +25,7 @@ def excess_energy(run):
     """Energy above that of the structure standing still, and the largest of it."""
     s = run.structure
     phase = "both" if "both" in s.module.MODES else "both_right"
-    rest = sum(s.energies({}, phase=phase).values())
+    rest = sum(s.energies({}, mode=phase).values())
     energy = run["total_energy"] - rest
     return energy, np.abs(energy).max()
 
@@ -86,8 +86,8 @@ def change_at_impact(structure, side, state, law):
     state = state | {rotation: 0.0, rate: -side * abs(state[rate])}
     after, follows = structure.after_impact(state, phase, impact=law)
     return (
-        structure.energies(state, phase=phase)["kinetic_energy"],
-        structure.energies(after, phase=follows)["kinetic_energy"],
+        structure.energies(state, mode=phase)["kinetic_energy"],
+        structure.energies(after, mode=follows)["kinetic_energy"],
     )
 
 
@@ -151,7 +151,7 @@ def test_prescribed_ratio_may_make_energy_in_a_vibrating_column():
     state = {"theta": 0.0, "u": 0.0, "theta_dot": -0.1, "u_dot": 1.0}
     before, after = change_at_impact(column(), 1, state, rk.AngularMomentum())
     e, m = column().velocity_ratio, S1["mass"]
-    inertia = 2 * column().energies({"theta_dot": 1.0}, phase="right")["kinetic_energy"]
+    inertia = 2 * column().energies({"theta_dot": 1.0}, mode="right")["kinetic_energy"]
     gain = (e**2 - 1) / 2 * inertia * 0.1**2 + (1 - e) * m * S1["height"] * 0.1 * 1.0
     assert gain > 0
     assert after - before == pytest.approx(gain, rel=1e-12)

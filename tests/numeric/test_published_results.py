@@ -194,7 +194,7 @@ def test_table_3_1_baseline_forces():
     impact = run.impacts[0]
     speed = impact.before["theta_dot"]
     assert speed == pytest.approx(-0.771, abs=5e-4)
-    forces = block.reactions(impact.before, phase="right")
+    forces = block.reactions(impact.before, mode="right")
     assert forces["right_reaction"] / 1e3 == pytest.approx(3.08, abs=0.01)
     assert abs(forces["horizontal_reaction"]) / 1e3 == pytest.approx(0.48, abs=0.01)
     # the measured vertical force of the response is no smaller before the impact

@@ -105,7 +105,7 @@ def test_a_run_tells_of_places_what_states_tell():
     i = len(run.t) // 2
     state = {name: float(run[name][i]) for name in run.states}
     ground = run["ground_acceleration"][i], run["vertical_ground_acceleration"][i]
-    one = run.structure.absolute_accelerations(state, *ground, phase=run.mode[i])
+    one = run.structure.absolute_accelerations(state, *ground, mode=run.mode[i])
     np.testing.assert_allclose(one["base"], felt["base"][i], rtol=1e-12, atol=1e-12)
 
 
@@ -201,7 +201,7 @@ def test_base_shear_and_moment_are_those_of_the_forces_on_the_feet(make):
     np.testing.assert_allclose(shear, run["horizontal_reaction"], atol=1e-9 * scale)
     places = run.places.positions()
     left, right = (places[foot][:, 0] for foot in ("left", "right"))
-    middle = 0.5 * (left + right) if run.structure.stands_on_points else 0.0
+    middle = 0.5 * (left + right) if run.structure.has_landings else 0.0
     # where a foot is lifted no force acts on it
     moment = run["right_reaction"] * (right - middle) + run["left_reaction"] * (left - middle)
     np.testing.assert_allclose(run["overturning_moment"], moment, atol=1e-8 * scale)

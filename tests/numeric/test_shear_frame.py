@@ -88,9 +88,9 @@ def test_one_storey_is_the_flexible_structure():
         of_frame = {n.replace("u", "u_1", 1): v for n, v in state.items()}
         asked = [
             [
-                s.accelerations(y, *ground, phase=phase),
-                s.energies(y, phase=phase),
-                s.reactions(y, *ground, phase=phase),
+                s.accelerations(y, *ground, mode=phase),
+                s.energies(y, mode=phase),
+                s.reactions(y, *ground, mode=phase),
             ]
             for s, y in ((one_storey(), of_frame), (column(), state))
         ]

@@ -113,7 +113,7 @@ def test_forces_of_the_law_that_held_where_the_ground_jumps():
     assert not run.support.lost_contact
     # standing: nothing; at the instant of lifting by hand, m (a + H theta'') and m (g + B theta'')
     a = jump.peak
-    turning = BLOCK.accelerations({}, a, phase="left")["theta"]
+    turning = BLOCK.accelerations({}, a, mode="left")["theta"]
     across, up = a + BLOCK.half_height * turning, GRAVITY + BLOCK.half_width * abs(turning)
     assert run.support.friction_demand == pytest.approx(across / up, rel=0.3)
     assert (

@@ -55,7 +55,7 @@ def test_the_rigid_structure_on_two_springs_is_the_two_spring_structure():
             state = dict(zip(shipped.states, rng.uniform(-0.05, 0.05, 4), strict=True))
             for ask in ("accelerations", "reactions"):
                 expected, found = (
-                    getattr(s, ask)(state, 1.3, -0.7, phase=phase) for s in (shipped, composed)
+                    getattr(s, ask)(state, 1.3, -0.7, mode=phase) for s in (shipped, composed)
                 )
                 assert found == pytest.approx(expected, rel=1e-11, abs=1e-9)
 
@@ -284,13 +284,13 @@ def test_on_a_foot_that_sticks_it_moves_as_on_pinned_feet(storeys, side):
     for _ in range(20):
         state = dict(zip(pinned.states, 0.1 * rng.standard_normal(len(pinned.states)), strict=True))
         state["theta"] = side * abs(state["theta"])
-        expected = pinned.accelerations(state, 1.5, 0.5, phase=phase)
+        expected = pinned.accelerations(state, 1.5, 0.5, mode=phase)
         y = sliding.state(state)
         assert sliding.module.MODES[sliding.contact(y)] == phase
-        found = sliding.accelerations(state, 1.5, 0.5, phase=phase)  # whether or not it can stick
+        found = sliding.accelerations(state, 1.5, 0.5, mode=phase)  # whether or not it can stick
         for name, value in expected.items():
             assert found[name] == pytest.approx(value, rel=1e-9, abs=1e-9)
-        forces, same = (s.reactions(state, 1.5, 0.5, phase=phase) for s in (pinned, sliding))
+        forces, same = (s.reactions(state, 1.5, 0.5, mode=phase) for s in (pinned, sliding))
         for name, value in forces.items():
             assert same[name] == pytest.approx(value, rel=1e-9, abs=1e-6)
 

@@ -7,7 +7,7 @@ import timeit
 import pytest
 
 import rockeom as rk
-from rockeom.structures import classes as structures
+from rockeom.structures import base as structures
 from tests.numeric.structures import column
 
 BLOCK = rk.RigidBlock(half_width=0.2, half_height=1.0)

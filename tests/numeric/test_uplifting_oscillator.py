@@ -62,7 +62,7 @@ def test_mode_of_the_uplifted_column_has_the_frequency_and_damping_of_the_thesis
     structure = oscillator()
 
     def rates(state, phase="right"):
-        found = structure.accelerations(state, phase=phase)
+        found = structure.accelerations(state, mode=phase)
         return np.array([found["theta"], found["u"]])
 
     base = {"theta": 0.01, "u": 0.0}

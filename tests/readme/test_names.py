@@ -20,7 +20,7 @@ from rockeom.integrator.lanes_text import lanes_text
 from rockeom.integrator.methods.tableau import step_text, tableau
 from rockeom.integrator.program import JOINED
 from rockeom.integrator.texts import text_of
-from rockeom.structures.classes import class_of
+from rockeom.structures.declared import class_of
 from rockeom.symbolic import Coordinate, Mode, RockingModel, Transition
 from rockeom.symbolic.evaluate import NumpyMode
 
@@ -132,9 +132,9 @@ def numbers(model: RockingModel, names: dict[str, str]) -> dict[str, np.ndarray]
         y = frame.state(here)
         ground = {"ground_acceleration": 1.2, "vertical_ground_acceleration": 0.3}
         tables = {
-            "accelerations": frame.accelerations(here, phase=contact, **ground),
-            "energies": frame.energies(here, phase=contact),
-            "reactions": frame.reactions(here, phase=contact, **ground),
+            "accelerations": frame.accelerations(here, mode=contact, **ground),
+            "energies": frame.energies(here, mode=contact),
+            "reactions": frame.reactions(here, mode=contact, **ground),
         }
         found |= {f"{k}, {contact}": np.array([*t.values()]) for k, t in tables.items()}
         m = frame.module

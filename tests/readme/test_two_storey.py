@@ -160,7 +160,7 @@ def test_impulsive_impact_conserves_the_momenta_and_makes_no_energy(side, u, rat
         "u2_dot": rates[1],
     }
     before = "right" if side > 0 else "left"
-    after, phase = structure.after_impact(state, phase=before, impact=rk.Impulsive())
+    after, phase = structure.after_impact(state, mode=before, impact=rk.Impulsive())
     new_pivot = -side * HALF_WIDTH
 
     def horizontal(s):
@@ -174,7 +174,7 @@ def test_impulsive_impact_conserves_the_momenta_and_makes_no_energy(side, u, rat
         return MASS @ (HEIGHT * horizontal(s) + (x - new_pivot) * down) + base
 
     def kinetic(s, name):
-        return structure.energies(s, phase=name)["kinetic_energy"]
+        return structure.energies(s, mode=name)["kinetic_energy"]
 
     scale = MASS @ HEIGHT**2
     np.testing.assert_allclose(horizontal(after), horizontal(state), rtol=0, atol=1e-9)
@@ -209,7 +209,7 @@ def test_record_brings_rocking_impacts_and_full_contact(shaken):
 def test_impacts_under_a_record_never_make_energy(shaken):
     for impact in shaken.impacts:
         before, after = (
-            shaken.structure.energies(state | {"theta": 0.0}, phase=phase)["kinetic_energy"]
+            shaken.structure.energies(state | {"theta": 0.0}, mode=phase)["kinetic_energy"]
             for state, phase in (
                 (impact.before, impact.mode_before),
                 (impact.after, impact.mode_after),

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import rockeom as rk
 from rockeom.compiler.machine import OutOfBoundsError
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import Structure
 from rockeom.sweeps.run import lanes_pay
 from tests.contact import declared
 from tests.contact.test_yielding import WALL, held_block, wall_with_bars

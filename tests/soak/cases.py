@@ -15,7 +15,8 @@ import numpy as np
 
 import rockeom as rk
 from rockeom.motion.segments import COLUMNS
-from rockeom.structures.classes import SHIPPED, Structure
+from rockeom.structures.base import Structure
+from rockeom.structures.classes import SHIPPED
 from tests.shipped import plain
 
 NEWER = ("sliding_block", "stacked_blocks", "rocking_frame", "wall_with_frame")

@@ -11,7 +11,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.codegen import module_text
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import Structure
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import Body, Foot, coordinate, parameter, turned

@@ -16,7 +16,7 @@ from functools import cache
 
 import rockeom as rk
 from rockeom.codes import IMPACT
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import at_states
 from tests.soak.cases import Dice
 
@@ -117,9 +117,9 @@ def gains_of(seeds: Iterable[int]) -> Gains:
         found.runs[case.structure.model] += 1
         _, kinds, states = run.events.columns
         hits = kinds[:, 0] == IMPACT
+        m, p = case.structure.module, case.structure.vector
         before, after = (  # by the module itself, which is not what was compiled
-            at_states(case.structure, "energies", kinds[hits, 1 + i], states[hits, i])
-            for i in (0, 1)
+            at_states(m, p, "energies", kinds[hits, 1 + i], states[hits, i]) for i in (0, 1)
         )
         gained = after["kinetic_energy"] / before["kinetic_energy"] - 1.0
         found.impacts += len(gained)

@@ -16,7 +16,7 @@ import numpy as np
 import sympy as sp
 
 import rockeom as rk
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import Structure
 from rockeom.symbolic import Contact, Rigid, Unilateral, Yielding
 from rockeom.symbolic.model import Parameter, parameter
 from tests.contact import declared

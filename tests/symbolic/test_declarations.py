@@ -13,7 +13,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.codegen import module_text
-from rockeom.structures.classes import class_of
+from rockeom.structures.declared import class_of
 from rockeom.symbolic import (
     Body,
     Definition,
@@ -682,7 +682,7 @@ def test_one_phase_alone_rocks_from_foot_to_foot():
     one = class_of(module_of(TOWER))(**values)
     other = class_of(module_of(alone))(**values)
     state = {"theta": -0.02, "u": 0.01}
-    assert other.accelerations(state, phase="left") == one.accelerations(state, phase="left")
+    assert other.accelerations(state, mode="left") == one.accelerations(state, mode="left")
 
 
 def test_an_impact_may_stand_behind_a_switch():

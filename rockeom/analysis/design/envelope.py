@@ -25,7 +25,7 @@ from rockeom.analysis.unfinished import finished
 from rockeom.motion import GroundMotion
 from rockeom.numbers.arguments import positive, require
 from rockeom.simulation.case import Case
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import EnergyRatio
 from rockeom.sweeps.run import simulate_many
 

@@ -20,7 +20,7 @@ from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.simulation.simulate import simulate
 from rockeom.simulation.works import EnergyBalance
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 
 

@@ -45,7 +45,7 @@ from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.simulation.simulate import simulate
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.sweeps.tangents import tangents
 

@@ -36,7 +36,8 @@ from rockeom.motion import GroundMotion
 from rockeom.numbers.arguments import positive
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
-from rockeom.structures.classes import RigidBlock, Structure
+from rockeom.structures.base import Structure
+from rockeom.structures.classes import RigidBlock
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.sweeps.run import simulate_many
 from rockeom.sweeps.workers import Progress

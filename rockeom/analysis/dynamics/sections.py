@@ -38,7 +38,7 @@ from rockeom.numbers.arguments import numbers, positive, require
 from rockeom.numbers.checks import told, whole_number
 from rockeom.simulation.case import Case
 from rockeom.simulation.quantities import units_of
-from rockeom.structures.classes import Structure
+from rockeom.structures.base import Structure
 from rockeom.structures.units import in_udunits, time_unit
 from rockeom.sweeps.cases import ROW, WORTHWHILE, Cases
 from rockeom.sweeps.run import simulate_many
@@ -373,7 +373,7 @@ def _states(starts: Cases, structure: Structure) -> np.ndarray:
             )
         (column,) = numbers("poincare_sections", **{f"starts[{name!r}]": values})
         y[:, names.index(name)] = column[place]
-    if structure.stands_on_points:
+    if structure.has_landings:  # heights that are not named follow from the rest
         return np.array([structure.state(starts.named(row)) for row in range(starts.total)])
     return y
 

@@ -33,6 +33,7 @@ from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.arguments import not_negative, numbers, positive, require
 from rockeom.structures.classes import ControlledWallOscillator
 from rockeom.structures.evaluation import at_states
+from rockeom.structures.shipped.walls import ThesisCentre, ThesisTendon, ThesisWall
 
 # --- the rotation centre and the tendon
 
@@ -57,7 +58,7 @@ class RotationCentre:
     @classmethod
     def thesis_gauge(cls) -> RotationCentre:
         """As printed in 4-7, and used ever after: fitted to distances from the uplift gauge."""
-        return cls(C1=0.412, C2=0.096, epsilon=3.551e-3)
+        return cls(**ThesisCentre()._asdict())
 
     @classmethod
     def thesis_edge(cls) -> RotationCentre:
@@ -150,13 +151,9 @@ class Tendon:
     def thesis(cls, initial_force: float = 75.6e3) -> Tendon:
         """The tendon of chapter 4; 111 kN is its other initial force (4.9.2).
 
-        The thesis states x1 = 6.4564 mm at 75.6 kN between anchors 3100 mm apart, a yield
-        extension of 13.5814 mm and F_y = 159.03 kN. E = 205 GPa and A = 176.7 mm2 are inferred:
-        they give all of these, the 177 mm2 of 4.2 does not. The stiffness is that at 75.6 kN for
-        any initial force, as 4-44 has it.
+        Its stiffness and yield force are those of `rockeom.structures.shipped.walls.ThesisTendon`.
         """
-        tendon = cls.between_anchors(3.1, 205e9, 176.7e-6, 900e6, 75.6e3)
-        return cls(tendon.stiffness, initial_force, tendon.yield_force)
+        return cls(**ThesisTendon(initial_force)._asdict())
 
     @property
     def initial_extension(self) -> float:
@@ -282,19 +279,19 @@ class Wall:
     def thesis(cls, initial_force: float = 75.6e3) -> Wall:
         """The wall of chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N].
 
-        The height of 2.438 m is inferred: with it the energies under Figure 4-29, the drifts of
-        4.5 and the restitution 0.835 of 4.9.2.1 agree.
+        Its numbers are those of `rockeom.structures.shipped.walls.ThesisWall`.
         """
+        wall = ThesisWall(initial_force)
         return cls(
             rotation_centre=RotationCentre.thesis_gauge(),
             tendons=(Tendon.thesis(initial_force),),
-            height=2.438,
-            centroid_height=2.173,
-            panel_mass=577.56,
-            added_mass=1438.5,
-            added_height=2.537,
-            own_inertia=686.0 + 442.0,
-            fixed_base_period=0.0428,
+            height=wall.height,
+            centroid_height=wall.centroid_height,
+            panel_mass=wall.panel_mass,
+            added_mass=wall.added_mass,
+            added_height=wall.added_height,
+            own_inertia=wall.own_inertia,
+            fixed_base_period=wall.fixed_base_period,
         )
 
     # - masses
@@ -622,7 +619,8 @@ class _Held:
         self._contact = np.where(self._beyond > 0, contact("_yield"), self._contact)
 
     def _named(self, function: str, *arguments: float) -> dict[str, np.ndarray]:
-        values = at_states(self._wall, function, self._contact, self._y, *arguments)
+        m, p = self._wall.module, self._wall.vector
+        values = at_states(m, p, function, self._contact, self._y, *arguments)
         return {name: value.reshape(self._shape) for name, value in values.items()}
 
     @property

@@ -22,7 +22,7 @@ from rockeom.numbers.checks import near
 from rockeom.structures.evaluation import at_states
 
 if TYPE_CHECKING:
-    from rockeom.structures.classes import Structure
+    from rockeom.structures.base import Structure
 
 
 class Energies(NamedTuple):
@@ -67,8 +67,9 @@ def energies_of_states(
     if contact is None:
         contact = np.array([structure.contact(state) for state in y], dtype=int)
     upright = np.zeros((1, structure.module.N_STATES))
-    still = at_states(structure, "energies", np.array([structure.contact(upright[0])]), upright)
-    energies = at_states(structure, "energies", contact, y)
+    m, p = structure.module, structure.vector
+    still = at_states(m, p, "energies", np.array([structure.contact(upright[0])]), upright)
+    energies = at_states(m, p, "energies", contact, y)
     kinetic, gravity, elastic = (energies[name] - still[name] for name in structure.module.ENERGIES)
     return Energies(gravity, elastic, kinetic)
 

@@ -34,7 +34,7 @@ from rockeom.numbers.arguments import not_negative, numbers, positive, require
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
 
-    from rockeom.structures.classes import Structure
+    from rockeom.structures.base import Structure
 
 
 class QuarterPeriods(NamedTuple):

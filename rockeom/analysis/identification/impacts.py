@@ -33,7 +33,7 @@ from rockeom.numbers.arguments import not_negative, numbers, require
 from rockeom.structures.evaluation import at_states
 
 if TYPE_CHECKING:
-    from rockeom.structures.classes import Structure
+    from rockeom.structures.base import Structure
 
 
 def _rotation_of(structure: Structure) -> str:
@@ -45,7 +45,8 @@ def _speed(structure: Structure, y: np.ndarray, energy: float) -> float:
     m = structure.module
     moving = structure.state({m.STATES[m.ROTATION_RATE]: 1.0})[None]
     contact = np.array([structure.contact(y)])
-    kinetic = float(at_states(structure, "energies", contact, moving)["kinetic_energy"][0])
+    energies = at_states(m, structure.vector, "energies", contact, moving)
+    kinetic = float(energies["kinetic_energy"][0])
     return float(-np.sign(y[m.ROTATION]) * np.sqrt(energy / kinetic))
 
 

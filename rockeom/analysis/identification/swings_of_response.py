@@ -153,7 +153,7 @@ def _along(carried: Tangents, quantity: str, times: np.ndarray) -> np.ndarray:
         np.zeros(len(times)) if motion is None else motion.acceleration(times)
         for motion in (run.motion, run.vertical)
     ]
-    rates = filled(run.structure, "rates", module.N_STATES, contact, y, *ground)
+    rates = filled(module, run.structure.vector, "rates", module.N_STATES, contact, y, *ground)
     by = np.append(carried.at(times), rates.T[..., None], axis=2)
     values = [
         quantity_of(module, quantity, int(of), with_tangent(*row), moving)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rockeom.codes import AT_SPEED, BY_FOOT, BY_NUMBER, RATIO
+from rockeom.codes import RATIO, TABULATED, UNEVEN
 from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
@@ -26,40 +26,44 @@ if TYPE_CHECKING:  # joined before this text
 
 
 @inlined
-def ratio_at(law, ratio, impact, y, p):
-    """Ratio of the rates of rotation at an impact from the state y; `ratio`, unless tabled.
+def velocity_ratio_at(law, ratio, impact, rate, p):
+    """Ratio e of the rates of rotation after and before an impact; `ratio`, unless tabulated.
 
-    impact : its number in the motion.
+    impact : its number in the motion. rate : of rotation before it, negative where the left foot
+    lands. p : the table at its end, see `rockeom.structures.impact_laws.Table`.
     """
-    return ratio if law < AT_SPEED else tabled_ratio(law, impact, y, p)
+    return tabulated_velocity_ratio(impact, rate, p) if law >= TABULATED else ratio
 
 
-def tabled_ratio(law, impact, y, p):
-    """The ratio by the table at the end of p, that of the left foot before the right one's.
+def tabulated_velocity_ratio(impact, rate, p):
+    """e = sqrt(r) by the table at the end of p; NaN where an impact would give energy."""
+    r = tabulated_energy_ratio(impact, rate, p)
+    if p[-1] != 0.0:
+        r = min(max(r, 0.0), 1.0)
+    return math.sqrt(r) if r <= 1.0 else np.nan
 
-    The left foot lands where the rotation falls. AT_SPEED: the energy ratio in pieces of the rate,
-    rows of limit, value at zero and slope, and their number. BY_FOOT: of each foot the energy ratio
-    at no rate, its slope, and what is divided by the rate. BY_NUMBER: of each foot the ratio of
-    each impact, and their number, behind which they begin anew.
+
+def tabulated_energy_ratio(impact, rate, p):
+    """Ratio r of the kinetic energies of rocking, by the table at the end of p.
+
+    Behind the rows of the left foot stand as many of the right one, then the number of rows of a
+    foot, their columns, and whether r is bounded. A row of one column is r of one impact; behind
+    the last row the first one follows. A row of four holds up to a limit of the rate: that limit,
+    r at no rate, its slope, and what is divided by the rate.
     """
-    speed = abs(y[ROTATION_RATE])
-    if law == BY_FOOT:
-        end = p.shape[0] if y[ROTATION_RATE] > 0.0 else p.shape[0] - 3
-        energy = p[end - 3] + p[end - 2] * speed
-        if p[end - 1] != 0.0:
-            energy += p[end - 1] / speed
-        return math.sqrt(min(max(energy, 0.0), 1.0))
-    rows = int(p[-1])
-    if law == BY_NUMBER:
-        row = p.shape[0] - 1 - (rows if y[ROTATION_RATE] > 0.0 else 2 * rows)
-        return p[row + impact - rows * int(impact / rows)]
-    row = p.shape[0] - 1 - 3 * rows
+    rows, columns = int(p[-3]), int(p[-2])
+    first = p.shape[0] - 3 - (rows if rate > 0.0 else 2 * rows) * columns
+    if columns == 1:
+        return p[first + impact - rows * int(impact / rows)]
+    speed = abs(rate)
     for _ in range(rows - 1):
-        if speed < p[row]:
+        if speed < p[first]:
             break
-        row += 3
-    energy = p[row + 1] + p[row + 2] * speed
-    return math.sqrt(energy) if energy <= 1.0 else np.nan
+        first += 4
+    r = p[first + 1] + p[first + 2] * speed
+    if p[first + 3] != 0.0:
+        r += p[first + 3] / speed
+    return r
 
 
 @inlined
@@ -127,12 +131,20 @@ def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, out):
         alike = abs(a - a_before) * v <= small * a and abs(loss - last_loss) * v <= small
         if v <= EPS * start or turn == 999 or (pairs and turn > 2 and alike):
             # what a constant loss leaves of the two series of flights
-            left = (1.0 - loss) * (1.0 - (last_loss if law > AT_SPEED else loss))
+            left = (1.0 - loss) * (1.0 - (last_loss if law == UNEVEN else loss))
             total += (last_flight + flight) * left / (1.0 - left)
             w[ROTATION_RATE] = 0.0
             if v > EPS * start:
                 whole = 1.0 / (1.0 - (1.0 - loss) * v / start)  # all is in proportion to speeds
-        contact = jump(contact, 0, law, ratio_at(law, ratio, impacts + turn, w, p), w, p, out)
+        contact = jump(
+            contact,
+            0,
+            law,
+            velocity_ratio_at(law, ratio, impacts + turn, w[ROTATION_RATE], p),
+            w,
+            p,
+            out,
+        )
         for i in range(N_STATES // 2, N_STATES):
             kick[i] += out[i] - w[i]
         if SIDES[contact] == 0.0:
@@ -143,7 +155,7 @@ def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, out):
         last_loss = loss
         loss = 1.0 - abs(out[ROTATION_RATE]) / v
         # one foot, or one impact, may lose next to nothing where the other does not
-        least = max(loss, last_loss) if law > AT_SPEED else loss
+        least = max(loss, last_loss) if law == UNEVEN else loss
         if not least > 0.0 or flight > least * tolerance / math.sqrt(a):
             return np.inf, contact  # so little is lost that the end is far, or never comes
         for i in range(N_STATES):

@@ -38,7 +38,12 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.recorder import enter_mode
     from rockeom.integrator.records import Rest, records_steps
     from rockeom.integrator.rounding import noise_of
-    from rockeom.integrator.transitions.declared import may_fade, ratio_at, stand, time_to_rest
+    from rockeom.integrator.transitions.declared import (
+        may_fade,
+        stand,
+        time_to_rest,
+        velocity_ratio_at,
+    )
 
 MOST_IDLE = 100  # events at one instant; with more they are chatter
 QUIET_STEPS = not LOCALISED  # whether steps in which nothing can happen are taken apart
@@ -111,7 +116,7 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
     before, kind = motion.mode, KINDS[motion.mode][guard]
     if motion.idle > MOST_IDLE:
         return motion._replace(outcome=CHATTER), Rest(np.inf, before, False)
-    ratio = ratio_at(case.law, case.ratio, motion.impacts, a.y, case.p)
+    ratio = velocity_ratio_at(case.law, case.ratio, motion.impacts, a.y[ROTATION_RATE], case.p)
     mode = jump(before, guard, case.law, ratio, a.y, case.p, a.after)
     touching = -1
     if kind != IMPACT or SIDES[mode] != 0.0:

@@ -38,6 +38,10 @@ INERTIA = parameter("I_eg", "inertia", "kg m2", "its moment of inertia about its
 DEFORMATION = coordinate("u", "u", "m", "deformation of the column, at right angles to its axis")
 STIFFNESS = parameter("k", "stiffness", "N/m", "flexural stiffness of the column")
 DAMPING = parameter("c", "damping", "N s/m", "viscous damping coefficient of the column")
+MAY_VANISH = (
+    *("inertia", "base_mass", "base_height", "base_inertia", "damping", "foundation_damping"),
+)
+"""Parameters of structures of two masses that may be zero."""
 INWARD = sp.Rational(17, 20)
 """Distance of the columns of a sketch from the middle of a floor, over half its width."""
 

@@ -49,6 +49,9 @@ PASSAGE_SPEED = coordinate(
     "w", "passage_speed", "m/s", "speed at which the present passage would come upright, no loss"
 )
 
+_SHARED = ("edge_distance", "initial_force")
+"""Parameters of all walls that may be zero."""
+
 MASS = parameter("m", "mass", "kg", "mass of the wall and what it carries")
 EFFECTIVE_MASS = parameter("M_e", "effective_mass", "kg", "mass of the equivalent oscillator")
 INERTIA = parameter("I_g", "inertia", "kg m2", "moment of inertia about the centroid")
@@ -498,7 +501,17 @@ class _Oscillator:
         return [to(other, s * q), to(side, -s * v)]
 
 
-@shipped(place=12)
+@shipped(
+    place=12,
+    may_vanish=_SHARED,
+    defaults={"effective_mass": "mass", "eccentricity": 0.0},
+    called={
+        f"{name}_{i}": "energy_ratio"
+        for i in range(1, 5)
+        for name in ("energy_ratio", "energy_ratio_slope", "speed_limit")
+        if (name, i) not in (("energy_ratio", 1), ("speed_limit", 4))
+    },
+)
 def controlled_wall_oscillator(
     tendons: int = 1, centre: RotationCentre = MIGRATING
 ) -> RockingModel:
@@ -512,6 +525,15 @@ def controlled_wall_oscillator(
     Modes are marks on the way: a wall moves outward ("left"), back ("left_inward"), and back near
     the middle ("left_near"), where the force begins, so that no step leaps over it. On turning back
     the speed is noted at which it would come upright.
+
+    The energy ratio is a number, or an `EnergyRatioAtSpeed`. With held the speed is, for a whole
+    passage, that with which the wall would come upright without losses from where it turned back;
+    else it is the speed of the instant, and r changes within a passage. The 6 % by which 4.8.1
+    raises F_k are those of effective_mass = mass/1.06. The energies are those of 4-18 and 4-20,
+    without P-delta; the elastic energy holds that of gravity.
+
+    The state `u` is Delta [m]; no velocity jumps and `impacts` is empty. Tolerances must be below
+    the regularisation n.
     """
     B, cables = HALF_WIDTH.symbol, _tendons(tendons, DISPLACEMENT)
     wall = _Oscillator(cables)
@@ -623,19 +645,21 @@ class _SubstituteGravity:
         return _impact_upright(self.tendons, place, states)
 
 
-@shipped(place=13)
+@shipped(place=13, may_vanish=_SHARED, defaults={"eccentricity": 0.0})
 def substitute_gravity_wall(
     tendons: int = 1,
     centre: RotationCentre = MIGRATING,
     lever: RotationCentre = MIGRATING_TO_THE_EDGE,
 ) -> RockingModel:
-    """Housner's block with the tendons' force as weight (thesis 4-32, 4-37, 4-40).
+    """Housner's block with the force of the tendons as weight (thesis 4-32, 4-37, 4-40).
 
     The force of all tendons acts downwards at the centroid, and the moment of inertia about the
-    rotation centre is constant. `lever` : the centre about which the wall turns, taken as fixed at
-    each instant: terms with the rate at which it moves are not in the model. `centre` : the one
-    behind the extension of the tendons, as in the oscillator (4-16).
+    rotation centre is constant. The moments are about B (1 - exp(-(Delta/epsilon)**2)) from the
+    centreline (4-37), taken as fixed at each instant: terms with the rate at which it moves are not
+    in the model. The extension of the tendon is that of b (4-16). The work of its weight is no
+    stored energy, and `elastic_energy` is zero.
     """
+    # lever: of the centre about which the wall turns; centre: of the extension of the tendons
     H, B, Hc = HEIGHT.symbol, HALF_WIDTH.symbol, CENTROID_HEIGHT.symbol
     cables, fixed = _tendons(tendons, ROTATION), lever is AT_THE_EDGE
     D = H * sp.sin(ROTATION.position)
@@ -710,9 +734,13 @@ def _one_ratio(model: RockingModel) -> RockingModel:
     return replace(model, rigid_velocity_ratio=model.velocity_ratio)
 
 
-@shipped(place=14)
+@shipped(place=14, may_vanish=_SHARED, defaults={"eccentricity": 0.0})
 def simplified_substitute_gravity_wall() -> RockingModel:
-    """The same about the edges of the base (thesis 4-32)."""
+    """A `SubstituteGravityWall` whose moments are about the edges of the base (thesis 4-32).
+
+    Only the extension of the tendon knows of the rotation centre that moves (4-16). The wall lifts
+    off when the ground acceleration exceeds (m g + P) B/(m H_c).
+    """
     return substitute_gravity_wall(lever=AT_THE_EDGE)
 
 
@@ -784,20 +812,26 @@ class _Lagrangian:
         return _impact_upright(self.tendons, place, states)
 
 
-@shipped(place=10)
+@shipped(place=10, may_vanish=(*_SHARED, "inertia", "anchor_depth"), defaults={"eccentricity": 0.0})
 def controlled_wall(
     tendons: int = 1, centre: RotationCentre = MIGRATING, flexible: bool = False
 ) -> RockingModel:
-    """The wall by Lagrange's equations, no term dropped.
+    """A rigid wall held by an unbonded tendon, by Lagrange's equations with no term dropped.
 
-    It turns by theta about the point of its base that lies at b(theta) from the centreline and
-    has no vertical displacement. The kinetic energy contains the motion of that point along the
-    base. A tendon is straight between its anchor in the wall and that in the foundation.
+    It turns by theta about the point of its base that lies at b from the centreline and has no
+    vertical displacement: b = (B - edge_distance) (1 - exp(-(Delta/epsilon)**2)), thesis 4-8, with
+    the displacement Delta of the point at the height H and the transition epsilon. The kinetic
+    energy contains the motion of that point along the base. A tendon is straight between its
+    anchor in the wall and that in the foundation.
 
-    `flexible` : all that is above the base line moves across the axis by u against a spring and a
-    damper, and turns with the base. b and the tendons depend on the rotation of the base alone:
-    their anchors are on the axis of the wall unbent.
+    The tendon is elastic, yields, or is slack: a mode each. The state `permanent_extension` gets
+    its new value when yielding ends. A wall that starts at rest beyond yield has been pulled there.
+    `tendon_force`, `tendon_extension` and `rotation_centre` are quantities of a response.
+
+    The rotation centre passes the centreline with the wall upright, so that no velocity jumps
+    there: without an impact law no energy is lost.
     """
+    # flexible: all above the base line moves across the axis by u, and turns with the base
     cables = _tendons(tendons, ROTATION)
     wall = _Lagrangian(cables, flexible)
     model = _model(
@@ -827,7 +861,19 @@ def controlled_wall(
     return _one_ratio(model)
 
 
-@shipped(place=11)
+@shipped(place=11, may_vanish=(*_SHARED, "anchor_depth", "damping"), defaults={"eccentricity": 0.0})
 def flexible_controlled_wall() -> RockingModel:
-    """The wall with one tendon that bends on its base while it rocks."""
+    """The wall of `ControlledWall` that bends on its base while it rocks (thesis 4.7).
+
+    All that is above the base line turns with the base through theta and moves across the wall's
+    axis by u [m], against the stiffness and the damping: on a base that cannot turn its period is
+    2 pi sqrt(mass/k). The displacement of a response and the load of a pushover are those of the
+    point at height H of the bent wall. The rotation centre and the tendon follow the rotation of
+    the base, Delta = H sin(theta): the anchor in the wall lies on the axis of the wall unbent. At
+    30 mm of the thesis's wall that leaves out 0.1 % of the force that bends it.
+
+    A wall that turns about its centreline resists no small rotation. It then vibrates as one on a
+    hinge, (1 + m H_c**2/I)**(1/2) times as fast as on a base that cannot turn. No velocity jumps
+    where it comes upright.
+    """
     return controlled_wall(flexible=True)

@@ -61,14 +61,19 @@ def impact_force(x: sp.Expr, v: sp.Expr, r: sp.Expr, n: sp.Expr) -> sp.Expr:
 
 @shipped(place=4)
 def dirac_delta_block() -> RockingModel:
-    """The slender block in x = theta/alpha and time p t, its impacts spread over a width n.
+    """The slender block in x = theta/alpha and time p t, its impacts forces (thesis 2-29).
 
     A slender block moves like a point mass at its centre of percussion, at the distance g/p**2
     from either edge, which is the unit of length here; time in units of 1/p and mass of m.
-    Gravity is then 1 and ground accelerations are in units of g.
+    Gravity is then 1 and ground accelerations are in units of g; alpha matters to shaking only.
 
-    Modes are marks on the way, at which a step ends: none leaps over the force. Only
-    "left" and "right", far from the impact, are written in their shorter form.
+    The energy ratio r is that of the kinetic energies after and before an impact, as in
+    `EnergyRatio`. As the width n over which an impact is spread falls to zero the response becomes
+    that of `SlenderBlock`, with an error in proportion to n. No velocity jumps: `impacts` is empty,
+    `events` holds the passages between "left_core" and "right_core". Tolerances must be below n.
+
+    Modes are marks on the way, at which a step ends: none leaps over the force. Only "left" and
+    "right", far from the impact, are written in their shorter form.
     """
     x, v = ROTATION.position, ROTATION.velocity
     a, r, n = ALPHA.symbol, ENERGY_RATIO.symbol, REGULARISATION.symbol

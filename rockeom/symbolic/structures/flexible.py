@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from rockeom.symbolic.parts.superstructures import elastic_column
+from rockeom.symbolic.parts.superstructures import MAY_VANISH, elastic_column
 from rockeom.symbolic.parts.supports import pinned, standing
 from rockeom.symbolic.registry import shipped
 
 
-@shipped(place=9)
+@shipped(place=9, may_vanish=MAY_VANISH)
 def flexible_structure(support: str = "pinned", **details: Any) -> Any:
     """A superstructure on an elastic, damped column that stands on a rocking rigid base.
 
-    support : or on another support, see `rockeom.symbolic.parts.supports`.
+    support : what the base stands on, rk.Pinned() on rigid ground if not given.
     """
     if support != "pinned" or details:
         return standing(elastic_column(), support, **details)

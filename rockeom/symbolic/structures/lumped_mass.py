@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from rockeom.symbolic.parts.superstructures import rigid
+from rockeom.symbolic.parts.superstructures import MAY_VANISH, rigid
 from rockeom.symbolic.parts.supports import pinned, standing
 from rockeom.symbolic.registry import shipped
 
 
-@shipped(place=5)
+@shipped(place=5, may_vanish=MAY_VANISH)
 def lumped_mass_structure(support: str = "pinned", **details: Any) -> Any:
-    """A rigid superstructure and a base, both lumped, rocking about two fixed pivots.
+    """A rigid superstructure and a base, both lumped masses that rock about two fixed pivots.
 
-    support : or on another support, see `rockeom.symbolic.parts.supports`.
+    support : what the base stands on, rk.Pinned() on rigid ground if not given.
     """
     if support != "pinned" or details:
         return standing(rigid(), support, **details)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
 
 from rockeom.symbolic.model import Body, coordinate, parameter, rectangle, turned
@@ -9,10 +11,16 @@ from rockeom.symbolic.parts.superstructures import GRAVITY, ROTATION
 from rockeom.symbolic.registry import shipped
 from rockeom.symbolic.rocking import RockingModel, rocking_structure
 
+BLOCK: dict[str, Any] = {
+    "may_vanish": ("inertia",),
+    "defaults": {"mass": 1.0, "inertia": "that of a homogeneous rectangle"},
+}
+"""Arguments of the classes of blocks."""
 
-@shipped(place=1)
+
+@shipped(place=1, **BLOCK, called={"height": "half_height"})
 def rigid_block() -> RockingModel:
-    """A rigid body on rigid ground, rocking about its two edges; any size of rotation."""
+    """Housner's rigid body, which rocks about its two edges; any size of rotation."""
     mass = parameter("m", "mass", "kg", "mass")
     half_width = parameter("B", "half_width", "m", "half of the width of the base")
     height = parameter("H", "height", "m", "height of the centroid above the base")
@@ -37,7 +45,7 @@ def rigid_block() -> RockingModel:
     )
 
 
-@shipped(place=2)
+@shipped(place=2, **BLOCK)
 def slender_block() -> RockingModel:
     """The block linearised for small rotation and small alpha (thesis 2-3, 2-14).
 
@@ -70,9 +78,9 @@ def slender_block() -> RockingModel:
     )
 
 
-@shipped(place=3)
+@shipped(place=3, defaults={"radius_ratio": 0.75})
 def nondimensional_block() -> RockingModel:
-    """The block in x = theta/alpha and time p t (thesis 2-10 to 2-13).
+    """The block in x = theta/alpha and time p t (thesis 2-10 to 2-13); accelerations in units of g.
 
     Mass in units of m, length in units of g/p**2, time in units of 1/p, so that gravity is 1,
     ground accelerations are in units of g, and I_o = mgR/p**2 leaves two numbers: alpha and

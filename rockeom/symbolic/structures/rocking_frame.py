@@ -11,7 +11,7 @@ from rockeom.symbolic.registry import shipped
 from rockeom.symbolic.rocking import RockingModel, rocking_structure
 
 
-@shipped
+@shipped(may_vanish=("beam_mass",))
 def rocking_frame() -> RockingModel:
     """Equal rectangular columns that rock in step under a rigid beam, which stays level.
 

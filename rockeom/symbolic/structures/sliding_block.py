@@ -8,11 +8,22 @@ from rockeom.symbolic.model import Body, parameter, rectangle, turned
 from rockeom.symbolic.parts.superstructures import GRAVITY
 from rockeom.symbolic.parts.supports import FREE_ROTATION, FRICTION, RESTITUTION, X, Y
 from rockeom.symbolic.registry import shipped
+from rockeom.symbolic.structures.rigid_block import BLOCK
 
 
-@shipped(place=3.5)
+@shipped(
+    place=3.5,
+    may_vanish=("inertia", "friction", "restitution"),
+    defaults=BLOCK["defaults"],
+    called={"height": "half_height"},
+)
 def sliding_block() -> Model:
-    """A rigid body on two feet that open, stick and slip; any size of rotation."""
+    """The rigid block on feet that open, stick, slip and bounce; any size of rotation.
+
+    The states are the place x and the height y of the base's centre [m], theta [rad], and their
+    rates. A restitution of 0 to 1 is the ratio of the rates of a foot's gap after and before it
+    lands.
+    """
     mass = parameter("m", "mass", "kg", "mass")
     half_width = parameter("B", "half_width", "m", "half of the width of the base")
     height = parameter("H", "height", "m", "height of the centroid above the base")

@@ -28,11 +28,29 @@ def _parameters(index: int, which: str) -> tuple[Parameter, ...]:
     )
 
 
-@shipped(place=3.6)
+@shipped(
+    place=3.6,
+    may_vanish=("lower_inertia", "upper_inertia", "restitution"),
+    defaults={
+        "lower_mass": 1.0,
+        "upper_mass": 1.0,
+        "lower_inertia": "that of a homogeneous rectangle",
+        "upper_inertia": "that of a homogeneous rectangle",
+        "restitution": 0.0,
+    },
+)
 def stacked_blocks() -> Model:
-    """The upper block's corners touch the top of the lower one, whose corners touch the ground.
+    """The corners of the upper block rest on the lower one, whose corners rest on the ground.
 
-    No point slips: the friction that it needs is its friction over its normal force.
+    Corners open and close, and none of them slips: the friction that a point needs is its friction
+    over its normal force. A restitution of 0 to 1 is the ratio of the rates of a gap after and
+    before a corner lands. The upper block is no wider than the lower one.
+
+    lower, upper : two of `RigidBlock` under one gravity may take the place of the parameters of
+    each block.
+
+    The states are x, y [m] and theta [rad] of the lower block's base; xi and eta [m] of the upper
+    block's base along and above the lower one's top, and its rotation phi [rad]; and their rates.
     """
     lower, upper = _parameters(1, "lower"), _parameters(2, "upper")
     m_1, b_1, h_1, i_1 = (p.symbol for p in lower)

@@ -16,6 +16,7 @@ from rockeom.symbolic.parts.superstructures import (
     HALF_WIDTH,
     HEIGHT,
     MASS,
+    MAY_VANISH,
     ROTATION,
     rigid,
 )
@@ -37,12 +38,14 @@ from rockeom.symbolic.statics import holding_force
 from rockeom.symbolic.structures.lumped_mass import lumped_mass_structure
 
 
-@shipped(place=6)
+@shipped(place=6, may_vanish=MAY_VANISH)
 def two_spring_structure() -> RockingModel:
     """The exact dynamics: rotation and heave, the centre of the base guided vertically.
 
     Each foot presses on a spring and a damper that cannot pull: the force is
-    k_f delta + c_f delta' while both the compression delta and that sum are positive.
+    k_f delta + c_f delta' while both the compression delta and that sum are positive. `heave`
+    counts from the settled position. The elastic energy is that of the springs that press: a
+    damped foot lifts off a spring that is still compressed.
     """
     of, b = rigid(), HALF_WIDTH.symbol
     place = moved((sp.S.Zero, level(of, 2)))  # settled as in thesis 5-16
@@ -115,7 +118,7 @@ def bilinear_pushover() -> BilinearPushover:
     )
 
 
-@shipped(place=7)
+@shipped(place=7, may_vanish=MAY_VANISH)
 def two_spring_cart() -> RockingModel:
     """The thesis's equivalent cart 5-15: one displacement u and the closed form k(u).
 

@@ -22,12 +22,14 @@ MASS = parameter("m", "mass", "kg", "mass, a point")
 HEIGHT = parameter("H", "height", "m", "height of the mass above the base")
 
 
-@shipped(place=8)
+@shipped(place=8, may_vanish=("damping",))
 def uplifting_oscillator() -> RockingModel:
-    """An elastic, damped column with a point mass; the base has none. Small displacements.
+    """An elastic, damped column with a point mass; the base has none (Chopra and Yim 1985).
 
     Positions are those of the flexible structure to first order in the rotation and the
-    deformation: statics is that of the undeformed shape, without P-delta.
+    deformation: statics is that of the undeformed shape, without P-delta, and it never overturns.
+    By `Impulsive` each impact ends in full contact. The base has no weight to keep it down:
+    `lost_contact` says whether a foot would have jumped.
     """
     theta, u = ROTATION, DEFORMATION
     small = (theta.position, u.position)

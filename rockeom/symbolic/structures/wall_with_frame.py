@@ -10,7 +10,9 @@ from rockeom.symbolic.registry import shipped
 from rockeom.symbolic.rocking import RockingModel, rocking_structure
 
 
-@shipped
+@shipped(
+    may_vanish=("inertia", "frame_damping", "link_stiffness", "link_damping"),
+)
 def wall_with_frame() -> RockingModel:
     """A rigid wall on rigid ground and a frame of one mass on elastic columns of its own.
 

@@ -429,7 +429,7 @@ def figure_3_8() -> Drawn:
     A to D are those of 3-3: peak, just before the impact, just after it, next peak.
     """
     run = housner(R_HOUSNER)
-    upright = BLOCK.energies({}, phase="both")["gravitational_energy"]
+    upright = BLOCK.energies({}, mode="both")["gravitational_energy"]
     end = run.t <= run.impacts[1].time + 0.4
     potential, kinetic = run["gravitational_energy"] - upright, run["kinetic_energy"]
     figure = style.new_figure(7.0, 3.2)
@@ -454,8 +454,8 @@ def figure_3_8() -> Drawn:
         ax.annotate(name, (at, height), (5, 4), textcoords="offset points")
     ax.set_ylim(0, 1.15 * start)
     style.legend_above(ax)
-    after = float(BLOCK.energies(run.impacts[0].after, phase="left")["kinetic_energy"])
-    ratio = after / float(BLOCK.energies(run.impacts[0].before, phase="right")["kinetic_energy"])
+    after = float(BLOCK.energies(run.impacts[0].after, mode="left")["kinetic_energy"])
+    ratio = after / float(BLOCK.energies(run.impacts[0].before, mode="right")["kinetic_energy"])
     return Drawn(
         figure,
         (
@@ -593,7 +593,7 @@ def figure_3_13() -> Drawn:
     axes[1].set_xlabel("time [s]")
     axes[1].set_xlim(0, 10)
     figure.align_ylabels(axes)
-    before = BLOCK.reactions(run.impacts[0].before, phase="right")
+    before = BLOCK.reactions(run.impacts[0].before, mode="right")
     v, h = before["right_reaction"] / 1e3, abs(before["horizontal_reaction"]) / 1e3
     limit_h, limit_v = formulas.block_reactions_at_impact(0.0, 1, slender=True, **SHAPE)
     return Drawn(

@@ -171,7 +171,7 @@ def forces_when_still(run: rk.Response) -> tuple[np.ndarray, np.ndarray]:
     for i in turns[np.abs(d[turns]) > 2e-4]:
         state = {name: float(run[name][i]) for name in run.states}
         ground = float(run["ground_acceleration"][i])
-        turning = run.structure.accelerations(state, phase=run.mode[i], ground_acceleration=ground)[
+        turning = run.structure.accelerations(state, mode=run.mode[i], ground_acceleration=ground)[
             "theta"
         ]
         sin, cos = np.sin(state["theta"]), np.cos(state["theta"])

@@ -492,7 +492,7 @@ def released(structure: rk.Structure, law: ImpactLaw | None = None) -> History:
     for phase in np.unique(run.mode):
         rows = run.mode == phase
         state = {name: run[name][rows] for name in run.states}
-        turning[rows] = structure.accelerations(state, phase=str(phase))["theta"]
+        turning[rows] = structure.accelerations(state, mode=str(phase))["theta"]
     h, sin, cos = WALL.height, np.sin(theta), np.cos(theta)  # 4-33 to 4-35
     return History(run.t, h * sin, h * cos * rate, h * (turning * cos - rate**2 * sin))
 

@@ -349,7 +349,7 @@ def frequencies(contact: str) -> list[float]:
     rows = []
     for name in free:
         above, below = (
-            still.accelerations({**start, name: start.get(name, 0.0) + s * h}, phase=contact)
+            still.accelerations({**start, name: start.get(name, 0.0) + s * h}, mode=contact)
             for s in (1, -1)
         )
         rows.append([(above[n] - below[n]) / (2 * h) for n in free])

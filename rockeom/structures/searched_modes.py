@@ -1,14 +1,14 @@
-"""Contact states of structures whose contacts may open, slide and bounce, from their states.
+"""Modes of structures whose contacts may open, slide and bounce, from their states.
 
-Their generated modules tell of each point the gap, the slip and how both move, see
-`rockeom.integrator.transitions.searched`, where the loop asks the same.
+Their generated modules give the gap and the slip of each point and how both move. The search among
+the modes is that of the loop, `rockeom.integrator.transitions.searched`. The functions that
+`rockeom.structures.modes` lists are those of `rockeom.structures.declared_modes`, too.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
-from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -27,19 +27,21 @@ from rockeom.codes import (
     STICKING,
     SWITCH,
 )
-from rockeom.integrator.schema import SEARCHED, angles, has_points
+from rockeom.integrator.schema import SEARCHED, SearchedModes, angles
 from rockeom.integrator.texts import text_of
 from rockeom.numbers.batch import Differs, Many, values
 from rockeom.numbers.dual import directions, tangent_of, value_of, with_tangent
 from rockeom.numbers.functions import for_arrays, of_compounds
+from rockeom.structures.declared_modes import number_of
+from rockeom.structures.statics import Equilibrium, balanced
 
 HAPPENED = {
     LANDING: "landing", LIFTING: "lifting", SLIPPING: "slip begins", STICKING: "slip ends",
 }  # fmt: skip
-"""What an event of a point is called."""
+"""Words for the events of a point."""
 
 _CLOSED = 1e-9
-"""Relative to the terms of a gap, or of a rate: what is smaller is none, in a motion."""
+"""Relative to the terms of a gap, or of its rate: smaller ones are zero, in a motion."""
 
 
 class Points:
@@ -49,11 +51,10 @@ class Points:
     axes of states (..., N) in front.
     """
 
-    def __init__(self, module: ModuleType, y: np.ndarray, p: np.ndarray) -> None:
+    def __init__(self, module: SearchedModes, y: np.ndarray, p: np.ndarray) -> None:
         n, m = len(module.STATES) // 2, len(module.POINTS)
-        told = _told(module, y, p)
-        rows = told.reshape(*y.shape[:-1], m, 5 + 2 * n)
-        self.module, self.y, self.p, self.told = module, y, p, told
+        rows = _of_points(module, y, p).reshape(*y.shape[:-1], m, 5 + 2 * n)
+        self.module, self.y, self.p = module, y, p
         self.gap, self.gap_rate = rows[..., 0], rows[..., 1]
         self.normal, self.tangential = rows[..., 5 : 5 + n], rows[..., 5 + n :]
         place, motion = np.abs(y[..., :n, None]), np.abs(y[..., n:, None])
@@ -69,66 +70,76 @@ class Points:
         """(..., m) the same in a motion whose coordinates are as large as places (n,)."""
         return np.abs(self.gap) <= _CLOSED * np.maximum(self.size, np.abs(self.normal) @ places)
 
-    def touching(self) -> Touching:
-        """Which points touch in this state, one that is given, and how they slip."""
+    def contacts(self) -> Contacts:
+        """Which points are closed in a state that a user gives, and how they slip."""
         m = len(self.module.POINTS)
-        found = Touching(np.zeros(m, np.int64), np.zeros(m), np.zeros(m))
+        contacts = Contacts(np.zeros(m, np.int64), np.zeros(m), np.zeros(m))
         if m:
             search, y, p = _searching(self.module), self.y.astype(float), self.p
             known = np.zeros(search["N_KNOWN"])
-            search["all_known"](y, p, 0, known)  # its contact state matters to forces alone
-            search["touching_points"](y, p, 0, known, found.near, found.slides)
+            search["all_known"](y, p, 0, known)  # its mode matters to forces alone
+            search["touching_points"](y, p, 0, known, contacts.closed, contacts.slides)
             radius = [search["radius_of"](known, i) for i in range(m)]
-            found.least_gap[:] = -search["GIVEN"] * np.maximum(self.size, radius)
-        return found
+            contacts.least_gap[:] = -search["GIVEN"] * np.maximum(self.size, radius)
+        return contacts
 
 
-class Touching(NamedTuple):
-    """Of each point of a given state (m,)."""
+class Contacts(NamedTuple):
+    """The points in a state, (m,) each."""
 
-    near: np.ndarray
-    """1 where it touches."""
+    closed: np.ndarray
+    """1 where it is closed."""
     slides: np.ndarray
     """The sign of its slip, 0 where it has none."""
     least_gap: np.ndarray
     """The lowest gap that the state may have, but for its errors [m]."""
 
 
-def _told(module: ModuleType, y: np.ndarray, p: np.ndarray) -> np.ndarray:
-    """What the module tells of its points in states (..., N), in one row of each."""
+def _of_points(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> np.ndarray:
+    """The values of `points` of the module in states (..., N), in one row of each."""
     columns = len(module.POINTS) * (5 + len(module.STATES))
-    told = np.zeros((*y.shape[:-1], columns), np.result_type(y, p))
-    if told.size:
-        _fill(module, y.reshape(-1, y.shape[-1]), p, told.reshape(-1, told.shape[-1]))
-    return told
+    rows = np.zeros((*y.shape[:-1], columns), np.result_type(y, p))
+    if rows.size:
+        _fill(module, y.reshape(-1, y.shape[-1]), p, rows.reshape(-1, rows.shape[-1]))
+    return rows
 
 
-def _fill(module: ModuleType, states: np.ndarray, p: np.ndarray, told: np.ndarray) -> None:
-    """The rows of states (k, N) into told (k, ...); of many at once, the same bits, sooner."""
+def _fill(module: SearchedModes, states: np.ndarray, p: np.ndarray, every: np.ndarray) -> None:
+    """The rows of states (k, N) into every (k, ...); of many at once, the same bits, sooner."""
     if len(states) == 1:
-        for_arrays(module, states, p).points(states[0], p, told[0])
+        for_arrays(module, states, p).points(states[0], p, every[0])
         return
-    out = np.zeros(told.shape[1], dtype=object)
+    out = np.zeros(every.shape[1], dtype=object)
     try:
         of_compounds(module).points(np.array([Many(c) for c in states.T], dtype=object), p, out)
     except Differs as ways:  # states that do not go the same way through it
         for part in ways.parts:
-            rows = told[part]
+            rows = every[part]
             _fill(module, states[part], p, rows)
-            told[part] = rows
+            every[part] = rows
         return
-    for column, value in zip(told.T, out, strict=True):
+    for column, value in zip(every.T, out, strict=True):
         column[:] = values(value)
 
 
-def landing_speeds(structure: Any, states: np.ndarray) -> np.ndarray:
+def landing_speeds(module: SearchedModes, p: np.ndarray, states: np.ndarray) -> np.ndarray:
     """(k,) speeds at which the fastest points of states (k, N) close their gaps [m/s]."""
-    rates = Points(structure.module, states, structure.vector).gap_rate
+    rates = Points(module, states, p).gap_rate
     return np.maximum(-rates.min(axis=1, initial=np.inf), 0.0)
 
 
+def completed(
+    module: SearchedModes, y: np.ndarray, p: np.ndarray, named: Mapping[str, Any]
+) -> np.ndarray:
+    """The state with what is not named put so that the structure can be in it.
+
+    The lowest points stand and do not slip; elements that yield are drawn out.
+    """
+    return drawn_out(module, standing(module, y, p, named), p, named)
+
+
 def standing(
-    module: ModuleType, y: np.ndarray, p: np.ndarray, named: Mapping[str, Any]
+    module: SearchedModes, y: np.ndarray, p: np.ndarray, named: Mapping[str, Any]
 ) -> np.ndarray:
     """The state with what is not named changed, so that the lowest points stand and do not slip.
 
@@ -142,7 +153,7 @@ def standing(
 
 
 def _standing(
-    module: ModuleType, y: np.ndarray, p: np.ndarray, named: Mapping[str, Any]
+    module: SearchedModes, y: np.ndarray, p: np.ndarray, named: Mapping[str, Any]
 ) -> np.ndarray:
     y = y.astype(np.result_type(y, p))
     n = len(module.STATES) // 2
@@ -172,7 +183,7 @@ def _standing(
     return y
 
 
-def _touching(module: ModuleType, y: np.ndarray, p: np.ndarray, free: np.ndarray) -> np.ndarray:
+def _touching(module: SearchedModes, y: np.ndarray, p: np.ndarray, free: np.ndarray) -> np.ndarray:
     """The coordinates (n,) with those of numbers `free` moved until the lowest points touch.
 
     Newton's method for all gaps that were the lowest one: the lower of two bodies moves the gaps
@@ -230,7 +241,7 @@ def _least_squares(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def drawn_out(
-    module: ModuleType, model: str, y: np.ndarray, p: np.ndarray, named: Mapping[str, Any]
+    module: SearchedModes, y: np.ndarray, p: np.ndarray, named: Mapping[str, Any]
 ) -> np.ndarray:
     """The state, what is beyond the strength of an element that yields being drawn out there.
 
@@ -241,23 +252,23 @@ def drawn_out(
     if not places:
         return y
     free = (OPEN,) * len(module.POINTS)  # its guards hold anywhere
-    contact = _with_elements(module, free, value_of(y), value_of(p))
+    mode = _with_elements(module, free, value_of(y), value_of(p))
     y = y.astype(np.result_type(y, p))
     m = for_arrays(module, y)
-    drawn, told = y.copy(), np.zeros(len(module.KINEMATICS), y.dtype)
-    for guard in range(module.GUARDS[contact]):
-        if module.KINDS[contact][guard] == SWITCH:
-            m.jump(contact, guard, 0, 0.0, drawn.copy(), p, drawn)
-    m.kinematics(contact, y, p, told)
+    drawn, moved = y.copy(), np.zeros(len(module.KINEMATICS), y.dtype)
+    for guard in range(module.GUARDS[mode]):
+        if module.KINDS[mode][guard] == SWITCH:
+            m.jump(mode, guard, 0, 0.0, drawn.copy(), p, drawn)
+    m.kinematics(mode, y, p, moved)
     for name, z in places.items():
         i = module.STATES.index(z)
-        size = abs(drawn[i]) + abs(told[module.KINEMATICS.index(f"{name}_elongation")])
+        size = abs(drawn[i]) + abs(moved[module.KINEMATICS.index(f"{name}_elongation")])
         if z not in named:
             y[i] = drawn[i]
         elif abs(drawn[i] - y[i]) > _BEYOND * size:
             raise ValueError(
-                f"{model}: {z} is {y[i]:g} in this state, which leaves more than the strength: "
-                f"give {drawn[i]:.6g}, or leave it out"
+                f"{module.NAME}: {z} is {y[i]:g} in this state, which leaves more than the "
+                f"strength: give {drawn[i]:.6g}, or leave it out"
             )
     return y
 
@@ -266,22 +277,24 @@ _BEYOND = 1e-4
 """Relative: an extension is integrated while it grows, to the tolerance of a motion."""
 
 
-def contact_of(module: ModuleType, model: str, y: np.ndarray, p: np.ndarray) -> int:
-    """Number of the contact state of a state vector.
+def mode_of(
+    module: SearchedModes, y: np.ndarray, p: np.ndarray, towards: Callable[[], float] = float
+) -> int:
+    """Number of the mode of a state.
 
-    Raises ValueError where a point is below what it stands on, and where no contact state fits.
+    Raises ValueError where a point is below what it stands on, and where no mode fits.
     """
     y, p = value_of(y), value_of(p)
     points = Points(module, y, p)
-    touching, slides, least_gap = points.touching()
+    closed, slides, least_gap = points.contacts()
     states = []
     for i, name in enumerate(module.POINTS):
         if points.gap[i] < least_gap[i]:
             raise ValueError(
-                f"{model}: the gap of {name} is {points.gap[i]:g} in this state: it must not be "
-                "negative; leave the heights out, they follow from the rest"
+                f"{module.NAME}: the gap of {name} is {points.gap[i]:g} in this state: it must not "
+                "be negative; leave the heights out, they follow from the rest"
             )
-        if not touching[i]:
+        if not closed[i]:
             states.append(OPEN)
         elif slides[i] == 0.0:
             states.append(STICK)
@@ -289,14 +302,14 @@ def contact_of(module: ModuleType, model: str, y: np.ndarray, p: np.ndarray) -> 
             states.append(SLIP_RIGHT if slides[i] > 0.0 else SLIP_LEFT)
     points_as = _smoothed(module, tuple(states))
     if points_as not in module.POINT_STATES:
-        told = ", ".join(
+        described = ", ".join(
             f"{name} {_WORDS[state]}" for name, state in zip(module.POINTS, states, strict=True)
         )
-        raise ValueError(f"{model} has no contact state in which {told}: correct the state")
+        raise ValueError(f"{module.NAME} has no mode in which {described}: correct the state")
     return _with_elements(module, points_as, y, p)
 
 
-def _smoothed(module: ModuleType, states: tuple[int, ...]) -> tuple[int, ...]:
+def _smoothed(module: SearchedModes, states: tuple[int, ...]) -> tuple[int, ...]:
     """The states of points with those that are frictionless where the same points are closed."""
     for row in module.POINT_STATES:
         smooth = tuple(
@@ -310,17 +323,22 @@ def _smoothed(module: ModuleType, states: tuple[int, ...]) -> tuple[int, ...]:
 _WORDS = {OPEN: "is open", STICK: "sticks", SLIP_RIGHT: "slips right", SLIP_LEFT: "slips left"}
 
 
-def by_forces(
-    module: ModuleType, contact: int, y: np.ndarray, p: np.ndarray, ground: tuple[float, float]
-) -> int:
-    """The contact state in which a state goes on, by the forces under a ground acceleration.
+def named_mode(module: SearchedModes, mode: Any, y: np.ndarray, p: np.ndarray) -> int:
+    """Number of the mode named; raises TypeError or ValueError where there is none."""
+    return number_of(module, mode)
 
-    contact : that which the state itself tells of. Raises ValueError where forces fit none, or
-    several that move differently.
+
+def mode_under_forces(
+    module: SearchedModes, mode: int, y: np.ndarray, p: np.ndarray, ground: tuple[float, float]
+) -> int:
+    """The mode in which a state goes on, by the forces under a ground acceleration.
+
+    mode : that of the state alone. Raises ValueError where forces fit none, or several that move
+    differently.
     """
     if not len(module.POINTS):
-        return contact
-    follows = _searching(module)["fits_by_forces"](contact, y, p, *ground)
+        return mode
+    follows = _searching(module)["fits_by_forces"](mode, y, p, *ground)
     if follows < 0:
         none = "no" if follows == IMPOSSIBLE else "more than one"
         if never_slips(module, p):
@@ -330,31 +348,100 @@ def by_forces(
                 "them, or give another state"
             )
         raise ValueError(
-            f"{none} contact state of {module.NAME} fits the forces in this state (Painleve): give "
+            f"{none} mode of {module.NAME} fits the forces in this state (Painleve): give "
             "less friction, or another state"
         )
     return follows
 
 
-def never_slips(module: ModuleType, p: np.ndarray) -> bool:
+def never_slips(module: SearchedModes, p: np.ndarray) -> bool:
     """Whether no contact of a structure ever slips, whatever friction that takes."""
-    laws = np.zeros(2 * len(module.POINTS))
-    module.point_laws(p, laws)
-    return bool((laws[1::2] >= NEVER_SLIPS).all())
+    rows = np.zeros(2 * len(module.POINTS))  # restitution and friction of each point
+    module.point_laws(p, rows)
+    return bool((rows[1::2] >= NEVER_SLIPS).all())
+
+
+def equilibrium(module: SearchedModes, p: np.ndarray, rotation: float) -> Equilibrium:
+    """(force, state) of points that may open: they stick, and give the forces that are needed."""
+    m = module
+    n = m.N_STATES // 2
+    if len(m.POINTS):
+        rotation = rotation or 1e-12  # upright it is the force at which it lifts, to the right
+    upright = _state(m, p, {m.STATES[m.ROTATION]: rotation})
+    held = _held(m, p, upright)
+    places = [i for i in range(n - getattr(m, "N_INTERNAL", 0)) if i != m.ROTATION]
+    free = [i for i in places if not np.any(held[:, i])]
+    tied = [i for i in places if i not in free]
+
+    def state(unknown: np.ndarray) -> np.ndarray:
+        named = {m.STATES[i]: x for i, x in zip(free, unknown, strict=True)}
+        return _as_it_stood(m, p, _state(m, p, {m.STATES[m.ROTATION]: rotation, **named}))
+
+    def statics(y: np.ndarray, load: float) -> np.ndarray:
+        """Of the rotation and the free coordinates: virtual work, the tied ones moving along."""
+        lacking = np.empty(n)
+        m.statics(mode_of(m, y, p), y, p, load, lacking)
+        rows = _held(m, p, y)
+        moving = [m.ROTATION, *free]
+        along = -np.linalg.lstsq(rows[:, tied], rows[:, moving], rcond=None)[0]
+        return lacking[moving] + along.T @ lacking[tied]
+
+    forces = np.zeros(len(m.REACTIONS))
+    m.reactions(mode_of(m, upright, p), upright, p, 0.0, 0.0, forces)
+    force, y = balanced(state, statics, len(free), noise=1e-12 * np.abs(forces).sum())
+    if not np.isfinite(force):
+        raise ValueError(f"no equilibrium of {m.NAME} at rotation {rotation}")
+    return force, y
+
+
+def _state(m: SearchedModes, p: np.ndarray, named: Mapping[str, float]) -> np.ndarray:
+    """(N,) state of named values."""
+    return completed(m, np.array([named.get(name, 0.0) for name in m.STATES]), p, named)
+
+
+def _as_it_stood(m: SearchedModes, p: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """The state moved along, so that the closed points are where they stood upright."""
+    closed, rows = _holding(m, p, y)
+    slips = [m.KINEMATICS.index(f"{m.POINTS[i]}_slip") for i in np.flatnonzero(closed)]
+    moved = []
+    for state in (y, _state(m, p, {})):
+        out = np.empty(len(m.KINEMATICS))
+        m.kinematics(mode_of(m, state, p), state, p, out)
+        moved.append(out[slips])
+    lacking = np.concatenate([np.zeros(len(slips)), moved[1] - moved[0]])
+    level = np.flatnonzero(np.array(angles(m)) == 0.0)
+    y = y.copy()
+    y[level] += np.linalg.lstsq(rows[:, level], lacking, rcond=None)[0]
+    return y
+
+
+def _held(m: SearchedModes, p: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """(k, n) the directions in which the closed points of a state hold it."""
+    return _holding(m, p, y)[1]
+
+
+def _holding(m: SearchedModes, p: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(m,) whether each point is closed in a state, and (k, n) the directions in which they hold.
+
+    Those of all gaps stand before those of all slips.
+    """
+    points = Points(m, y, p)
+    closed = points.contacts().closed == 1
+    return closed, np.vstack([points.normal[closed], points.tangential[closed]])
 
 
 @cache
-def _searching(module: ModuleType) -> dict[str, Any]:
-    """The functions that search for contact states, as plain Python, for a generated module."""
-    found = dict(vars(module)) | {"ANGLES": angles(module)}
-    exec(compile(text_of(SEARCHED), SEARCHED, "exec"), found)
-    return found
+def _searching(module: SearchedModes) -> dict[str, Any]:
+    """The functions that search for modes, as plain Python, for a generated module."""
+    names = dict(vars(module)) | {"ANGLES": angles(module)}
+    exec(compile(text_of(SEARCHED), SEARCHED, "exec"), names)
+    return names
 
 
 def _with_elements(
-    module: ModuleType, points: tuple[int, ...], y: np.ndarray, p: np.ndarray
+    module: SearchedModes, points: tuple[int, ...], y: np.ndarray, p: np.ndarray
 ) -> int:
-    """The contact state with these states of points whose elements are as in a motion.
+    """The mode with these states of points whose elements are as in a motion.
 
     An element is open, or elastic, as long as the guard of that state is positive: only its fall
     closes it, or makes it yield. A damper alone holds no spring closed above its ground: its force
@@ -363,17 +450,17 @@ def _with_elements(
     fits, each = _by_elements(module, points)
     values: dict[int, np.ndarray] = {}
 
-    def margin(contact: int, element: int) -> float:
-        if contact not in values:
-            values[contact] = np.zeros(module.N_GUARDS + module.N_PARTS)
-            module.guards(contact, y, p, 0.0, 0.0, values[contact])
+    def margin(mode: int, element: int) -> float:
+        if mode not in values:
+            values[mode] = np.zeros(module.N_GUARDS + module.N_PARTS)
+            module.guards(mode, y, p, 0.0, 0.0, values[mode])
         subject = len(module.POINTS) + element
-        guards = zip(values[contact], module.SUBJECTS[contact], strict=False)
+        guards = zip(values[mode], module.SUBJECTS[mode], strict=False)
         return min((g for g, of in guards if of == subject), default=0.0)
 
     wanted = []
-    for i, contacts in enumerate(each):
-        margins = {state: margin(contact, i) for state, contact in contacts.items()}
+    for i, modes in enumerate(each):
+        margins = {state: margin(mode, i) for state, mode in modes.items()}
         best = max(margins, key=lambda state: min(margins[state], 0.0))
         wanted.append(0 if margins.get(0, 0.0) > 0.0 else best)
     if tuple(wanted) in fits:
@@ -385,9 +472,9 @@ def _with_elements(
 
 @cache
 def _by_elements(
-    module: ModuleType, points: tuple[int, ...]
+    module: SearchedModes, points: tuple[int, ...]
 ) -> tuple[dict[tuple[int, ...], int], tuple[dict[int, int], ...]]:
-    """Contact states by the states of their elements, and of each element one for each state.
+    """Modes by the states of their elements, and of each element one for each state.
 
     First those where all have their first states, and their last: two whose guards tell all.
     """
@@ -401,54 +488,43 @@ def _by_elements(
     return fits, each
 
 
-def named(module: ModuleType, phase: Any) -> int:
-    """Number of the contact state named; raises TypeError or ValueError where it is none."""
-    if not isinstance(phase, str):
-        raise TypeError(f"phase is {phase!r}: give one of {', '.join(module.MODES)}")
-    if phase not in module.MODES:
-        raise ValueError(f"no phase {phase!r}; {module.NAME} has {', '.join(module.MODES)}")
-    return module.MODES.index(phase)
-
-
 def subjects(
-    module: ModuleType, passages: np.ndarray, states: np.ndarray, p: np.ndarray
+    module: SearchedModes, events: np.ndarray, states: np.ndarray, p: np.ndarray
 ) -> list[str]:
     """The points, or the element, of each event, joined by "+" where several have it at once.
 
-    passages (k, 4) : kind, contact states before and after, number of the guard. states (k, 2, N) :
-    before and after it.
+    events (k, 4) : kind, modes before and after, number of the guard. states (k, 2, N) : before and
+    after it.
     """
-    found = [""] * len(passages)
-    if not has_points(module):
-        return found
-    landed = _landed(module, passages, states, p)
-    for i, (kind, contact, _, guard) in enumerate(passages.tolist()):
+    names = [""] * len(events)
+    landed = _landed(module, events, states, p)
+    for i, (kind, mode, _, guard) in enumerate(events.tolist()):
         if guard < 0:
             continue
-        number = module.SUBJECTS[contact][guard]
+        number = module.SUBJECTS[mode][guard]
         if number >= len(module.POINTS):
-            found[i] = module.ELEMENTS[number - len(module.POINTS)]
+            names[i] = module.ELEMENTS[number - len(module.POINTS)]
             continue
         several = [number]
         if kind == LANDING:
             several = sorted({number, *np.flatnonzero(landed[i]).tolist()})
         elif kind in (SLIPPING, STICKING):
-            shared, closed = module.SHARED[contact], module.POINT_STATES[contact]
+            shared, closed = module.SHARED[mode], module.POINT_STATES[mode]
             several = [j for j, first in enumerate(shared) if first == shared[number]]
             several = [j for j in several if closed[j] != OPEN]
-        found[i] = "+".join(module.POINTS[j] for j in several)
-    return found
+        names[i] = "+".join(module.POINTS[j] for j in several)
+    return names
 
 
 def _landed(
-    module: ModuleType, passages: np.ndarray, states: np.ndarray, p: np.ndarray
+    module: SearchedModes, events: np.ndarray, states: np.ndarray, p: np.ndarray
 ) -> dict[int, np.ndarray]:
     """Which points (m,) landed, by the number of the event, a landing."""
-    landings = np.flatnonzero(passages[:, 0] == LANDING)
+    landings = np.flatnonzero(events[:, 0] == LANDING)
     if not len(landings):
         return {}
     before, after = (Points(module, states[landings, side], p) for side in (0, 1))
     met = (before.gap_rate < -_CLOSED * before.speed) & (after.gap_rate >= -_CLOSED * before.speed)
-    opened = np.array(module.POINT_STATES)[passages[landings, 1]] == OPEN
+    opened = np.array(module.POINT_STATES)[events[landings, 1]] == OPEN
     near = after.gap <= 1e-6 * np.abs(before.gap_rate)  # it did not only turn back in flight
     return dict(zip(landings.tolist(), met & opened & near, strict=True))

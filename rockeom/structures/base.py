@@ -1,0 +1,661 @@
+"""A structure: physical parameters bound to a generated module, and what follows from both."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import importlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, cast
+
+import numpy as np
+
+from rockeom import renamed
+from rockeom.codes import IMPACT
+from rockeom.drawing.positions import Shapes, places, positions_of, rotations_of, shapes
+from rockeom.integrator.schema import GeneratedModule, has_landings
+from rockeom.integrator.transitions.declared import velocity_ratio_at
+from rockeom.numbers.checks import UnknownAttributeError, number, numbers
+from rockeom.numbers.dual import value_of
+from rockeom.numbers.functions import for_arrays, isfinite
+from rockeom.structures import declared_modes, evaluation, linearised, modal, plausible, statics
+from rockeom.structures.impact_laws import ImpactLaw, TabulatedLaw, check_law, default_law
+from rockeom.structures.modes import modes_of
+from rockeom.structures.parameters import check_states
+from rockeom.structures.pickled import made_of
+
+
+def generated_module(name: str) -> GeneratedModule:
+    """The module that was generated for a shipped structure."""
+    return cast(GeneratedModule, importlib.import_module(f"rockeom.generated.{name}"))
+
+
+@renamed.attributes(stands_on_points="has_landings")
+class Structure:
+    """A rocking structure with its parameters.
+
+    Methods take a state as a mapping of state names; what is not named is zero. The contact mode
+    follows from the state, or is named by `mode`.
+    """
+
+    model: ClassVar[str] = ""
+    of_each: ClassVar[Mapping[str, str]] = {}
+    """Parameters that are lists, and what the generated module calls one of them, numbered."""
+    pulled: ClassVar[str] = "it would have jumped"
+    """The meaning of a force by which the ground would have to pull a foot, in words."""
+
+    __getstate__ = made_of
+
+    # -- given by a subclass --------------------------------------------------------------
+
+    def parameters(self) -> dict[str, float]:
+        """The parameters of the model, by name, in SI units."""
+        raise NotImplementedError
+
+    @classmethod
+    def defaults(cls) -> dict[str, Any]:
+        """The names that the class takes, each with its default; `dataclasses.MISSING` for none."""
+        return {f.name: f.default for f in dataclasses.fields(cls)}  # type: ignore[arg-type]
+
+    def parameter_at(self, path: tuple[Any, ...]) -> str:
+        """The parameter of the equations that a number of the structure is; "" where none is.
+
+        path : the name of an attribute; behind it the place in a list, or an attribute of that.
+        """
+        (name, *inside) = path
+        if inside:
+            return f"{self.of_each[name]}_{inside[0] + 1}" if name in self.of_each else ""
+        return name if name in self.module.PARAMETERS else ""
+
+    @functools.cached_property
+    def module(self) -> GeneratedModule:
+        """The generated module."""
+        return generated_module(self.model)
+
+    def _repr_html_(self) -> str:
+        from rockeom.drawing.notebook import page_of_structure  # matplotlib
+
+        return page_of_structure(self)
+
+    if not TYPE_CHECKING:  # for type checkers an unknown attribute stays an error
+
+        def __getattr__(self, name: str) -> Any:
+            return missing(self, name)
+
+    # -- for all structures ------------------------------------------------------------------------
+
+    @functools.cached_property
+    def vector(self) -> np.ndarray:
+        """The parameters, and the constants prepared of them: p of compiled functions."""
+        values = self.parameters()
+        parameters = np.array([number(n, values[n]) for n in self.module.PARAMETERS])
+        return self.module_for(parameters).prepare(parameters)
+
+    def module_for(self, *arrays: np.ndarray) -> Any:
+        """The generated module, for compounds where arrays hold such."""
+        return for_arrays(self.module, *arrays)
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        return self.module.STATES
+
+    @property
+    def jumps_between_events(self) -> bool:
+        """Whether a force may jump at a place where no mode ends."""
+        return False
+
+    @functools.cached_property
+    def rocks_on_rigid_ground(self) -> bool:
+        """Whether the edges of the base are pivots, and full contact is a mode of its own."""
+        return declared_modes.rocks_on_rigid_ground(self.module)
+
+    @functools.cached_property
+    def has_impacts(self) -> bool:
+        """Whether an impact ends any mode."""
+        m = self.module
+        return any(IMPACT in kinds[:n] for kinds, n in zip(m.KINDS, m.GUARDS, strict=True))
+
+    @functools.cached_property
+    def has_landings(self) -> bool:
+        """Whether points land, each by its own impact law, and may slide."""
+        return has_landings(self.module)
+
+    @functools.cached_property
+    def overturning_rotation(self) -> float:
+        """Rotation at which the structure has fallen over, in the rotation's unit."""
+        return number("overturning_rotation", self.module_for(self.vector).overturning(self.vector))
+
+    @functools.cached_property
+    def falls(self) -> dict[str, float]:
+        """Size of each coordinate that may fall at which the structure has, the rotation first."""
+        m = self.module_for(self.vector)
+        bounds = {self.states[m.ROTATION]: self.overturning_rotation}
+        for i in range(m.N_FALLS):
+            size = number("falls", m.overturns_at(i, self.vector))
+            bounds[self.states[m.FALLS[i]]] = size
+        return bounds
+
+    @functools.cached_property
+    def velocity_ratio(self) -> float:
+        """Ratio of the rates of rotation at an impact of the structure taken as rigid, 5-14."""
+        return number("velocity_ratio", self.module_for(self.vector).velocity_ratio(self.vector))
+
+    @functools.cached_property
+    def fastest_damping(self) -> float:
+        """A rate that no decay of small motion exceeds where springs push back [1/s].
+
+        It costs less than `small_motion`: small where little is damped.
+        """
+        return linearised.fastest_damping(self.module, self.vector, self.parameters())
+
+    @functools.cached_property
+    def small_motion(self) -> tuple[float, float]:
+        """(motion, decay) the fastest rates of small motion at rest in any mode [1/s].
+
+        Of the eigenvalues of the linearised equations: decay, the largest of those that die out
+        within a radian; motion, the largest of the others, which vibrate or grow.
+        """
+        return linearised.fastest_rates(self.module, self.vector)
+
+    def state(self, values: Mapping[str, float]) -> np.ndarray:
+        """(N,) state vector of named values.
+
+        Raises ValueError for unknown names or NaN, and TypeError for what is no mapping of numbers.
+        """
+        check_states("state", values, self.states)
+        unknown = [n for n in values if n not in self.states]
+        if unknown:
+            raise ValueError(
+                f"unknown state {', '.join(map(repr, unknown))}; {self.model} has "
+                f"{', '.join(self.states)}"
+            )
+        y = [number(f"state {name}", values.get(name, 0.0)) for name in self.states]
+        for name, value in zip(self.states, y, strict=True):
+            if not isfinite(value):
+                raise ValueError(f"state {name} is {value}: give a finite number")
+        return modes_of(self.module).completed(self.module, np.array(y), self.vector, values)
+
+    @renamed.arguments(phase="mode")
+    def contact(
+        self, y: np.ndarray, mode: str | None = None, towards: Callable[[], float] = float
+    ) -> int:
+        """Number of the mode of a state vector, or of the mode named.
+
+        towards : gives the sign of the rotation to come where the state is upright and at rest.
+
+        Raises ValueError for a state that fits no mode, or not the mode named.
+        """
+        m, y = self.module, value_of(y)  # which mode it is has no derivative
+        if mode is not None:
+            return modes_of(m).named_mode(m, mode, y, self.vector)
+        return modes_of(m).mode_of(m, y, self.vector, towards)
+
+    def _under(self, ground: tuple[float, float], y: np.ndarray, mode: str | None) -> int:
+        """Number of the mode; where contacts may slide and open, forces decide, too."""
+        m, number = self.module, self.contact(y, mode)
+        if mode is not None:
+            return number
+        return modes_of(m).mode_under_forces(m, number, y, self.vector, ground)
+
+    @renamed.arguments(phase="mode")
+    def accelerations(
+        self,
+        state: Mapping[str, Any],
+        ground_acceleration: Any = 0.0,
+        vertical_ground_acceleration: Any = 0.0,
+        mode: str | None = None,
+    ) -> dict[str, Any]:
+        """Accelerations of the coordinates, by name [unit of the coordinate per s2].
+
+        A state may hold arrays, as the accelerations of the ground [m/s2], of one shape or for
+        NumPy to make of one; the result has that shape. Where contacts may slide and open, and
+        no mode is named, the mode is that which the forces lead to: a block at rest
+        slides under an acceleration that its friction cannot hold. Raises ValueError where they
+        fit none, or several (Painleve).
+
+        >>> block.accelerations({"theta": np.linspace(0.0, 0.1, 11)}, ground_acceleration=3.0)
+        """
+        at = self._at(state, mode, ground_acceleration, vertical_ground_acceleration)
+        m, p = self.module, self.vector
+        rates = evaluation.filled(m, p, "rates", m.N_STATES, at.modes, at.y, *at.ground)
+        n = len(self.states) // 2
+        return at.shaped(dict(zip(self.states[:n], rates[n:], strict=True)))
+
+    @renamed.arguments(phase="mode")
+    def absolute_accelerations(
+        self,
+        state: Mapping[str, Any],
+        ground_acceleration: Any = 0.0,
+        vertical_ground_acceleration: Any = 0.0,
+        mode: str | None = None,
+    ) -> dict[str, np.ndarray]:
+        """Accelerations (..., 2) of the places of `positions`, with the ground's, by name [m/s2].
+
+        The arguments are those of `accelerations`; of a motion see `run.places`.
+        """
+        at = self._at(state, mode, ground_acceleration, vertical_ground_acceleration)
+        values = evaluation.accelerations(self.module, self.vector, at.modes, at.y, *at.ground)
+        return {name: value.reshape(*at.shape, 2) for name, value in values.items()}
+
+    @renamed.arguments(phase="mode")
+    def velocities(
+        self, state: Mapping[str, Any], mode: str | None = None
+    ) -> dict[str, np.ndarray]:
+        """Velocities (..., 2) of the places of `positions`, by name [m/s], relative to the ground.
+
+        Of a motion see `run.places`.
+        """
+        at = self._at(state, mode)
+        values = evaluation.velocities(self.module, self.vector, at.modes, at.y)
+        return {name: value.reshape(*at.shape, 2) for name, value in values.items()}
+
+    @renamed.arguments(phase="mode")
+    def after_impact(
+        self,
+        state: Mapping[str, float],
+        mode: str,
+        impact: ImpactLaw | None = None,
+        impact_number: int = 0,
+    ) -> tuple[dict[str, float], str]:
+        """State after the impact that ends `mode`, and the mode that follows.
+
+        impact : `default_impact` if not given. impact_number : of the impact in its motion, from 0
+        on, for an impact law that draws.
+        Raises ValueError where the model has no impact in that mode.
+        """
+        m, p = self.module, self.vector
+        if self.has_landings:
+            raise ValueError(
+                f"{self.model} has an impact law for each of its points: simulate it, its events "
+                "hold the states before and after each landing"
+            )
+        y = self.state(state)
+        number = self.contact(y, mode)
+        if m.KINDS[number][0] != IMPACT or m.GUARDS[number] == 0:
+            raise ValueError(f"no impact ends the mode {mode!r} of {self.model}")
+        law, ratio = self.law(impact)
+        table = np.array(self.impact_table(impact), float)
+        ratio = velocity_ratio_at(law, ratio, impact_number, float(y[m.ROTATION_RATE]), table)
+        out = np.empty_like(y)
+        follows = m.jump(number, 0, law, ratio, y, p, out)
+        return dict(zip(self.states, out.tolist(), strict=True)), m.MODES[follows]
+
+    def law(self, impact: ImpactLaw | None) -> tuple[int, float]:
+        """(code, ratio) of an impact law for the compiled functions; None is `default_impact`.
+
+        ratio : of the rates of rotation after and before an impact. Raises ValueError where a law
+        is given to a model without impacts, and TypeError for anything but an impact law.
+        """
+        m = self.module
+        if not self.has_impacts:
+            if impact is not None and self.has_landings:
+                raise ValueError(
+                    f"{self.model} has an impact law for each of its points, as it is declared; "
+                    "leave `impact` out"
+                )
+            if impact is not None:
+                raise ValueError(
+                    f"{self.model} has no impacts, forces take their place; leave `impact` out"
+                )
+            return 0, 1.0
+        chosen = default_law(m) if impact is None else impact
+        check_law(chosen)
+        return chosen.resolve(self.velocity_ratio, m.HAS_IMPULSIVE, self.model)
+
+    @property
+    def default_impact(self) -> ImpactLaw | None:
+        """The impact law where none is named; None for a structure that takes no impact law.
+
+        `Impulsive` where something besides the rotation moves at an impact, such as a column that
+        bends, and the masses determine the impulses; `AngularMomentum` otherwise.
+        """
+        return default_law(self.module) if self.has_impacts else None
+
+    def describe_impact(self, impact: ImpactLaw | None) -> str:
+        """The impact law in words, and whether it is the default; empty where none applies."""
+        if not self.has_impacts:
+            return ""
+        return repr(impact) if impact is not None else f"{self.default_impact!r}, by default"
+
+    @property
+    def speed_height(self) -> float | None:
+        """Height of the point whose speed an impact law means [m]; None if there is none."""
+        return None
+
+    def impact_table(self, impact: ImpactLaw | None) -> list[float]:
+        """The table of an impact law, which the compiled loop reads behind the parameters."""
+        if isinstance(impact, TabulatedLaw) and impact.table_needed and self.has_impacts:
+            return impact.table(self).numbers()
+        return []
+
+    @property
+    def rocking_inertia(self) -> float:
+        """Moment of inertia with which an impact finds the structure rocking [kg m2].
+
+        Twice the kinetic energy upright on one foot, turning by 1 rad/s, the other rates zero.
+        Raises TypeError for a structure whose rotation is no angle in time.
+        """
+        m, p = self.module_for(self.vector), self.vector
+        if m.STATE_UNITS[m.ROTATION_RATE] != "rad/s":
+            raise TypeError(
+                f"the rate of {self.model} is in {m.STATE_UNITS[m.ROTATION_RATE]}: a loss of "
+                "energy in joules says nothing of it; give an energy ratio"
+            )
+        y = np.zeros(len(m.STATES), p.dtype)
+        y[m.ROTATION_RATE] = 1.0
+        out = np.zeros(len(m.ENERGIES), p.dtype)
+        m.energies(next(c for c, side in enumerate(m.SIDES) if side > 0), y, p, out)
+        return 2.0 * out[m.ENERGIES.index("kinetic_energy")]
+
+    @renamed.arguments(phase="mode")
+    def energies(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, Any]:
+        """Kinetic, gravitational and elastic energy [J]; heights count from the ground.
+
+        A state may hold arrays, of one shape or for NumPy to make of one; so has the result.
+        """
+        at = self._at(state, mode)
+        return at.shaped(self._values("energies", at))
+
+    @renamed.arguments(phase="mode")
+    def reactions(
+        self,
+        state: Mapping[str, Any],
+        ground_acceleration: Any = 0.0,
+        vertical_ground_acceleration: Any = 0.0,
+        mode: str | None = None,
+    ) -> dict[str, Any]:
+        """Horizontal force, and vertical force at each foot [N], of the ground on the structure.
+
+        In full contact the horizontal force is the sum over both feet. The arguments are those of
+        `accelerations`.
+        """
+        at = self._at(state, mode, ground_acceleration, vertical_ground_acceleration)
+        return at.shaped(self._values("reactions", at))
+
+    @renamed.arguments(phase="mode")
+    def elements(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, Any]:
+        """Deformation [m], force [N] and stored energy [J] of each spring, damper and tendon.
+
+        By name, such as "storey_1_force". The deformation of an element that is pressed or
+        shortened is positive where it was declared so. The arguments are those of `energies`.
+        """
+        at = self._at(state, mode)
+        return at.shaped(evaluation.elements(self.module, self.vector, at.modes, at.y))
+
+    @renamed.arguments(phase="mode")
+    def positions(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, np.ndarray]:
+        """Places (..., 2) of bodies, feet and the load point, by name [m].
+
+        x to the right and y upwards, in axes that move with the ground, from the origin of the
+        declaration: the middle between the feet at rest, of shipped structures. A state may hold
+        arrays, of one shape or for NumPy to make of one. Of a motion see `run.places`.
+        """
+        return positions_of(self.module, self._places(state, mode))
+
+    @renamed.arguments(phase="mode")
+    def rotations(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, np.ndarray]:
+        """Angles (...) through which the bodies have turned, by name, clockwise [rad]."""
+        return rotations_of(self.module, self._places(state, mode))
+
+    def _places(self, state: Mapping[str, Any], mode: str | None) -> np.ndarray:
+        """(..., m, 3) for a state, or many."""
+        at = self._at(state, mode)
+        return places(self.module, at.modes, at.y, self.vector).reshape(*at.shape, -1, 3)
+
+    def _values(self, function: str, at: _States) -> dict[str, np.ndarray]:
+        return evaluation.at_states(self.module, self.vector, function, at.modes, at.y, *at.ground)
+
+    def _at(self, state: Mapping[str, Any], mode: str | None, *ground: Any) -> _States:
+        """A state, or many; where the ground's accelerations are given forces decide as well."""
+        check_states("state", state, self.states)
+        names = ("ground_acceleration", "vertical_ground_acceleration")
+        shaken = [
+            number(n, x) if np.ndim(x) == 0 else numbers(n, x)
+            for n, x in zip(names, ground, strict=False)
+        ]
+        columns = np.broadcast_arrays(0.0, *state.values(), *shaken)[1:]
+        shape = columns[0].shape if columns else ()
+        rows = [*zip(*(column.ravel().tolist() for column in columns), strict=True)] or [()]
+        y = np.array([self.state(dict(zip(state, row, strict=False))) for row in rows])
+        shakes = [row[len(state) :] for row in rows]
+        modes = [
+            self._under(shake, one, mode) if ground else self.contact(one, mode)
+            for one, shake in zip(y, shakes, strict=True)
+        ]
+        across = np.array(shakes, dtype=float).reshape(len(y), len(shaken)).T
+        return _States(shape, y, np.array(modes), tuple(across))
+
+    @functools.cached_property
+    def shapes(self) -> Shapes:
+        """Outlines of its bodies and what joins them, as they were declared, for a sketch."""
+        return shapes(self.module, self.vector)
+
+    @functools.cached_property
+    def uplift_acceleration(self) -> float | None:
+        """Least horizontal ground acceleration, either way, at which a foot lifts [m/s2].
+
+        The structure stands in equilibrium under it: a column has bent under an acceleration that
+        grew slowly, and may lift earlier when it vibrates. For a block it is g tan(alpha). inf if
+        none lifts it; None unless the structure stands on rigid ground.
+        """
+        if not self.rocks_on_rigid_ground:
+            return None
+        return statics.uplift_acceleration(self.module, self.vector)
+
+    @property
+    def slenderness(self) -> float | None:
+        """Angle of the line from an edge to the centroid [rad]; None where the class has none."""
+        return getattr(self, "alpha", None)
+
+    def hints(self) -> tuple[str, ...]:
+        """Questions about parameters that are allowed and hardly meant, a sentence each."""
+        m, p = self.module, self.vector
+        if p.dtype != float:
+            return ()
+        return (*plausible.size(m, p), *plausible.damping(m, p))
+
+    def fixed_base(self) -> FixedBase:
+        """The same structure with feet that cannot lift, with its periods.
+
+        It is simulated as any other, and has the same energies, forces and displacements.
+
+        Raises ValueError for a structure without full contact on rigid ground, and for a rigid
+        one, which has no degree of freedom left.
+
+        >>> column = FlexibleStructure(
+        ...     mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1,
+        ...     base_inertia=1.37, half_width=0.285, stiffness=571.8e3, damping=502.4,
+        ... )
+        >>> column.fixed_base().periods  # s
+        array([0.09200...])
+        """
+        return FixedBase(self)
+
+    def equilibrium(self, rotation: float) -> tuple[float, np.ndarray]:
+        """(force, state) at rest under the force at the load point that holds a rotation [N].
+
+        The state is a vector (N,) in the order of `states`. Raises ValueError where no equilibrium
+        was found.
+        """
+        return modes_of(self.module).equilibrium(self.module, self.vector, rotation)
+
+    def pushover(self, rotations) -> np.ndarray:
+        """Horizontal force at the load point that holds the structure at each rotation [N].
+
+        rotations : any shape [rad]; the other coordinates are in equilibrium. At zero rotation
+        of a structure on rigid ground this is the force at which it lifts to the right.
+        Raises ValueError where no equilibrium was found.
+        """
+        return statics.pushover(self.equilibrium, rotations)
+
+
+_SYNONYMS = {
+    "p": "frequency_parameter",
+    "R": "radius",
+    "r": "velocity_ratio",
+    "e": "velocity_ratio",
+    "m": "mass",
+    "g": "gravity",
+    "b": "half_width",
+    "B": "half_width",
+    "h": "half_height",
+    "H": "half_height",
+    "width": "2 * half_width",
+    "height": "2 * half_height",
+    "k": "stiffness",
+    "c": "damping",
+    "I": "inertia",
+    "mu": "friction",
+    "name": "model",
+}
+"""Symbols and names that people try first, and the attributes that they mean."""
+
+
+def missing(structure: Structure, name: str) -> Any:
+    """Raise AttributeError for an attribute that a structure lacks.
+
+    A property that itself raised AttributeError is evaluated again, so that its own error is seen.
+    """
+    if hasattr(type(structure), name):
+        return object.__getattribute__(structure, name)
+    message = f"{type(structure).__name__!r} object has no attribute {name!r}"
+    if name.startswith("_"):
+        raise AttributeError(message)
+    raise UnknownAttributeError(message, name, structure, _SYNONYMS)
+
+
+class _States(NamedTuple):
+    """States y (n, N) that stand for arrays of a shape, their modes, and the ground's
+    accelerations, (n,) each."""
+
+    shape: tuple[int, ...]
+    y: np.ndarray
+    modes: np.ndarray
+    ground: tuple[np.ndarray, ...]
+
+    def shaped(self, values: Mapping[str, np.ndarray]) -> dict[str, Any]:
+        """(n,) by name in the shape, numbers of a single state."""
+        if not self.shape:
+            return {name: float(value[0]) for name, value in values.items()}
+        return {name: value.reshape(self.shape) for name, value in values.items()}
+
+
+@dataclass(frozen=True)
+class FixedBase(Structure):
+    """The structure that `structure.fixed_base()` makes: `rocking` with feet that are held down.
+
+    Its forces on the feet may pull: `run.extremes("left_reaction").minimum` is what the ground has
+    to hold. There are no impacts, and no rotation.
+
+    Raises ValueError for a structure without full contact on rigid ground, and for one that cannot
+    move in it.
+    """
+
+    pulled: ClassVar[str] = "it has to be held down"
+    rocking: Structure
+
+    def __post_init__(self) -> None:
+        if not self.rocking.rocks_on_rigid_ground:
+            raise ValueError(
+                f"{self.rocking.model} has no full contact on rigid ground, in which its feet "
+                "could be held: take a FlexibleStructure, a FlexibleControlledWall or a structure "
+                "of your own"
+            )
+        if not self._free.any():
+            raise ValueError(
+                f"{self.rocking.model} is rigid: it has no degree of freedom left once its feet "
+                "are held; take a structure with an elastic column, such as FlexibleStructure"
+            )
+
+    @functools.cached_property
+    def module(self) -> GeneratedModule:
+        return modal.held(self.rocking.module)
+
+    @property
+    def model(self) -> str:  # type: ignore[override]
+        return self.module.NAME
+
+    def parameters(self) -> dict[str, float]:
+        """Those of the structure that rocks."""
+        return self.rocking.parameters()
+
+    def parameter_at(self, path: tuple[Any, ...]) -> str:
+        return self.rocking.parameter_at(path[1:])
+
+    @property
+    def has_impacts(self) -> bool:
+        return False
+
+    @property
+    def uplift_acceleration(self) -> None:
+        """None: nothing lifts it."""
+        return None
+
+    def hints(self) -> tuple[str, ...]:
+        return self.rocking.hints()
+
+    def fixed_base(self) -> FixedBase:
+        """Itself."""
+        return self
+
+    @renamed.arguments(phase="mode")
+    def contact(
+        self, y: np.ndarray, mode: str | None = None, towards: Callable[[], float] = float
+    ) -> int:
+        """Full contact; raises ValueError for a state that is turned, or for another mode."""
+        m = self.module
+        held = [m.STATES[i] for i in np.flatnonzero(~self._free) if y[i] != 0.0]
+        if held:
+            raise ValueError(f"{held[0]} is {y[m.STATES.index(held[0])]}: it is held at zero")
+        if mode not in (None, modal.FULL_CONTACT):
+            raise ValueError(f"no mode {mode!r} of {self.model}: its feet stay on the ground")
+        return m.MODES.index(modal.FULL_CONTACT)
+
+    def law(self, impact: ImpactLaw | None) -> tuple[int, float]:
+        """Raises ValueError for an impact law: there are no impacts."""
+        if impact is not None:
+            raise ValueError(f"{self.model} has no impacts: leave `impact` out")
+        return 0, 1.0
+
+    def pushover(self, rotations) -> np.ndarray:
+        """Raises ValueError: it has no rotation by which it could be pushed."""
+        raise ValueError(f"{self.model} does not turn: ask the pushover of the one that rocks")
+
+    @functools.cached_property
+    def _free(self) -> np.ndarray:
+        """(N,) whether a state may differ from zero in full contact."""
+        return modal.free_states(self.rocking.module, self.rocking.vector)
+
+    @functools.cached_property
+    def _modal(self) -> modal.Modal:
+        return modal.Modal(self.module, self.vector, self._free)
+
+    @property
+    def periods(self) -> np.ndarray:
+        """(n,) periods of its undamped modes, of small motion about standing, longest first [s]."""
+        return self._modal.periods
+
+    @property
+    def mode_shapes(self) -> dict[str, np.ndarray]:
+        """(n,) by coordinate: what it moves in each undamped mode, in the order of `periods`.
+
+        The largest of a mode is 1. `rockeom models NAME` explains the coordinates: u_i of a
+        frame is what floor i has moved relative to the base.
+        """
+        return self._modal.shapes_by_name
+
+    @property
+    def effective_masses(self) -> np.ndarray:
+        """(n,) mass that the ground shakes in each mode [kg], in the order of `periods`.
+
+        (phi' M r)**2/(phi' M phi), of a horizontal acceleration of the ground. Their sum is the
+        mass of all that moves relative to a fixed base.
+        Source: A. K. Chopra, Dynamics of Structures, section 13.2.
+        """
+        return self._modal.effective_masses
+
+    @property
+    def damping_ratios(self) -> np.ndarray:
+        """(n,) parts of critical damping of the modes, in the order of `periods`."""
+        return self._modal.damping_ratios

@@ -1,0 +1,169 @@
+"""Structures whose classes are made of declarations: shipped ones, and those that users declare."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, ClassVar, dataclass_transform
+
+import numpy as np
+
+from rockeom.integrator.schema import GeneratedModule
+from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.checks import number
+from rockeom.numbers.dual import directions
+from rockeom.structures.base import Structure, missing
+from rockeom.structures.parameters import check_named, check_names, check_values
+
+
+@dataclass_transform(kw_only_default=True, frozen_default=True)
+class StructureWithFields(Structure):
+    """A structure whose class has a field for each argument: shipped ones and families.
+
+    Each subclass becomes a frozen dataclass by keyword whose constructor explains what is wrong.
+    """
+
+    may_vanish: ClassVar[frozenset[str]] = frozenset()
+    may_be_negative: ClassVar[frozenset[str]] = frozenset()
+    not_numbers: ClassVar[frozenset[str]] = frozenset()
+    arguments: ClassVar[Mapping[str, str]] = {}
+    """Arguments of parameters that have another name in the equations."""
+    whole: ClassVar[frozenset[str]] = frozenset()
+    """Numbers of equal things."""
+    sizes_checked: ClassVar[bool] = False
+    """Whether arguments of the right signs may give a body or a base no size."""
+
+    def __init_subclass__(cls, **given: Any) -> None:
+        super().__init_subclass__(**given)
+        declared = (base.__doc__ for base in cls.__mro__ if "model" in vars(base))
+        described = cls.__doc__ or next(declared, None)
+        dataclass(frozen=True, kw_only=True)(cls)
+        cls.__doc__ = described
+        plain: Any = cls.__init__
+        defaults = cls.defaults()
+        known = set(defaults)
+        required = {n for n, default in defaults.items() if default is dataclasses.MISSING}
+
+        @functools.wraps(plain)
+        def init(self: StructureWithFields, *unnamed: Any, **values: Any) -> None:
+            values = cls.complete(values)
+            check_named(cls.__name__, unnamed, known)
+            check_names(cls.__name__, required, known, set(values))
+            numbers = {name: v for name, v in values.items() if name not in cls.not_numbers}
+            check_values(cls.__name__, numbers, cls.may_vanish, cls.may_be_negative)
+            for name in cls.whole & set(values):
+                check_whole(cls.__name__, name, values[name])
+            plain(self, **values)
+
+        setattr(cls, "__init__", init)  # noqa: B010
+
+    def __post_init__(self) -> None:
+        if self.sizes_checked:
+            check_sizes(self)
+
+    @classmethod
+    def complete(cls, values: dict[str, Any]) -> dict[str, Any]:
+        """The arguments of the fields, by those that the constructor is given."""
+        return values
+
+    def parameters(self) -> dict[str, float]:
+        named = self.arguments
+        return {name: getattr(self, named.get(name, name)) for name in self.module.PARAMETERS}
+
+    def parameter_at(self, path: tuple[Any, ...]) -> str:
+        renamed = {argument: name for name, argument in self.arguments.items()}
+        return super().parameter_at((renamed.get(path[0], path[0]), *path[1:]))
+
+
+class DeclaredStructure(Structure):
+    """A structure whose class is made of its generated module; see `class_of`.
+
+    Its parameters, whatever they are called, are those of the model; none has a default but
+    gravity. Those whose name is no other's are attributes.
+    """
+
+    module: GeneratedModule  # of the class
+    slenderness = None  # a parameter `alpha` may be anything
+
+    def __init__(self, /, *unnamed: Any, **given: Any) -> None:
+        known = set(self.module.PARAMETERS)
+        check_named(self.model, unnamed, known)
+        defaults = {n: v for n, v in self.defaults().items() if v is not dataclasses.MISSING}
+        check_names(self.model, known, known, set(defaults | given))
+        values = {
+            name: number(f"{self.model}: {name}", value, "give a number in SI units")
+            for name, value in (defaults | given).items()
+        }
+        signs = dict(zip(self.module.PARAMETERS, self.module.PARAMETER_SIGNS, strict=True))
+        signed = frozenset(name for name, sign in signs.items() if sign == "+-")
+        # the products of a declaration are not known
+        check_values(self.model, values, frozenset(known), signed, largest=math.inf)
+        for name in (name for name, sign in signs.items() if sign == "n"):
+            check_whole(self.model, name, values[name])
+        self.values = {name: values[name] for name in self.module.PARAMETERS}
+        check_sizes(self)
+
+    @classmethod
+    def defaults(cls) -> dict[str, Any]:
+        return {
+            name: STANDARD_GRAVITY if name == "gravity" else dataclasses.MISSING
+            for name in vars(cls)["module"].PARAMETERS
+        }
+
+    def parameters(self) -> dict[str, float]:
+        return dict(self.values)
+
+    def __getattr__(self, name: str) -> Any:
+        if name in (values := vars(self).get("values", {})):
+            return values[name]
+        return missing(self, name)
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{n}={v!r}' for n, v in self.values.items())})"
+
+    def __eq__(self, other: object) -> bool:
+        return type(other) is type(self) and vars(other)["values"] == self.values
+
+    def __hash__(self) -> int:
+        return hash((type(self), *self.values.values()))
+
+
+def check_whole(what: str, name: str, value: Any) -> None:
+    """Raise TypeError or ValueError for a number of equal things that is not whole."""
+    if directions(value):
+        raise TypeError(f"{what}: {name} is a dual: whole numbers have no derivative")
+    if not (value >= 1 and value % 1 == 0):
+        raise ValueError(f"{what}: {name} is {value:g}: give a whole number of at least 1")
+
+
+def check_sizes(structure: Structure) -> None:
+    """Raise ValueError where the parameters give a body or a base no size."""
+    rows, values = structure.module.SIZES, structure.parameters()
+    parameters = np.array([values[name] for name in structure.module.PARAMETERS])
+    sizes = np.empty(len(rows), parameters.dtype)
+    structure.module_for(parameters).sizes(parameters, sizes)
+    for size, (what, may_vanish, names, remedy) in zip(sizes, rows, strict=True):
+        if not (size > 0 or (size == 0 and may_vanish)):
+            given = ", ".join(f"{name} = {values[name]}" for name in names)
+            raise ValueError(f"{structure.model}: {what} is {float(size):g} with {given}: {remedy}")
+
+
+@functools.cache
+def class_of(module: Any) -> type[DeclaredStructure]:
+    """The class of the structures of a generated module."""
+    rows = zip(module.PARAMETERS, module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True)
+    title = (module.__doc__ or "").partition("\n")[0]
+    described = "\n".join(f"{name} : {meaning} [{unit}]" for name, unit, meaning in rows)
+    return type(
+        module.CLASS,
+        (DeclaredStructure,),
+        {
+            "__doc__": f"{title}\n\n{described}\n",
+            "__module__": __name__,
+            "model": module.NAME,
+            "module": module,
+        },
+    )

@@ -1,0 +1,88 @@
+"""Checks of the parameters that a structure is made of, and of the states that its methods get."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from rockeom.numbers.checks import near, number, told
+from rockeom.numbers.functions import isfinite
+
+LARGEST = 1e50
+"""The largest size of a parameter: its sixth power is a number, and that of its inverse."""
+
+
+class ParameterError(TypeError):
+    """Parameters that a structure lacks or does not know, or that are given without their name."""
+
+
+def check_states(what: str, values: Any, states: tuple[str, ...]) -> None:
+    """Raise TypeError for anything but a mapping of names of states."""
+    if not (type(values) is dict or isinstance(values, Mapping)):  # most are, and it is faster
+        example = f"{{{states[0]!r}: 0.01}}"
+        raise TypeError(f"{what} is {told(values)}: name the states, as in {example}")
+
+
+def check_names(what: str, required: set[str], known: set[str], given: set[str]) -> None:
+    """Raise ParameterError naming all that is missing and all that is unknown, with the remedy."""
+    missing = sorted(required - given)
+    unknown = sorted(given - known)
+    if not missing and not unknown:
+        return
+    text = []
+    if missing:
+        text.append(f"missing {', '.join(missing)}")
+    text += [f"unknown {name}{near(name, known)}" for name in unknown]
+    raise ParameterError(
+        f"{what}: {'; '.join(text)}. Its parameters are {', '.join(sorted(known))}"
+    )
+
+
+def check_named(what: str, unnamed: tuple[Any, ...], known: Iterable[str]) -> None:
+    """Raise ParameterError for parameters that are given by their place."""
+    if unnamed:
+        raise ParameterError(
+            f"{what} takes its parameters by name, and {told(unnamed[0])} has none. "
+            f"Its parameters are {', '.join(sorted(known))}"
+        )
+
+
+def check_values(
+    what: str,
+    values: Mapping[str, float | None],
+    may_vanish: frozenset[str] = frozenset(),
+    may_be_negative: frozenset[str] = frozenset(),
+    largest: float = LARGEST,
+) -> None:
+    """Raise ValueError for a parameter that is not positive and finite, TypeError for no number.
+
+    Where allowed it may be zero, or any finite number. largest : the size beyond which a parameter
+    is refused; one that must be positive is no smaller than its inverse.
+    """
+    for name, value in values.items():
+        if value is None:
+            continue
+        given = number(f"{what}: {name}", value, "give a number in SI units")
+        allowed = given >= 0 if name in may_vanish else given > 0
+        if name in may_be_negative:
+            if not isfinite(given):
+                raise ValueError(f"{what}: {name} is {value}: it must be finite")
+        elif not (isfinite(given) and allowed):
+            wanted = "zero or positive" if name in may_vanish else "positive"
+            raise ValueError(f"{what}: {name} is {value}: it must be finite and {wanted}")
+        signless = name in may_vanish or name in may_be_negative
+        if abs(given) > largest or not (signless or given >= 1.0 / largest):
+            limits = f"beyond {largest:g}" if abs(given) > 1.0 else f"below {1.0 / largest:g}"
+            raise ValueError(
+                f"{what}: {name} is {value}, {limits}, so that products of it leave the range of "
+                "numbers: give it in SI units"
+            )
+
+
+def check_restitution(what: str, restitution: float) -> None:
+    """Raise ValueError for a ratio of velocities above one, which would give energy."""
+    if restitution > 1:
+        raise ValueError(
+            f"{what}: restitution is {restitution}: give the ratio of rates after and before a "
+            "landing, 0 to 1"
+        )

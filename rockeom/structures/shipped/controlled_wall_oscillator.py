@@ -1,0 +1,122 @@
+"""The controlled wall as an oscillator: its energy ratio of the speed, and the speed of a start."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from rockeom.numbers.checks import number, told
+from rockeom.numbers.functions import mathematics
+from rockeom.structures.impact_laws import EnergyRatioAtSpeed
+from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.walls import RockingWall, TendonedWall, ThesisWall, of_wall
+
+_PIECES = 4
+
+
+class ControlledWallOscillator(RockingWall, declarations.ControlledWallOscillator):
+    not_numbers = frozenset({"energy_ratio", "held"})
+    energy_ratio: float | EnergyRatioAtSpeed
+    held: bool = True
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.held, bool | np.bool_):
+            raise TypeError(
+                f"ControlledWallOscillator: held is {told(self.held)}: give True or False"
+            )
+        if not isinstance(self.energy_ratio, EnergyRatioAtSpeed):
+            if not 0 < number(f"{type(self).__name__}: energy_ratio", self.energy_ratio) <= 1:
+                raise ValueError(
+                    f"ControlledWallOscillator: energy_ratio is {self.energy_ratio}: it must lie "
+                    "between 0 and 1"
+                )
+        elif len(self.energy_ratio.pieces) > _PIECES:
+            raise ValueError(
+                f"ControlledWallOscillator: energy_ratio has {len(self.energy_ratio.pieces)} "
+                f"pieces: at most {_PIECES}"
+            )
+        super().__post_init__()
+
+    @classmethod
+    def from_wall(
+        cls,
+        wall: TendonedWall,
+        energy_ratio: float | EnergyRatioAtSpeed,
+        held: bool = True,
+        regularisation: float | None = None,
+        effective_mass: float | None = None,
+    ) -> ControlledWallOscillator:
+        """The wall of `rockeom.analysis`; regularisation is its epsilon if not given, as in 4.8."""
+        return cls(
+            **of_wall(cls.__name__, wall),
+            regularisation=regularisation or wall.rotation_centre.epsilon,
+            energy_ratio=energy_ratio,
+            held=held,
+            effective_mass=effective_mass,
+        )
+
+    @classmethod
+    def thesis(
+        cls,
+        energy_ratio: float | EnergyRatioAtSpeed,
+        initial_force: float = 75.6e3,
+        held: bool = True,
+    ) -> ControlledWallOscillator:
+        """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
+        return cls.from_wall(ThesisWall(initial_force), energy_ratio, held)
+
+    @property
+    def jumps_between_events(self) -> bool:
+        """Where the ratio follows the speed of the instant, in pieces that need not meet."""
+        law = self.energy_ratio
+        return not self.held and isinstance(law, EnergyRatioAtSpeed) and len(law.pieces) > 1
+
+    def parameters(self) -> dict[str, float]:
+        values = {f.name: getattr(self, f.name) for f in dataclasses.fields(self)}
+        law = values.pop("energy_ratio")
+        pieces = law.pieces if isinstance(law, EnergyRatioAtSpeed) else ((math.inf, law, 0.0),)
+        for i, piece in enumerate((*pieces, *pieces[-1:] * (_PIECES - len(pieces)))):
+            values |= dict(zip(_of_piece(i), piece, strict=True))
+        mass = values["effective_mass"]
+        values["held"] = float(self.held)
+        return values | {"effective_mass": self.mass if mass is None else mass}
+
+    def parameter_at(self, path: tuple[Any, ...]) -> str:
+        if path[:2] == ("energy_ratio", "pieces"):
+            name = _of_piece(path[2])[path[3]]
+            return name if name in self.module.PARAMETERS else ""
+        return "energy_ratio" if path == ("energy_ratio",) else super().parameter_at(path)
+
+    def check_reach(self, y: np.ndarray) -> None:
+        if not abs(y[0]) < self.height:
+            raise ValueError(
+                f"state u is {y[0]}, beyond the height of {self.height:.6g} m: u/height is the "
+                "sine of the rotation"
+            )
+
+    def state(self, values: Mapping[str, float]) -> np.ndarray:
+        """(N,) state vector; a passage_speed that is not given is that of the energy there is."""
+        y = super().state(values)
+        if "passage_speed" not in values:
+            y = y.astype(np.result_type(y, self.vector))
+            upright = np.zeros_like(y)
+            upright[1] = y[1]
+            m = self.module_for(y, self.vector)
+            energy = np.empty((2, len(m.ENERGIES)), np.result_type(y, self.vector))
+            for at, row in zip((y, upright), energy, strict=True):
+                m.energies(self.contact(at), at, self.vector, row)
+            kinetic = max(number("energy", energy[0].sum() - energy[1].sum()), 0.0)
+            y[m.STATES.index("passage_speed")] = mathematics.sqrt(
+                2 * kinetic / self.parameters()["effective_mass"]
+            )
+        return y
+
+
+def _of_piece(i: int) -> tuple[str, str, str]:
+    """Limit, r at no speed and slope of a piece, as the equations have them."""
+    ratio = f"energy_ratio_{i + 1}" if i else "energy_ratio"
+    return f"speed_limit_{i + 1}", ratio, f"energy_ratio_slope_{i + 1}"

@@ -1,0 +1,14 @@
+"""Closed forms of the block whose impacts are forces."""
+
+from __future__ import annotations
+
+from rockeom.structures.shipped import declarations
+
+
+class DiracDeltaBlock(declarations.DiracDeltaBlock):
+    def __post_init__(self) -> None:
+        if self.energy_ratio > 1:
+            raise ValueError(
+                f"DiracDeltaBlock: energy_ratio is {self.energy_ratio}: above 1 impacts would "
+                "give energy"
+            )

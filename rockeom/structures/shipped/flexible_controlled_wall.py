@@ -1,0 +1,84 @@
+"""The controlled wall that bends: how it is made, its fixed base, and its equilibrium."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from rockeom.structures.base import FixedBase
+from rockeom.structures.parameters import check_values
+from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.controlled_wall import ControlledWall
+from rockeom.structures.shipped.flexible_structure import FlexibleStructure
+from rockeom.structures.shipped.walls import RockingWall, TendonedWall, ThesisWall
+
+
+class FlexibleControlledWall(RockingWall, declarations.FlexibleControlledWall):
+    @classmethod
+    def from_wall(
+        cls,
+        wall: TendonedWall,
+        fixed_base_period: float | None = None,
+        damping_ratio: float = 0.0,
+        anchor_distance: float = 3.1,
+    ) -> FlexibleControlledWall:
+        """The wall of `rockeom.analysis`; fixed_base_period [s] is its own if not given.
+
+        damping_ratio : of critical damping, on a fixed base. anchor_distance [m] and the inertia as
+        in `ControlledWall`.
+        """
+        rigid = ControlledWall.from_wall(wall, anchor_distance)
+        period = wall.fixed_base_period if fixed_base_period is None else fixed_base_period
+        given = {"fixed_base_period": period, "damping_ratio": damping_ratio}
+        check_values(cls.__name__, given, frozenset({"damping_ratio"}))
+        frequency = 2 * math.pi / period
+        return cls(
+            **rigid.parameters(),
+            stiffness=rigid.mass * frequency**2,
+            damping=2 * damping_ratio * frequency * rigid.mass,
+        )
+
+    @classmethod
+    def thesis(
+        cls, initial_force: float = 75.6e3, damping_ratio: float = 0.0
+    ) -> FlexibleControlledWall:
+        """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
+        return cls.from_wall(ThesisWall(initial_force), damping_ratio=damping_ratio)
+
+    def fixed_base(self) -> FixedBase:
+        """The wall on a base that cannot turn: its mass at centroid_height on the elastic column.
+
+        The tendon then keeps its force, which bends nothing; the forces on the feet are those of
+        weight and ground motion alone.
+        """
+        return FlexibleStructure(
+            mass=self.mass,
+            height=self.centroid_height,
+            inertia=self.inertia,
+            base_mass=0.0,
+            base_height=0.0,
+            base_inertia=0.0,
+            half_width=self.half_width,
+            gravity=self.gravity,
+            stiffness=self.stiffness,
+            damping=self.damping,
+        ).fixed_base()
+
+    def load(self, mode: int, y: np.ndarray) -> float:
+        """As for the rigid wall; u of the state is put to its own equilibrium."""
+        u = self.states.index("u")
+        last = math.inf
+        for _ in range(50):  # each time the error falls by about m g/(k H)
+            load = super().load(mode, y)
+            change = self.lacking(mode, y, load)[u] / self.stiffness
+            y[u] -= change
+            if abs(change) <= 1e-14 * abs(y[u]):
+                return load
+            if abs(change) > last:  # where it does not fall, there is one kilometres away
+                break
+            last = abs(change)
+        raise ValueError(
+            f"no equilibrium of {self.model} at rotation {y[self.module.ROTATION]}: its stiffness, "
+            f"{self.stiffness}, hardly holds its weight upright"
+        )

@@ -1,0 +1,12 @@
+"""The rigid structure of two lumped masses, on any support."""
+
+from __future__ import annotations
+
+from rockeom.structures.shipped import declarations
+from rockeom.structures.supports import SupportedStructure
+
+
+class LumpedMassStructure(SupportedStructure, declarations.LumpedMassStructure):
+    def of_base(self) -> tuple[float, float]:
+        inertia = self.inertia + self.base_inertia + self.base_mass * self.base_height**2
+        return self.base_mass + self.mass, inertia + self.mass * self.height**2

@@ -1,0 +1,12 @@
+"""The wall as Housner's block about the edges of its base, made as the one about its centre."""
+
+from __future__ import annotations
+
+from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.substitute_gravity_wall import SubstituteGravityWall
+
+
+class SimplifiedSubstituteGravityWall(
+    declarations.SimplifiedSubstituteGravityWall, SubstituteGravityWall
+):
+    pass

@@ -1,0 +1,35 @@
+"""Closed forms of the uplifting oscillator."""
+
+from __future__ import annotations
+
+from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.structures.parameters import check_values
+from rockeom.structures.shipped import declarations
+
+
+class UpliftingOscillator(declarations.UpliftingOscillator):
+    @classmethod
+    def from_frequency(
+        cls,
+        angular_frequency: float,
+        damping_ratio: float,
+        height: float,
+        half_width: float,
+        mass: float = 1.0,
+        gravity: float = STANDARD_GRAVITY,
+    ) -> UpliftingOscillator:
+        """The one whose column on a fixed base has this angular frequency [rad/s] and damping.
+
+        damping_ratio : of critical damping; height, half_width [m]; mass [kg].
+        """
+        given = {"angular_frequency": angular_frequency, "damping_ratio": damping_ratio}
+        given["mass"] = mass
+        check_values("UpliftingOscillator", given, frozenset({"damping_ratio"}))
+        return cls(
+            mass=mass,
+            height=height,
+            half_width=half_width,
+            stiffness=mass * angular_frequency**2,
+            damping=2 * damping_ratio * angular_frequency * mass,
+            gravity=gravity,
+        )

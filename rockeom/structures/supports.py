@@ -1,0 +1,79 @@
+"""Supports: the base of a structure stands on one, which is a part of the structure."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Mapping
+from typing import Any, ClassVar
+
+from rockeom.integrator.schema import GeneratedModule
+from rockeom.numbers.checks import told
+from rockeom.structures.declared import StructureWithFields
+
+
+class Support:
+    """The support of a base: how the base may move, and by which forces it is held.
+
+    `rockeom.modelling.composed` has all supports.
+    """
+
+    called: ClassVar[Mapping[str, str]] = {}
+    """Names in the equations of the parameters that have another name there."""
+
+    def parameters(self) -> dict[str, float]:
+        """Its parameters, by the names that they have in the generated module, in SI units."""
+        return {}
+
+    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
+        """The generated module of a superstructure that stands on it."""
+        raise NotImplementedError
+
+    def check_base(self, what: str, mass: float, inertia: float) -> None:
+        """Raise ValueError where a base that this support leaves free has no mass or inertia."""
+
+
+def check_support(what: str, support: Any, mass: float, inertia: float) -> None:
+    """Raise TypeError for anything but a support, ValueError for a base that it cannot carry.
+
+    mass [kg], inertia [kg m2] : of all that moves with the base as one body, about its sole's
+    middle.
+    """
+    if support is None:
+        return
+    if not isinstance(support, Support):
+        raise TypeError(
+            f"{what}: support is {told(support)}: give what the base stands on, such as rk.Pinned()"
+        )
+    support.check_base(what, mass, inertia)
+
+
+class SupportedStructure(StructureWithFields):
+    """A structure that stands on any support."""
+
+    not_numbers = frozenset({"support"})
+    support: Any = None  # a Support: of any type, that all others may be given as ** of numbers
+
+    def __post_init__(self) -> None:
+        mass, inertia = self.of_base()
+        check_support(type(self).__name__, self.support, mass, inertia)
+
+    def of_base(self) -> tuple[float, float]:
+        """(mass, inertia) of all that moves with the base as one body."""
+        raise NotImplementedError
+
+    @functools.cached_property
+    def module(self) -> GeneratedModule:
+        """The generated module, of this support."""
+        return self.support.module(self.model) if self.support else super().module
+
+    def parameters(self) -> dict[str, float]:
+        own = set(self.defaults())
+        support = self.support.parameters() if self.support else {}
+        names = (n for n in self.module.PARAMETERS if n in own)
+        return {**{name: getattr(self, name) for name in names}, **support}
+
+    def parameter_at(self, path: tuple[Any, ...]) -> str:
+        if path[0] == "support" and len(path) == 2:
+            name = self.support.called.get(path[1], path[1])
+            return name if name in self.module.PARAMETERS else ""
+        return super().parameter_at(path)
