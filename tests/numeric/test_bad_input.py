@@ -108,7 +108,7 @@ def test_unknown_state():
 
 
 def test_unknown_phase():
-    with raises(ValueError, "phase", "rihgt", "left, both, right"):
+    with raises(ValueError, "mode", "rihgt", "left, both, right"):
         rk.simulate(BLOCK, QUIET, initial={"theta": 0.1}, mode="rihgt")
 
 

@@ -220,7 +220,7 @@ def test_wall_beyond_yield_on_its_way_back_has_drawn_its_tendon_out(wall, side):
     ids=lambda value: value if isinstance(value, str) else None,
 )
 def test_phase_whose_impact_is_over_is_refused(structure, state, phase):
-    with pytest.raises(ValueError, match=f"the phase '{phase}' of {structure.model} contradicts"):
+    with pytest.raises(ValueError, match=f"the mode '{phase}' of {structure.model} contradicts"):
         rk.simulate(structure, rk.GroundMotion.none(1.0), initial=state, mode=phase)
 
 
