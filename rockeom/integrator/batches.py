@@ -191,7 +191,7 @@ def count_impacts(batch, n, before, recorder, energy):
 def add_gain(before, after, arriving, leaving, p, energy, gains):
     """Count an impact that gains kinetic energy beyond rounding, and add what it gains.
 
-    before, after : contact states; arriving, leaving (N,) : the states. energy : scratch.
+    before, after : modes; arriving, leaving (N,) : the states. energy : scratch.
     gains (2,) : number of such impacts, and the sum of what they gain [J].
     """
     # a single coordinate has one inertia on both feet: its speed says it, sooner

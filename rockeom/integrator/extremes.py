@@ -14,15 +14,15 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.polynomials import power_sum, quintic_of, slope_at
 
 
-def widen(peaks, y):
+def widen(extremes, y):
     """Let the smallest and largest values (2, N) take in a state."""
     for i in range(N_STATES):
-        peaks[0, i] = min(peaks[0, i], y[i])
-        peaks[1, i] = max(peaks[1, i], y[i])
+        extremes[0, i] = min(extremes[0, i], y[i])
+        extremes[1, i] = max(extremes[1, i], y[i])
 
 
 @inlined
-def widens(peaks, h, y, y_new, k):
+def widens(extremes, h, y, y_new, k):
     """Whether a state may turn back within a step, outside of the extremes known so far.
 
     By the quintics through both ends: the Bernstein coefficients of a coordinate bound how far it
@@ -38,17 +38,17 @@ def widens(peaks, h, y, y_new, k):
         slow, fast = min(v0, v1), max(v0, v1)
         least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
         margin = 1e-3 * (most - least)
-        far = far or least - margin < min(h * peaks[0, n + i], slow)
-        far = far or most + margin > max(h * peaks[1, n + i], fast)
+        far = far or least - margin < min(h * extremes[0, n + i], slow)
+        far = far or most + margin > max(h * extremes[1, n + i], fast)
         if min(least, slow) >= 0.0 or max(most, fast) <= 0.0:
             continue  # it rises or falls all along
         least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
         margin = 1e-3 * (most - least)
-        far = far or least - margin < peaks[0, i] or most + margin > peaks[1, i]
+        far = far or least - margin < extremes[0, i] or most + margin > extremes[1, i]
     return far
 
 
-def widen_within(peaks, coefficients):
+def widen_within(extremes, coefficients):
     """Take in the turning points of the states inside a step, from its dense output."""
     for i in range(N_STATES):
         least, most = np.inf, -np.inf
@@ -59,8 +59,8 @@ def widen_within(peaks, coefficients):
                 least, low = value, NODES[m]
             if value > most:
                 most, high = value, NODES[m]
-        peaks[0, i] = min(peaks[0, i], min(least, turning_point(coefficients, low, i, -1.0)))
-        peaks[1, i] = max(peaks[1, i], max(most, turning_point(coefficients, high, i, 1.0)))
+        extremes[0, i] = min(extremes[0, i], min(least, turning_point(coefficients, low, i, -1.0)))
+        extremes[1, i] = max(extremes[1, i], max(most, turning_point(coefficients, high, i, 1.0)))
 
 
 def turning_point(coefficients, x, i, sign):

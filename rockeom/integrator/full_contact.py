@@ -22,22 +22,22 @@ if TYPE_CHECKING:  # joined before this text
 
 
 @inlined
-def cannot_move(contact, rate, y, p):
+def cannot_move(mode, rate, y, p):
     """Whether a structure stands, at rest, and nothing but the loss of a contact may move it."""
-    if N_PARTS > 0 or SIDES[contact] != 0.0:
+    if N_PARTS > 0 or SIDES[mode] != 0.0:
         return False
     for i in range(N_STATES):
         if rate[i] != 0.0:
             return False
-    for n in range(GUARDS[contact]):
-        kind = KINDS[contact][n]
+    for n in range(GUARDS[mode]):
+        kind = KINDS[mode][n]
         if kind != UPLIFT and kind != LIFTING and kind != SLIPPING:
             return False
-    return not can_move(contact, y, p)
+    return not can_move(mode, y, p)
 
 
 @inlined
-def stands_until(contact, t, end, y, p, gx, gy, g):
+def stands_until(mode, t, end, y, p, gx, gy, g):
     """Whether a structure that cannot move stays on both its feet while straight laws last.
 
     The accelerations with which its feet would lift are linear in those of the ground, so that
@@ -47,11 +47,11 @@ def stands_until(contact, t, end, y, p, gx, gy, g):
         return False
     for turn in range(2):
         tau = end if turn == 1 else t
-        guards(contact, y, p, ground_acceleration(gx, tau), ground_acceleration(gy, tau), g)
+        guards(mode, y, p, ground_acceleration(gx, tau), ground_acceleration(gy, tau), g)
         size = 0.0
-        for n in range(GUARDS[contact]):
+        for n in range(GUARDS[mode]):
             size += abs(g[n])
-        for n in range(GUARDS[contact]):
+        for n in range(GUARDS[mode]):
             if not g[n] > 1e-9 * size:
                 return False
     return True

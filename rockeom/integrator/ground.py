@@ -130,7 +130,7 @@ def jumps(before, after):
 
 @inlined
 def sampling_step(row):
-    """Largest step in which eight samples of a guard follow a law of the ground.
+    """Largest step in which eight samples of a guard follow a segment of the ground.
 
     Only guards of uplift and of springs are sampled; in full contact nothing else may move, and
     the error of a step says nothing of the ground.

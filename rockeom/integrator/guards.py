@@ -1,4 +1,4 @@
-"""Guards: which one ends a contact state, where in a step, and which stay open in all of it.
+"""Guards: which one ends a mode, where in a step, and which stay open in all of it.
 
 First the bounds by which most steps are known to have no event, without dense output; then the
 polynomials of all guards over a step, and the first of them that falls through zero.
@@ -61,9 +61,9 @@ if TYPE_CHECKING:  # joined before this text
 
 
 @inlined
-def rocking(contact):
-    """Whether a contact state ends by an impact and in no other way."""
-    return GUARDS[contact] == 1 and KINDS[contact][0] == IMPACT
+def rocking(mode):
+    """Whether a mode ends by an impact and in no other way."""
+    return GUARDS[mode] == 1 and KINDS[mode][0] == IMPACT
 
 
 @inlined
@@ -199,16 +199,16 @@ def stays_on_both_feet(t, h, y, y_new, k, p, gx):
 
 
 @inlined
-def acts_beside(contact, guard, there, away):
+def acts_beside(mode, guard, there, away):
     """Whether forces that act beside a closed gap only may, where a guard is closed."""
-    return LOCALISED and guard >= 0 and beside_gap(contact, guard, there, away)
+    return LOCALISED and guard >= 0 and beside_gap(mode, guard, there, away)
 
 
 @inlined
-def beside_gap(contact, guard, there, away):
+def beside_gap(mode, guard, there, away):
     """Whether a guard is a gap, or is closed where the gap is small beside the step's other end."""
     small = abs(there[ROTATION]) < 0.1 * abs(away[ROTATION])
-    return KINDS[contact][guard] == IMPACT or small
+    return KINDS[mode][guard] == IMPACT or small
 
 
 @inlined
@@ -355,16 +355,16 @@ def opens_soon(mode, index, t, h, ground, case, a, noise):
 
 
 @inlined
-def fell_before(contact, target, touching, h, y, g, b):
+def fell_before(mode, target, touching, h, y, g, b):
     """Whether another guard fell before the event that a step ends on, by more than rounding.
 
     An event at which a guard hardly touches zero is corrected by much: it may pass another one.
     Forces are judged by `settle` after it.
     """
-    for i in range(GUARDS[contact]):
-        if i == target or KINDS[contact][i] in (UPLIFT, LIFTING, SLIPPING):
+    for i in range(GUARDS[mode]):
+        if i == target or KINDS[mode][i] in (UPLIFT, LIFTING, SLIPPING):
             continue
-        if KINDS[contact][i] == IMPACT:
+        if KINDS[mode][i] == IMPACT:
             fell = -g[i] > 1e-9 * h * abs(y[ROTATION_RATE])
         else:
             fell = -g[i] > 1e-9 * size(b, 8 * i) and b[8 * i] > 0.0 and not is_known(touching, i)

@@ -8,7 +8,7 @@ together, whatever it is to each of them: an ordinary one, one more of those tha
 one that is to end at an impact. The quintic of the gap through both ends of a step says what
 becomes of it: it stands, it is repeated to end at the impact, or it has ended there. In all other
 cases, an uplift, a fall, a doubt, the lane is taken out, and `integrate` carries it: to the end of
-that step or its first event, or, where steps are equal ones, to the end of the ground's law.
+that step or its first event, or, where steps are equal ones, to the end of the segment.
 
 No lane's numbers depend on another's, nor on its place: so the results are the same to the last
 bit for any order and number of motions.
@@ -97,7 +97,7 @@ if TYPE_CHECKING:  # joined before this text
 # constants, leave the compiler no doubt that lanes are independent.
 (
     Z_T, Z_H, Z_T_NEW,  # start, length and end of the step
-    Z_LAST,  # end of the present laws of the ground
+    Z_LAST,  # end of the present segments of the ground
     Z_START_X, Z_END_X, Z_KIND_X, Z_X0, Z_X1, Z_X2, Z_X3,  # the ground's horizontal law
     Z_START_Y, Z_END_Y, Z_KIND_Y, Z_Y0, Z_Y1, Z_Y2, Z_Y3,
     Z_LONGEST,  # step in full contact
@@ -179,8 +179,8 @@ def judge_gap(t, h, left, side, touching, landing, upright, within, ends):
     gap stays open. If they change their sign once, it closes once, where Newton's method finds;
     the step repeated to there corrects the place by what is left of the gap.
 
-    left : of the ground's law. upright : whether it has not fallen. within : whether no state has a
-    new extreme inside.
+    left : the time to the end of the segment. upright : whether it has not overturned. within :
+    whether no state has a new extreme inside.
     """
     q0, v0, a0 = side * ends.q0, side * h * ends.v0, side * h * h * ends.a0
     q1, v1, a1 = side * ends.q1, side * h * ends.v1, side * h * h * ends.a1
@@ -421,7 +421,7 @@ def hop(lane, z, t, flight):
 
 
 def impact(lane, z, w, batch, scratch):
-    """Pass a lane that has landed into the contact state that follows, as the loop does."""
+    """Pass a lane that has landed into the mode that follows, as the loop does."""
     case, t, n = w[W_CASE + lane], z[Z_T + lane], N_STATES // 2
     status, y, p, law, ratio = (
         batch.status[case], batch.states[case], batch.p[case], batch.law[case], batch.ratio[case],
@@ -437,8 +437,8 @@ def impact(lane, z, w, batch, scratch):
         batch.impact_times[case, status[IMPACTS]] = t
     before, speed = int(z[Z_CONTACT + lane]), abs(y[ROTATION_RATE])
     passed = velocity_ratio_at(law, ratio, status[IMPACTS], y[ROTATION_RATE], p)
-    contact = jump(before, 0, law, passed, y, p, after)
-    add_gain(before, contact, y, after, p, scratch[_POWERS:_GUARDS], batch.gains[case])
+    mode = jump(before, 0, law, passed, y, p, after)
+    add_gain(before, mode, y, after, p, scratch[_POWERS:_GUARDS], batch.gains[case])
     touching = -1
     status[IMPACTS] += 1
     status[GUARD_DUE] = status[RATE_STALE] = 1
@@ -446,20 +446,20 @@ def impact(lane, z, w, batch, scratch):
         y[i] = after[i]
     if status[IMPACTS] > batch.max_impacts:
         batch.outcome[case] = TOO_MANY_IMPACTS
-    elif SIDES[contact] != 0.0:
+    elif SIDES[mode] != 0.0:
         touching = REVERSE[before][0]
-        contact, rests = fly_or_rest(lane, z, case, contact, speed, batch, scratch)
+        mode, rests = fly_or_rest(lane, z, case, mode, speed, batch, scratch)
         if rests:
             touching = -1
-    z[Z_CONTACT + lane], z[Z_SIDE + lane] = contact, GAP_SIDES[contact]
+    z[Z_CONTACT + lane], z[Z_SIDE + lane] = mode, GAP_SIDES[mode]
     z[Z_TOUCHING + lane] = touching
     for i in range(n):
         z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane] = y[i], y[n + i]
 
 
 @inlined
-def fly_or_rest(lane, z, case, contact, speed, batch, scratch):
-    """(contact state, whether it rests): begin the flight after an impact, or end all to come.
+def fly_or_rest(lane, z, case, mode, speed, batch, scratch):
+    """(mode, whether it rests): begin the flight after an impact, or end all to come.
 
     speed : the rate of rotation before the impact.
     """
@@ -467,18 +467,18 @@ def fly_or_rest(lane, z, case, contact, speed, batch, scratch):
     status, tolerance = batch.status[case], batch.rest_tolerance
     after, y_w, n = scratch[_AFTER:_POWERS], scratch[_W:_Y_NEW], N_STATES // 2
     ax, ay = ground_acceleration(ground_x(z, lane), t), ground_acceleration(ground_y(z, lane), t)
-    rates(contact, y, p, ax, ay, rate)
+    rates(mode, y, p, ax, ay, rate)
     status[GUARD_DUE] = status[RATE_STALE] = 0
     for i in range(n):
         z[Z_K + (n + i) * LANES + lane] = rate[n + i]
     # the flight to come, if short enough, is the first of those that time_to_rest adds up
-    a, v = -SIDES[contact] * rate[ROTATION_RATE], abs(y[ROTATION_RATE])
+    a, v = -SIDES[mode] * rate[ROTATION_RATE], abs(y[ROTATION_RATE])
     flight, loss = 2.0 * v / a, 1.0 - v / speed
-    rests, follows = np.inf, contact
+    rests, follows = np.inf, mode
     # nor is it asked while what this impact has lost says that the sum is far too long
     if a > 0.0 and not flight > min(2.0 * loss, 1.0) * tolerance / math.sqrt(a):
         rests, follows = time_to_rest(
-            contact, y, p, batch.law[case], batch.ratio[case], status[IMPACTS], ax, ay, tolerance,
+            mode, y, p, batch.law[case], batch.ratio[case], status[IMPACTS], ax, ay, tolerance,
             after,
         )  # fmt: skip
     hop(lane, z, t, flight)
@@ -490,7 +490,7 @@ def fly_or_rest(lane, z, case, contact, speed, batch, scratch):
             scratch[_K:_W], y_w,
         )
     ):  # fmt: skip
-        return contact, False
+        return mode, False
     z[Z_T + lane] = t + rests
     z[Z_NEXT + lane] = z[Z_LANDING + lane] = 0.0
     status[GUARD_DUE] = status[RATE_STALE] = 1

@@ -79,7 +79,7 @@ SINES = """
 def sine_cosine(x):
     \"\"\"Sine and cosine up to an eighth of a turn; not a number beyond, where the loop goes on.
 
-    It has no branches, so that all contact states share what they have of it.
+    It has no branches, so that all modes share what they have of it.
     \"\"\"
     r = x if abs(x) <= 0.7853981633974483 else np.nan
     z = r * r
@@ -98,22 +98,22 @@ def sine_cosine(x):
 
 
 def _accelerations(generated: GeneratedModule) -> str:
-    """A function of all contact states without branches: what they have in common is found once."""
+    """A function of all modes without branches: what they have in common is found once."""
     n = generated.N_STATES // 2
     arguments = ", ".join([f"q_{i}" for i in range(n)] + [f"v_{i}" for i in range(n)])
-    text = f"\n\n@inlined\ndef accelerations_of_lanes(contact, {arguments}, p, ax, ay):\n"
+    text = f"\n\n@inlined\ndef accelerations_of_lanes(mode, {arguments}, p, ax, ay):\n"
     if len(_held(generated)) < 2:
-        return f"{text}    return accelerations(contact, {arguments}, p, ax, ay)\n"
+        return f"{text}    return accelerations(mode, {arguments}, p, ax, ay)\n"
     for c in range(len(generated.MODES)):
         found = ", ".join(f"{'b' if c else 'a'}_{i}" for i in range(n))
         text += f"    ({found},) = accelerations({c}, {arguments}, p, ax, ay)\n"
         if c:
-            text += "".join(f"    a_{i} = b_{i} if contact == {c} else a_{i}\n" for i in range(n))
+            text += "".join(f"    a_{i} = b_{i} if mode == {c} else a_{i}\n" for i in range(n))
     return f"{text}    return ({', '.join(f'a_{i}' for i in range(n))},)\n"
 
 
 def gap_sides(generated: GeneratedModule) -> tuple[float, ...]:
-    """Of each contact state that an impact ends, and nothing else, its side; 0 of all others."""
+    """Of each mode that an impact ends, and nothing else, its side; 0 of all others."""
     return tuple(
         side if kinds[:guards] == (IMPACT,) else 0.0
         for side, guards, kinds in zip(
@@ -130,7 +130,7 @@ def _held(generated: GeneratedModule) -> list[int]:
 def _sampled(generated: GeneratedModule) -> str:
     """Lines that find whether all guards clearly stay open, as `stays_held` of the loop does.
 
-    They are sampled on the quintics through both ends of a step. A guard that a contact state has
+    They are sampled on the quintics through both ends of a step. A guard that a mode has
     not is open.
     """
     n, r, states = generated.N_STATES // 2, generated.ROTATION, _held(generated)
@@ -158,7 +158,7 @@ def _sampled(generated: GeneratedModule) -> str:
             text += "".join(f"        g[{f}] = 1.0\n" for f in range(functions))
             text += f"        guards({c}, y, p, ax, ay, g)\n"
             for f in range(functions):
-                other = f"g[{f}]" if c == states[0] else f"g[{f}] if contact == {c} else g{f}_{m}"
+                other = f"g[{f}]" if c == states[0] else f"g[{f}] if mode == {c} else g{f}_{m}"
                 text += f"        g{f}_{m} = {other}\n"
     for f in range(functions):
         text += f"        most = abs(g{f}_0)\n"
@@ -173,7 +173,7 @@ def _sampled(generated: GeneratedModule) -> str:
         for place in range(generated.N_GUARDS, functions, 2):
             of = [c for c in states if generated.PARTS[c][guard] == place]
             if of:  # the larger of two parts
-                where = " | ".join(f"(contact == {c})" for c in of)
+                where = " | ".join(f"(mode == {c})" for c in of)
                 text += f"        clear = (open_{place} | open_{place + 1}) if {where} else clear\n"
         text += "        held &= clear\n"
     return text
@@ -240,7 +240,7 @@ PLACES = {places}  # of a step at which the ground is found at once
 STAGE_PLACES = np.array({_padded(times, places)!r})
 NODE_PLACES = np.array({_padded(NODES.tolist(), places)!r})
 DAMPING = {damping!r}
-GAP_SIDES = {gap_sides(generated)!r}  # of contact states that end by an impact alone; 0 of others
+GAP_SIDES = {gap_sides(generated)!r}  # of modes that end by an impact alone; 0 of others
 """
     return "".join(
         (
@@ -306,7 +306,7 @@ def step_lanes(z: Floats, rtol: float, tolerances: Floats):
     """One step of all lanes: the states and accelerations at its end, and its estimated error."""
     atol = ({atol},)
     for lane in range(LANES):
-        contact = z[Z_CONTACT + lane]
+        mode = z[Z_CONTACT + lane]
 {lines.step}        hh = h * h
 {lines.start}{stages}{ends}{errors}        z[Z_ERROR + lane] = error
 '''
@@ -341,16 +341,16 @@ def judge_lanes(z: Floats, coarse: float):
 
 def _judge_held(generated: GeneratedModule, lines: _Lines) -> str:
     held, r = _held(generated), generated.ROTATION
-    contact = "z[Z_CONTACT + lane]" if len(held) > 1 else held[0]
+    mode = "z[Z_CONTACT + lane]" if len(held) > 1 else held[0]
     functions = generated.N_GUARDS + generated.N_PARTS
     return f'''
 
 @entry
 def judge_held_lanes(z: Floats, coarse: float):
-    """What becomes of the step of each lane in other contact states: it stands where they last."""
+    """What becomes of the step of each lane in other modes: it stands where they last."""
     y, g = np.empty({generated.N_STATES}), np.empty({functions})
     for lane in range(LANES):
-        contact = {contact}
+        mode = {mode}
 {lines.step}{lines.start}{lines.end}{_sampled(generated)}        held &= z[Z_SIDE + lane] == 0.0
         held &= abs(q1_{r}) < z[Z_FALLEN + lane]
         held &= z[Z_ERROR + lane] <= (coarse if z[Z_EQUAL + lane] > 0.0 else 1.0)

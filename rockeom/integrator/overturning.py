@@ -61,21 +61,21 @@ def bound_passed(state, coefficients, bound, b, stack):
     return place
 
 
-def leans_most(peaks, fallen, p):
+def leans_most(extremes, fallen, p):
     """Of what may fall, the state that has come nearest to its bound, and how far it has come.
 
     That of another coordinate than the rotation counts beside its bound as the rotation's does.
     """
-    leaning, leans = ROTATION, max(-peaks[0, ROTATION], peaks[1, ROTATION])
+    leaning, leans = ROTATION, max(-extremes[0, ROTATION], extremes[1, ROTATION])
     if N_FALLS > 0:
         for i in range(N_FALLS):
-            other = max(-peaks[0, FALLS[i]], peaks[1, FALLS[i]]) * fallen / overturns_at(i, p)
+            other = max(-extremes[0, FALLS[i]], extremes[1, FALLS[i]]) * fallen / overturns_at(i, p)
             if other > leans:
                 leaning, leans = FALLS[i], other
     return leaning, leans
 
 
-def own_time(contact, y, p):
+def own_time(mode, y, p):
     """Time in which a rocking motion goes on, 1/sqrt(acceleration); 0 where nothing drives it."""
-    a = abs(opening_acceleration(contact, y, p, 0.0, 0.0))
+    a = abs(opening_acceleration(mode, y, p, 0.0, 0.0))
     return 1.0 / math.sqrt(a) if a > 0.0 else 0.0

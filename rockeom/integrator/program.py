@@ -170,7 +170,7 @@ def _halves(printed: Printed) -> tuple[str, str]:
     """A loop in two: what is the structure's own, with its step, and what others have, too.
 
     Most of a loop is in the second, and it follows from a few numbers: how many states there are,
-    which contact states follow which. All blocks have the same.
+    which modes follow which. All blocks have the same.
     """
     return printed.halves(printed.texts[:2])
 
@@ -317,7 +317,7 @@ def texts(generated: GeneratedModule, method: str, lanes: bool = False) -> list[
 
 
 def _contacts(generated: GeneratedModule) -> str:
-    """What finds the contact state that follows, where a structure does not declare it."""
+    """The text that finds the mode that follows, where a structure does not declare it."""
     if not has_points(generated):
         return "N_POINTS = N_KNOWN = 0\n"
     return f"{text_of(SEARCHED)}\n\nANGLES = {angles(generated)!r}  # which coordinates are\n"

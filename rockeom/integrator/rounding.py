@@ -27,49 +27,49 @@ if TYPE_CHECKING:  # joined before this text
 CLOSED_GAP = 1e-12  # of the overturning rotation: by so much feet may miss the ground on landing
 
 
-def noise_of(contact, index, p, fallen, noise, w, g):
+def noise_of(mode, index, p, fallen, noise, w, g):
     """Size of the rounding errors of a switch's guard, by what the last digits of parameters make.
 
     The force of a tendon is that of its length less another one; near upright nothing but the
     rounding of both may be left, or less than counts beside any other force. Found where the
     structure leans a little, once in each call of the loop: noise holds what is known of the guards
-    of each contact state, or -1, and has room for one more.
+    of each mode, or -1, and has room for one more.
     """
-    if KINDS[contact][index] != SWITCH:
+    if KINDS[mode][index] != SWITCH:
         return 0.0
-    first = contact * (N_GUARDS + N_PARTS)
+    first = mode * (N_GUARDS + N_PARTS)
     other = noise[len(SIDES) * (N_GUARDS + N_PARTS) :]
     if noise[first] < 0.0:
         for i in range(N_STATES):
             w[i] = 0.0
-        w[ROTATION] = 0.01 * SIDES[contact] * min(fallen, 1.0)
+        w[ROTATION] = 0.01 * SIDES[mode] * min(fallen, 1.0)
         for i in range(N_GUARDS):
             noise[first + i] = 0.0
         for j in range(p.shape[0]):
             value = p[j]
             p[j] = value * (1.0 + 1e-6)
-            guards(contact, w, p, 0.0, 0.0, other)
+            guards(mode, w, p, 0.0, 0.0, other)
             p[j] = value * (1.0 - 1e-6)
-            guards(contact, w, p, 0.0, 0.0, g)
+            guards(mode, w, p, 0.0, 0.0, g)
             p[j] = value
-            for i in range(GUARDS[contact]):
+            for i in range(GUARDS[mode]):
                 change = abs(other[i] - g[i])
                 if change < np.inf:
                     noise[first + i] += 0.5e6 * SAMPLED * change
     return noise[first + index]
 
 
-def rounding(contact, index, h, y, p, ax, ay, b):
+def rounding(mode, index, h, y, p, ax, ay, b):
     """Size of the rounding errors of a guard that opens from closed.
 
     A gap that opens without speed grows with the third power of time out of accelerations that
     cancel: what is left of them by rounding acts over the whole step.
     """
     scale = size(b, 8 * index)
-    if KINDS[contact][index] != IMPACT:
+    if KINDS[mode][index] != IMPACT:
         left = abs(b[8 * index])
-        if N_PARTS > 0 and PARTS[contact][index] >= 0:
-            part = 8 * PARTS[contact][index]
+        if N_PARTS > 0 and PARTS[mode][index] >= 0:
+            part = 8 * PARTS[mode][index]
             scale = max(size(b, part), size(b, part + 8))
             left = abs(max(b[part], b[part + 8]))
         return max(SAMPLED * scale, min(2.0 * left, 1e-8 * scale))

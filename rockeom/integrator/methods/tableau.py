@@ -219,7 +219,7 @@ def _stage(
     n: int,
     ground: str,
     accelerations: str = "accelerations",
-    contact: str = "contact",
+    mode: str = "mode",
     still: Sequence[int] = (),
 ) -> str:
     """Positions q, velocities v and accelerations a of a stage.
@@ -234,7 +234,7 @@ def _stage(
     states = ", ".join([f"q{j}_{i}" for i in range(n)] + [f"v{j}_{i}" for i in range(n)])
     found = ", ".join(f"a{j}_{i}" for i in range(n))
     return f"""{text}    ({found},) = {accelerations}(
-        {contact}, {states}, p, {ground}
+        {mode}, {states}, p, {ground}
     )
 """
 

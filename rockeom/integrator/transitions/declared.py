@@ -84,12 +84,12 @@ def on_both_feet():
     return held
 
 
-def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, out):
-    """(time, contact): when the infinitely many impacts to come will all have happened.
+def time_to_rest(mode, y, p, law, ratio, impacts, ax, ay, tolerance, out):
+    """(time, mode): when the infinitely many impacts to come will all have happened.
 
     Close to the end of a free rocking motion the flights between impacts are parabolas: a flight
     that leaves with gap rate v under the closing acceleration a lasts 2 v / a, and the impact
-    map gives the v of the next. Their sum converges. Returns (inf, contact) while it is longer
+    map gives the v of the next. Their sum converges. Returns (inf, mode) while it is longer
     than `tolerance` in units of 1/sqrt(a), or while an acceleration opens the gap.
 
     impacts : how many there were. `out` gets the state in which the structure stands once the
@@ -98,7 +98,7 @@ def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, out):
     """
     held = on_both_feet()
     if held < 0:
-        return np.inf, contact
+        return np.inf, mode
     w, kick, smooth = np.empty(N_STATES), np.empty(N_STATES), np.empty(N_STATES)
     for i in range(N_STATES):
         w[i] = y[i]
@@ -111,15 +111,15 @@ def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, out):
     for turn in range(1000):
         a_before, last_a, last_flight = last_a, a, flight
         pairs = not pairs
-        rates(contact, w, p, ax, ay, out)
-        a = -SIDES[contact] * out[ROTATION_RATE]
+        rates(mode, w, p, ax, ay, out)
+        a = -SIDES[mode] * out[ROTATION_RATE]
         if not a > 0.0:
-            return np.inf, contact
+            return np.inf, mode
         v = abs(w[ROTATION_RATE])
         flight = 2.0 * v / a
         total += flight
         if total > tolerance / math.sqrt(a):
-            return np.inf, contact
+            return np.inf, mode
         rates(held, w, p, ax, ay, smooth)
         for i in range(N_STATES):
             w[i] += flight * out[i]
@@ -136,8 +136,8 @@ def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, out):
             w[ROTATION_RATE] = 0.0
             if v > EPS * start:
                 whole = 1.0 / (1.0 - (1.0 - loss) * v / start)  # all is in proportion to speeds
-        contact = jump(
-            contact,
+        mode = jump(
+            mode,
             0,
             law,
             velocity_ratio_at(law, ratio, impacts + turn, w[ROTATION_RATE], p),
@@ -147,23 +147,23 @@ def time_to_rest(contact, y, p, law, ratio, impacts, ax, ay, tolerance, out):
         )
         for i in range(N_STATES // 2, N_STATES):
             kick[i] += out[i] - w[i]
-        if SIDES[contact] == 0.0:
+        if SIDES[mode] == 0.0:
             for i in range(N_STATES):
                 out[i] = y[i] + whole * kick[i]
             out[ROTATION] = out[ROTATION_RATE] = 0.0
-            return total, contact
+            return total, mode
         last_loss = loss
         loss = 1.0 - abs(out[ROTATION_RATE]) / v
         # one foot, or one impact, may lose next to nothing where the other does not
         least = max(loss, last_loss) if law == UNEVEN else loss
         if not least > 0.0 or flight > least * tolerance / math.sqrt(a):
-            return np.inf, contact  # so little is lost that the end is far, or never comes
+            return np.inf, mode  # so little is lost that the end is far, or never comes
         for i in range(N_STATES):
             w[i] = out[i]
-    return np.inf, contact
+    return np.inf, mode
 
 
-def stand(contact, t, h, y, p, ground, rtol, atol, k, y_new):
+def stand(mode, t, h, y, p, ground, rtol, atol, k, y_new):
     """Move what still moves in full contact through the time h in which impacts faded.
 
     One step of the method, from y at t into y_new: so the work of the ground and of dampers in that
@@ -174,7 +174,7 @@ def stand(contact, t, h, y, p, ground, rtol, atol, k, y_new):
     if h == 0.0:
         return True
     gx, gy = ground.x, ground.y
-    rates(contact, y, p, ground_acceleration(gx, t), ground_acceleration(gy, t), k)
-    error = take_step(contact, t, h, y, p, gx, gy, rtol, atol, k, y_new)
+    rates(mode, y, p, ground_acceleration(gx, t), ground_acceleration(gy, t), k)
+    error = take_step(mode, t, h, y, p, gx, gy, rtol, atol, k, y_new)
     y_new[ROTATION] = y_new[ROTATION_RATE] = 0.0
     return error <= 1.0

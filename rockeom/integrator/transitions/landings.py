@@ -52,19 +52,19 @@ def longest_turn(y):
     return 1.0 / fastest
 
 
-def single_hop(contact, touching, y, p, dy):
+def single_hop(mode, touching, y, p, dy):
     """(guard, time): the one gap that opens from closed, and when its parabola closes it again.
 
     (-1, inf) where none does, or several. dy (N,) : rates. touching : see `is_closed`.
     """
-    told = np.empty(POINT * N_POINTS)
-    points(y, p, told)
+    known = np.empty(POINT * N_POINTS)
+    points(y, p, known)
     hop, lasts = -1, np.inf
-    for i in range(GUARDS[contact]):
-        if KINDS[contact][i] != LANDING or not is_closed(touching, i):
+    for i in range(GUARDS[mode]):
+        if KINDS[mode][i] != LANDING or not is_closed(touching, i):
             continue
-        point = SUBJECTS[contact][i]
-        rate, a = told[point * POINT + 1], -acceleration_of(told, 2 * point, dy)
+        point = SUBJECTS[mode][i]
+        rate, a = known[point * POINT + 1], -acceleration_of(known, 2 * point, dy)
         # a hop must not be lost among the smallest numbers
         if hop >= 0 or not (rate > 0.0 and a > 0.0 and 2.0 * rate * rate > 1e-290 * a):
             return -1, np.inf
@@ -158,36 +158,36 @@ def falls_by(samples, i, opens, at_end):
     return x if 1e-6 < x < 1.0 else 0.0
 
 
-def to_landing(contact, guard, y, p, dy):
+def to_landing(mode, guard, y, p, dy):
     """Time from the end of a step to the landing beside it; infinite where the gap does not close.
 
     By the parabola there, from which it differs by the third power of that time. dy (N,) : rates.
     The gap is that of the guard, as `fall_within` sees it: what drift closed points have is none
     of it.
     """
-    told, g = np.empty(POINT * N_POINTS), np.empty(ROW)
-    points(y, p, told)
-    guards(contact, y, p, 0.0, 0.0, g)
-    point = SUBJECTS[contact][guard]
-    rate = told[point * POINT + 1]
+    known, g = np.empty(POINT * N_POINTS), np.empty(ROW)
+    points(y, p, known)
+    guards(mode, y, p, 0.0, 0.0, g)
+    point = SUBJECTS[mode][guard]
+    rate = known[point * POINT + 1]
     if not rate < 0.0:
         return np.inf
     move = -g[guard] / rate
-    return move - 0.5 * acceleration_of(told, 2 * point, dy) * move * move / rate
+    return move - 0.5 * acceleration_of(known, 2 * point, dy) * move * move / rate
 
 
 def is_rounding(mode, guard, y, p):
     """Whether a gap is closed but for the rounding errors of the places of all points."""
-    told, g = np.empty(POINT * N_POINTS), np.empty(ROW)
-    points(y, p, told)
+    known, g = np.empty(POINT * N_POINTS), np.empty(ROW)
+    points(y, p, known)
     guards(mode, y, p, 0.0, 0.0, g)
-    return abs(g[guard]) <= gap_rounding(told, y)
+    return abs(g[guard]) <= gap_rounding(known, y)
 
 
-def end_closed(contact, samples):
+def end_closed(mode, samples):
     """Whether a guard is closed at the end of a step, by the samples of `fall_within`."""
     closed = False
-    for i in range(GUARDS[contact]):
+    for i in range(GUARDS[mode]):
         closed = closed or samples[3 * ROW + i] < 0.0
     return closed
 

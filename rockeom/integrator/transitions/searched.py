@@ -1,7 +1,7 @@
-"""Passages between contact states that are found: which one follows is not declared.
+"""Passages between modes that are found: which one follows is not declared.
 
 Joined to the generated modules of structures whose contacts may open, slide and bounce, see
-`rockeom.integrator.program`. There a contact state says of each point whether it is open, sticks or
+`rockeom.integrator.program`. There a mode says of each point whether it is open, sticks or
 slips to a side. Where one ends, all that may follow are tried: at a landing, those whose impulses
 fit the velocities after them; then those whose forces fit the accelerations. What fits none, or
 several that move differently, ends the motion.
@@ -90,26 +90,26 @@ def is_closed(touching, i):
     return touching > 0 and n - 2 * int(n * 0.5) == 1
 
 
-def guard_noise(contact, index, y, p, ax, ay, h, b, stride):
+def guard_noise(mode, index, y, p, ax, ay, h, b, stride):
     """Size of the rounding errors of a guard in a step h.
 
     For a gap, by the terms whose difference it is, and by what acts on it; for a force, by the
     largest of them and by what would hold the structure: b holds `stride` numbers of each guard,
     in a step or at an instant.
     """
-    kind = KINDS[contact][index]
+    kind = KINDS[mode][index]
     if kind != LANDING and kind != LIFTING and kind != SLIPPING:
         return 0.0
     known, sizes, wanted = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS), np.empty(ROWS)
-    point = SUBJECTS[contact][index]
-    all_known(y, p, contact, known)
-    without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    point = SUBJECTS[mode][index]
+    all_known(y, p, mode, known)
+    without_forces(y, p, ax, ay, mode, known, wanted, sizes)
     if kind == LANDING:
         _, size = rate_of(known, 2 * point, y, 0)
         return GRAIN * size + 1e-13 * sizes[2 * point] * h * h
     largest = 0.0
-    for i in range(GUARDS[contact]):
-        if KINDS[contact][i] == LIFTING or KINDS[contact][i] == SLIPPING:
+    for i in range(GUARDS[mode]):
+        if KINDS[mode][i] == LIFTING or KINDS[mode][i] == SLIPPING:
             for j in range(stride * i, stride * i + stride):
                 largest = max(largest, abs(b[j]))
     return max(1e-13 * largest, FITS * sizes[ROWS + point])
@@ -238,7 +238,7 @@ def through_mass(matrix, b, width):
 
 
 @rolled
-def all_known(y, p, contact, known):
+def all_known(y, p, mode, known):
     """What is known of the points in a state, into known (N_KNOWN,), with what impulses do there.
 
     All but what `points` tells follows from the places alone.
@@ -248,7 +248,7 @@ def all_known(y, p, contact, known):
     matrix, spread, coupling = known[MATRIX:], known[SPREAD:], known[COUPLING:]
     points(y, p, known)
     point_laws(p, known[LAWS:])
-    free_motion(y, p, 0.0, 0.0, contact, matrix, forces)
+    free_motion(y, p, 0.0, 0.0, mode, matrix, forces)
     for i in range(n):
         for r in range(N_POINTS):
             spread[i * ROWS + 2 * r] = known[r * POINT + 5 + i]
@@ -260,12 +260,12 @@ def all_known(y, p, contact, known):
 
 
 @inlined
-def along(told, row, b, s, width):
+def along(known, row, b, s, width):
     """J of a row times column s of b (n, width)."""
     start = row_of_point(row)
     total = 0.0
     for i in range(N_COORDINATES):
-        total += told[start + i] * b[i * width + s]
+        total += known[start + i] * b[i * width + s]
     return total
 
 
@@ -276,32 +276,32 @@ def row_of_point(row):
     return point * POINT + 5 + (row - 2 * point) * N_COORDINATES
 
 
-def rate_of(told, row, y, first):
+def rate_of(known, row, y, first):
     """J of a row times y[first : first + n], and the sum of the terms' sizes."""
     start = row_of_point(row)
     total = size = 0.0
     for i in range(N_COORDINATES):
-        term = told[start + i] * y[first + i]
+        term = known[start + i] * y[first + i]
         total += term
         size += abs(term)
     return total, size
 
 
-def gap_rounding(told, y):
+def gap_rounding(known, y):
     """The rounding error of a gap where other points are closed: by the largest terms of any."""
     largest = 0.0
     for i in range(N_POINTS):
-        _, size = rate_of(told, 2 * i, y, 0)
+        _, size = rate_of(known, 2 * i, y, 0)
         largest = max(largest, size)
     return GRAIN * largest
 
 
 @inlined
-def acceleration_of(told, row, dy):
+def acceleration_of(known, row, dy):
     """Of a gap or a slip, from the rates (N,) of the state."""
-    total, _ = rate_of(told, row, dy, N_COORDINATES)
+    total, _ = rate_of(known, row, dy, N_COORDINATES)
     point = int(row * 0.5)
-    return total + told[point * POINT + 3 + row - 2 * point]
+    return total + known[point * POINT + 3 + row - 2 * point]
 
 
 @inlined
@@ -343,20 +343,20 @@ def put_on(rows, wanted, first, known, y):
 def is_smooth(point):
     """Whether a point has no friction whatever the parameters are: it never sticks."""
     smooth = True
-    for contact in range(len(POINT_STATES)):
-        smooth = smooth and POINT_STATES[contact][point] != STICK
+    for mode in range(len(POINT_STATES)):
+        smooth = smooth and POINT_STATES[mode][point] != STICK
     return smooth
 
 
 @inlined
-def may_follow(candidate, contact, near, sliding):
-    """Whether a contact state has the elements of another, and its points can be as it says.
+def may_follow(candidate, mode, near, sliding):
+    """Whether a mode has the elements of another, and its points can be as it says.
 
     near (N_POINTS,) : 1 where a point touches. sliding (N_POINTS,) : the sign of its slip, 0 where
     it does not move.
     """
     for i in range(N_ELEMENTS):
-        if ELEMENT_STATES[candidate][i] != ELEMENT_STATES[contact][i]:
+        if ELEMENT_STATES[candidate][i] != ELEMENT_STATES[mode][i]:
             return False
     for i in range(N_POINTS):
         state = POINT_STATES[candidate][i]
@@ -370,7 +370,7 @@ def may_follow(candidate, contact, near, sliding):
 
 
 def impulses_of(candidate, wanted, known, impulse):
-    """The impulses, or forces, with which points come to be as a contact state says, (ROWS,).
+    """The impulses, or forces, with which points come to be as a mode says, (ROWS,).
 
     wanted (ROWS,) : changes of the velocities, or accelerations, where points are closed.
     """
@@ -453,7 +453,7 @@ def held_by(candidate, wanted, known, fractions, impulse):
 
 
 @rolled
-def share(candidate, told, force, fractions):
+def share(candidate, known, force, fractions):
     """The fraction of friction of sticking points at different heights, which share their sum.
 
     Which of them gives it cannot be told of rigid bodies; all mobilise the same fraction of it, as
@@ -467,7 +467,7 @@ def share(candidate, told, force, fractions):
         apart = 0.0
         for j in range(N_COORDINATES):
             one, other = row_of_point(2 * i + 1) + j, row_of_point(2 * first + 1) + j
-            apart = max(apart, abs(told[one] - told[other]))
+            apart = max(apart, abs(known[one] - known[other]))
         if apart > 1e-9:
             found = True
     if not found:
@@ -534,9 +534,9 @@ def margin_of(candidate, near, sliding, wanted, known, sizes, impulse, least_of_
 
 
 def fitting_states(
-    contact, left_out, near, sliding, wanted, known, sizes, tolerance, alike, fitting, change
+    mode, left_out, near, sliding, wanted, known, sizes, tolerance, alike, fitting, change
 ):  # fmt: skip
-    """(best, several): of all contact states but one those whose impulses, or forces, fit.
+    """(best, several): of all modes but one those whose impulses, or forces, fit.
 
     They fit by `tolerance`, and what they change of the velocities, or accelerations,
     differs by no more than `alike`, squared in the measure of the mass: AMBIGUOUS if it does,
@@ -547,7 +547,7 @@ def fitting_states(
     this, apart = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
     best, several, most = IMPOSSIBLE, 0, -np.inf
     for candidate in range(len(POINT_STATES)):
-        if candidate == left_out or not may_follow(candidate, contact, near, sliding):
+        if candidate == left_out or not may_follow(candidate, mode, near, sliding):
             continue
         impulses_of(candidate, wanted, known, impulse)
         margin = margin_of(candidate, near, sliding, wanted, known, sizes, impulse, -tolerance)
@@ -601,12 +601,12 @@ def squared(known, x):
     return total
 
 
-def collide(contact, near, slowest, known, y):
+def collide(mode, near, slowest, known, y):
     """Velocities y[n:] after all touching points have met.
 
     The law is the algebraic one: each closing gap opens at the rate e times that at which it
     closed, or faster where nothing presses; friction opposes the slip after the impact; all points
-    at once. Returns a contact state of the impulses that fit, the best of those that lead to the
+    at once. Returns a mode of the impulses that fit, the best of those that lead to the
     same velocities, or IMPOSSIBLE, or AMBIGUOUS. slowest : what counts as the same, squared in the
     measure of the mass, at least.
     """
@@ -625,7 +625,7 @@ def collide(contact, near, slowest, known, y):
             wanted[r] -= known[LAWS + r] * min(arriving, 0.0)
     alike = max(1e-18 * whole, slowest)
     found, _ = fitting_states(
-        contact, -1, near, sliding, wanted, known, sizes, FITS, alike, fitting, change
+        mode, -1, near, sliding, wanted, known, sizes, FITS, alike, fitting, change
     )
     if found >= 0:
         for i in range(n):
@@ -634,7 +634,7 @@ def collide(contact, near, slowest, known, y):
 
 
 @rolled
-def touching_points(y, p, contact, known, near, sliding):
+def touching_points(y, p, mode, known, near, sliding):
     """Which points touch in a given state, and the signs of their slips, into near and sliding.
 
     known : of `all_known`. near, sliding (N_POINTS,) : a point touches whose gap is closed, and
@@ -644,7 +644,7 @@ def touching_points(y, p, contact, known, near, sliding):
     """
     free, speeds = np.empty(ROWS + N_POINTS), np.empty(ROWS + N_POINTS)
     wanted = np.empty(ROWS)
-    without_forces(y, p, 0.0, 0.0, contact, known, wanted, free)
+    without_forces(y, p, 0.0, 0.0, mode, known, wanted, free)
     sizes_of(squared(known, y[N_COORDINATES:]), known, speeds)
     for i in range(N_POINTS):
         length = radius_of(known, i)
@@ -661,21 +661,21 @@ def touching_points(y, p, contact, known, near, sliding):
             near[i] = 0
 
 
-def fits_by_forces(contact, y, p, ax, ay):
-    """The contact state that fits the forces in a state, or IMPOSSIBLE, or AMBIGUOUS.
+def fits_by_forces(mode, y, p, ax, ay):
+    """The mode that fits the forces in a state, or IMPOSSIBLE, or AMBIGUOUS.
 
-    contact : that which the state's gaps and velocities tell of, with its elements.
+    mode : that which the state's gaps and velocities tell of, with its elements.
     """
     known, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
     near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
-    all_known(y, p, contact, known)
-    touching_points(y, p, contact, known, near, sliding)
+    all_known(y, p, mode, known)
+    touching_points(y, p, mode, known, near, sliding)
     for i in range(N_POINTS):
-        if POINT_STATES[contact][i] != OPEN:
+        if POINT_STATES[mode][i] != OPEN:
             near[i] = 1
     ground = np.empty(5)
     same_ground(ax, ay, 1e-9, ground)
-    return select_by_forces(contact, False, near, sliding, y, p, ground, 0.0, known, sizes)
+    return select_by_forces(mode, False, near, sliding, y, p, ground, 0.0, known, sizes)
 
 
 @inlined
@@ -685,7 +685,7 @@ def same_ground(ax, ay, later, ground):
     ground[LATER] = later
 
 
-def without_forces(y, p, ax, ay, contact, known, wanted, sizes):
+def without_forces(y, p, ax, ay, mode, known, wanted, sizes):
     """The accelerations that points lack where nothing touches, into wanted (ROWS,), and sizes.
 
     sizes (ROWS + N_POINTS,) : of `sizes_of`, for accelerations with the ground at rest, too, so
@@ -694,8 +694,8 @@ def without_forces(y, p, ax, ay, contact, known, wanted, sizes):
     n = N_COORDINATES
     forces, at_rest = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
     both, matrix = np.empty(2 * N_COORDINATES), known[MATRIX:]
-    free_motion(y, p, ax, ay, contact, matrix, forces)
-    free_motion(y, p, 0.0, 0.0, contact, matrix, at_rest)
+    free_motion(y, p, ax, ay, mode, matrix, forces)
+    free_motion(y, p, 0.0, 0.0, mode, matrix, at_rest)
     for i in range(n):
         both[2 * i], both[2 * i + 1] = forces[i], at_rest[i]
     through_mass(matrix, both, 2)
@@ -711,17 +711,17 @@ def without_forces(y, p, ax, ay, contact, known, wanted, sizes):
     return whole
 
 
-def select_by_forces(contact, ends, near, sliding, y, p, ground, rtol, known, sizes):
+def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, known, sizes):
     """The mode whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
 
-    ends : whether `contact` has come to its end, so that it follows only where nothing else does.
+    ends : whether `mode` has come to its end, so that it follows only where nothing else does.
     ground (5,) : where several modes move alike, their margins a little later decide between them.
     rtol : the relative tolerance of the motion, by whose error a mode must fit where none fits
     nearly. sizes (ROWS + N_POINTS,) : of `without_forces`, found here.
     """
     wanted, change = np.empty(ROWS), np.empty(N_COORDINATES)
     fitting = np.empty(len(POINT_STATES), np.int64)
-    whole = without_forces(y, p, ground[AX], ground[AY], contact, known, wanted, sizes)
+    whole = without_forces(y, p, ground[AX], ground[AY], mode, known, wanted, sizes)
     follows = IMPOSSIBLE
     for turn in range(2):
         nearly = NEARLY if turn == 0 else STEPS_ERROR * rtol
@@ -729,29 +729,27 @@ def select_by_forces(contact, ends, near, sliding, y, p, ground, rtol, known, si
             break
         alike = ALIKE * ALIKE * nearly * nearly * whole
         follows, several = fitting_states(
-            contact, -1, near, sliding, wanted, known, sizes, nearly, alike, fitting, change
+            mode, -1, near, sliding, wanted, known, sizes, nearly, alike, fitting, change
         )
         apart = ends and follows == AMBIGUOUS
         if apart:  # what has come to its end and another: only one of them lasts
-            fitting[0], several = contact, 1
-        if apart or (follows >= 0 and (several > 1 or (ends and follows == contact))):
-            follows = best_later(
-                contact, ends, near, sliding, fitting, several, y, p, ground, sizes
-            )
+            fitting[0], several = mode, 1
+        if apart or (follows >= 0 and (several > 1 or (ends and follows == mode))):
+            follows = best_later(mode, ends, near, sliding, fitting, several, y, p, ground, sizes)
         if apart and follows == IMPOSSIBLE:
             follows, several = fitting_states(
-                contact, contact, near, sliding, wanted, known, sizes, nearly, alike, fitting,
+                mode, mode, near, sliding, wanted, known, sizes, nearly, alike, fitting,
                 change,
             )  # fmt: skip
             if follows >= 0 and several > 1:
                 follows = best_later(
-                    contact, ends, near, sliding, fitting, several, y, p, ground, sizes
+                    mode, ends, near, sliding, fitting, several, y, p, ground, sizes
                 )
     return follows
 
 
 @rolled
-def best_later(contact, ends, near, sliding, fitting, several, y, p, ground, sizes):
+def best_later(mode, ends, near, sliding, fitting, several, y, p, ground, sizes):
     """The mode that fits best a little later, of those that move alike now."""
     n, tau = N_COORDINATES, ground[LATER]
     dy, w = np.empty(N_STATES), np.empty(N_STATES)
@@ -761,14 +759,14 @@ def best_later(contact, ends, near, sliding, fitting, several, y, p, ground, siz
     for i in range(n):
         w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * dy[n + i])
         w[n + i] = y[n + i] + tau * dy[n + i]
-    all_known(w, p, contact, known)
-    without_forces(w, p, ground[LATER_AX], ground[LATER_AY], contact, known, wanted, of_then)
+    all_known(w, p, mode, known)
+    without_forces(w, p, ground[LATER_AX], ground[LATER_AY], mode, known, wanted, of_then)
     found, best = IMPOSSIBLE, -np.inf
     for i in range(several):
         candidate = fitting[i]
         impulses_of(candidate, wanted, known, impulse)
         margin = margin_of(candidate, near, sliding, wanted, known, sizes, impulse, -np.inf)
-        if candidate == contact and ends:
+        if candidate == mode and ends:
             # what has come to its end goes on only where nothing but rounding errors ended it
             if several == 1 and margin < -FITS:
                 return IMPOSSIBLE
@@ -782,28 +780,28 @@ def best_later(contact, ends, near, sliding, fitting, several, y, p, ground, siz
 # -- passages ------------------------------------------------------------------------------------
 
 
-def pass_on(contact, guard, h, y, p, ground, rtol, known, out):
+def pass_on(mode, guard, h, y, p, ground, rtol, known, out):
     """The end of a mode by a guard: state after into out (N,).
 
-    Returns the contact state that follows, or IMPOSSIBLE, or AMBIGUOUS, and which of its guards are
+    Returns the mode that follows, or IMPOSSIBLE, or AMBIGUOUS, and which of its guards are
     closed, see `is_closed`.
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    kind, subject = KINDS[contact][guard], SUBJECTS[contact][guard]
+    kind, subject = KINDS[mode][guard], SUBJECTS[mode][guard]
     if kind == SWITCH:
-        follows, touching = contact, -1
+        follows, touching = mode, -1
         if N_ELEMENTS > 0:
-            follows = jump(contact, guard, 0, 0.0, y, p, out)
-            if REVERSE[contact][guard] >= 0:
-                touching = int(1.0 / HALVES[REVERSE[contact][guard]])
+            follows = jump(mode, guard, 0, 0.0, y, p, out)
+            if REVERSE[mode][guard] >= 0:
+                touching = int(1.0 / HALVES[REVERSE[mode][guard]])
         return follows, touching
     near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
     wanted = np.zeros(ROWS)
-    all_known(out, p, contact, known)
+    all_known(out, p, mode, known)
     # -- which points touch: they are put on what they touch
     for i in range(N_POINTS):
-        closed = POINT_STATES[contact][i] != OPEN or (kind == LANDING and i == subject)
+        closed = POINT_STATES[mode][i] != OPEN or (kind == LANDING and i == subject)
         if not closed and kind == LANDING:
             gap, rate = known[i * POINT], known[i * POINT + 1]
             _, size = rate_of(known, 2 * i, out, 0)
@@ -812,17 +810,17 @@ def pass_on(contact, guard, h, y, p, ground, rtol, known, out):
             near[i] = 1
             rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
     put_on(rows, wanted, 0, known, out)
-    return meet(contact, guard, near, y, p, ground, rtol, known, out)
+    return meet(mode, guard, near, y, p, ground, rtol, known, out)
 
 
-def slow_landing(contact, near, y, p, ax, ay, known):
+def slow_landing(mode, near, y, p, ax, ay, known):
     """How slow a landing is at which it does not matter what follows, see `collide`.
 
     The speed is SLOW times sqrt(a l), a the acceleration of a point in free motion and l the radius
     of gyration, as of bounces that end at once.
     """
     sizes, wanted = np.empty(ROWS + N_POINTS), np.empty(ROWS)
-    without_forces(y, p, ax, ay, contact, known, wanted, sizes)
+    without_forces(y, p, ax, ay, mode, known, wanted, sizes)
     slowest = np.inf
     for i in range(N_POINTS):
         if near[i] == 1:  # the force that holds a point, times the length
@@ -831,7 +829,7 @@ def slow_landing(contact, near, y, p, ax, ay, known):
 
 
 def still_closed(before, follows, guard, closed, touching):
-    """The guards that are closed as a contact state begins, with those of other elements.
+    """The guards that are closed as a mode begins, with those of other elements.
 
     Two bars on one rotation stop to yield at the same instant, one after the other: the force of
     the first is still at its strength. closed : the guards closed before, see `is_closed`.
@@ -845,19 +843,19 @@ def still_closed(before, follows, guard, closed, touching):
     return touching
 
 
-def meet(contact, guard, near, y, p, ground, rtol, known, out):
-    """What follows where the points of near (N_POINTS,) touch: velocities, and the contact state.
+def meet(mode, guard, near, y, p, ground, rtol, known, out):
+    """What follows where the points of near (N_POINTS,) touch: velocities, and the mode.
 
     out (N,) : the state, at first that before, of whose places all is known. Returns as `pass_on`.
     """
-    n, kind, subject = N_COORDINATES, KINDS[contact][guard], SUBJECTS[contact][guard]
+    n, kind, subject = N_COORDINATES, KINDS[mode][guard], SUBJECTS[mode][guard]
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
-    as_said = contact  # by the velocities of this contact state
+    as_said = mode  # by the velocities of this mode
     if kind == LANDING:
-        as_said = collide(contact, near, 0.0, known, out)
+        as_said = collide(mode, near, 0.0, known, out)
         if as_said == AMBIGUOUS:  # not if all of them are as slow as bounces that come to an end
-            slowest = slow_landing(contact, near, y, p, ground[AX], ground[AY], known)
-            as_said = collide(contact, near, slowest, known, out)
+            slowest = slow_landing(mode, near, y, p, ground[AX], ground[AY], known)
+            as_said = collide(mode, near, slowest, known, out)
         if as_said < 0:
             return as_said, -1
     # -- which of them stay, and move along, or leave
@@ -877,7 +875,7 @@ def meet(contact, guard, near, y, p, ground, rtol, known, out):
             continue
         slip, size = rate_of(known, 2 * i + 1, out, n)
         still = state == STICK or abs(slip) <= FITS * max(size, sizes[2 * i + 1])
-        if kind == STICKING and SHARED[contact][i] == SHARED[contact][subject]:
+        if kind == STICKING and SHARED[mode][i] == SHARED[mode][subject]:
             still = True
         if still:
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
@@ -886,21 +884,21 @@ def meet(contact, guard, near, y, p, ground, rtol, known, out):
     put_on(rows, wanted, n, known, out)
     points(out, p, known)
     ends = kind in (LIFTING, SLIPPING)
-    follows = select_by_forces(contact, ends, near, sliding, out, p, ground, rtol, known, sizes)
+    follows = select_by_forces(mode, ends, near, sliding, out, p, ground, rtol, known, sizes)
     if follows < 0:
         return follows, -1
     g = np.empty(N_GUARDS + N_PARTS)
     guards(follows, out, p, ground[AX], ground[AY], g)
-    return follows, closed_guards(follows, contact, guard, near, leaving, sliding, g, sizes)
+    return follows, closed_guards(follows, mode, guard, near, leaving, sliding, g, sizes)
 
 
 @rolled
-def closed_guards(follows, contact, guard, near, leaving, sliding, g, sizes):
+def closed_guards(follows, mode, guard, near, leaving, sliding, g, sizes):
     """Which guards g of a mode are zero as it begins, see `is_closed`; -1 for none."""
     touching = 0
     for i in range(GUARDS[follows]):
         kind, subject = KINDS[follows][i], SUBJECTS[follows][i]
-        closed = follows == contact and i == guard and kind != LANDING
+        closed = follows == mode and i == guard and kind != LANDING
         if kind == LANDING:
             closed = near[subject] == 1 or leaving[subject] == 1
         elif kind == STICKING:
@@ -912,26 +910,26 @@ def closed_guards(follows, contact, guard, near, leaving, sliding, g, sizes):
     return touching if touching > 0 else -1
 
 
-def nothing_moves(contact, y, p):
-    """Whether no acceleration of the ground moves anything in a contact state, in a state at rest.
+def nothing_moves(mode, y, p):
+    """Whether no acceleration of the ground moves anything in a mode, in a state at rest.
 
     Accelerations are sums of a part of each of the ground's, and of none: two are tried at once.
     """
     dy = np.empty(N_STATES)
-    rates(contact, y, p, 1.0, 0.7, dy)
+    rates(mode, y, p, 1.0, 0.7, dy)
     moves = False
     for i in range(N_STATES):
         moves = moves or dy[i] != 0.0
     return not moves
 
 
-def held_upright(contact, y, p):
+def held_upright(mode, y, p):
     """Whether points are closed that keep the structure from turning."""
     if y[ROTATION + N_COORDINATES] != 0.0:
         return False
     dy = np.empty(N_STATES)
-    rates(contact, y, p, 0.0, 0.0, dy)
+    rates(mode, y, p, 0.0, 0.0, dy)
     held = False
     for i in range(N_POINTS):
-        held = held or POINT_STATES[contact][i] != OPEN
+        held = held or POINT_STATES[mode][i] != OPEN
     return held and dy[ROTATION + N_COORDINATES] == 0.0

@@ -241,7 +241,7 @@ def meet_after_flight(state, guard, flight, rtol, known, bounces, out):
     return follows
 
 
-def hop_of(point, contact, y, known, dy):
+def hop_of(point, mode, y, known, dy):
     """(height, a, radius, lost) of the flight that begins where an open gap is closed.
 
     a : the acceleration that closes the gap; the height is multiplied by it, and zero where there
@@ -252,7 +252,7 @@ def hop_of(point, contact, y, known, dy):
     _, size = rate_of(known, 2 * point, y, 0)
     radius = radius_of(known, point)
     a = -acceleration_of(known, 2 * point, dy)
-    if POINT_STATES[contact][point] != OPEN or gap > GRAIN * size:
+    if POINT_STATES[mode][point] != OPEN or gap > GRAIN * size:
         return 0.0, a, radius, False
     height = 0.5 * rate * rate
     lost = rate > 0.0 and height < max(LOST_HOP * size, NO_HOP * radius) * a
@@ -308,7 +308,7 @@ def beside_bounces(mode, limit, known, dy, bounces):
                 bounces.points[i], bounces.heights[i] = 1, gap
 
 
-def next_landing(here, bounces, w, told, dy):
+def next_landing(here, bounces, w, known, dy):
     """(time, point) of the next landing of those that bounce: (inf, -1) where none lands by itself.
 
     A gap that opens faster and faster waits for the landing of another.
@@ -317,8 +317,8 @@ def next_landing(here, bounces, w, told, dy):
     for i in range(N_POINTS):
         if bounces.points[i] == 0 or POINT_STATES[here][i] != OPEN:
             continue
-        height, a = bounces.heights[i], -acceleration_of(told, 2 * i, dy)
-        rate, size = rate_of(told, 2 * i, w, N_COORDINATES)
+        height, a = bounces.heights[i], -acceleration_of(known, 2 * i, dy)
+        rate, size = rate_of(known, 2 * i, w, N_COORDINATES)
         if height == 0.0 and -FITS * size <= rate < 0.0:
             rate = 0.0  # it would land again and again, and nothing would change
         square = rate * rate + 2.0 * a * height
@@ -332,7 +332,7 @@ def next_landing(here, bounces, w, told, dy):
     return flight, which
 
 
-def next_stop(here, w, told, dy):
+def next_stop(here, w, known, dy):
     """(time, guard) of the next end of a slip, as friction and what else acts now slow it."""
     time, guard = np.inf, -1
     for i in range(GUARDS[here]):
@@ -340,41 +340,41 @@ def next_stop(here, w, told, dy):
             continue
         point = SUBJECTS[here][i]
         sign = SIGN_OF[POINT_STATES[here][point]]
-        slip, _ = rate_of(told, 2 * point + 1, w, N_COORDINATES)
-        slows = -sign * acceleration_of(told, 2 * point + 1, dy)
+        slip, _ = rate_of(known, 2 * point + 1, w, N_COORDINATES)
+        slows = -sign * acceleration_of(known, 2 * point + 1, dy)
         lasts = max(sign * slip, 0.0) / slows if slows > 0.0 else np.inf
         if lasts < time:
             time, guard = lasts, i
     return time, guard
 
 
-def landing_of(contact, point):
+def landing_of(mode, point):
     """The guard of a point's landing."""
     guard = -1
-    for i in range(GUARDS[contact]):
-        if KINDS[contact][i] == LANDING and SUBJECTS[contact][i] == point:
+    for i in range(GUARDS[mode]):
+        if KINDS[mode][i] == LANDING and SUBJECTS[mode][i] == point:
             guard = i
     return guard
 
 
-def speed_of(point, heights, told, dy):
+def speed_of(point, heights, known, dy):
     """The rate at which a point lands that bounces."""
-    rate, a = told[point * POINT + 1], -acceleration_of(told, 2 * point, dy)
+    rate, a = known[point * POINT + 1], -acceleration_of(known, 2 * point, dy)
     return math.sqrt(rate * rate + 2.0 * max(a, 0.0) * heights[point])
 
 
-def have_ended(here, bounces, start, told, w, dy):
+def have_ended(here, bounces, start, known, w, dy):
     """Whether nothing but the digits of other velocities is left of those of the bounces."""
     fastest = whole = 0.0
     for i in range(N_POINTS):
         if bounces.points[i] == 1 and POINT_STATES[here][i] == OPEN:
-            fastest = max(fastest, speed_of(i, bounces.heights, told, dy))
-        _, speed = rate_of(told, 2 * i, w, N_COORDINATES)
+            fastest = max(fastest, speed_of(i, bounces.heights, known, dy))
+        _, speed = rate_of(known, 2 * i, w, N_COORDINATES)
         whole = max(whole, speed)
     return fastest <= max(1e-7 * start, 1e-8 * whole)
 
 
-def fast_fly_on(here, bounces, start, told, dy):
+def fast_fly_on(here, bounces, start, known, dy):
     """Take the bounces back of points that are as fast as at the start: whether all are.
 
     start : the rate of the fastest then.
@@ -382,7 +382,7 @@ def fast_fly_on(here, bounces, start, told, dy):
     every, bouncing = True, bounces.points
     for i in range(N_POINTS):
         if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:
-            bouncing[i] = 0 if speed_of(i, bounces.heights, told, dy) > start else 1
+            bouncing[i] = 0 if speed_of(i, bounces.heights, known, dy) > start else 1
         every = every and bouncing[i] == 0
     return every
 
@@ -398,14 +398,14 @@ def some_ended(here, bouncing):
     return ended
 
 
-def fly(here, which, flight, told, dy, bounces, w):
+def fly(here, which, flight, known, dy, bounces, w):
     """Move a state w to the next landing, and say which points touch there, in `bounces.near`."""
     n, heights, near = N_COORDINATES, bounces.heights, bounces.near
     for i in range(N_POINTS):
         near[i] = 1 if POINT_STATES[here][i] != OPEN else 0
         if bounces.points[i] == 1 and near[i] == 0:
-            rise = told[i * POINT + 1] * flight
-            drop = -0.5 * acceleration_of(told, 2 * i, dy) * flight * flight
+            rise = known[i * POINT + 1] * flight
+            drop = -0.5 * acceleration_of(known, 2 * i, dy) * flight * flight
             heights[i] += rise - drop
             if i == which or heights[i] <= 1e-9 * drop:
                 heights[i], near[i] = 0.0, 1
