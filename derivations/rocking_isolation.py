@@ -186,7 +186,7 @@ plt.show()
 # The base moment fell to a fifth. But is it below $WB$?
 
 # %%
-share = rocking.support.base_moment / (weight * 0.285)
+share = rocking.base_moment / (weight * 0.285)
 vertical = beside.rocking_run["left_reaction"] + beside.rocking_run["right_reaction"]
 print(
     f"largest moment {share:.2f} W B; the ground presses with up to {vertical.max() / weight:.2f} W"

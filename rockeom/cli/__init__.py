@@ -83,7 +83,7 @@ def _run(argv: Sequence[str] | None) -> int:
 def _of_arguments() -> tuple[type, ...]:
     """The errors of arguments that say what is wrong, of the modules that the command loaded."""
     homes = {
-        "rockeom.structures.classes": "ParameterError",
+        "rockeom.structures.parameters": "ParameterError",
         "rockeom.symbolic.valid": "ArgumentError",
     }
     return tuple(getattr(sys.modules[home], e) for home, e in homes.items() if home in sys.modules)

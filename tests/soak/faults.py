@@ -51,30 +51,30 @@ class Fault:
 LOOP, LANES = "rockeom/integrator/loop.py", "rockeom/integrator/lanes.py"
 IMPACTS = "rockeom/integrator/transitions/declared.py"
 CARRIED = "rockeom/integrator/variational.py"
-STRUCTURES = "rockeom/structures/classes.py"
+MODES = "rockeom/structures/declared_modes.py"
 _FULL = """\
         if is_full(motion, recorder) or motion.taken > turn:
             motion = motion._replace(outcome=FULL)
             break
 """
 _NONE_FITS = """\
-        raise ValueError(
-            f"no phase of"""
+    raise ValueError(
+        f"no mode of {m.NAME} holds"""
 _EQUAL = ("bound=most_error(case.rtol) if equal", "bound=np.inf if equal")
 
 FAULTS = {
     "contact": Fault(
-        "a state that fits no contact state is taken for the first",
-        STRUCTURES,
-        ((_NONE_FITS, f"        return 0\n{_NONE_FITS}"),),
+        "a state that fits no mode is taken for the first",
+        MODES,
+        ((_NONE_FITS, f"    return 0\n{_NONE_FITS}"),),
         ("controlled_wall", "substitute_gravity_wall", "flexible_controlled_wall"),
         ("impact", "event", "energy", "gave up"),
         runs=40_000,
     ),
     "phase": Fault(
-        "a phase named against the state is taken",
-        STRUCTURES,
-        (("all(m.SIDES) and over", "False and over"),),
+        "a mode named against the state is taken",
+        MODES,
+        (("all(m.SIDES) and -side", "False and -side"),),
         ("two_spring_cart",),
         ("impact", "event"),
     ),
@@ -181,7 +181,7 @@ FAULTS = {
         "unknowns of a pushover in metres, equations in newtons",
         "rockeom/structures/statics.py",
         (
-            ("    found = optimize.root(", "    length[:] = 1.0\n    found = optimize.root("),
+            ("    root = optimize.root(", "    length[:] = 1.0\n    root = optimize.root("),
             ("lacking(length * x)[0] / (stiffness * length)", "lacking(length * x)[0]"),
         ),
         ("two_spring_structure",),

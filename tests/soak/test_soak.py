@@ -79,7 +79,7 @@ def test_seed_that_once_found_something_is_right(seed):
 
 def test_phase_of_the_other_side_is_refused():
     """A wall that yields leaning right, named for one that leans left."""
-    assert checked(540999, Checks(drawn=())).outcome.startswith("refused: the phase 'right_yield'")
+    assert checked(540999, Checks(drawn=())).outcome.startswith("refused: the mode 'right_yield'")
 
 
 def test_a_seed_always_gives_the_same_motion():
