@@ -50,9 +50,13 @@ def names(
 def arguments(**names: str) -> Callable[[Callable[..., T]], Callable[..., T]]:
     """Let a function take arguments by their former names, too: `@arguments(phase="mode")`."""
 
+    none_among = frozenset(names).isdisjoint  # of the arguments of most calls, and these cost little
+
     def decorate(function: Callable[..., T]) -> Callable[..., T]:
         @wraps(function)
         def with_former_names(*values: Any, **named: Any) -> T:
+            if none_among(named):
+                return function(*values, **named)
             for former in names.keys() & named.keys():
                 today = names[former]
                 if today in named:

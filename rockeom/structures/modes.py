@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import cache
 from typing import Any, Protocol
 
 import numpy as np
@@ -48,6 +49,7 @@ class Modes(Protocol):
         ...
 
 
+@cache
 def modes_of(module: Any) -> Modes:
     """The functions that find the modes of a module's structures."""
     return searched_modes if has_points(module) else declared_modes
