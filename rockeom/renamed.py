@@ -50,7 +50,7 @@ def names(
 def arguments(**names: str) -> Callable[[Callable[..., T]], Callable[..., T]]:
     """Let a function take arguments by their former names, too: `@arguments(phase="mode")`."""
 
-    none_among = frozenset(names).isdisjoint  # of the arguments of most calls, and these cost little
+    none_among = frozenset(names).isdisjoint  # true of most calls, which cost little
 
     def decorate(function: Callable[..., T]) -> Callable[..., T]:
         @wraps(function)
