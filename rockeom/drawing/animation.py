@@ -24,7 +24,7 @@ from rockeom.drawing.drawn import Impacts, Motion, Run
 from rockeom.drawing.positions import places
 from rockeom.drawing.sketch import Sketch, all_points
 from rockeom.files import check_target, write
-from rockeom.numbers.checks import number, told
+from rockeom.numbers.checks import described, number
 
 MOST_FRAMES = 2000
 FLASH = 0.2
@@ -76,7 +76,7 @@ def _times(
     rates = {"frames_per_second": frames_per_second, "speed": speed}
     for name, value in rates.items():
         if not 0.0 < number(name, value) < math.inf:
-            raise ValueError(f"{name} is {told(value)}: give a number above zero")
+            raise ValueError(f"{name} is {described(value)}: give a number above zero")
     ends = run.t[0] if start is None else start, run.t[-1] if end is None else end
     first, last = (number(n, value) for n, value in zip(("start", "end"), ends, strict=True))
     if not run.t[0] <= first < last <= run.t[-1]:

@@ -22,7 +22,7 @@ from rockeom.exports.closed import Function, Functions, Names, in_plain_letters,
 from rockeom.integrator.schema import SEARCHED, GeneratedModule, has_points
 from rockeom.integrator.texts import source, text_of
 from rockeom.modelling.declared import class_of_model
-from rockeom.numbers.checks import near, told
+from rockeom.numbers.checks import described, near
 from rockeom.renamed import VERSION
 
 WHOLE = ("contact", "guard", "law", "number")
@@ -211,7 +211,7 @@ def code(module: GeneratedModule, language: str) -> str:
     well. Raises TypeError for what is no text, and ValueError for another language.
     """
     if not isinstance(language, str):
-        raise TypeError(f"language is {told(language)}: give one of {', '.join(LANGUAGES)}")
+        raise TypeError(f"language is {described(language)}: give one of {', '.join(LANGUAGES)}")
     if language not in LANGUAGES:
         raise ValueError(
             f"no language {language!r}{near(language, LANGUAGES)}; there are {', '.join(LANGUAGES)}"

@@ -20,7 +20,7 @@ import xarray as xr
 from rockeom.modelling.declared import class_of_model
 from rockeom.modelling.named import FAMILIES, SUPPORTS
 from rockeom.motion import GroundMotion
-from rockeom.numbers.checks import is_number, told
+from rockeom.numbers.checks import described, is_number
 from rockeom.renamed import VERSION
 from rockeom.simulation.events import KINDS, EventColumns, Events
 from rockeom.simulation.extremes import Extremes
@@ -117,7 +117,9 @@ def load(
     if not (
         structure is None or isinstance(structure, Structure) or hasattr(structure, "check_values")
     ):
-        raise TypeError(f"structure is {told(structure)}: give a declaration, or a structure of it")
+        raise TypeError(
+            f"structure is {described(structure)}: give a declaration, or a structure of it"
+        )
     check_engine()
     file = _File(Path(path), structure)
     try:
@@ -197,7 +199,7 @@ class _File:
     def structure(self, definition: Mapping[str, Any]) -> Structure:
         made = _decode(self, definition["structure"])
         if self.given is not None and not self.asked and made != self.given:
-            raise self.error(f"its structure is {made!r}, and {told(self.given)} is given")
+            raise self.error(f"its structure is {made!r}, and {described(self.given)} is given")
         module = made.module
         names = (definition["states"], definition["contacts"])
         if names != (list(module.STATES), list(module.MODES)):

@@ -12,7 +12,7 @@ from rockeom.codes import MOST_CONTACT_STATES
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numbers.checks import number, told, whole_number
+from rockeom.numbers.checks import described, number, whole_number
 from rockeom.structures.modal import rayleigh_damping
 from rockeom.structures.parameters import check_restitution, check_values
 from rockeom.structures.supports import Support, SupportedStructure
@@ -79,7 +79,9 @@ class TwoSprings(_Springs):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.guided not in ("centre", "foot"):
-            raise ValueError(f'TwoSprings: guided is {told(self.guided)}: give "centre" or "foot"')
+            raise ValueError(
+                f'TwoSprings: guided is {described(self.guided)}: give "centre" or "foot"'
+            )
 
     def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
         return module_of(superstructure, **arguments, support="two_springs", guided=self.guided)
@@ -263,7 +265,7 @@ def _each(name: str, values: Any, may_vanish: bool = False) -> tuple[float, ...]
     """One number a storey."""
     remedy = "give a list with a number for each storey, from the lowest up"
     if isinstance(values, str) or not hasattr(values, "__iter__") or hasattr(values, "keys"):
-        raise TypeError(f"ShearFrame: {name} is {told(values)}: {remedy}")
+        raise TypeError(f"ShearFrame: {name} is {described(values)}: {remedy}")
     named = {f"{name}[{i}]": number(f"ShearFrame: {name}[{i}]", v) for i, v in enumerate(values)}
     if not named:
         raise ValueError(f"ShearFrame: {name} is empty: {remedy}")

@@ -15,7 +15,7 @@ from typing import Any
 
 from rockeom.modelling.composed import Pinned, ShearFrame, Sliding, TwoSprings, Winkler
 from rockeom.modelling.declared import class_of_model
-from rockeom.numbers.checks import near, told
+from rockeom.numbers.checks import described, near
 from rockeom.structures.base import Structure
 from rockeom.structures.classes import SHIPPED
 from rockeom.structures.parameters import ParameterError
@@ -55,7 +55,7 @@ def structure(model: Any, /, **parameters: Any) -> Structure:
     if not hasattr(model, "check_values"):
         raise TypeError(
             "structure() takes the name of a structure, or a RockingModel or Model, not "
-            f"{told(model)}"
+            f"{described(model)}"
         )
     return class_of_model(model)(**parameters)
 

@@ -42,7 +42,7 @@ from rockeom.motion.spectra import ResponseSpectrum, response_spectrum
 from rockeom.motion.synthetic import Noise, noise
 from rockeom.motion.units import STANDARD_GRAVITY, factor
 from rockeom.numbers.batch import Many, one_of
-from rockeom.numbers.checks import number, numbers, told
+from rockeom.numbers.checks import described, number, numbers
 from rockeom.numbers.dual import nominal, value_of
 from rockeom.numbers.functions import mathematics
 
@@ -96,7 +96,7 @@ class GroundMotion:
         _check_segments(self.segments)
         for field in ("name", "source"):
             if not isinstance(getattr(self, field), str):
-                raise MotionError(f"{field} is {told(getattr(self, field))}: give a text")
+                raise MotionError(f"{field} is {described(getattr(self, field))}: give a text")
         if (self.dt is None) != (self.samples is None):
             raise MotionError("dt and samples belong together: give both or neither")
 
@@ -720,7 +720,7 @@ class GroundMotion:
         8.272833079011688
         """
         if not isinstance(other, GroundMotion):
-            raise MotionError(f"other is {told(other)}: give a GroundMotion")
+            raise MotionError(f"other is {described(other)}: give a GroundMotion")
         turn = _finite("angle", angle)
         times = slice(START, KIND + 1)
         if (

@@ -8,7 +8,7 @@ from functools import cache
 
 from rockeom.motion.errors import MotionError
 from rockeom.motion.stored import COLLECTIONS, Stored
-from rockeom.numbers.checks import installed_by, told
+from rockeom.numbers.checks import described, installed_by
 
 
 @cache
@@ -37,7 +37,7 @@ def names(words: str) -> tuple[str, ...]:
     text.
     """
     if not isinstance(words, str):
-        raise TypeError(f"words is {told(words)}: give a text, such as 'El Centro 1940 180'")
+        raise TypeError(f"words is {described(words)}: give a text, such as 'El Centro 1940 180'")
     wanted = set(_words(words))
     matches = tuple(name for name in records() if wanted <= set(name.split("_")))
     if not matches:

@@ -20,7 +20,7 @@ from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.recordings import Recording, chosen, recordings
 from rockeom.motion.spectra import ResponseSpectrum
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numbers.checks import near, told
+from rockeom.numbers.checks import described, near
 
 Intensity = str | Callable[[GroundMotion], float]
 
@@ -58,7 +58,7 @@ class MotionSet(Sequence[GroundMotion]):
             raise MotionError("a set of no motions: give one or more")
         for one in self._motions:
             if not isinstance(one, GroundMotion):
-                raise MotionError(f"{told(one)} is in a set of motions: give GroundMotions")
+                raise MotionError(f"{described(one)} is in a set of motions: give GroundMotions")
         for given in self.names:
             if not given or self.names.count(given) > 1:
                 raise MotionError(
@@ -93,7 +93,7 @@ class MotionSet(Sequence[GroundMotion]):
             raise MotionError(f"{os.fspath(path)} is no folder: give one that holds records")
         files = sorted(p for p in folder.iterdir() if p.is_file())
         if not isinstance(pattern, str):
-            raise MotionError(f'pattern is {told(pattern)}: give a text, such as "*.at2"')
+            raise MotionError(f'pattern is {described(pattern)}: give a text, such as "*.at2"')
         wanted = [p for p in files if fnmatch(p.name.lower(), pattern.lower())]
         if not wanted:
             endings = ", ".join(sorted({p.suffix for p in files if p.suffix})) or "none at all"
@@ -262,7 +262,7 @@ class MotionSet(Sequence[GroundMotion]):
                     f"{motion.name} has an intensity of {one:g}: no factor makes it {wanted:g}"
                 )
         if of not in ("each", *_MIDDLES):
-            raise MotionError(f"of is {told(of)}: choose one of each, {', '.join(_MIDDLES)}")
+            raise MotionError(f"of is {described(of)}: choose one of each, {', '.join(_MIDDLES)}")
         reached = found if of == "each" else np.full(len(found), _MIDDLES[of](found))
         power = 0.5 if _word(intensity) == "arias_intensity" else 1.0
         factors = (wanted / reached) ** power
@@ -281,8 +281,9 @@ class MotionSet(Sequence[GroundMotion]):
             measure(scaled[0]), found[0] * factors[0], rtol=1e-6, atol=0.0
         ):
             raise MotionError(
-                f"{told(intensity)} is {found[0]:g} of {self.names[0]}, and {measure(scaled[0]):g} "
-                f"of {factors[0]:g} times that: give an intensity proportional to the accelerations"
+                f"{described(intensity)} is {found[0]:g} of {self.names[0]}, and "
+                f"{measure(scaled[0]):g} of {factors[0]:g} times that: give an intensity "
+                "proportional to the accelerations"
             )
         return scaled
 
@@ -316,8 +317,8 @@ def _function(
     if word not in _NAMES:
         hint = near(word, _NAMES)
         raise MotionError(
-            f"intensity {told(intensity)} is unknown{hint}: choose one of {', '.join(_NAMES)}, or "
-            "give a function of a motion"
+            f"intensity {described(intensity)} is unknown{hint}: choose one of "
+            f"{', '.join(_NAMES)}, or give a function of a motion"
         )
     if word != "sa":
         if period is not None:

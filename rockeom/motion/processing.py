@@ -11,7 +11,7 @@ import numpy as np
 from rockeom.motion.arguments import finite, positive, whole
 from rockeom.motion.errors import MotionError
 from rockeom.motion.segments import Motion, cut
-from rockeom.numbers.checks import told
+from rockeom.numbers.checks import described
 
 
 class Processed(NamedTuple):
@@ -43,7 +43,7 @@ def baseline_corrected(motion: Motion, degree: int, of: str) -> Processed:
     """See `GroundMotion.baseline_corrected`."""
     if not isinstance(of, str) or of not in _INTEGRALS:
         raise MotionError(
-            f"a baseline of {told(of)} is unknown: choose one of {', '.join(_INTEGRALS)}"
+            f"a baseline of {described(of)} is unknown: choose one of {', '.join(_INTEGRALS)}"
         )
     first = _INTEGRALS[of]
     n = whole("degree", degree, first)
@@ -105,7 +105,7 @@ def resampled(motion: Motion, dt: float, method: str) -> Processed:
     if method == "linear":
         return Processed(f"taken every {new:g} s", motion.sampled(new)[1], new)
     if method != "band limited":
-        raise MotionError(f'method is {told(method)}: give "linear" or "band limited"')
+        raise MotionError(f'method is {described(method)}: give "linear" or "band limited"')
     samples, old = _samples(motion, "a band-limited interpolation")
     ratio = Fraction(old / new).limit_denominator(_LARGEST_RATIO)
     if abs(ratio * new / old - 1) > 1e-9 or ratio.numerator > _LARGEST_RATIO:

@@ -29,7 +29,7 @@ import numpy as np
 from rockeom.motion import components
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.units import CHANNEL_UNITS, NAMES, channel_factor, factor, is_known
-from rockeom.numbers.checks import is_number, told
+from rockeom.numbers.checks import described, is_number
 
 Column = str | int
 
@@ -111,7 +111,7 @@ def read_channels(
     for name in (*wanted, *units):
         if bare.count(name) != 1 or bare.index(name) == time:
             known = ", ".join(_short(n) for i, n in enumerate(bare) if i != time)
-            what = f"no single channel is called {told(name)}; the names are {known}"
+            what = f"no single channel is called {described(name)}; the names are {known}"
             raise MotionError.at(path, table.header_line, what, "use one of these names")
     columns = {bare.index(name): name for name in wanted}
     if len(columns) < len(wanted):
@@ -141,7 +141,7 @@ def _channel_factor(
         remedy = f"say units={{{name!r}: ...}} with one of {known}, or leave the channel out"
         raise MotionError.at(path, line, f"nothing says the unit of {_short(name)}", remedy)
     if not isinstance(stated, str) or (found := channel_factor(stated, gravity)) is None:
-        what = f"the unit of {_short(name)} is {told(stated)}, which is unknown"
+        what = f"the unit of {_short(name)} is {described(stated)}, which is unknown"
         raise MotionError.at(path, line, what, f"give one of {known}")
     if in_file is not None and asked is not None and channel_factor(in_file, gravity) != found:
         what = f"the heading states {_short(name)} in {in_file!r}, the caller in {asked!r}"
@@ -199,7 +199,7 @@ def _open(path: FilePath) -> _Text:
     """
     if not isinstance(path, str | os.PathLike) or isinstance(os.fspath(path), bytes):
         raise TypeError(
-            f"path is {told(path)}: give the path of a file, as text or pathlib.Path; "
+            f"path is {described(path)}: give the path of a file, as text or pathlib.Path; "
             "GroundMotion.from_array takes numbers"
         )
     quantity = _OTHER_QUANTITY.get(Path(path).suffix.lower())
@@ -575,7 +575,7 @@ def _column(table: _Table, wanted: Column) -> int:
     known = ", ".join(map(_short, table.names[:20])) or "none: the file has no heading"
     if len(table.names) > 20:
         known += f", and {len(table.names) - 20} more"
-    what = f"no single column is called {told(wanted)}; the names are {known}"
+    what = f"no single column is called {described(wanted)}; the names are {known}"
     remedy = "use one of these names, or the column's number (the first is 0)"
     raise MotionError.at(path, table.header_line, what, remedy)
 

@@ -10,7 +10,7 @@ from rockeom.motion.arguments import COMPONENTS
 from rockeom.motion.components import split
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
-from rockeom.numbers.checks import told
+from rockeom.numbers.checks import described
 
 _RIGHT_ANGLE = 10.0  # degrees by which the angle between two azimuths may differ from a right one
 _SHOWN = 5
@@ -69,7 +69,7 @@ def chosen(
     is none of COMPONENTS.
     """
     if components not in COMPONENTS:
-        raise MotionError(f"components is {told(components)}: choose {', '.join(COMPONENTS)}")
+        raise MotionError(f"components is {described(components)}: choose {', '.join(COMPONENTS)}")
     if components == "all":
         return dict(motions)
     wanted = components == "vertical"

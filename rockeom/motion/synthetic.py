@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.motion.arguments import positive, whole
 from rockeom.motion.errors import MotionError
-from rockeom.numbers.checks import numbers, told
+from rockeom.numbers.checks import described, numbers
 
 Filter = tuple[float, float]
 """Angular frequency [rad/s] and damping ratio of an oscillator."""
@@ -149,7 +149,7 @@ def _stationary(
 def _factors(envelope: Callable[[np.ndarray], ArrayLike], t: np.ndarray) -> np.ndarray:
     if not callable(envelope):
         raise MotionError(
-            f"envelope is {told(envelope)}: give a function of times, such as "
+            f"envelope is {described(envelope)}: give a function of times, such as "
             "JenningsEnvelope(rise=2.0, until=10.0, decay=0.3)"
         )
     try:

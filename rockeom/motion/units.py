@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from rockeom.motion.errors import MotionError
-from rockeom.numbers.checks import is_number, told
+from rockeom.numbers.checks import described, is_number
 from rockeom.numbers.constants import STANDARD_GRAVITY as STANDARD_GRAVITY
 
 # In the spelling that `_plain` leaves; "g" is not here because its value is the user's.
@@ -40,10 +40,10 @@ def factor(units: str, gravity: float = STANDARD_GRAVITY) -> float:
     """
     if not (is_number(gravity) and math.isfinite(gravity) and gravity > 0):
         raise MotionError(
-            f"gravity is {told(gravity)}: give a positive number of m/s2, such as 9.81"
+            f"gravity is {described(gravity)}: give a positive number of m/s2, such as 9.81"
         )
     if not isinstance(units, str) or not is_known(units):
-        raise MotionError(f"units {told(units)} are unknown: choose one of {', '.join(NAMES)}")
+        raise MotionError(f"units {described(units)} are unknown: choose one of {', '.join(NAMES)}")
     plain = _plain(units)
     return float(gravity) if plain == "g" else _FACTORS[plain]
 

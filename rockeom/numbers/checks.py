@@ -1,4 +1,4 @@
-"""What a caller gave, told in the words of an error, and what counts as one number."""
+"""Checks of the arguments of a caller: which values count as numbers, and words of errors."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ LARGEST_WHOLE = 2**63 - 1
 """The largest whole number of a compiled program."""
 
 
-def told(value: Any) -> str:
+def described(value: Any) -> str:
     """A given value in few words: a class as such, what has a shape by its shape."""
     if isinstance(value, type):
         return f"the class {value.__name__}"
@@ -92,7 +92,7 @@ def number(what: str, value: Any, remedy: str = "give a number") -> float:
     if isinstance(value, Compound):
         return value.floats()  # it calculates as a number does
     if not is_number(value):
-        raise TypeError(f"{what} is {told(value)}: {remedy}")
+        raise TypeError(f"{what} is {described(value)}: {remedy}")
     try:
         return float(value)
     except OverflowError:
@@ -109,7 +109,7 @@ def numbers(what: str, value: Any, remedy: str = "give numbers") -> np.ndarray:
     try:
         found = np.asarray(value)
     except ValueError as error:
-        raise TypeError(f"{what} is {told(value)} ({error}): {remedy}") from None
+        raise TypeError(f"{what} is {described(value)} ({error}): {remedy}") from None
     if np.ma.is_masked(value) or np.iscomplexobj(found):
         raise TypeError(
             f"{what} is masked or complex: fill the gaps, or take the real part, yourself"
@@ -119,7 +119,7 @@ def numbers(what: str, value: Any, remedy: str = "give numbers") -> np.ndarray:
     for index, element in np.ndenumerate(np.asarray(value, dtype=object)):
         if not (type(element) is float or isinstance(element, Compound) or is_number(element)):
             place = f"[{', '.join(map(str, index))}]" if index else ""
-            raise TypeError(f"{what}{place} is {told(element)}, which is no number: {remedy}")
+            raise TypeError(f"{what}{place} is {described(element)}, which is no number: {remedy}")
     compounds = any(issubclass(kind, Compound) for kind in {*map(type, found.flat)})
     return found if compounds else found.astype(float)
 

@@ -17,7 +17,7 @@ from typing import Any, NoReturn
 import numpy as np
 
 from rockeom.numbers.batch import OPERATORS, boxed
-from rockeom.numbers.checks import number, numbers, told
+from rockeom.numbers.checks import described, number, numbers
 from rockeom.numbers.functions import FUNCTIONS, IN_NUMPY, Compound
 
 Slope = Callable[..., Any]
@@ -167,7 +167,7 @@ class Dual(Compound):
 
     def __init__(self, value: float, tangent: Any) -> None:
         if isinstance(value, Compound):
-            raise TypeError(f"value is {told(value)}: give a plain number")
+            raise TypeError(f"value is {described(value)}: give a plain number")
         along = numbers("tangent", tangent)
         if along.ndim != 1:
             raise ValueError(

@@ -13,7 +13,7 @@ from rockeom import renamed
 from rockeom.motion import GroundMotion
 from rockeom.motion.segments import LINEAR, within
 from rockeom.numbers.batch import values
-from rockeom.numbers.checks import number, told
+from rockeom.numbers.checks import described, number
 from rockeom.numbers.dual import directions, tangent_of, value_of
 from rockeom.numbers.functions import isfinite
 from rockeom.structures.base import Structure
@@ -208,7 +208,7 @@ class Case:
             raise TypeError("structure and motion are swapped: the structure comes first")
         if not isinstance(self.structure, Structure):
             raise TypeError(
-                f"structure is {told(self.structure)}: give a structure, such as "
+                f"structure is {described(self.structure)}: give a structure, such as "
                 "rk.RigidBlock(half_width=0.1, half_height=0.4) or rk.structure(model, ...)"
             )
         _check_motion("motion", self.motion)
@@ -272,7 +272,7 @@ class Case:
 def _check_motion(name: str, motion: Any) -> None:
     if not isinstance(motion, GroundMotion):
         raise TypeError(
-            f"{name} is {told(motion)}: give a ground motion, such as "
+            f"{name} is {described(motion)}: give a ground motion, such as "
             "GroundMotion.from_array(values, dt) of accelerations, GroundMotion.read(path) of a "
             "file, or GroundMotion.none(duration) of no shaking"
         )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from rockeom.integrator.methods.coefficients import PAIRS
-from rockeom.numbers.checks import number, told, whole_number
+from rockeom.numbers.checks import described, number, whole_number
 
 METHODS = (*PAIRS, "Radau")
 """Explicit ones, and the implicit one of implicit.py."""
@@ -93,7 +93,7 @@ class SolverOptions:
         if isinstance(options, cls):
             return options
         raise TypeError(
-            f"options is {told(options)}: give options of the solver, such as "
+            f"options is {described(options)}: give options of the solver, such as "
             "rk.SolverOptions(rtol=1e-8)"
         )
 

@@ -19,7 +19,7 @@ import numpy as np
 import xarray as xr
 
 from rockeom.files import check_target, write
-from rockeom.numbers.checks import installed_by, is_number, told
+from rockeom.numbers.checks import described, installed_by, is_number
 from rockeom.renamed import VERSION
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.steps import Steps
@@ -94,7 +94,7 @@ def encode(what: str, value: Any) -> Any:
         declared = {"is": DECLARED, "of": encoded, "name": value.model}
         return declared | {"source_hash": value.module.SOURCE_HASH}
     raise TypeError(
-        f"{what} is {told(value)}, and files hold no code: save knows shipped, composed and "
+        f"{what} is {described(value)}, and files hold no code: save knows shipped, composed and "
         "declared structures, not classes of your own"
     )
 

@@ -21,7 +21,7 @@ from rockeom.codes import (
 )
 from rockeom.integrator.program import Program, program
 from rockeom.motion import GroundMotion
-from rockeom.numbers.checks import told
+from rockeom.numbers.checks import described
 from rockeom.simulation.case import STILL, Case, Problem, without_duals
 from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.method_selection import chosen
@@ -72,7 +72,7 @@ def simulate(
     for an argument of another kind than is asked for.
     """
     if keep not in KEEP:
-        raise ValueError(f"keep is {told(keep)}: choose {' or '.join(map(repr, KEEP))}")
+        raise ValueError(f"keep is {described(keep)}: choose {' or '.join(map(repr, KEEP))}")
     case = Case(structure, motion, impact, initial, duration, vertical, mode)
     return simulated(case, without_duals(case.problem()), SolverOptions.of(options), keep)
 

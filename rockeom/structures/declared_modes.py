@@ -13,7 +13,7 @@ import numpy as np
 
 from rockeom.codes import UPLIFT
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import told
+from rockeom.numbers.checks import described
 from rockeom.numbers.dual import value_of
 from rockeom.numbers.functions import for_arrays, mathematics
 from rockeom.structures.statics import Equilibrium, balanced
@@ -61,7 +61,7 @@ def mode_of(
             if value >= least:
                 return number
     raise ValueError(
-        f"no mode of {m.NAME} holds {described(m.STATES, y)}: each of "
+        f"no mode of {m.NAME} holds {state_in_words(m.STATES, y)}: each of "
         f"{', '.join(m.MODES[number] for number in margins)} would have ended before; "
         "correct the state"
     )
@@ -85,7 +85,7 @@ def named_mode(module: GeneratedModule, mode: Any, y: np.ndarray, p: np.ndarray)
     # where each mode leans to a side, all end upright
     if all(m.SIDES) and -side * rotation > 1e-6 * m.overturning(value_of(p)):
         raise ValueError(
-            f"the mode {mode!r} of {m.NAME} contradicts {described(m.STATES, y)}: it "
+            f"the mode {mode!r} of {m.NAME} contradicts {state_in_words(m.STATES, y)}: it "
             "would have ended before; leave `mode` out, it follows from the state"
         )
     return number
@@ -157,7 +157,7 @@ def subjects(
 def number_of(module: GeneratedModule, mode: Any) -> int:
     """Number of the mode of a name; raises TypeError or ValueError where there is none."""
     if not isinstance(mode, str):
-        raise TypeError(f"mode is {told(mode)}: give one of {', '.join(module.MODES)}")
+        raise TypeError(f"mode is {described(mode)}: give one of {', '.join(module.MODES)}")
     if mode not in module.MODES:
         raise ValueError(f"no mode {mode!r}; {module.NAME} has {', '.join(module.MODES)}")
     return module.MODES.index(mode)
@@ -169,7 +169,7 @@ def rocks_on_rigid_ground(module: GeneratedModule) -> bool:
     return "both" in m.MODES and UPLIFT in m.KINDS[m.MODES.index("both")]
 
 
-def described(states: tuple[str, ...], y: np.ndarray) -> str:
+def state_in_words(states: tuple[str, ...], y: np.ndarray) -> str:
     """A state in words, without what is zero."""
     shown = [f"{name} = {value:g}" for name, value in zip(states, y.tolist(), strict=True) if value]
     return ", ".join(shown) or "the state at rest"

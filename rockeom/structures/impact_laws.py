@@ -21,7 +21,7 @@ import numpy as np
 from rockeom.codes import IMPULSIVE, RATIO, TABULATED, UNEVEN
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.integrator.transitions.declared import tabulated_energy_ratio
-from rockeom.numbers.checks import is_number, number, numbers, told
+from rockeom.numbers.checks import described, is_number, number, numbers
 from rockeom.numbers.functions import isfinite, mathematics
 
 
@@ -226,8 +226,8 @@ class EnergyRatioAtSpeed(TabulatedLaw):
     def __post_init__(self) -> None:
         if not _are_pieces(self.pieces):
             raise TypeError(
-                f"pieces of an energy ratio are {told(self.pieces)}: give three numbers for each, "
-                "(limit [m/s], r at no speed, slope [s/m]), as ((math.inf, 0.865, 0.0441),)"
+                f"pieces of an energy ratio are {described(self.pieces)}: give three numbers for "
+                "each, (limit [m/s], r at no speed, slope [s/m]), as ((math.inf, 0.865, 0.0441),)"
             )
         if self.height is not None:
             number("height of an energy ratio in pieces", self.height)
@@ -357,8 +357,8 @@ class EnergyLossAtSpeed(TabulatedLaw):
             given = getattr(self, foot)
             if not (isinstance(given, Sequence) and len(given) == 3 and all(map(is_number, given))):
                 raise TypeError(
-                    f"energy loss of the {foot} foot is {told(given)}: give three numbers, those "
-                    "of |w|, w2 and |w|3 [J s, J s2, J s3], as (0.0, 9.7, 0.0)"
+                    f"energy loss of the {foot} foot is {described(given)}: give three numbers, "
+                    "those of |w|, w2 and |w|3 [J s, J s2, J s3], as (0.0, 9.7, 0.0)"
                 )
             if not all(isfinite(number(foot, x)) for x in given):
                 raise ValueError(f"energy loss of the {foot} foot is {given}: it must be finite")
@@ -467,12 +467,12 @@ class RandomEnergyRatio(TabulatedLaw):
             ratios = numbers(f"{name} of RandomEnergyRatio", given, "give measured energy ratios")
             if ratios.ndim != 1 or not np.any((ratios >= 0) & (ratios <= 1)):
                 raise ValueError(
-                    f"{name} of RandomEnergyRatio is {told(given)} without one from 0 (no rebound) "
-                    "to 1 (no loss): give a list of measured energy ratios"
+                    f"{name} of RandomEnergyRatio is {described(given)} without one from 0 (no "
+                    "rebound) to 1 (no loss): give a list of measured energy ratios"
                 )
             object.__setattr__(self, name, tuple(ratios.tolist()))
         if not (is_number(self.seed) and int(self.seed) == self.seed and self.seed >= 0):
-            raise TypeError(f"seed is {told(self.seed)}: give a whole number from 0 on")
+            raise TypeError(f"seed is {described(self.seed)}: give a whole number from 0 on")
         object.__setattr__(self, "seed", int(self.seed))
 
     @classmethod
@@ -560,7 +560,7 @@ def check_law(impact: Any) -> None:
     except (AttributeError, TypeError, ValueError):
         r = impact if is_number(impact) else 0.8
         raise TypeError(
-            f"impact is {told(impact)}: give an impact law, such as rk.EnergyRatio({r}) or "
+            f"impact is {described(impact)}: give an impact law, such as rk.EnergyRatio({r}) or "
             f"rk.VelocityRatio({r}), rk.AngularMomentum() or rk.Impulsive()"
         ) from None
 

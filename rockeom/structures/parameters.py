@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from rockeom.numbers.checks import near, number, told
+from rockeom.numbers.checks import described, near, number
 from rockeom.numbers.functions import isfinite
 
 LARGEST = 1e50
@@ -20,7 +20,7 @@ def check_states(what: str, values: Any, states: tuple[str, ...]) -> None:
     """Raise TypeError for anything but a mapping of names of states."""
     if not (type(values) is dict or isinstance(values, Mapping)):  # most are, and it is faster
         example = f"{{{states[0]!r}: 0.01}}"
-        raise TypeError(f"{what} is {told(values)}: name the states, as in {example}")
+        raise TypeError(f"{what} is {described(values)}: name the states, as in {example}")
 
 
 def check_names(what: str, required: set[str], known: set[str], given: set[str]) -> None:
@@ -42,7 +42,7 @@ def check_named(what: str, unnamed: tuple[Any, ...], known: Iterable[str]) -> No
     """Raise ParameterError for parameters that are given by their place."""
     if unnamed:
         raise ParameterError(
-            f"{what} takes its parameters by name, and {told(unnamed[0])} has none. "
+            f"{what} takes its parameters by name, and {described(unnamed[0])} has none. "
             f"Its parameters are {', '.join(sorted(known))}"
         )
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import told
+from rockeom.numbers.checks import described
 from rockeom.structures.declared import StructureWithFields
 
 
@@ -42,7 +42,8 @@ def check_support(what: str, support: Any, mass: float, inertia: float) -> None:
         return
     if not isinstance(support, Support):
         raise TypeError(
-            f"{what}: support is {told(support)}: give what the base stands on, such as rk.Pinned()"
+            f"{what}: support is {described(support)}: give what the base stands on, "
+            "such as rk.Pinned()"
         )
     support.check_base(what, mass, inertia)
 

@@ -14,7 +14,7 @@ import xarray as xr
 
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.batch import Differs, Many
-from rockeom.numbers.checks import is_number, told
+from rockeom.numbers.checks import described, is_number
 from rockeom.simulation.case import Case, Problem, Problems, without_duals
 
 FEW, MANY = 256, 2048
@@ -105,7 +105,7 @@ def _grid(over: Mapping[Any, Any]) -> Cases:
     for name, values in over.items():
         one = isinstance(values, str) or getattr(values, "ndim", 1) == 0
         if one or not isinstance(values, Iterable):
-            raise TypeError(f"over has {name} = {told(values)}: give a list of values")
+            raise TypeError(f"over has {name} = {described(values)}: give a list of values")
     lists = {name: _listed(values) for name, values in over.items()}
     _check_not_empty(lists)
     return Cases(lists, None, _attrs(over))
@@ -147,7 +147,7 @@ def _column_names(over: Any) -> list[Any]:
     if getattr(getattr(over, "dtype", None), "names", None) and np.ndim(over) == 1:
         return [*over.dtype.names]
     raise TypeError(
-        f"over is {told(over)}: give names with their values, as in "
+        f"over is {described(over)}: give names with their values, as in "
         '{"frequency": [0.5, 1.0, 2.0]}, or a table with a case in each row, as a DataFrame or a '
         "list of dicts"
     )
@@ -168,7 +168,9 @@ def _of_rows(over: Sequence[Mapping[Any, Any]]) -> dict[str, list[Any]]:
 def _check_names(names: list[Any]) -> None:
     for name in names:
         if not isinstance(name, str):
-            raise TypeError(f"over has the name {told(name)}: give an argument of the function")
+            raise TypeError(
+                f"over has the name {described(name)}: give an argument of the function"
+            )
         if names.count(name) > 1:
             raise ValueError(f"over has several columns {name}: let each have a name of its own")
 
@@ -256,7 +258,7 @@ def made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
     one = case(**named)
     if not isinstance(one, Case):
         raise TypeError(
-            f"the function of the sweep returned {told(one)}: "
+            f"the function of the sweep returned {described(one)}: "
             "let it return a case, rk.Case(structure, motion)"
         )
     return one

@@ -16,7 +16,7 @@ import numpy as np
 from rockeom.codes import IMPACT
 from rockeom.integrator.program import program, revision
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import told, whole_number
+from rockeom.numbers.checks import described, whole_number
 from rockeom.simulation.case import Case
 from rockeom.simulation.method_selection import DEFAULT, Choice, chosen
 from rockeom.simulation.options import SolverOptions
@@ -184,7 +184,7 @@ def _check_executor(executor: Any) -> None:
     """Raises TypeError for what takes no work."""
     if executor is not None and not callable(getattr(executor, "submit", None)):
         raise TypeError(
-            f"executor is {told(executor)}: give one that takes work by `submit`, such as "
+            f"executor is {described(executor)}: give one that takes work by `submit`, such as "
             "concurrent.futures.ProcessPoolExecutor()"
         )
 
@@ -194,7 +194,7 @@ def _check_function(case: Any, cases: Cases) -> None:
     names = cases.values
     if not callable(case) or isinstance(case, Case):
         raise TypeError(
-            f"case is {told(case)}: give a function that makes a case, such as "
+            f"case is {described(case)}: give a function that makes a case, such as "
             f"lambda {', '.join(names)}: rk.Case(structure, motion)"
         )
     try:

@@ -11,7 +11,7 @@ import numpy as np
 
 from rockeom.codes import IMPACT, LANDING, REST
 from rockeom.motion.segments import KIND, scaled
-from rockeom.numbers.checks import is_number, near, told
+from rockeom.numbers.checks import described, is_number, near
 from rockeom.numbers.dual import Dual, directions, duals, tangent_of, value_of, with_tangent
 from rockeom.numbers.functions import mathematics, of_compounds
 from rockeom.simulation.case import Case, ground_table, parted
@@ -156,16 +156,16 @@ def sensitivity(
 
 def _check_plain(case: Any) -> None:
     if not isinstance(case, Case):
-        raise TypeError(f"case is {told(case)}: give a case, rk.Case(structure, motion)")
+        raise TypeError(f"case is {described(case)}: give a case, rk.Case(structure, motion)")
     if directions(*case.problem()):
         raise TypeError("the case holds duals already: give it to `rk.tangents`")
 
 
 def _names(what: str, names: Sequence[str]) -> tuple[str, ...]:
     if isinstance(names, str) or not all(isinstance(name, str) for name in names):
-        raise TypeError(f'{what} is {told(names)}: give a list of names, such as ["{names}"]')
+        raise TypeError(f'{what} is {described(names)}: give a list of names, such as ["{names}"]')
     if not names or len({*names}) < len(names):
-        raise ValueError(f"{what} is {told(names)}: give one name or more, each of them once")
+        raise ValueError(f"{what} is {described(names)}: give one name or more, each of them once")
     return tuple(names)
 
 

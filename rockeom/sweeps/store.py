@@ -25,7 +25,7 @@ import numpy as np
 
 from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import installed_by, is_number, told
+from rockeom.numbers.checks import described, installed_by, is_number
 from rockeom.sweeps.cases import Cases, Source, labels
 from rockeom.sweeps.dataset import FLAGS, PENDING, flags_of, outcomes_of
 from rockeom.sweeps.results import NOT_RUN, Results
@@ -134,7 +134,9 @@ def opened(
     sweep, RuntimeError while another process writes to it.
     """
     if not isinstance(path, str | os.PathLike):
-        raise TypeError(f"store is {told(path)}: give the path of a folder, such as 'map.zarr'")
+        raise TypeError(
+            f"store is {described(path)}: give the path of a folder, such as 'map.zarr'"
+        )
     try:
         import zarr
     except ModuleNotFoundError:

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from rockeom.integrator.program import program, revision
-from rockeom.numbers.checks import told
+from rockeom.numbers.checks import described
 from rockeom.sweeps.cases import Cases, Source, first_of
 from rockeom.sweeps.results import Results
 from rockeom.sweeps.task import Task
@@ -92,7 +92,7 @@ def in_executor(
                     lost[i] = error
                 continue
             except Exception as error:
-                error.add_note(f"{_rows(chunks[i])} of the sweep, run by {told(executor)}")
+                error.add_note(f"{_rows(chunks[i])} of the sweep, run by {described(executor)}")
                 if "pickle" in str(error):
                     error.add_note(
                         "what goes to another process must be picklable: let the function stand "
@@ -114,7 +114,7 @@ def _lost(
     """The error of an executor that has lost its workers, with a note on the chunks they had."""
     first = next(iter(lost.values()))
     first.add_note(
-        f"lost with a worker of {told(executor)}, which takes no more work: "
+        f"lost with a worker of {described(executor)}, which takes no more work: "
         f"{', '.join(_rows(chunks[i]) for i in sorted(lost)[:5])}"
         f"{', ...' if len(lost) > 5 else ''}. Give another executor; with store=... the call "
         "then does only what is missing"

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from rockeom.motion import GroundMotion
-from rockeom.numbers.checks import told
+from rockeom.numbers.checks import described
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.simulation.simulate import simulate
@@ -87,7 +87,9 @@ def compare_with_fixed_base(
     >>> [one.ratios["base_shear"] for one in found]
     """
     if not isinstance(structure, Structure):
-        raise TypeError(f"structure is {told(structure)}: give one such as FlexibleStructure(...)")
+        raise TypeError(
+            f"structure is {described(structure)}: give one such as FlexibleStructure(...)"
+        )
     fixed = structure.fixed_base()
     return Isolation(
         simulate(structure, motion, impact=impact, duration=duration, options=options),

@@ -35,7 +35,7 @@ from rockeom.analysis.dynamics.orbits import StroboscopicMap
 from rockeom.analysis.sweeps import FALLS, NOT_RUN, STANDS
 from rockeom.analysis.unfinished import check_finished
 from rockeom.numbers.arguments import numbers, positive, require
-from rockeom.numbers.checks import told, whole_number
+from rockeom.numbers.checks import described, whole_number
 from rockeom.simulation.case import Case
 from rockeom.simulation.quantities import units_of
 from rockeom.structures.base import Structure
@@ -268,7 +268,7 @@ class _Plan:
     @classmethod
     def of(cls, stroboscope: Any, over: Mapping[str, Any] | None, starts: Any) -> _Plan:
         if over is not None and (not isinstance(over, Mapping) or isinstance(over, xr.Dataset)):
-            raise TypeError(f"over is {told(over)}: give names with their lists of values")
+            raise TypeError(f"over is {described(over)}: give names with their lists of values")
         values = None if over is None else Cases.of(over)
         from_where = Cases.of(starts)
         maps = _maps(stroboscope, values)
@@ -342,7 +342,8 @@ def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
         stroboscopes = [stroboscope]
     elif not callable(stroboscope):
         raise TypeError(
-            f"stroboscope is {told(stroboscope)}: with `over`, give a function that makes a map"
+            f"stroboscope is {described(stroboscope)}: with `over`, give a function that "
+            "makes a map"
         )
     else:
         stroboscopes = [stroboscope(**over.named(row)) for row in range(over.total)]
@@ -350,7 +351,7 @@ def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
     for i, one in enumerate(stroboscopes):
         if not isinstance(one, StroboscopicMap):
             raise TypeError(
-                f"stroboscope is {told(one)}: give an analysis.dynamics.StroboscopicMap"
+                f"stroboscope is {described(one)}: give an analysis.dynamics.StroboscopicMap"
             )
         if one.structure.module is not stroboscopes[0].structure.module:
             raise ValueError(

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from rockeom.numbers.checks import number, told
+from rockeom.numbers.checks import described, number
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.impact_laws import EnergyRatioAtSpeed
 from rockeom.structures.shipped import declarations
@@ -26,7 +26,7 @@ class ControlledWallOscillator(RockingWall, declarations.ControlledWallOscillato
     def __post_init__(self) -> None:
         if not isinstance(self.held, bool | np.bool_):
             raise TypeError(
-                f"ControlledWallOscillator: held is {told(self.held)}: give True or False"
+                f"ControlledWallOscillator: held is {described(self.held)}: give True or False"
             )
         if not isinstance(self.energy_ratio, EnergyRatioAtSpeed):
             if not 0 < number(f"{type(self).__name__}: energy_ratio", self.energy_ratio) <= 1:

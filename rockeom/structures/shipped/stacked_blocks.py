@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from rockeom.numbers.checks import told
+from rockeom.numbers.checks import described
 from rockeom.structures.parameters import ParameterError, check_restitution
 from rockeom.structures.shipped import declarations
 from rockeom.structures.shipped.rigid_block import RigidBlock
@@ -30,7 +30,7 @@ class StackedBlocks(declarations.StackedBlocks):
             if (block := given.pop(name, None)) is None:
                 continue
             if type(block) is not RigidBlock:
-                raise TypeError(f"StackedBlocks: {name} is {told(block)}: give a RigidBlock")
+                raise TypeError(f"StackedBlocks: {name} is {described(block)}: give a RigidBlock")
             if given.setdefault("gravity", block.gravity) != block.gravity:
                 raise ValueError(
                     f"StackedBlocks: gravity is {given['gravity']}, and {block.gravity} of the "

@@ -9,7 +9,7 @@ from typing import Any, ClassVar, NamedTuple, Protocol
 import numpy as np
 
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numbers.checks import number, told
+from rockeom.numbers.checks import described, number
 from rockeom.numbers.dual import value_of
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.declared_modes import margin
@@ -112,7 +112,7 @@ def of_wall(what: str, wall: TendonedWall) -> dict[str, float]:
     """The parameters that all classes of walls share, of a wall with one tendon."""
     if isinstance(wall, type) or not hasattr(wall, "tendons"):
         raise TypeError(
-            f"wall is {told(wall)}: give a wall, such as rockeom.analysis.Wall.thesis()"
+            f"wall is {described(wall)}: give a wall, such as rockeom.analysis.Wall.thesis()"
         )
     if len(wall.tendons) != 1:
         raise ValueError(
