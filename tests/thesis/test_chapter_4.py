@@ -11,12 +11,8 @@ import sympy as sp
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.thesis import EQUATIONS, notation as th
-from rockeom.thesis.checks.chapter_4 import (
-    conservative_quarter,
-    corner_inertia,
-    inertia_over_height,
-    turned,
-)
+from rockeom.thesis.checks.chapter_4_free_vibration import conservative_quarter, inertia_over_height
+from rockeom.thesis.checks.wall import corner_inertia, turned
 from rockeom.thesis.tables import TABLES, computed
 
 from .wrong import notices

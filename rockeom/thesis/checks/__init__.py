@@ -8,7 +8,10 @@ from rockeom.thesis.checks import (
     approximations,
     chapter_2,
     chapter_3,
-    chapter_4,
+    chapter_4_free_vibration,
+    chapter_4_geometry,
+    chapter_4_oscillator,
+    chapter_4_substitute_gravity,
     chapter_5,
     engine,
     section_2_6,
@@ -17,15 +20,29 @@ from rockeom.thesis.checks.check import Check, Finding, Means, close, vanishes
 
 __all__ = ["CHECKS", "Check", "Finding", "Means", "close", "vanishes"]
 
+_MODULES = (
+    engine,
+    approximations,
+    chapter_2,
+    section_2_6,
+    chapter_3,
+    chapter_4_geometry,
+    chapter_4_free_vibration,
+    chapter_4_oscillator,
+    chapter_4_substitute_gravity,
+    chapter_5,
+    appendix_b,
+    appendix_d,
+)
+
 
 def _all() -> dict[str, tuple[Check, ...]]:
-    found: dict[str, tuple[Check, ...]] = {}
-    chapters = chapter_2, section_2_6, chapter_3, chapter_4, chapter_5, appendix_b, appendix_d
-    for module in (engine, approximations, *chapters):
+    by_number: dict[str, tuple[Check, ...]] = {}
+    for module in _MODULES:
         for number, check in module.CHECKS.items():
             checks = check if isinstance(check, tuple) else (check,)
-            found[number] = (*found.get(number, ()), *checks)
-    return found
+            by_number[number] = (*by_number.get(number, ()), *checks)
+    return by_number
 
 
 CHECKS = _all()

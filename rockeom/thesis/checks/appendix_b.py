@@ -11,15 +11,20 @@ from sympy import Rational
 
 from rockeom.thesis import notation as th
 from rockeom.thesis.checks.approximations import taylor
-from rockeom.thesis.checks.chapter_4 import (
-    CENTROID,
+from rockeom.thesis.checks.chapter_4_free_vibration import (
     DESCENT,
+    MOVING_INERTIA,
+    kinetic_energy,
+    rise_of_centroid,
+)
+from rockeom.thesis.checks.check import Check, Finding, close, derived, reproduced, vanishes
+from rockeom.thesis.checks.wall import (
+    CENTROID,
     FALL,
     FORCE,
     HALF_WIDTH,
     HEIGHT,
     MASS,
-    MOVING_INERTIA,
     STIFFNESS,
     TURNED,
     VANISHES,
@@ -28,15 +33,12 @@ from rockeom.thesis.checks.chapter_4 import (
     by_geometry,
     edge_uplift,
     half_width,
-    kinetic_energy,
     placed,
     reduced,
     right,
-    rise_of_centroid,
     tendon_uplift,
     with_numbers,
 )
-from rockeom.thesis.checks.check import Check, Finding, close, derived, reproduced, vanishes
 from rockeom.thesis.equation import Equation, Relations
 
 

@@ -1,0 +1,234 @@
+"""Checks of 4-1 to 4-16 but 4-5: the centre of rotation, the uplift and the tendon of the wall."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import sympy as sp
+from sympy import Rational, cos, sin
+
+from rockeom.analysis.formulas.controlled_wall import Wall
+from rockeom.thesis import notation as th
+from rockeom.thesis.checks.approximations import taylor
+from rockeom.thesis.checks.check import Check, Finding, close, derived, reproduced, vanishes
+from rockeom.thesis.checks.wall import (
+    HALF_WIDTH,
+    HEIGHT,
+    LENGTH,
+    REMAINS,
+    TURNED,
+    VANISHES,
+    by_geometry,
+    developed_distance,
+    edge_uplift,
+    half_width,
+    measured,
+    of_displacement,
+    placed,
+    r_squared,
+    reduced,
+    right,
+    tendon_extension,
+    turned,
+    with_numbers,
+)
+from rockeom.thesis.equation import Equation, Relations
+from rockeom.thesis.wall_tests import corrected_uplifts
+
+# --- 4-1 to 4-4: a straight base between the gauges
+
+BETWEEN = 1076
+LOW, HIGH = sp.symbols("low high", positive=True)
+SIGNS = {
+    "the right side lifts": (-LOW, HIGH),
+    "the left side lifts": (HIGH, -LOW),
+    "both readings positive": (LOW, LOW + HIGH),
+}
+
+
+def _profile(place: sp.Expr, readings: tuple[sp.Expr, sp.Expr]) -> sp.Expr:
+    """Uplift of the straight base at a distance from the left gauge."""
+    left, other = readings
+    return left + (other - left) * place / BETWEEN
+
+
+def _base(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    given = {n: right(n) for n in ("4-1", "4-2")} | {equation.number: relation.rhs}
+    places = {"4-1": 0, "4-2": BETWEEN, "4-3": 30, "4-4": BETWEEN - 30}
+    for what, readings in SIGNS.items():
+        put = dict(zip((th.u_L, th.u_R), readings, strict=True))
+        centre = given["4-1"].subs(put)
+        other = given["4-2"].subs(th.x, centre)
+        found = relation.rhs.subs({th.x: centre, th.y_centre: other, **put})
+        if equation.number in ("4-1", "4-2"):
+            place = found if equation.number == "4-1" else BETWEEN - found
+            rest = _profile(place, readings)
+            yield vanishes(f"uplift of the base there, {what}", rest, sp.simplify)
+        else:
+            rest = found - _profile(places[equation.number], readings)
+            yield vanishes(f"thesis minus uplift of the base, {what}", rest, sp.simplify)
+
+
+def _uplifts_again(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    stated = relations[0].rhs
+    given = {n: right(n) for n in ("4-1", "4-2")} | {equation.number: stated}
+    for left, other in ((-0.6, 11.7), (11.0, -0.8), (0.3, 0.5)):
+        centre = given["4-1"].subs({th.u_L: left, th.u_R: other})
+        put = {th.x: centre, th.y_centre: given["4-2"].subs(th.x, centre)}
+        found = float(stated.subs({th.u_L: left, th.u_R: other, **put}))
+        again = corrected_uplifts(left / 1e3, other / 1e3)
+        known = {
+            "4-1": again.centre_from_left_gauge,
+            "4-2": BETWEEN / 1e3 - again.centre_from_left_gauge,
+            "4-3": again.left,
+            "4-4": again.right,
+        }[equation.number]
+        what = f"against rockeom.analysis in mm, readings {left} and {other} mm"
+        yield close(what, found, 1e3 * float(known), 1e-9)
+
+
+def _edges_of_table_a1(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """The last column of Table A-1 against x of the readings that 4-3 and 4-4 give back."""
+    record = measured()
+    rows = record.at_peak & (record.reading == "clean")
+    left, other, distance = (
+        1e3 * a[rows] for a in (record.left_uplift, record.right_uplift, record.centre_from_edge)
+    )
+    reading = (
+        left - 30 / (BETWEEN - 60) * (other - left),
+        other + 30 / (BETWEEN - 60) * (other - left),
+    )
+    stated = sp.lambdify((th.u_L, th.u_R), relations[0].rhs)
+    x = np.array([stated(*pair) for pair in zip(*reading, strict=True)])
+    pressed = np.where(record.displacement[rows] < 0, x, BETWEEN - x)
+    worst = float(np.abs(pressed - distance).max())
+    what = "distance of the 17 legible peaks from the gauge, largest error in mm, below 2.2"
+    yield Finding(what, worst, worst < 2.2)
+
+
+# --- 4-6 to 4-9: the path of the centre of rotation, and the uplift of the edge
+
+
+def _migration(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """4-7: the centre upright, and far from it that of Table A-1; its penalty parameter."""
+    distance, penalty = relations
+    width = distance.lhs + th.d_lifted * cos(th.theta)
+    yield vanishes("width of the base minus twice B", width - 2 * HALF_WIDTH)
+    upright = distance.rhs.subs(th.Delta, 0)
+    yield vanishes("distance upright minus B", upright - HALF_WIDTH)
+    far = distance.rhs.subs(th.Delta, sp.oo)
+    yield close("distance once rocking is developed", float(far), developed_distance(), 2)
+    left = distance.rhs.subs(th.Delta, th.penalty) - far
+    yield vanishes("what is left at epsilon, minus 1/e", left / (upright - far) - sp.exp(-1))
+    yield close("epsilon, by 4.8.1", penalty.rhs, 3.551, 1e-12)
+
+
+def _general(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """4-8: its two fixed points, as the text names them, and 4-9 by it."""
+    (relation,) = relations
+    yield vanishes("upright", relation.rhs.subs(th.Delta, 0) - th.C_1 - th.C_2)
+    yield vanishes("developed", relation.rhs.subs(th.Delta, sp.oo) - th.C_2)
+    numbers = {th.C_1: VANISHES, th.C_2: REMAINS}
+    d = (2 * HALF_WIDTH - relation.rhs.subs(numbers)) / cos(th.theta)
+    yield vanishes("d sin(theta) minus 4-9", placed(d * sin(th.theta) - right("4-9"), 1), reduced)
+
+
+def _edge_uplifts(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    record = measured()
+    rows = record.at_peak & (record.reading == "clean")
+    at = record.displacement[rows]
+    known = np.where(at > 0, record.left_uplift[rows], record.right_uplift[rows])
+    stated = of_displacement(relations[0].rhs)(1e3 * at) / 1e3
+    yield close("R**2 of the 17 legible peaks of Table A-1", r_squared(known, stated), 0.99, 5e-3)
+    gone = np.abs(stated - Wall.thesis().uplift(at)).max()
+    yield close("against rockeom.analysis in m", float(gone), 0, 1e-12)
+
+
+# --- 4-10, 4-16: the tendon
+
+
+def _chord(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """The mouth of the duct moves on a circle about O: the tendon bridges its chord."""
+    (relation,) = relations
+    lever = sp.Dummy("b", positive=True)
+    for side in equation.sides:
+        right_move, up_move = turned(side, lever)
+        chord = sp.sqrt(sp.trigsimp(sp.expand(right_move**2 + up_move**2)))
+        small = sp.Dummy("small", positive=True)
+        exact = 2 * lever * sin(small / 2)
+        half = sp.trigsimp(sp.expand_trig((chord**2 - exact**2).subs(th.theta, side * small)))
+        yield vanishes("chord**2 minus (2 b sin(theta/2))**2", half, sp.simplify)
+        stated = relation.rhs.subs(th.u_tendon, up_move).subs(th.theta, side * small)
+        *below, leading = taylor(exact - stated, (small,), 3)
+        for order, term in enumerate(below):
+            yield vanishes(f"term of order {order} of exact minus thesis", term, sp.expand)
+        error = -Rational(3, 8) * lever * small**3
+        yield vanishes("its term of order 3 minus the stated error", leading - error, sp.expand)
+        at = {small: math.asin(30 / HEIGHT)}
+        size = float((stated / exact - 1).subs(lever, 1).subs(at))
+        yield close("error over the extension at 30 mm", size, 5.7e-5, 0.1e-5)
+
+
+def _elastic_tendon(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    force, length = relations
+    stiffness = th.E_tendon * th.A_tendon / th.L_T0
+    for side in equation.sides:
+        stretched = th.P_initial / stiffness + with_numbers(tendon_extension)(side)
+        rest = placed((force.rhs - stiffness * stretched).subs(th.B, HALF_WIDTH), side)
+        yield vanishes("thesis minus stiffness times extension from zero force", rest, reduced)
+    yield close("length of the tendon in mm", length.rhs, float(LENGTH), 0.01)
+    yield close("with the 6.4564 mm of B.3 between the anchors", length.rhs + 6.4564, 3100, 0.01)
+
+
+def _tendon_forces(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    record = measured()
+    rows = record.at_peak & (record.reading == "clean")
+    at = record.displacement[rows]
+    stated = of_displacement(relations[0].rhs.subs(th.L_T0, relations[1].rhs))(1e3 * at) * 1e3
+    found = r_squared(record.tendon_force[rows], stated)
+    yield close("R**2 of the 17 legible peaks of Table A-1", found, 0.927, 0.005)
+    gone = np.abs(stated / Wall.thesis().tendon_force(at) - 1).max()
+    yield close("against rockeom.analysis", float(gone), 0, 1e-5)
+
+
+# --- the checks of each equation
+
+STRAIGHT_BASE = "a straight base between the gauges"
+
+CHECKS: dict[str, Check | tuple[Check, ...]] = {
+    "4-1": (
+        derived(STRAIGHT_BASE, _base),
+        reproduced("Table A-1, distances from its uplifts", _edges_of_table_a1),
+        reproduced("rockeom.analysis", _uplifts_again),
+    ),
+    "4-2": (derived(STRAIGHT_BASE, _base), reproduced("rockeom.analysis", _uplifts_again)),
+    "4-3": (derived(STRAIGHT_BASE, _base), reproduced("rockeom.analysis", _uplifts_again)),
+    "4-4": (derived(STRAIGHT_BASE, _base), reproduced("rockeom.analysis", _uplifts_again)),
+    "4-6": derived(TURNED, by_geometry(edge_uplift)),
+    "4-7": reproduced("its ends: the centreline, and Table A-1", _migration),
+    "4-8": derived("its fixed points; in 4-6 it gives 4-9", _general),
+    "4-9": (
+        derived(TURNED, by_geometry(with_numbers(edge_uplift))),
+        reproduced("uplifts of Table A-1", _edge_uplifts),
+    ),
+    "4-10": derived(
+        "chord on which the mouth of the duct moves",
+        _chord,
+        "order 3 in theta, 3/8 (d - B) theta**3: 0.006 % of the extension at 30 mm",
+    ),
+    "4-11": derived(
+        TURNED,
+        by_geometry(lambda side: turned(side, th.d_tendon)[1] / cos(th.theta), u_edge=edge_uplift),
+    ),
+    "4-12": derived(TURNED, by_geometry(tendon_extension, u_edge=edge_uplift)),
+    "4-13": derived(TURNED, by_geometry(tendon_extension)),
+    "4-14": derived(TURNED, by_geometry(tendon_extension, u_edge=edge_uplift)),
+    "4-15": derived(TURNED, by_geometry(with_numbers(tendon_extension), B=half_width)),
+    "4-16": (
+        derived(f"{TURNED}, and an elastic tendon", _elastic_tendon),
+        reproduced("tendon forces of Table A-1", _tendon_forces),
+    ),
+}

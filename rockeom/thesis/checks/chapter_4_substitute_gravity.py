@@ -1,0 +1,205 @@
+"""Checks of 4-32 to 4-38 and 4-40: the wall as a rocking block with substitute gravity."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from functools import cache
+
+import numpy as np
+import sympy as sp
+from scipy.integrate import cumulative_simpson
+from sympy import cos, sin
+
+from rockeom.thesis import notation as th
+from rockeom.thesis.catalogue import EQUATIONS
+from rockeom.thesis.checks.approximations import taylor
+from rockeom.thesis.checks.chapter_4_oscillator import bands
+from rockeom.thesis.checks.check import Check, Finding, Means, close, derived, reproduced, vanishes
+from rockeom.thesis.checks.wall import (
+    CENTROID,
+    FALL,
+    GRAVITY,
+    HALF_WIDTH,
+    HEIGHT,
+    MASS,
+    TURNED,
+    corner_inertia,
+    developed_distance,
+    of_displacement,
+    radius,
+    right,
+    sizes_of_peaks,
+    turned,
+)
+from rockeom.thesis.equation import BOTH, Equation, Relations
+from rockeom.thesis.wall_tests import energy_ratio_4_36, energy_ratio_4_38
+
+# --- 4-32 to 4-35, 4-40: the equation of motion
+
+
+def moments(side: int, forces: tuple[sp.Expr, sp.Expr]) -> sp.Expr:
+    """Clockwise moment about O of forces to the right and upward on the centroid of the block."""
+    move = turned(side, th.R * sin(th.alpha), th.R * cos(th.alpha))
+    x = -side * th.R * sin(th.alpha) + move[0]
+    y = th.R * cos(th.alpha) + move[1]
+    return y * forces[0] - x * forces[1]
+
+
+def at_side(expr: sp.Expr, side: int) -> sp.Expr:
+    return sp.expand(sp.expand_trig(expr.replace(sp.sign, lambda _: sp.Integer(side))))
+
+
+def _block(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    motion, *ground = relations
+    stated = motion.lhs - motion.rhs
+    weight = th.m * th.g + th.P_tendon
+    for side in equation.sides:
+        push = sp.S.Zero
+        whole = stated
+        for relation in ground:
+            push = -th.M_e * th.a_g
+            whole = stated.subs(th.tau_t, relation.rhs)
+            rest = at_side(relation.rhs + moments(side, (push, sp.S.Zero)), side)
+            yield vanishes("moment of the ground's motion minus tau", rest, sp.simplify)
+        exact = th.I_o * th.theta_dd - moments(side, (push, -weight))
+        yield vanishes("thesis minus moments about O", at_side(whole - exact, side), sp.simplify)
+
+
+def _tendon_as_weight(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """The tendon in its duct pulls on the mouth of that; its lever is B cos(theta/2)."""
+    for side in equation.sides:
+        angle = sp.Dummy("angle", positive=True)
+        stated = at_side(sp.expand(relations[0].rhs).coeff(th.P_tendon), side)
+        stated = -side * stated.subs(th.theta, side * angle)
+        exact = th.R * sin(th.alpha) * cos(angle / 2)
+        none, leading = taylor(exact - stated, (angle,), 1)
+        yield vanishes("lever upright, exact minus thesis", none, sp.simplify)
+        rest = leading - th.R * cos(th.alpha) * angle
+        yield vanishes("its term of order 1 minus H_c theta", rest, sp.simplify)
+    size = CENTROID * math.asin(FALL / HEIGHT) / HALF_WIDTH
+    yield close("the same at 30.41 mm, over B", size, 0.0534, 1e-4)
+
+
+def _top_of_wall(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    for side in equation.sides:
+        rest = relations[0].rhs - turned(side, sp.S.Zero, th.H)[0]
+        yield vanishes("thesis minus the displacement of the point above O", rest, sp.simplify)
+
+
+def _rate(order: int) -> Callable:
+    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+        path = sp.Function("theta")(th.t)
+        rate = right("4-33").subs(th.theta, path).diff(th.t, order)
+        at_once = {path.diff(th.t, 2): th.theta_dd, path.diff(th.t): th.theta_d}
+        for derivative, symbol in at_once.items():
+            rate = rate.subs(derivative, symbol)
+        rest = relations[0].rhs - rate.subs(path, th.theta)
+        yield vanishes("thesis minus the derivative of 4-33", rest, sp.simplify)
+
+    return find
+
+
+# --- 4-36: the energy ratio against Table A-1
+
+
+@cache
+def corner_potential() -> tuple[np.ndarray, np.ndarray]:
+    """Delta [mm] and the energy [J] of 4-32, whose force does not depend on the velocity."""
+    theta = np.linspace(0, 40 / HEIGHT, 4001)
+    tendon = of_displacement(right("4-16"))(HEIGHT * np.sin(theta))
+    numbers = {th.m: MASS, th.g: GRAVITY, th.R: radius()}
+    numbers |= {th.alpha: math.atan2(HALF_WIDTH, CENTROID)}
+    moment = -at_side(right("4-32"), 1).subs(numbers)
+    stated = sp.lambdify((th.theta, th.P_tendon), moment, "numpy")(theta, 1e3 * tendon)
+    return HEIGHT * np.sin(theta), cumulative_simpson(stated, x=theta, initial=0)
+
+
+def peaks_of_block(
+    ratio: Callable[[float], float], passages: int
+) -> tuple[list[float], list[float]]:
+    """Peaks [mm] and speeds [m/s] of the passages of 4-32, r depending on the speed."""
+    place, energy = corner_potential()
+    found, speeds = [FALL], []
+    left = float(np.interp(FALL, place, energy))
+    for _ in range(passages):
+        speeds.append(math.sqrt(2 * left / corner_inertia()) * HEIGHT / 1e3)
+        left *= ratio(speeds[-1])
+        found.append(float(np.interp(left, energy, place)))
+    return found, speeds
+
+
+def _linear_ratio(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    stated = sp.lambdify(th.Delta_d, relations[0].rhs, "math")
+    for speed in (0.1, 0.34, 0.78):
+        for way in BOTH:
+            known = float(energy_ratio_4_36(speed))
+            yield close(f"r at {way * speed} m/s", stated(way * speed), known, 1e-12)
+    slope = stated(1.0) - stated(0.0)
+    yield close("0.91 - 0.88 over its slope, in m/s", 0.03 / slope, 0.68, 0.001)
+    yield close("r = 0.91 is reached at, in m/s", (0.91 - stated(0.0)) / slope, 1.02, 0.005)
+
+
+def _block_decay(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """Figure 4-43: 4-32 with impacts, put against the peaks of Table A-1."""
+    stated = sp.lambdify(th.Delta_d, relations[0].rhs, "math")
+    known = sizes_of_peaks()
+
+    def rms(ratio: Callable[[float], float]) -> float:
+        found, _ = peaks_of_block(ratio, len(known) - 1)
+        return float(np.sqrt(np.mean((np.array(found) - known) ** 2)))
+
+    error = rms(stated)
+    yield Finding("rms error of 22 peaks in mm, below 1.6", error, error < 1.6)
+    reading = rms(lambda speed: stated(speed) + 0.011)
+    yield Finding("the same with 0.876, above 2.5", reading, reading > 2.5)
+    fastest = max(peaks_of_block(stated, 1)[1])
+    yield close("fastest passage in m/s", fastest, 0.87, 0.005)
+
+
+# --- 4-37: the centre of rotation
+
+
+def _moving_lever(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    (relation,) = relations
+    distance, _ = EQUATIONS["4-7"].right
+    yield vanishes("B minus 4-7, minus thesis", HALF_WIDTH - distance.rhs - relation.rhs, sp.expand)
+    far = float(relation.rhs.subs(th.Delta, sp.oo))
+    known = HALF_WIDTH - developed_distance()
+    yield close("once rocking is developed, in mm, against Table A-1", far, known, 2)
+
+
+# --- the checks of each equation
+
+CHECKS: dict[str, Check | tuple[Check, ...]] = {
+    "4-32": (
+        derived("moments about O", _block),
+        derived(
+            "lever of the tendon in its duct",
+            _tendon_as_weight,
+            "order 1 in theta: the lever of the tendon is too short by H_c theta, 5.3 % of B at "
+            "30.41 mm",
+        ),
+    ),
+    "4-33": derived(TURNED, _top_of_wall),
+    "4-34": derived("derivative of 4-33", _rate(1)),
+    "4-35": derived("second derivative of 4-33", _rate(2)),
+    "4-36": (
+        Check(Means.TRANSCRIBED, "its numbers, and those of the words", _linear_ratio),
+        reproduced("peaks of Table A-1, as in Figure 4-43", _block_decay),
+    ),
+    "4-37": reproduced("4-7, and Table A-1", _moving_lever),
+    "4-38": Check(
+        Means.TRANSCRIBED,
+        "bands of the speed and their jumps",
+        bands(energy_ratio_4_38, {0.365: 0.0, 0.47: 0.04, 0.78: 0.09}),
+    ),
+    "4-40": (
+        derived("moments about O", _block),
+        derived(
+            "lever of the tendon in its duct",
+            _tendon_as_weight,
+            "order 1 in theta, as 4-32",
+        ),
+    ),
+}

@@ -1,0 +1,192 @@
+"""The wall of the tests of chapter 4, for the checks of its equations: numbers and geometry.
+
+The rotated wall follows plane geometry: its points turn about the centre of rotation O, which lies
+on its base. Lengths are in mm where the numbers of the thesis are, with forces in kN and energies
+in J.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from functools import cache
+
+import numpy as np
+import sympy as sp
+from sympy import Rational, cos, sin
+
+from rockeom.analysis.identification.free_vibration import (
+    FreeVibration,
+    coefficient_of_determination,
+)
+from rockeom.thesis import notation as th
+from rockeom.thesis.catalogue import EQUATIONS
+from rockeom.thesis.checks.check import Finding, vanishes
+from rockeom.thesis.equation import Equation, Relations
+
+# --- the wall of the tests
+
+HALF_WIDTH, HEIGHT, CENTROID = 508, 2438, 2173
+"""B, H and H_c [mm]; H is inferred, see `rockeom.analysis.Wall.thesis`."""
+REMAINS, VANISHES, PENALTY = 96, 412, Rational("3.551")
+"""C_2, C_1 and epsilon [mm], as printed in 4-7."""
+MASS = Rational("2016.06")  # B-9: 577.56 + 1438.5 [kg]
+GRAVITY = Rational("9.81")
+MODULUS, AREA, ANCHORS = Rational(205), Rational("176.7"), 3100  # kN/mm2, mm2, mm
+FORCE, LATER_FORCE, YIELD = Rational("75.6"), Rational("111.0"), Rational("159.03")  # kN
+LENGTH = ANCHORS / (1 + FORCE / (MODULUS * AREA))
+"""Unstressed length of the tendon, which is 3100 mm long under 75.6 kN [mm]."""
+STIFFNESS = MODULUS * AREA / LENGTH  # kN/mm
+FALL = 30.41
+"""Displacement of the release [mm]."""
+
+WALL = {
+    th.B: HALF_WIDTH,
+    th.H: HEIGHT,
+    th.H_c: CENTROID,
+    th.C_1: VANISHES,
+    th.C_2: REMAINS,
+    th.penalty: PENALTY,
+    th.n: PENALTY,
+    th.m: MASS,
+    th.m_T: MASS,
+    th.M_e: MASS,
+    th.g: GRAVITY,
+    th.E_tendon: MODULUS,
+    th.A_tendon: AREA,
+    th.L_T: LENGTH,
+    th.L_T0: LENGTH,
+    th.P_initial: FORCE,
+}
+
+
+def right(number: str, which: int = 0) -> sp.Expr:
+    """Right-hand side of a relation of an equation, in the form that holds."""
+    return EQUATIONS[number].right[which].rhs
+
+
+@cache
+def corner_inertia() -> float:
+    """I_o about a corner of the wall by B-9 put right [kg m2]."""
+    metres = {th.H: HEIGHT / 1e3, th.B: HALF_WIDTH / 1e3, th.d_lifted: 2 * HALF_WIDTH / 1e3}
+    return float(right("B-9").subs(metres))
+
+
+def radius() -> float:
+    """R, from the corner to the centroid [m]."""
+    return math.hypot(HALF_WIDTH, CENTROID) / 1e3
+
+
+def measured():
+    """Table A-1, in SI units."""
+    return FreeVibration.table_a1()
+
+
+def r_squared(known, found) -> float:
+    return float(coefficient_of_determination(known, found))
+
+
+def of_displacement(expr: sp.Expr, **more: sp.Expr) -> Callable:
+    """`expr` with the wall's numbers, as a function of Delta [mm]."""
+    put = {**WALL, **{getattr(th, name): value for name, value in more.items()}}
+    numbers = {symbol: sp.sympify(value) for symbol, value in put.items()}
+    return sp.lambdify(th.Delta, expr.xreplace(numbers), "numpy")
+
+
+def sizes_of_peaks() -> np.ndarray:
+    """Of Table A-1 [mm]."""
+    record = measured()
+    return 1e3 * np.abs(record.displacement[record.at_peak])
+
+
+def developed_distance() -> float:
+    """Mean distance from the edge at the legible peaks to the right of Table A-1 [mm]."""
+    record = measured()
+    rows = record.at_peak & (record.reading == "clean") & (record.displacement > 0)
+    return float(1e3 * record.rotation_centre(HALF_WIDTH / 1e3)[rows].mean())
+
+
+# --- geometry
+
+HALF, SCALE, UP = sp.symbols("tan(|theta|/2) scale up", positive=True)
+"""By the first two, sine, cosine and square root are rational: no simplification is in doubt."""
+
+TURNED = "points of the wall turned about O"
+"""The derivation of the checks by plane geometry, in words."""
+
+
+def turned(side: int, from_centre: sp.Expr, height: sp.Expr | int = 0) -> tuple[sp.Expr, sp.Expr]:
+    """Displacement, to the right and upward, of a point of the wall that turns about O.
+
+    from_centre : its distance from O along the base, on the side that lifts.
+    """
+    x, y = -side * from_centre, height
+    return (
+        x * cos(th.theta) + y * sin(th.theta) - x,
+        -x * sin(th.theta) + y * cos(th.theta) - y,
+    )
+
+
+def placed(expr: sp.Expr, side: int) -> sp.Expr:
+    """`expr` with the rotation, the displacement and the height by HALF and SCALE."""
+    sway, up, height = 2 * HALF, 1 - HALF**2, 1 + HALF**2
+    expr = expr.subs(th.H**2 - th.Delta**2, UP**2)
+    at = {
+        sin(th.theta): side * sway / height,
+        cos(th.theta): up / height,
+        sp.tan(th.theta): side * sway / up,
+        th.Delta: side * sway * SCALE,
+        th.H: height * SCALE,
+        UP: up * SCALE,
+    }
+    return expr.xreplace(at)
+
+
+def reduced(expr: sp.Expr) -> sp.Expr:
+    """`expr`, rational but for exponentials, in lowest terms: zero if and only if it is."""
+    bells = {bell: sp.Dummy("bell") for bell in expr.atoms(sp.exp)}
+    lowest = sp.cancel(sp.together(expr.subs(bells)))
+    return lowest.subs({name: bell for bell, name in bells.items()})
+
+
+def lifted() -> sp.Expr:
+    """d by 4-8 with the numbers of the printed 4-7."""
+    distance = right("4-8").subs({th.C_1: VANISHES, th.C_2: REMAINS})
+    return (2 * HALF_WIDTH - distance) / cos(th.theta)
+
+
+def by_geometry(exact: Callable[[int], sp.Expr], **known: Callable[[int], sp.Expr]) -> Callable:
+    """That the right side is `exact`, of a side, once `known` stand for symbols of notation."""
+
+    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+        for side in equation.sides:
+            put = {getattr(th, name): value(side) for name, value in known.items()}
+            for relation in relations:
+                rest = placed((relation.rhs - exact(side)).subs(put), side)
+                what = f"thesis minus geometry, theta {'>' if side > 0 else '<'} 0"
+                yield vanishes(what, rest, reduced)
+
+    return find
+
+
+def edge_uplift(side: int) -> sp.Expr:
+    return turned(side, th.d_lifted)[1]
+
+
+def tendon_uplift(side: int) -> sp.Expr:
+    """The tendon is on the centreline, B from the edge."""
+    return turned(side, th.d_lifted - th.B)[1]
+
+
+def tendon_extension(side: int) -> sp.Expr:
+    """4-10 of it."""
+    return tendon_uplift(side) / cos(th.theta)
+
+
+def with_numbers(exact: Callable[[int], sp.Expr]) -> Callable[[int], sp.Expr]:
+    put = {th.B: HALF_WIDTH}
+    return lambda side: exact(side).subs(put).subs(th.d_lifted, lifted())
+
+
+def half_width(side: int) -> sp.Expr:
+    return sp.Integer(HALF_WIDTH)
