@@ -26,7 +26,7 @@ from rockeom.motion import STANDARD_GRAVITY
 from rockeom.thesis import shaken
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Statement, chapter_2_blocks as blocks
-from rockeom.thesis.figures.chapter_4_wall import settled_speeds
+from rockeom.thesis.figures.chapter_4_shaken import settled_speeds
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import (
     BLOCK,

@@ -12,7 +12,7 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.cli import main
 from rockeom.thesis import shaken
-from rockeom.thesis.figures import FIGURES, chapter_4_wall
+from rockeom.thesis.figures import FIGURES, chapter_4_shaken
 
 FREE_VIBRATION = ["4-37", "4-45", "4-47", "4-48"]
 PORTRAITS = {"2-10", "2-11", "2-12", "2-13", "2-14"}
@@ -136,7 +136,7 @@ def test_free_vibrations_follow_the_measured_one(number):
 @pytest.mark.filterwarnings("error")
 def test_peaks_under_sylmar_are_those_of_single_simulations(monkeypatch):
     """4-71: a third of the energy ratios reach the peak of 0.852; here three of them."""
-    monkeypatch.setattr(chapter_4_wall, "RATIOS", 3)
+    monkeypatch.setattr(chapter_4_shaken, "RATIOS", 3)
     drawn = FIGURES["4-71"].drawn()
     (peaks, *_), *_ = (ax.lines for ax in drawn.figure.axes)
     ratios, largest = peaks.get_xydata().T

@@ -85,7 +85,7 @@ def rise_of_centroid(equation: Equation, relations: Relations) -> Iterator[Findi
 
 @cache
 def inertia_over_height() -> tuple[float, float, float, float]:
-    """Exact inertia of 4-19 over H**2 [kg]: upright, largest, where, and once developed.
+    """Exact inertia of 4-19 over H**2 [kg]: upright, its maximum, where, once rocking is developed.
 
     The centroid of the wall whose centre of rotation moves by 4-8 also moves as O does.
     """
@@ -126,7 +126,7 @@ def kinetic_energy(equation: Equation, relations: Relations) -> Iterator[Finding
 
 
 def _elastic(start: sp.Rational) -> Callable:
-    """The work of the elastic-plastic tendon since it had the force `start`."""
+    """Check the work of the elastic-plastic tendon from the force `start` on."""
 
     def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
         (relation,) = relations
@@ -148,7 +148,7 @@ def _elastic(start: sp.Rational) -> Callable:
 
 
 def _energies_at_peaks(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """The list of Figure 4-29, of the displacements and forces of Table A-1."""
+    """Check the list of Figure 4-29 with the displacements and forces of Table A-1."""
     record = measured()
     rows = np.flatnonzero(record.at_peak)
     gravity = of_displacement(right("4-18") / 1000)
@@ -163,7 +163,7 @@ def _energies_at_peaks(equation: Equation, relations: Relations) -> Iterator[Fin
 
 
 def _conserved(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """The rate of 4-22 with 4-19 in the motion 4-27, no force acting but 4-30."""
+    """Check that the energy 4-22 with 4-19 is constant in the motion 4-27 under 4-30 alone."""
     (relation,) = relations
     path = sp.Function("Delta")(th.t)
     U, U_E = (sp.Function(name) for name in ("U", "U_E"))
@@ -214,7 +214,7 @@ def _time(equation: Equation, relations: Relations) -> Iterator[Finding]:
 def fall_in_time(begin: float, end: float) -> tuple[float, float]:
     """Time [s] and speed [m/s] at `end` of the motion 4-27 without losses, from `begin` on.
 
-    It was released at FALL; its speed at `begin` is by energy.
+    The wall starts at rest at FALL; the energy gives its speed at `begin`.
     """
     mass = corner_inertia() / (HEIGHT / 1e3) ** 2
     energy, force = potential_energy(), restoring_force()
@@ -248,7 +248,7 @@ def _speed_of_motion(equation: Equation, relations: Relations) -> Iterator[Findi
 
 
 def _time_of_motion(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """From 30.41 mm to a quarter of it: 4-24 with 4-23, and 4-27 integrated in time."""
+    """Compare 4-24 by 4-23 with 4-27 integrated in time, from 30.41 mm to a quarter of it."""
     mass = corner_inertia() / (HEIGHT / 1e3) ** 2
     energy = potential_energy()
     begin, end = 0.99 * FALL, 0.25 * FALL
@@ -283,7 +283,7 @@ def _limit_speed(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _quarters() -> tuple[np.ndarray, np.ndarray]:
-    """Peaks [mm] and times from them to the next crossing [s], 22 of them."""
+    """Peaks (22,) [mm] and times from them to the next crossing (22,) [s]."""
     peak, time = measured().quarter_periods()
     return 1e3 * np.abs(peak), time
 

@@ -91,7 +91,7 @@ def _uplifts_again(equation: Equation, relations: Relations) -> Iterator[Finding
 
 
 def _edges_of_table_a1(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """The last column of Table A-1 against x of the readings that 4-3 and 4-4 give back."""
+    """Compare the last column of Table A-1 with x of the readings by the inverse of 4-3, 4-4."""
     record = measured()
     rows = record.at_peak & (record.reading == "clean")
     left, other, distance = (
@@ -113,7 +113,7 @@ def _edges_of_table_a1(equation: Equation, relations: Relations) -> Iterator[Fin
 
 
 def _migration(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """4-7: the centre upright, and far from it that of Table A-1; its penalty parameter."""
+    """Check the limits of 4-7, upright and at large displacements, and its penalty parameter."""
     distance, penalty = relations
     width = distance.lhs + th.d_lifted * cos(th.theta)
     yield vanishes("width of the base minus twice B", width - 2 * HALF_WIDTH)
@@ -127,7 +127,7 @@ def _migration(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _general(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """4-8: its two fixed points, as the text names them, and 4-9 by it."""
+    """Check the two fixed points of 4-8 that the text names, and 4-9 by 4-8."""
     (relation,) = relations
     yield vanishes("upright", relation.rhs.subs(th.Delta, 0) - th.C_1 - th.C_2)
     yield vanishes("developed", relation.rhs.subs(th.Delta, sp.oo) - th.C_2)
@@ -151,7 +151,7 @@ def _edge_uplifts(equation: Equation, relations: Relations) -> Iterator[Finding]
 
 
 def _chord(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """The mouth of the duct moves on a circle about O: the tendon bridges its chord."""
+    """The mouth of the duct moves on a circle about O; the tendon follows the chord."""
     (relation,) = relations
     lever = sp.Dummy("b", positive=True)
     for side in equation.sides:

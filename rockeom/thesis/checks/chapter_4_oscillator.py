@@ -37,7 +37,7 @@ from rockeom.thesis.wall_tests import (
 
 
 def _oscillator(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """Lagrange's equation of the mass, with the power of the other two forces."""
+    """Check Lagrange's equation of the mass with the power of the other two forces."""
     (relation,) = relations
     path, V = sp.Function("Delta")(th.t), sp.Function("V")
     lagrangian = th.M_e * path.diff(th.t) ** 2 / 2 - V(path)
@@ -61,7 +61,7 @@ def _passage(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _peaks_of_constant_r(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """4-27 with the force, integrated, against the closed form of its peaks."""
+    """Compare the peaks of 4-27, integrated with the force, with their closed form."""
     force = relations[0].rhs
     known = peak_sequence(Wall.thesis().restoring_force, 0.025, 0.852, float(PENALTY) / 1e3, 3)
     found = peaks_of_oscillator(force, lambda speed: 0.852, 25.0, 3)
@@ -72,7 +72,7 @@ def _peaks_of_constant_r(equation: Equation, relations: Relations) -> Iterator[F
 def peaks_of_oscillator(
     force: sp.Expr, ratio: Callable[[float], float], start: float, passages: int, stiffer: float = 1
 ) -> list[float]:
-    """Sizes of the peaks of 4-27 with a damping force as 4-28, r depending on the speed [mm].
+    """Absolute peaks [mm] of 4-27 with a damping force as 4-28; r depends on the speed.
 
     Integrated over Delta, with the kinetic energy as the unknown.
     """
@@ -110,7 +110,7 @@ def peaks_of_oscillator(
 
 
 def _push(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """A turn about a fixed O in equilibrium: the moments of weight, tendon and push."""
+    """Check 4-29 by the moments of weight, tendon and push in equilibrium about a fixed O."""
     (relation,) = relations
     lever, load, pull, turn = sp.symbols("b mg P dtheta", positive=True)
     angle = sp.Symbol("theta", positive=True)
@@ -161,7 +161,7 @@ def _gradient(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _one_band_for_each_speed(bands: sp.Piecewise, jumps: Iterable[float]) -> Iterator[Finding]:
-    """The bands, each by its own two ends, meet at the stated speeds and nowhere overlap."""
+    """Check that the bands meet at the stated speeds and do not overlap."""
     inside = [sp.lambdify(th.Delta_d, condition, "math") for _, condition in bands.args]
     for band, speed in enumerate(jumps):
         for beside, wanted in ((speed - 1e-4, band), (speed + 1e-4, band + 1)):
@@ -171,7 +171,7 @@ def _one_band_for_each_speed(bands: sp.Piecewise, jumps: Iterable[float]) -> Ite
 
 
 def bands(function: Callable, jumps: dict[float, float]) -> Callable:
-    """A fit of r by bands of the speed, and what the text says of it."""
+    """Check a fit of r by bands of the speed: its values, and the jumps that the text states."""
 
     def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
         (relation,) = relations
@@ -190,7 +190,7 @@ def bands(function: Callable, jumps: dict[float, float]) -> Callable:
 
 
 def _simulated_decay(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """Figure 4-37: 4-27 with F_k 6 % larger, put against the peaks of Table A-1."""
+    """Compare 4-27 with F_k 6 % larger, as in Figure 4-37, with the peaks of Table A-1."""
     stated = sp.lambdify(th.Delta_d, relations[0].rhs, "math")
     found = peaks_of_oscillator(right("4-28"), stated, FALL, 13, stiffer=1.06)
     known = sizes_of_peaks()[: len(found)]
@@ -202,7 +202,7 @@ def _simulated_decay(equation: Equation, relations: Relations) -> Iterator[Findi
 
 
 def _driving_force(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """The work of -m a_g at the centroid in a change of Delta, upright; M_e is m."""
+    """Check the work of -m a_g at the centroid for a change of Delta, upright, with M_e as m."""
     (relation,) = relations
     lever = sp.Dummy("b", positive=True)
     moved = turned(1, lever, th.H_c)[0]
@@ -215,7 +215,7 @@ def _driving_force(equation: Equation, relations: Relations) -> Iterator[Finding
 
 
 def _newton(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """The mass times its whole acceleration is the force on it."""
+    """Check Newton's second law with the total acceleration."""
     (relation,) = relations
     rest = th.M_e * (th.Delta_dd + th.a_g) + th.F_k + th.F_D - (relation.lhs - relation.rhs)
     yield vanishes("Newton's equation minus thesis", rest, sp.expand)

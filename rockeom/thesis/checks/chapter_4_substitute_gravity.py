@@ -47,6 +47,7 @@ def moments(side: int, forces: tuple[sp.Expr, sp.Expr]) -> sp.Expr:
 
 
 def at_side(expr: sp.Expr, side: int) -> sp.Expr:
+    """`expr` with the side for every sign, expanded."""
     return sp.expand(sp.expand_trig(expr.replace(sp.sign, lambda _: sp.Integer(side))))
 
 
@@ -67,7 +68,7 @@ def _block(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 def _tendon_as_weight(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """The tendon in its duct pulls on the mouth of that; its lever is B cos(theta/2)."""
+    """The tendon pulls on the mouth of its duct; its lever is B cos(theta/2)."""
     for side in equation.sides:
         angle = sp.Dummy("angle", positive=True)
         stated = at_side(sp.expand(relations[0].rhs).coeff(th.P_tendon), side)
@@ -105,7 +106,7 @@ def _rate(order: int) -> Callable:
 
 @cache
 def corner_potential() -> tuple[np.ndarray, np.ndarray]:
-    """Delta [mm] and the energy [J] of 4-32, whose force does not depend on the velocity."""
+    """Displacement Delta [mm] and potential energy [J] of 4-32, (4001,) each."""
     theta = np.linspace(0, 40 / HEIGHT, 4001)
     tendon = of_displacement(right("4-16"))(HEIGHT * np.sin(theta))
     numbers = {th.m: MASS, th.g: GRAVITY, th.R: radius()}
@@ -118,7 +119,7 @@ def corner_potential() -> tuple[np.ndarray, np.ndarray]:
 def peaks_of_block(
     ratio: Callable[[float], float], passages: int
 ) -> tuple[list[float], list[float]]:
-    """Peaks [mm] and speeds [m/s] of the passages of 4-32, r depending on the speed."""
+    """Peaks [mm] of 4-32 and speeds [m/s] of its passages; r depends on the speed."""
     place, energy = corner_potential()
     found, speeds = [FALL], []
     left = float(np.interp(FALL, place, energy))
@@ -141,7 +142,7 @@ def _linear_ratio(equation: Equation, relations: Relations) -> Iterator[Finding]
 
 
 def _block_decay(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """Figure 4-43: 4-32 with impacts, put against the peaks of Table A-1."""
+    """Compare 4-32 with impacts, as in Figure 4-43, with the peaks of Table A-1."""
     stated = sp.lambdify(th.Delta_d, relations[0].rhs, "math")
     known = sizes_of_peaks()
 

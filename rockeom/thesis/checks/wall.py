@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from functools import cache
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -67,7 +68,7 @@ def right(number: str, which: int = 0) -> sp.Expr:
 
 @cache
 def corner_inertia() -> float:
-    """I_o about a corner of the wall by B-9 put right [kg m2]."""
+    """I_o about a corner of the wall, by the corrected B-9 [kg m2]."""
     metres = {th.H: HEIGHT / 1e3, th.B: HALF_WIDTH / 1e3, th.d_lifted: 2 * HALF_WIDTH / 1e3}
     return float(right("B-9").subs(metres))
 
@@ -77,24 +78,24 @@ def radius() -> float:
     return math.hypot(HALF_WIDTH, CENTROID) / 1e3
 
 
-def measured():
+def measured() -> Any:
     """Table A-1, in SI units."""
     return FreeVibration.table_a1()
 
 
-def r_squared(known, found) -> float:
-    return float(coefficient_of_determination(known, found))
+def r_squared(measured: np.ndarray, computed: np.ndarray) -> float:
+    """Coefficient of determination of computed values."""
+    return float(coefficient_of_determination(measured, computed))
 
 
-def of_displacement(expr: sp.Expr, **more: sp.Expr) -> Callable:
+def of_displacement(expr: sp.Expr) -> Callable:
     """`expr` with the wall's numbers, as a function of Delta [mm]."""
-    put = {**WALL, **{getattr(th, name): value for name, value in more.items()}}
-    numbers = {symbol: sp.sympify(value) for symbol, value in put.items()}
+    numbers = {symbol: sp.sympify(value) for symbol, value in WALL.items()}
     return sp.lambdify(th.Delta, expr.xreplace(numbers), "numpy")
 
 
 def sizes_of_peaks() -> np.ndarray:
-    """Of Table A-1 [mm]."""
+    """Absolute displacements of the peaks of Table A-1 [mm]."""
     record = measured()
     return 1e3 * np.abs(record.displacement[record.at_peak])
 
@@ -109,7 +110,7 @@ def developed_distance() -> float:
 # --- geometry
 
 HALF, SCALE, UP = sp.symbols("tan(|theta|/2) scale up", positive=True)
-"""By the first two, sine, cosine and square root are rational: no simplification is in doubt."""
+"""Sine, cosine and square root are rational in the first two, so that a zero reduces to zero."""
 
 TURNED = "points of the wall turned about O"
 """The derivation of the checks by plane geometry, in words."""
@@ -128,7 +129,7 @@ def turned(side: int, from_centre: sp.Expr, height: sp.Expr | int = 0) -> tuple[
 
 
 def placed(expr: sp.Expr, side: int) -> sp.Expr:
-    """`expr` with the rotation, the displacement and the height by HALF and SCALE."""
+    """`expr` with rotation, displacement and height in terms of HALF and SCALE."""
     sway, up, height = 2 * HALF, 1 - HALF**2, 1 + HALF**2
     expr = expr.subs(th.H**2 - th.Delta**2, UP**2)
     at = {
@@ -143,7 +144,7 @@ def placed(expr: sp.Expr, side: int) -> sp.Expr:
 
 
 def reduced(expr: sp.Expr) -> sp.Expr:
-    """`expr`, rational but for exponentials, in lowest terms: zero if and only if it is."""
+    """`expr`, rational except for exponentials, in lowest terms, which are zero for a zero only."""
     bells = {bell: sp.Dummy("bell") for bell in expr.atoms(sp.exp)}
     lowest = sp.cancel(sp.together(expr.subs(bells)))
     return lowest.subs({name: bell for bell, name in bells.items()})
@@ -156,7 +157,7 @@ def lifted() -> sp.Expr:
 
 
 def by_geometry(exact: Callable[[int], sp.Expr], **known: Callable[[int], sp.Expr]) -> Callable:
-    """That the right side is `exact`, of a side, once `known` stand for symbols of notation."""
+    """Check that the right side equals `exact(side)`, after substitution of `known` by symbol."""
 
     def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
         for side in equation.sides:
@@ -170,23 +171,26 @@ def by_geometry(exact: Callable[[int], sp.Expr], **known: Callable[[int], sp.Exp
 
 
 def edge_uplift(side: int) -> sp.Expr:
+    """Uplift of the edge that lifts."""
     return turned(side, th.d_lifted)[1]
 
 
 def tendon_uplift(side: int) -> sp.Expr:
-    """The tendon is on the centreline, B from the edge."""
+    """Uplift of the foot of the tendon, which is on the centreline, B from the edge."""
     return turned(side, th.d_lifted - th.B)[1]
 
 
 def tendon_extension(side: int) -> sp.Expr:
-    """4-10 of it."""
+    """Extension of the tendon by 4-10."""
     return tendon_uplift(side) / cos(th.theta)
 
 
 def with_numbers(exact: Callable[[int], sp.Expr]) -> Callable[[int], sp.Expr]:
+    """`exact` with the numbers of B and d."""
     put = {th.B: HALF_WIDTH}
     return lambda side: exact(side).subs(put).subs(th.d_lifted, lifted())
 
 
 def half_width(side: int) -> sp.Expr:
+    """B [mm] on either side."""
     return sp.Integer(HALF_WIDTH)

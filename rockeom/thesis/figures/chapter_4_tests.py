@@ -20,9 +20,9 @@ from rockeom.analysis import dynamics, formulas, identification
 from rockeom.plots import style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
-from rockeom.thesis.figures.chapter_4_shaken import forces_when_still
+from rockeom.thesis.figures.chapter_4_shaken import CYCLES, forces_when_still
 from rockeom.thesis.figures.chapter_4_spectra import NOISE, RATE
-from rockeom.thesis.figures.chapter_4_wall import CYCLES, MM, overview_and_origin, symmetric
+from rockeom.thesis.figures.chapter_4_wall import MM, overview_and_origin, symmetric
 from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.printed import TABLE_4_1, TABLE_4_2, TABLE_4_3
