@@ -12,7 +12,7 @@ from rockeom.compiler.decorators import inlined
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.ground import sine
     from rockeom.integrator.interface import sine_cosine, value
-    from rockeom.integrator.transitions.searched import but_for_rounding
+    from rockeom.integrator.transitions.points import but_for_rounding
 
 
 @inlined

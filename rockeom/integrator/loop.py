@@ -125,7 +125,7 @@ if TYPE_CHECKING:  # joined before this text
     )
     from rockeom.integrator.rounding import noise_of
     from rockeom.integrator.steps import controlled, finite_end, first_step, most_error
-    from rockeom.integrator.transitions.searched import N_KNOWN
+    from rockeom.integrator.transitions.points import N_KNOWN
 
 TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
 

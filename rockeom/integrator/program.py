@@ -25,13 +25,13 @@ from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.compiler.machine import Function, Loaded, compiled, target
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import NOTHING, Array, Entry
-from rockeom.integrator.schema import SEARCHED, GeneratedModule, angles, has_points
+from rockeom.integrator.schema import POINT_TEXTS, POINTS, GeneratedModule, angles, has_points
 from rockeom.integrator.texts import digest, source, text_of
 
 if TYPE_CHECKING:
     from rockeom.compiler.printer import Program as Printed
 
-_LANES = "integrator/lanes.py"
+_LANES = "integrator/lanes/loop.py"
 _OF_POINTS = ("integrator/transitions/landings.py", "integrator/transitions/zeno.py")
 _TABLE, _SEARCH = "integrator/transitions/table.py", "integrator/transitions/search.py"
 """The two that say which mode follows an event: one is declared, or searched."""
@@ -47,7 +47,8 @@ _LOOPS = ("integrator/loop.py", "integrator/batches.py")
 _DERIVATIVES, _VARIATIONAL = "integrator/derivatives.py", "integrator/variational.py"
 _SLOPES = "numbers/derivatives.py"
 JOINED = (
-    SEARCHED, *_OF_POINTS, _TABLE, _SEARCH, *_OF_STEPS, *_LOOPS, _LANES, _DERIVATIVES, _VARIATIONAL,
+    *POINT_TEXTS, *_OF_POINTS, _TABLE, _SEARCH, *_OF_STEPS, *_LOOPS, _LANES, _DERIVATIVES,
+    _VARIATIONAL,
 )  # fmt: skip
 """Files that are joined to programs, and not imported."""
 _OF_ALL = (
@@ -65,7 +66,7 @@ class Program:
     """The functions of a structure with a method in machine code, and the tables of its module.
 
     integrate, integrate_many, falls, at_rest, evaluate, and integrate_lanes in one with lanes, as
-    in loop.py and lanes.py; carry, as in carried.py, in one that carries derivatives; the sizes of
+    in loop.py and lanes/loop.py; carry, as in variational.py, in one that carries derivatives; the sizes of
     the arrays that they want as scratch; all else is that of the generated module.
 
     codes : of the loop, and of lanes, which call it. bounds : they check indices.
@@ -180,8 +181,8 @@ LOOP, VECTORS, GLUE, TANGENTS = "loop", "vectors", "lanes", "derivatives"
 that a single motion has been run by. Vectors are the work on all lanes at once, and the third is
 what it is called by. Derivatives are the texts of the loop once more, printed for duals."""
 _OTHERS = {
-    VECTORS: (_LANES, "integrator/lanes_text.py"),
-    GLUE: (_LANES, "integrator/lanes_text.py"),
+    VECTORS: (_LANES, "integrator/lanes/step.py"),
+    GLUE: (_LANES, "integrator/lanes/step.py"),
     TANGENTS: (_SLOPES, _DERIVATIVES, _VARIATIONAL),
 }
 """Texts from which a part is made besides those of the loop."""
@@ -206,7 +207,7 @@ def revision(generated: GeneratedModule, method: str, lanes: bool = False) -> st
 
 def _sources(generated: GeneratedModule, method: str, part: str, bounds: bool) -> tuple[str, ...]:
     return (
-        source(generated), _contacts(generated), method,
+        source(generated), *(text.source for text in _of_points(generated)), method,
         *(text_of(name) for name in (*_OF_ALL, *_OTHERS.get(part, ()))),
         *(["bounds"] if bounds else []),
     )  # fmt: skip
@@ -278,7 +279,7 @@ def joined_texts(generated: GeneratedModule, method: str, part: str) -> list[Tex
         found += [_joined(name, fused=True) for name in _OTHERS[TANGENTS]]
     found = [replace(text, elsewhere=text.name not in own) for text in found]
     if part == VECTORS:
-        from rockeom.integrator.lanes_text import SINES
+        from rockeom.integrator.lanes.step import SINES
 
         found.append(Text("sines of lanes", SINES))
         # lanes do not have the loop's last digits in any case
@@ -303,12 +304,11 @@ def texts(generated: GeneratedModule, method: str, lanes: bool = False) -> list[
     parts = [
         Text(f"{generated.NAME}.py", source(generated)),
         Text(f"the step of {method}", step, fused=True),
-        Text(SEARCHED, _contacts(generated)),
-        *(_joined(name) for name in _OF_POINTS if bounces),
+        *_of_points(generated),
         *(_joined(name, fused=True) for name in (*_OF_STEPS, contract, *_LOOPS)),
     ]
     if lanes:
-        from rockeom.integrator.lanes_text import lanes_text
+        from rockeom.integrator.lanes.step import lanes_text
 
         step = lanes_text(tableau(method), generated)
         parts.append(Text(VECTORS, step, fused=True))
@@ -316,11 +316,12 @@ def texts(generated: GeneratedModule, method: str, lanes: bool = False) -> list[
     return parts
 
 
-def _contacts(generated: GeneratedModule) -> str:
-    """The text that finds the mode that follows, where a structure does not declare it."""
+def _of_points(generated: GeneratedModule) -> list[Text]:
+    """The texts that find the mode that follows, where a structure does not declare it."""
     if not has_points(generated):
-        return "N_POINTS = N_KNOWN = 0\n"
-    return f"{text_of(SEARCHED)}\n\nANGLES = {angles(generated)!r}  # which coordinates are\n"
+        return [Text("no points", "N_POINTS = N_KNOWN = 0\n")]
+    which = f"\n\nANGLES = {angles(generated)!r}  # which coordinates are\n"
+    return [Text(POINTS, text_of(POINTS) + which), *map(_joined, (*POINT_TEXTS[1:], *_OF_POINTS))]
 
 
 def _joined(name: str, fused: bool = False) -> Text:

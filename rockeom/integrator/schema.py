@@ -6,8 +6,9 @@ from typing import Any, Protocol, TypeGuard
 
 from rockeom.codes import LANDING
 
-SEARCHED = "integrator/transitions/searched.py"
-"""The text that searches for the mode that follows, of structures with contact points."""
+POINTS = "integrator/transitions/points.py"
+POINT_TEXTS = (POINTS, "integrator/transitions/candidates.py")
+"""The texts that search for the mode that follows, of structures with contact points."""
 
 
 class GeneratedModule(Protocol):

@@ -41,16 +41,9 @@ if TYPE_CHECKING:  # joined before this text
         value,
     )
     from rockeom.integrator.records import Case, Ground, Recorder, State
+    from rockeom.integrator.transitions.candidates import AX, AY, LATER, LATER_AX, LATER_AY, pass_on
     from rockeom.integrator.transitions.declared import stand, time_to_rest, velocity_ratio_at
-    from rockeom.integrator.transitions.searched import (
-        AX,
-        AY,
-        LATER,
-        LATER_AX,
-        LATER_AY,
-        N_KNOWN,
-        pass_on,
-    )
+    from rockeom.integrator.transitions.points import N_KNOWN
     from rockeom.integrator.transitions.zeno import time_of_bounces
 
 DIGITS = 1e4

@@ -1,7 +1,7 @@
 """Modes of structures whose contacts may open, slide and bounce, from their states.
 
 Their generated modules give the gap and the slip of each point and how both move. The search among
-the modes is that of the loop, `rockeom.integrator.transitions.searched`. The functions that
+the modes is that of the loop, `rockeom/integrator/transitions/candidates.py`. The functions that
 `rockeom.structures.modes` lists are those of `rockeom.structures.declared_modes`, too.
 """
 
@@ -27,7 +27,7 @@ from rockeom.codes import (
     STICKING,
     SWITCH,
 )
-from rockeom.integrator.schema import SEARCHED, SearchedModes, angles
+from rockeom.integrator.schema import POINT_TEXTS, SearchedModes, angles
 from rockeom.integrator.texts import text_of
 from rockeom.numbers.batch import Differs, Many, values
 from rockeom.numbers.dual import directions, tangent_of, value_of, with_tangent
@@ -434,7 +434,8 @@ def _holding(m: SearchedModes, p: np.ndarray, y: np.ndarray) -> tuple[np.ndarray
 def _searching(module: SearchedModes) -> dict[str, Any]:
     """The functions that search for modes, as plain Python, for a generated module."""
     names = dict(vars(module)) | {"ANGLES": angles(module)}
-    exec(compile(text_of(SEARCHED), SEARCHED, "exec"), names)
+    for path in POINT_TEXTS:
+        exec(compile(text_of(path), path, "exec"), names)
     return names
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from rockeom.codes import LANDING, LIFTING, STAYS_OPEN, UNCLEAR
+from rockeom.integrator.schema import POINT_TEXTS
 from rockeom.integrator.texts import text_of
 
 N = 2
@@ -13,7 +14,8 @@ TEXT = {
     "N_STATES": 2, "N_STAGES": 1, "N_POINTS": 1, "N_GUARDS": N, "N_PARTS": 0, "GUARDS": (1, 2),
     "KINDS": ((LANDING, LANDING), (LANDING, LIFTING)),
 }  # fmt: skip
-exec(text_of("integrator/transitions/searched.py"), TEXT)
+for path in POINT_TEXTS:
+    exec(text_of(path), TEXT)
 exec(text_of("integrator/transitions/landings.py"), TEXT)
 
 
@@ -90,7 +92,8 @@ def test_equations_of_an_event(order):
     """Against numpy; where two say the same, by one of the solutions."""
     rng = np.random.default_rng(order)
     text = {"N_STATES": 4, "N_POINTS": 2, "N_GUARDS": 1, "N_PARTS": 0}
-    exec(text_of("integrator/transitions/searched.py"), text)
+    for path in POINT_TEXTS:
+        exec(text_of(path), text)
     for turn in range(100):
         root = rng.normal(size=(order, order if turn % 2 else max(order - 1, 1)))
         matrix = root @ root.T
@@ -105,7 +108,8 @@ def test_coordinates_move_by_their_mass():
     """Against numpy; what has no inertia stays."""
     rng, n = np.random.default_rng(6), 4
     text = {"N_STATES": 2 * n, "N_POINTS": 1, "N_GUARDS": 1, "N_PARTS": 0}
-    exec(text_of("integrator/transitions/searched.py"), text)
+    for path in POINT_TEXTS:
+        exec(text_of(path), text)
     solve = text["through_mass"]
     for _ in range(50):
         root = rng.normal(size=(n, n))

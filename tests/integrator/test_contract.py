@@ -12,7 +12,7 @@ import rockeom as rk
 from rockeom import codes
 from rockeom.compiler.frontend import _BUILT_IN
 from rockeom.integrator.program import JOINED, texts
-from rockeom.integrator.schema import SEARCHED
+from rockeom.integrator.schema import POINT_TEXTS
 from rockeom.integrator.texts import text_of
 
 DECLARED = ast.parse((Path(rk.__file__).parent / "integrator" / "interface.pyi").read_text())
@@ -52,7 +52,7 @@ def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method)
     lanes = method != "Radau"
     joined = {"__name__": "joined"}
     for text in texts(generated, method, lanes):
-        if text.name not in JOINED or text.name == SEARCHED:
+        if text.name not in JOINED or text.name in POINT_TEXTS:
             exec(compile(text.source, text.name, "exec"), joined)
     of_lanes = {f for f in FUNCTIONS if f.endswith("_lanes")}
     elsewhere = OF_PRINTER | OF_CONTRACT | (OF_TABLES if joined["N_POINTS"] else OF_POINTS)

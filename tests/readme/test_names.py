@@ -16,7 +16,7 @@ from hypothesis import given, strategies as st
 import rockeom as rk
 from rockeom.codegen import module_text
 from rockeom.codegen.names import Names, is_own
-from rockeom.integrator.lanes_text import lanes_text
+from rockeom.integrator.lanes.step import lanes_text
 from rockeom.integrator.methods.tableau import step_text, tableau
 from rockeom.integrator.program import JOINED
 from rockeom.integrator.texts import text_of

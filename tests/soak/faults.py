@@ -48,7 +48,7 @@ class Fault:
         return text
 
 
-LOOP, LANES = "rockeom/integrator/loop.py", "rockeom/integrator/lanes.py"
+LOOP, LANES = "rockeom/integrator/loop.py", "rockeom/integrator/lanes/loop.py"
 IMPACTS = "rockeom/integrator/transitions/declared.py"
 CARRIED = "rockeom/integrator/variational.py"
 MODES = "rockeom/structures/declared_modes.py"

@@ -5,7 +5,7 @@ import pytest
 import rockeom as rk
 from rockeom.compiler.machine import OutOfBoundsError
 from rockeom.integrator import program
-from rockeom.integrator.schema import SEARCHED
+from rockeom.integrator.schema import POINT_TEXTS
 from tests.soak import bounds
 
 
@@ -17,11 +17,12 @@ def test_no_index_leaves_its_array_in_motions_lanes_and_derivatives(name):
 
 def test_a_planted_read_beyond_the_scratch_of_a_stack_is_found(monkeypatch):
     """The one that these programs once had: of a foot's friction, in the row behind the last."""
-    right = program.text_of(SEARCHED)
+    fault = POINT_TEXTS[1]
+    right = program.text_of(fault)
     wrong = right.replace("row + friction[s]", "row + unknown[s] + 1")
     assert wrong != right
     own = program.text_of
-    monkeypatch.setattr(program, "text_of", lambda path: wrong if path == SEARCHED else own(path))
+    monkeypatch.setattr(program, "text_of", lambda path: wrong if path == fault else own(path))
     program._of_parts.cache_clear()
     line = wrong[: wrong.index("row + unknown[s] + 1")].count("\n") + 1
     stack = rk.StackedBlocks(
@@ -29,7 +30,7 @@ def test_a_planted_read_beyond_the_scratch_of_a_stack_is_found(monkeypatch):
         upper=rk.RigidBlock(half_width=0.3, half_height=0.6),
     )
     motion = rk.GroundMotion.single_sine(5.0, 0.5)
-    said = f"searched.py, line {line}: index 224 is out of bounds for an axis of size 224"
+    said = f"candidates.py, line {line}: index 224 is out of bounds for an axis of size 224"
     try:
         with bounds.checked(), pytest.raises(OutOfBoundsError, match=said):
             rk.simulate(stack, motion)

@@ -1,6 +1,6 @@
 """Where in a step a guard of points that may open, slide and bounce falls, where that is clear.
 
-Joined behind searched.py, see `rockeom.integrator.program`. The loop decides what four samples of
+Joined behind points.py, see `rockeom.integrator.program`. The loop decides what four samples of
 each guard leave unclear.
 """
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:  # joined before this text
         guards,
         points,
     )
-    from rockeom.integrator.transitions.searched import (
+    from rockeom.integrator.transitions.points import (
         N_COORDINATES,
         POINT,
         ROW,

@@ -28,13 +28,7 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.recorder import enter_mode
     from rockeom.integrator.records import Rest, State
     from rockeom.integrator.rounding import noise_of
-    from rockeom.integrator.transitions.landings import (
-        end_closed,
-        fall_within,
-        single_hop,
-        to_landing,
-    )
-    from rockeom.integrator.transitions.searched import (
+    from rockeom.integrator.transitions.candidates import (
         AX,
         AY,
         LATER,
@@ -43,11 +37,17 @@ if TYPE_CHECKING:  # joined before this text
         fits_by_forces,
         guard_noise,
         held_upright,
-        is_closed,
         nothing_moves,
         pass_on,
         still_closed,
     )
+    from rockeom.integrator.transitions.landings import (
+        end_closed,
+        fall_within,
+        single_hop,
+        to_landing,
+    )
+    from rockeom.integrator.transitions.points import is_closed
     from rockeom.integrator.transitions.zeno import step_over, time_of_bounces
 
 MOST_IDLE = 1000  # events at one instant; with more they are chatter

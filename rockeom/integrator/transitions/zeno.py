@@ -25,30 +25,32 @@ if TYPE_CHECKING:  # joined before this text
         points,
         rates,
     )
-    from rockeom.integrator.transitions.searched import (
-        COUPLING,
+    from rockeom.integrator.transitions.candidates import (
         FITS,
+        SIGN_OF,
+        collide,
+        is_smooth,
+        meet,
+        radius_of,
+        same_ground,
+        select_by_forces,
+        squared,
+        without_forces,
+    )
+    from rockeom.integrator.transitions.points import (
+        COUPLING,
         GRAIN,
         LAWS,
         MATRIX,
         N_COORDINATES,
         POINT,
         ROWS,
-        SIGN_OF,
         acceleration_of,
         all_known,
-        collide,
         gap_rounding,
-        is_smooth,
-        meet,
         put_on,
-        radius_of,
         rate_of,
-        same_ground,
-        select_by_forces,
-        squared,
         through_mass,
-        without_forces,
     )
 
 LOST_HOP = 1e-13  # relative to the terms of a gap: lower flights are lost among rounding errors

@@ -218,7 +218,7 @@ def _lines(generated: GeneratedModule, parameters: int) -> _Lines:
 
 
 def lanes_text(method: Tableau, generated: GeneratedModule) -> str:
-    """Source of one step of `LANES` motions of a structure at once; `lanes.py` says of what.
+    """Source of one step of `LANES` motions of a structure at once; `loop.py` says of what.
 
     Each loop over the lanes holds the whole work of a lane in plain numbers and without branches,
     at places that differ by constants: so the compiler makes vector instructions of it.

@@ -1,0 +1,269 @@
+"""Points that may touch something: gaps, slips and their rates, and how impulses change them.
+
+Velocities and accelerations of a point are those of its gap (normal) and of its slip (tangential).
+This text is joined to others, see `rockeom.integrator.program`.
+"""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rockeom.codes import MOST_DIGITS
+from rockeom.compiler.decorators import inlined, rolled
+
+if TYPE_CHECKING:  # joined before this text
+    from rockeom.integrator.interface import (
+        N_GUARDS,
+        N_PARTS,
+        N_POINTS,
+        N_STATES,
+        free_motion,
+        point_laws,
+        points,
+    )
+
+N_COORDINATES = N_STATES // 2
+POINT = 5 + N_STATES  # numbers that `points` tells of each: gap, its rate, that of the slip, ...
+N_MATRIX = N_COORDINATES * N_COORDINATES
+ROW = N_GUARDS + N_PARTS  # what `guards` fills
+ROWS = 2 * N_POINTS  # the directions in which points are held: row 2 i is normal, 2 i + 1 along
+
+# Places in what is known of the points of a state, `known` (N_KNOWN,): what `points` tells, the
+# laws of `point_laws`, M (n, n), M^-1 J' (n, ROWS), and J M^-1 J' (ROWS, ROWS)
+LAWS = POINT * N_POINTS
+MATRIX = LAWS + ROWS
+SPREAD = MATRIX + N_MATRIX
+COUPLING = SPREAD + N_COORDINATES * ROWS
+N_KNOWN = COUPLING + ROWS * ROWS
+
+GRAIN = 4e-15  # relative rounding error of a gap
+HALVES = 0.5 ** np.arange(1.0 * MOST_DIGITS)
+
+
+@inlined
+def is_closed(touching, i):
+    """Whether guard i is among those that are closed now: `touching` has a binary digit of each."""
+    n = int(touching * HALVES[i])
+    return touching > 0 and n - 2 * int(n * 0.5) == 1
+
+
+# -- linear equations ----------------------------------------------------------------------------
+
+
+@rolled
+def eliminate(a, order, width):
+    """Solve a x = b in place, by Gauss and Jordan with complete pivoting; b stands behind a.
+
+    a (order, width) row by row, of which the first `order` columns are the matrix; order is at most
+    ROWS, width one more. Unknowns that the equations do not determine are zero.
+    """
+    if order == 0 or solved_at_once(a, order):
+        return
+    column = np.empty(ROWS, np.int64)
+    for i in range(order):
+        column[i] = i
+    largest = 0.0
+    for i in range(order):
+        for j in range(order):
+            largest = max(largest, abs(a[i * width + j]))
+    rank = order
+    for n in range(order):
+        best, row, col = 0.0, n, n
+        for i in range(n, order):
+            for j in range(n, order):
+                if abs(a[i * width + j]) > best:
+                    best, row, col = abs(a[i * width + j]), i, j
+        if best <= 1e-12 * largest:
+            rank = n
+            break
+        if row != n:
+            for j in range(n, width):
+                swapped = a[n * width + j]
+                a[n * width + j] = a[row * width + j]
+                a[row * width + j] = swapped
+        if col != n:
+            for i in range(order):
+                swapped = a[i * width + n]
+                a[i * width + n] = a[i * width + col]
+                a[i * width + col] = swapped
+            kept = column[n]
+            column[n] = column[col]
+            column[col] = kept
+        pivot = 1.0 / a[n * width + n]
+        for j in range(n, width):
+            a[n * width + j] *= pivot
+        for i in range(order):
+            factor = a[i * width + n]
+            if i != n:
+                for j in range(n, width):
+                    a[i * width + j] -= factor * a[n * width + j]
+    # back to the order of the unknowns
+    found = np.empty(ROWS)
+    for n in range(order):
+        found[column[n]] = a[n * width + order] if n < rank else 0.0
+    for n in range(order):
+        a[n * width + order] = found[n]
+
+
+def solved_at_once(a, order):
+    """Whether it was one equation, or two or three that are far from saying the same: solved then.
+
+    Most of those at an event are; arguments as of `eliminate`.
+    """
+    if order == 1:
+        a[1] = a[1] / a[0] if a[0] != 0.0 else 0.0
+        return True
+    if order == 2:
+        largest = max(max(abs(a[0]), abs(a[1])), max(abs(a[3]), abs(a[4])))
+        determinant = a[0] * a[4] - a[1] * a[3]
+        if not abs(determinant) > 1e-6 * largest * largest:
+            return False
+        inverse = 1.0 / determinant
+        a[2], a[5] = (a[2] * a[4] - a[1] * a[5]) * inverse, (a[0] * a[5] - a[2] * a[3]) * inverse
+        return True
+    if order > 3:
+        return False
+    # by the crosswise products of the last two rows, and of each with the right-hand side
+    c0, c1, c2 = a[5] * a[10] - a[6] * a[9], a[6] * a[8] - a[4] * a[10], a[4] * a[9] - a[5] * a[8]
+    largest = 0.0
+    for i in range(3):
+        for j in range(3):
+            largest = max(largest, abs(a[4 * i + j]))
+    determinant = a[0] * c0 + a[1] * c1 + a[2] * c2
+    if not abs(determinant) > 1e-4 * largest * largest * largest:
+        return False
+    inverse = 1.0 / determinant
+    d0, d1, d2 = a[7] * a[8] - a[4] * a[11], a[7] * a[9] - a[5] * a[11], a[7] * a[10] - a[6] * a[11]
+    x = a[3] * c0 - a[1] * d2 + a[2] * d1
+    y = a[3] * c1 + a[0] * d2 - a[2] * d0
+    z = a[3] * c2 - a[0] * d1 + a[1] * d0
+    a[3], a[7], a[11] = x * inverse, y * inverse, z * inverse
+    return True
+
+
+@rolled
+def through_mass(matrix, b, width):
+    """Solve M x = b in place, b (n, width), by Gauss without a search for pivots: M is positive.
+
+    matrix (n, n) : M, which is kept. What has no inertia does not move.
+    """
+    n = N_COORDINATES
+    a, inverse = np.empty(N_MATRIX), np.empty(N_COORDINATES)
+    for i in range(n * n):
+        a[i] = matrix[i]
+    for i in range(n):
+        pivot = a[i * n + i]
+        inverse[i] = 1.0 / pivot if pivot > 1e-13 * matrix[i * n + i] else 0.0
+        for j in range(i + 1, n):
+            factor = a[i * n + j] * inverse[i]
+            for m in range(j, n):
+                a[j * n + m] -= factor * a[i * n + m]
+            for m in range(width):
+                b[j * width + m] -= factor * b[i * width + m]
+    for back in range(n):
+        i = n - 1 - back
+        for m in range(width):
+            value = b[i * width + m]
+            for j in range(i + 1, n):
+                value -= a[i * n + j] * b[j * width + m]
+            b[i * width + m] = value * inverse[i]
+
+
+@rolled
+def all_known(y, p, mode, known):
+    """What is known of the points in a state, into known (N_KNOWN,), with what impulses do there.
+
+    All but what `points` tells follows from the places alone.
+    """
+    n = N_COORDINATES
+    forces = np.empty(N_COORDINATES)
+    matrix, spread, coupling = known[MATRIX:], known[SPREAD:], known[COUPLING:]
+    points(y, p, known)
+    point_laws(p, known[LAWS:])
+    free_motion(y, p, 0.0, 0.0, mode, matrix, forces)
+    for i in range(n):
+        for r in range(N_POINTS):
+            spread[i * ROWS + 2 * r] = known[r * POINT + 5 + i]
+            spread[i * ROWS + 2 * r + 1] = known[r * POINT + 5 + n + i]
+    through_mass(matrix, spread, ROWS)
+    for r in range(ROWS):
+        for s in range(r, ROWS):
+            coupling[r * ROWS + s] = coupling[s * ROWS + r] = along(known, r, spread, s, ROWS)
+
+
+@inlined
+def along(known, row, b, s, width):
+    """J of a row times column s of b (n, width)."""
+    start = row_of_point(row)
+    total = 0.0
+    for i in range(N_COORDINATES):
+        total += known[start + i] * b[i * width + s]
+    return total
+
+
+@inlined
+def row_of_point(row):
+    """Where the Jacobian of a row begins in what `points` tells."""
+    point = int(row * 0.5)
+    return point * POINT + 5 + (row - 2 * point) * N_COORDINATES
+
+
+def rate_of(known, row, y, first):
+    """J of a row times y[first : first + n], and the sum of the terms' sizes."""
+    start = row_of_point(row)
+    total = size = 0.0
+    for i in range(N_COORDINATES):
+        term = known[start + i] * y[first + i]
+        total += term
+        size += abs(term)
+    return total, size
+
+
+def gap_rounding(known, y):
+    """The rounding error of a gap where other points are closed: by the largest terms of any."""
+    largest = 0.0
+    for i in range(N_POINTS):
+        _, size = rate_of(known, 2 * i, y, 0)
+        largest = max(largest, size)
+    return GRAIN * largest
+
+
+@inlined
+def acceleration_of(known, row, dy):
+    """Of a gap or a slip, from the rates (N,) of the state."""
+    total, _ = rate_of(known, row, dy, N_COORDINATES)
+    point = int(row * 0.5)
+    return total + known[point * POINT + 3 + row - 2 * point]
+
+
+@inlined
+def but_for_rounding(sum_, size):
+    """A sum, zero where nothing but rounding errors is left of its terms."""
+    return sum_ if abs(sum_) > 1e-14 * size else 0.0
+
+
+@rolled
+def put_on(rows, wanted, first, known, y):
+    """Change y[first : first + n] the least, in the measure of the mass, so that J y = wanted.
+
+    rows (ROWS,) : 1 where a row is held.
+    """
+    a, held = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS, np.int64)
+    order = 0
+    for r in range(ROWS):
+        if rows[r] == 1:
+            held[order] = r
+            order += 1
+    width = order + 1
+    for r in range(order):
+        for s in range(order):
+            a[r * width + s] = known[COUPLING + held[r] * ROWS + held[s]]
+        a[r * width + order] = wanted[held[r]]
+    eliminate(a, order, width)
+    for i in range(N_COORDINATES):
+        value, size = y[first + i], abs(y[first + i])
+        for r in range(order):
+            change = known[SPREAD + i * ROWS + held[r]] * a[r * width + order]
+            value += change
+            size += abs(change)
+        y[first + i] = but_for_rounding(value, size)
