@@ -66,8 +66,8 @@ class Program:
     """The functions of a structure with a method in machine code, and the tables of its module.
 
     integrate, integrate_many, falls, at_rest, evaluate, and integrate_lanes in one with lanes, as
-    in loop.py and lanes/loop.py; carry, as in variational.py, in one that carries derivatives; the sizes of
-    the arrays that they want as scratch; all else is that of the generated module.
+    in loop.py and lanes/loop.py; carry, as in variational.py, in one that carries derivatives; the
+    sizes of the arrays that they want as scratch; all else is that of the generated module.
 
     codes : of the loop, and of lanes, which call it. bounds : they check indices.
     """

@@ -325,6 +325,7 @@ print(*sorted(imported - hashed))
     assert done.stdout.split() == [
         "rockeom.compiler", "rockeom.compiler.cache", "rockeom.compiler.decorators",
         "rockeom.compiler.locks", "rockeom.files", "rockeom.generated",
-        "rockeom.generated.rigid_block", "rockeom.integrator", "rockeom.integrator.methods",
+        "rockeom.generated.rigid_block", "rockeom.integrator", "rockeom.integrator.lanes",
+        "rockeom.integrator.methods",
         "rockeom.integrator.schema", "rockeom.renamed",
     ]  # fmt: skip
