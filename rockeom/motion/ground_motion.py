@@ -14,7 +14,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.motion import intensity, processing
-from rockeom.motion.arguments import finite as _finite, positive as _positive
+from rockeom.motion.arguments import (
+    accelerations as _accelerations,
+    array as _array,
+    finite as _finite,
+    positive as _positive,
+)
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.segments import (
     ANTISYMMETRIC_RICKER,
@@ -27,11 +32,12 @@ from rockeom.motion.segments import (
     LINEAR,
     MAVROEIDIS_PAPAGEORGIOU,
     RICKER,
+    SHORT,
     SINE,
     START,
-    SegmentKind,
     acceleration as _acceleration,
     at_starts as _at_starts,
+    check as _check_table,
     displacement as _displacement,
     peak as _peak,
     scaled as _scaled,
@@ -42,16 +48,13 @@ from rockeom.motion.spectra import ResponseSpectrum, response_spectrum
 from rockeom.motion.synthetic import Noise, noise
 from rockeom.motion.units import STANDARD_GRAVITY, factor
 from rockeom.numbers.batch import Many, one_of
-from rockeom.numbers.checks import described, number, numbers
-from rockeom.numbers.dual import nominal, value_of
+from rockeom.numbers.checks import described, number
+from rockeom.numbers.dual import nominal
 from rockeom.numbers.functions import mathematics
 
 QUIET_PERIODS = 10
-"""Quiet time after a pulse where no duration is given: what a structure does once the pulse is over
-is often the answer sought."""
-
-_SHORT = 50
-"""Rows of a table that is gone through row by row: arrays take longer for it."""
+"""Quiet time after a pulse without a duration [periods]: the free motion after it often
+decides whether a structure overturns."""
 
 _RICKER_HALF_WINDOW = 2  # periods; beyond, the wavelet is below 1e-8 of its peak
 _ABSURD_PEAK = 10 * STANDARD_GRAVITY  # the strongest recorded one is about 4 g
@@ -61,14 +64,14 @@ _ABSURD_PEAK = 10 * STANDARD_GRAVITY  # the strongest recorded one is about 4 g
 class GroundMotion:
     """The acceleration of the ground in one direction, as a table of analytic segments.
 
-    Motions are made by the class methods: `none`, `constant`, `half_sine`, `single_sine`,
+    The class methods make motions: `none`, `constant`, `half_sine`, `single_sine`,
     `single_cosine`, `harmonic`, `ricker`, `mavroeidis_papageorgiou`, `kanai_tajimi`,
     `clough_penzien`, `from_array`, `from_at2`, `from_columns`, `from_csv`, `read`, `from_library`.
 
     segments : (n, 7) start [s], end [s], kind, c0, c1, c2, c3 (see `SegmentKind`); contiguous from
         time 0. Before and after them the acceleration is zero. Read-only.
-    name : what a figure calls the motion.
-    source : where it comes from.
+    name : label of the motion in figures.
+    source : origin of the motion.
     dt, samples : time step [s] and accelerations (m,) [m/s2] of a record, which is linear between
         its samples; None for an analytic motion.
     is_vertical : whether it is the vertical component of a recording, as its file says; another
@@ -76,7 +79,7 @@ class GroundMotion:
 
     Two motions are equal if their names, sources and tables are.
 
-    Raises MotionError for a table that is not as said.
+    Raises MotionError for a table of another form.
     """
 
     segments: np.ndarray
@@ -93,7 +96,7 @@ class GroundMotion:
                 values = _array(field, values) + 0.0
                 values.setflags(write=False)
                 object.__setattr__(self, field, values)
-        _check_segments(self.segments)
+        _check_table(self.segments)
         for field in ("name", "source"):
             if not isinstance(getattr(self, field), str):
                 raise MotionError(f"{field} is {described(getattr(self, field))}: give a text")
@@ -268,7 +271,7 @@ class GroundMotion:
         motion = _analytic(name, [pulse])
         return motion.padded_to(end + QUIET_PERIODS * t_p if duration is None else duration)
 
-    # -- made by chance
+    # -- random
 
     @classmethod
     def kanai_tajimi(
@@ -282,16 +285,16 @@ class GroundMotion:
         envelope: Callable[[np.ndarray], ArrayLike] | None = None,
         dt: float = 0.01,
     ) -> GroundMotion:
-        """White noise of the rock filtered by the ground above it, Gaussian, of a seed.
+        """Gaussian white noise of the rock, filtered by the ground above it.
 
         Its power spectral density, over angular frequencies of both signs, is
         S_0 (1 + 4 xi**2 r**2)/((1 - r**2)**2 + 4 xi**2 r**2), r = omega/omega_g, up to pi/dt.
 
         spectral_intensity : S_0, the density of the white noise [m2/s3]; duration [s];
-        seed : the same one gives the same motion; angular_frequency omega_g [rad/s] and
-        damping_ratio xi of the ground; if not given, those of firm ground; envelope : of times (n,)
-        [s], what multiplies the stationary noise there, such as `JenningsEnvelope` or
-        `ShinozukaSatoEnvelope`; dt : time step of the samples [s].
+        seed : equal seeds give equal motions; angular_frequency omega_g [rad/s] and
+        damping_ratio xi of the ground; the defaults are those of firm ground; envelope :
+        function of times (n,) [s] that multiplies the stationary noise, such as `JenningsEnvelope`
+        or `ShinozukaSatoEnvelope`; dt : time step of the samples [s].
 
         Source: Kanai (1957), Tajimi (1960); the method: Shinozuka and Deodatis, Applied Mechanics
         Reviews 44 (1991) 191-204, with Gaussian amplitudes. Raises MotionError.
@@ -321,7 +324,7 @@ class GroundMotion:
         envelope: Callable[[np.ndarray], ArrayLike] | None = None,
         dt: float = 0.01,
     ) -> GroundMotion:
-        """As `kanai_tajimi`, behind a second filter that leaves displacements finite.
+        """As `kanai_tajimi`, with a second filter that keeps displacements finite.
 
         It multiplies the density by q**4/((1 - q**2)**2 + 4 xi_f**2 q**2), q = omega/omega_f.
 
@@ -362,7 +365,7 @@ class GroundMotion:
 
         Raises MotionError for NaN or infinity (with its index) and for other than one dimension.
         """
-        values = _one_dimension(acceleration) * factor(units, gravity)
+        values = _accelerations(acceleration) * factor(units, gravity)
         return _from_record(values, dt, name, "array")
 
     @classmethod
@@ -380,7 +383,7 @@ class GroundMotion:
         gravity : the value of 1 g [m/s2].
         name : the second line of the file if not given.
 
-        Raises MotionError, with file, line, value and remedy, for anything the file leaves open.
+        Raises MotionError, with file, line, value and remedy, for anything the file does not state.
         """
         return _from_record(*_readers().read_at2(path, units, gravity, name))
 
@@ -404,7 +407,7 @@ class GroundMotion:
         gravity : the value of 1 g [m/s2].
         name : the file's name if not given.
 
-        Raises MotionError, with file, line, value and remedy, for anything the file leaves open.
+        Raises MotionError, with file, line, value and remedy, for anything the file does not state.
         """
         return _from_record(*_readers().read_columns(path, units, gravity, name))
 
@@ -436,15 +439,15 @@ class GroundMotion:
         gravity: float = STANDARD_GRAVITY,
         name: str | None = None,
     ) -> GroundMotion:
-        """A record from a file, by `from_at2` or `from_columns`, whichever the file calls for."""
+        """A record from a file, by `from_at2` or `from_columns`, as the name or header requires."""
         return _from_record(*_readers().read(path, units, gravity, name))
 
     @classmethod
     def from_library(cls, words: str) -> GroundMotion:
         """A real record of the extras `records` and `fema`, by words of its name.
 
-        words : enough of them to tell it apart, such as "El Centro 1940 180"; `library` lists the
-        names. In g, converted with 9.81 m/s2.
+        words : enough words to identify one record, such as "El Centro 1940 180"; `library` lists
+        the names. In g, converted with 9.81 m/s2.
 
         Raises MotionError if none or several match, or if no extra is installed.
 
@@ -467,7 +470,7 @@ class GroundMotion:
         """
         return _library().names(words)
 
-    # -- what it is
+    # -- time histories
 
     @property
     def duration(self) -> float:
@@ -504,7 +507,7 @@ class GroundMotion:
         return found.reshape(time.shape)[()]
 
     def _at(self, flat: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The segments that hold at times (m,), and the times within them [s]."""
+        """Index of the segment at each time (m,) [s], and the local time in it [s]."""
         starts = self.segments[:, START]
         index = np.maximum(np.searchsorted(starts, flat, side="right") - 1, 0)
         return index, flat - starts[index]
@@ -512,8 +515,8 @@ class GroundMotion:
     def velocity(self, t: ArrayLike) -> Any:
         """Velocity of the ground [m/s] at times t [s], of the shape of t.
 
-        The exact integral of the acceleration, of ground at rest up to time 0. Behind the end the
-        velocity stays as it is there: zero only if the motion was corrected for it.
+        The exact integral of the acceleration, for ground at rest up to time 0. After the end the
+        velocity keeps its last value, which is zero only for a corrected motion.
         """
         time = _array("t", t)
         flat = np.clip(time.ravel(), 0.0, self.duration)
@@ -524,7 +527,7 @@ class GroundMotion:
     def displacement(self, t: ArrayLike) -> Any:
         """Displacement of the ground [m] at times t [s], of the shape of t.
 
-        The exact integral of `velocity`; behind the end, too.
+        The exact integral of `velocity`, also after the end.
         """
         time = _array("t", t)
         flat = np.clip(time.ravel(), 0.0, self.duration)
@@ -534,7 +537,7 @@ class GroundMotion:
         found += v[-1] * np.maximum(time.ravel() - self.duration, 0.0)
         return found.reshape(time.shape)[()]
 
-    # -- how strong it is
+    # -- intensity
 
     @property
     def peak_velocity(self) -> float:
@@ -561,8 +564,9 @@ class GroundMotion:
     def significant_interval(self, lower: float = 0.05, upper: float = 0.95) -> tuple[float, float]:
         """Times [s] at which Arias intensity reaches the parts `lower` and `upper` of its whole.
 
-        Their difference is the significant duration (Trifunac and Brady 1975). Found within the
-        segments. Raises MotionError for parts that are not between 0 and 1, and for no shaking.
+        Their difference is the significant duration (Trifunac and Brady 1975). The times are exact
+        within the segments. Raises MotionError for parts that are not between 0 and 1, and for no
+        shaking.
         """
         return intensity.significant_interval(self, lower, upper)
 
@@ -597,7 +601,7 @@ class GroundMotion:
         in 0.38 times its time.
         """
         a, s = _finite("acceleration", acceleration), _positive("time", time)
-        if len(self.segments) > _SHORT:
+        if len(self.segments) > SHORT:
             a, s = one_of(a), one_of(s)  # one such table at a time, also of columns
         return GroundMotion(
             _scaled(self.segments, a, s),
@@ -616,9 +620,9 @@ class GroundMotion:
         return self.scaled(wanted / self.peak)
 
     def padded_to(self, duration: float) -> GroundMotion:
-        """The motion with quiet time at its end, so that it lasts `duration` [s] in all.
+        """The motion with quiet time at its end, for a total of `duration` [s].
 
-        Raises MotionError where it lasts longer already.
+        Raises MotionError for a duration shorter than that of the motion.
         """
         wanted = _positive("duration", duration)
         if wanted < self.duration:
@@ -632,7 +636,7 @@ class GroundMotion:
         return replace(self, segments=np.vstack([self.segments, quiet]))
 
     def padded_by(self, quiet: float) -> GroundMotion:
-        """The motion with so many seconds of quiet time added at its end, `quiet` [s]."""
+        """The motion with `quiet` [s] of quiet time added at its end."""
         return self.padded_to(self.duration + _positive("quiet", quiet))
 
     # -- processed
@@ -641,9 +645,9 @@ class GroundMotion:
         """The record without the polynomial that fits its velocity best.
 
         degree : of the polynomial, fitted by least squares to all samples.
-        of : the series that it fits: "velocity", "acceleration" or "displacement". For the velocity
-            and the displacement it starts at rest, as the ground does, and its derivative, the
-            first or the second, is subtracted from the acceleration.
+        of : the series that the polynomial fits: "velocity", "acceleration" or "displacement". For
+            the velocity and the displacement the polynomial starts at rest, as the ground does, and
+            its first or second derivative is subtracted from the acceleration.
 
         Raises MotionError for a motion without samples and for a degree that such a polynomial
         cannot have.
@@ -659,8 +663,8 @@ class GroundMotion:
             a corner half of the amplitude is left. One may be left out.
         order : of one pass.
 
-        The record counts as zero before and after, for as long as the filter rings; what it leaves
-        there is cut off.
+        Zeros extend the record before and after, for as long as the filter rings; the result has
+        the duration of the record.
         Raises MotionError for a motion without samples, and for corners in wrong order, above half
         of the rate of sampling, or so low that a hundredth of a period fills the record.
         """
@@ -669,11 +673,11 @@ class GroundMotion:
     def resampled(self, dt: float, method: str = "linear") -> GroundMotion:
         """The motion as a record with another time step.
 
-        dt : [s]. method : "linear" takes the acceleration as it is at the new times: every peak
-            between them is cut, and what is faster than half of the new rate is folded to lower
-            frequencies. "band limited" interpolates a record through its Fourier spectrum and takes
-            out what is too fast, by scipy.signal.resample_poly; the old and the new step must then
-            be in a ratio of whole numbers up to 1000.
+        dt : [s]. method : "linear" evaluates the acceleration at the new times: this cuts peaks
+            between them and aliases frequencies above half of the new rate. "band limited"
+            interpolates a record through its Fourier spectrum and removes these frequencies, by
+            scipy.signal.resample_poly; the ratio of the old and the new step must then be one of
+            whole numbers up to 1000.
 
         An analytic motion becomes a record, linear between the new times. The last one is the last
         whole step within the motion. Raises MotionError.
@@ -749,7 +753,7 @@ class GroundMotion:
         name = self.name[1:] if self.name.startswith("-") else f"-{self.name}"
         return replace(self.scaled(acceleration=-1.0), name=name)
 
-    # -- how it compares, prints and travels
+    # -- comparison, text, pickling
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, GroundMotion):
@@ -806,7 +810,7 @@ def _analytic(name: str, segments: list[tuple[float, ...]]) -> GroundMotion:
 
 
 def _named(text: str, *values: float) -> str:
-    """A text with numbers in it; none of many motions at once, which would differ in it."""
+    """A text with numbers; empty for a batch of motions, which differ in them."""
     return "" if Many in map(type, values) else text.format(*values)
 
 
@@ -818,7 +822,7 @@ def _pulse(
     angle: float,
     duration: float | None,
 ) -> GroundMotion:
-    """A sine of this phase angle for so many periods, and quiet time after it."""
+    """A sine with a phase angle for a number of periods, and quiet time after it."""
     a, t_p = _finite("amplitude", amplitude), _positive("period", period)
     end = periods * t_p
     pulse = (end, SINE, a, 2.0 * math.pi / t_p, angle)
@@ -830,7 +834,7 @@ def _pulse(
 
 
 def _readers() -> ModuleType:
-    """Only who reads a file waits for the patterns of its headers to be compiled."""
+    """The readers of files; imported on use, since they compile many patterns."""
     from rockeom.motion import readers
 
     return readers
@@ -842,7 +846,7 @@ def _of_noise(made: Noise) -> GroundMotion:
 
 
 def _library() -> ModuleType:
-    """As `_readers`, for records that packages carry."""
+    """The records that packages carry; imported on use, as the readers."""
     from rockeom.motion import library
 
     return library
@@ -851,7 +855,7 @@ def _library() -> ModuleType:
 def _from_record(
     a: np.ndarray, dt: float, name: str, source: str, is_vertical: bool = False
 ) -> GroundMotion:
-    """A record as linear segments from sample to sample."""
+    """A record as linear segments between samples."""
     dt = _positive("dt", dt)
     if len(a) < 2:
         raise MotionError(f"{source}: {len(a)} sample(s), where a record needs two or more")
@@ -859,7 +863,7 @@ def _from_record(
     if largest > _ABSURD_PEAK:
         warnings.warn(
             f"{source}: the peak of {largest:.4g} m/s2 ({largest / STANDARD_GRAVITY:.4g} g) "
-            "is above all that was ever recorded: check the units",
+            "is above the largest recorded one: check the units",
             stacklevel=3,
         )
     t = dt * np.arange(len(a))
@@ -867,61 +871,3 @@ def _from_record(
     segments[:, START], segments[:, END] = t[:-1], t[1:]
     segments[:, C0], segments[:, C1] = a[:-1], np.diff(a) / np.diff(t)
     return GroundMotion(segments, name, source, dt, a, is_vertical)
-
-
-# -- checks --------------------------------------------------------------------------------------
-
-
-def _check_segments(segments: np.ndarray) -> None:
-    if segments.ndim != 2 or segments.shape[1] != COLUMNS or not len(segments):
-        raise MotionError(
-            f"segments have shape {segments.shape}: they must be (n, {COLUMNS}); "
-            "GroundMotion.from_array takes accelerations, GroundMotion.read a file"
-        )
-    if segments.dtype == float and np.count_nonzero(np.isfinite(segments)) < segments.size:
-        raise MotionError("segments hold NaN or infinity")
-    if len(segments) > _SHORT:
-        _check_rows(np.all, np.append(0.0, segments[:-1, END]), *segments.T)
-        return
-    before = 0.0
-    for row in segments.tolist():
-        _check_rows(bool, before, *row)
-        before = row[END]
-
-
-def _check_rows(
-    every: Callable[[Any], Any], before: Any, start: Any, end: Any, kind: Any, *constants: Any
-) -> None:
-    """The rules of a table, for one row or for all at once; `before`: the end of the row before."""
-    if not every((start == before) & (end > start)):
-        raise MotionError("segments must follow each other without gap from time 0 on")
-    linear = kind == LINEAR
-    two_rates = kind == MAVROEIDIS_PAPAGEORGIOU
-    curved = (kind == SINE) | (kind == RICKER) | (kind == ANTISYMMETRIC_RICKER) | two_rates
-    if not every(linear | curved):
-        raise MotionError(f"kinds of segments are {', '.join(str(int(k)) for k in SegmentKind)}")
-    if not every(linear | (constants[1] > 0.0)):
-        raise MotionError("c1, the rate of a sine or a wavelet, must be positive")
-    slower = (constants[3] > 0.0) & (constants[3] < constants[1])
-    if not every((kind != MAVROEIDIS_PAPAGEORGIOU) | slower):
-        raise MotionError("c3, the rate of a pulse's envelope, must be positive and below c1")
-
-
-def _array(name: str, value: ArrayLike) -> np.ndarray:
-    try:
-        return numbers(name, value, "give numbers; GroundMotion.read reads a file")
-    except TypeError as error:
-        raise MotionError(str(error)) from None
-
-
-def _one_dimension(acceleration: ArrayLike) -> np.ndarray:
-    """Accelerations as (n,) finite floats."""
-    values = _array("acceleration", acceleration)
-    if values.ndim != 1:
-        raise MotionError(f"acceleration has shape {values.shape}: give one dimension, (n,)")
-    for index in np.flatnonzero(~np.isfinite(value_of(values)))[:1]:
-        raise MotionError(
-            f"acceleration[{index}] is {values[index]}: give finite numbers only, or cut the "
-            "record where it ends"
-        )
-    return values

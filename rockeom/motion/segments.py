@@ -1,8 +1,8 @@
 """A ground acceleration as a table of analytic segments, (n, 7) float64.
 
 Columns: start [s], end [s], kind, c0, c1, c2, c3. Within a segment the acceleration is a smooth
-function of the local time tau = t - start, so that an integrator which stops at every segment's
-end never steps over a kink or a jump. c0 is the amplitude of every kind but LINEAR; c3 is the
+function of the local time tau = t - start, so that an integrator which stops at the end of each
+segment never steps over a kink or a jump. c0 is the amplitude of every kind but LINEAR; c3 is the
 second rate of the one kind that has two.
 """
 
@@ -16,8 +16,13 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from rockeom.motion.errors import MotionError
+
 START, END, KIND, C0, C1, C2, C3 = range(7)
 COLUMNS = 7
+
+SHORT = 50
+"""Rows of a table up to which a loop over the rows takes less time than arrays."""
 
 
 class Motion(Protocol):
@@ -52,7 +57,7 @@ class Motion(Protocol):
 
 
 class SegmentKind(IntEnum):
-    """How the acceleration runs within a segment."""
+    """Function that gives the acceleration within a segment."""
 
     LINEAR = 0  # c0 + c1 tau
     SINE = 1  # c0 sin(c1 tau + c2)
@@ -82,7 +87,7 @@ def acceleration(rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
 
 
 def _by_kind(function: Callable[..., Any], rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
-    """A function of (kind, c0, c1, c2, c3, tau) for rows (m, 7) at tau (m,)."""
+    """Values (m,) of a function of (kind, c0, c1, c2, c3, tau) for rows (m, 7) at tau (m,)."""
     found = np.empty(len(tau))
     for kind in _KINDS:
         of_kind = rows[:, KIND] == kind
@@ -92,7 +97,7 @@ def _by_kind(function: Callable[..., Any], rows: np.ndarray, tau: np.ndarray) ->
 
 
 def of_row(function: Callable[..., Any], row: np.ndarray, tau: np.ndarray) -> np.ndarray:
-    """Such a function for one segment, row (7,), at tau of any shape."""
+    """Values of such a function for one segment, row (7,), at tau of any shape."""
     kind, c0, c1, c2, c3 = row[KIND:].tolist()
     return function(kind, c0, c1, c2, c3, tau)
 
@@ -140,7 +145,7 @@ def velocity(rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
 
 
 def displacement(rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
-    """Displacement (m,) [m] that they add up to tau (m,) [s] to one that starts without speed."""
+    """Displacement (m,) [m] that they add up to tau (m,) [s], from zero velocity at their start."""
     return _by_kind(_displacement, rows, tau)
 
 
@@ -179,14 +184,14 @@ def _once(kind: float, x: Any) -> Any:
 
 
 def _twice(kind: float, x: Any) -> Any:
-    """The integral of that."""
+    """The second integral of the shape of a wavelet."""
     return -0.5 * np.exp(-(x**2)) if kind == RICKER else x * np.exp(-0.5 * x**2)
 
 
 def at_starts(segments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Velocity [m/s] and displacement [m] at the start of each segment and behind the last.
+    """Velocity [m/s] and displacement [m] at the start of each segment and after the last.
 
-    (n + 1,) each, of ground at rest at time 0.
+    (n + 1,) each, for ground at rest at time 0.
     """
     length = segments[:, END] - segments[:, START]
     v = np.append(0.0, np.cumsum(velocity(segments, length)))
@@ -201,7 +206,7 @@ def bisected(
 ) -> np.ndarray:
     """The zero (m,) of a function between low (m,) and high (m,), to the last bit.
 
-    function : of (m,), of opposite signs at both ends, or zero at one.
+    function : of (m,), with opposite signs at both ends, or zero at one.
     """
     rises = function(high) > function(low)
     for _ in range(80):
@@ -214,7 +219,7 @@ def bisected(
 
 
 STEP = 0.5
-"""Radians, of the fastest rate of a curved segment, between two looks at it."""
+"""Largest change of phase [rad] of the fastest sine of a curved segment between two samples."""
 
 
 def turns(row: np.ndarray) -> np.ndarray:
@@ -283,8 +288,8 @@ def scaled(segments: np.ndarray, amplitude: Any, time: Any) -> np.ndarray:
 def cut(segments: np.ndarray, start: float, end: float) -> np.ndarray:
     """The part of a table from `start` to `end` [s], its times counted from there.
 
-    Raises ValueError where a Mavroeidis-Papageorgiou pulse would begin behind its start: its table
-    knows no such one.
+    Raises ValueError where a Mavroeidis-Papageorgiou pulse would begin behind its start: a row
+    cannot describe such a part.
     """
     kept = segments[(segments[:, END] > start) & (segments[:, START] < end)].copy()
     late = np.maximum(start - kept[:, START], 0.0)
@@ -297,3 +302,45 @@ def cut(segments: np.ndarray, start: float, end: float) -> np.ndarray:
     kept[:, END] = np.minimum(kept[:, END], end) - start
     kept[:, START] = np.append(0.0, kept[:-1, END])
     return kept
+
+
+# -- checks --------------------------------------------------------------------------------------
+
+
+def check(segments: np.ndarray) -> None:
+    """Check the shape of a table, its values, and the order and the constants of its rows.
+
+    Raises MotionError.
+    """
+    if segments.ndim != 2 or segments.shape[1] != COLUMNS or not len(segments):
+        raise MotionError(
+            f"segments have shape {segments.shape}: they must be (n, {COLUMNS}); "
+            "GroundMotion.from_array takes accelerations, GroundMotion.read a file"
+        )
+    if segments.dtype == float and np.count_nonzero(np.isfinite(segments)) < segments.size:
+        raise MotionError("segments hold NaN or infinity")
+    if len(segments) > SHORT:
+        _check_rows(np.all, np.append(0.0, segments[:-1, END]), *segments.T)
+        return
+    before = 0.0
+    for row in segments.tolist():
+        _check_rows(bool, before, *row)
+        before = row[END]
+
+
+def _check_rows(
+    every: Callable[[Any], Any], before: Any, start: Any, end: Any, kind: Any, *constants: Any
+) -> None:
+    """Check one row of a table, or all rows at once; `before`: the end of the row before."""
+    if not every((start == before) & (end > start)):
+        raise MotionError("segments must follow each other without gap from time 0 on")
+    linear = kind == LINEAR
+    two_rates = kind == MAVROEIDIS_PAPAGEORGIOU
+    curved = (kind == SINE) | (kind == RICKER) | (kind == ANTISYMMETRIC_RICKER) | two_rates
+    if not every(linear | curved):
+        raise MotionError(f"kinds of segments are {', '.join(str(int(k)) for k in SegmentKind)}")
+    if not every(linear | (constants[1] > 0.0)):
+        raise MotionError("c1, the rate of a sine or a wavelet, must be positive")
+    slower = (constants[3] > 0.0) & (constants[3] < constants[1])
+    if not every((kind != MAVROEIDIS_PAPAGEORGIOU) | slower):
+        raise MotionError("c3, the rate of a pulse's envelope, must be positive and below c1")
