@@ -116,7 +116,7 @@ class GroundMotion:
     ) -> GroundMotion:
         """Constant acceleration [m/s2] for `duration` [s]: a rectangular pulse if quiet follows.
 
-        total_duration : with the quiet time after it [s]; `duration` if not given.
+        total_duration : with the quiet time after it [s]; the default is `duration`.
         """
         a, end = _finite("acceleration", acceleration), _positive("duration", duration)
         total = end if total_duration is None else total_duration
@@ -177,18 +177,18 @@ class GroundMotion:
             _positive("duration", duration),
             _finite("phase", phase),
         )
-        given = {
+        values = {
             "frequency": frequency,
             "angular_frequency": angular_frequency,
             "period": period,
         }
-        stated = [name for name, value in given.items() if value is not None]
+        stated = [name for name, value in values.items() if value is not None]
         if len(stated) != 1:
             raise MotionError(
                 f"harmonic has {' and '.join(stated) or 'no frequency'}: give exactly one of "
                 "frequency [Hz], angular_frequency [rad/s] and period [s]"
             )
-        value = _positive(stated[0], given[stated[0]])
+        value = _positive(stated[0], values[stated[0]])
         omega = {
             "frequency": 2.0 * math.pi * value,
             "angular_frequency": value,
@@ -502,9 +502,9 @@ class GroundMotion:
         time = _array("t", t)
         flat = time.ravel()
         index, tau = self._at(flat)
-        found = _acceleration(self.segments[index], tau)
-        found[(flat < 0.0) | (flat > self.duration)] = 0.0
-        return found.reshape(time.shape)[()]
+        result = _acceleration(self.segments[index], tau)
+        result[(flat < 0.0) | (flat > self.duration)] = 0.0
+        return result.reshape(time.shape)[()]
 
     def _at(self, flat: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Index of the segment at each time (m,) [s], and the local time in it [s]."""
@@ -521,8 +521,8 @@ class GroundMotion:
         time = _array("t", t)
         flat = np.clip(time.ravel(), 0.0, self.duration)
         index, tau = self._at(flat)
-        found = _at_starts(self.segments)[0][index] + _velocity(self.segments[index], tau)
-        return found.reshape(time.shape)[()]
+        result = _at_starts(self.segments)[0][index] + _velocity(self.segments[index], tau)
+        return result.reshape(time.shape)[()]
 
     def displacement(self, t: ArrayLike) -> Any:
         """Displacement of the ground [m] at times t [s], of the shape of t.
@@ -533,9 +533,9 @@ class GroundMotion:
         flat = np.clip(time.ravel(), 0.0, self.duration)
         index, tau = self._at(flat)
         v, d = _at_starts(self.segments)
-        found = d[index] + v[index] * tau + _displacement(self.segments[index], tau)
-        found += v[-1] * np.maximum(time.ravel() - self.duration, 0.0)
-        return found.reshape(time.shape)[()]
+        result = d[index] + v[index] * tau + _displacement(self.segments[index], tau)
+        result += v[-1] * np.maximum(time.ravel() - self.duration, 0.0)
+        return result.reshape(time.shape)[()]
 
     # -- intensity
 
@@ -657,10 +657,10 @@ class GroundMotion:
     def filtered(
         self, low: float | None = None, high: float | None = None, order: int = 4
     ) -> GroundMotion:
-        """The record through a Butterworth filter, forward and backward: no phase is shifted.
+        """The record through a Butterworth filter, forward and backward, without phase shift.
 
-        low, high : corners [Hz]; what is slower than `low` and faster than `high` is taken out. At
-            a corner half of the amplitude is left. One may be left out.
+        low, high : corners [Hz]; the filter removes frequencies below `low` and above `high`.
+            At a corner it halves the amplitude. One of them may be None.
         order : of one pass.
 
         Zeros extend the record before and after, for as long as the filter rings; the result has
@@ -790,9 +790,9 @@ _SCALE_IN_NAME = re.compile(f"-A{_PRINTED}-T{_PRINTED}$")
 
 def _scaled_name(name: str, acceleration: float, time: float) -> str:
     """The name with its factors at the end; those of an earlier scaling are multiplied."""
-    if found := _SCALE_IN_NAME.search(name):
-        name = name[: found.start()]
-        acceleration, time = acceleration * float(found[1]), time * float(found[2])
+    if scale := _SCALE_IN_NAME.search(name):
+        name = name[: scale.start()]
+        acceleration, time = acceleration * float(scale[1]), time * float(scale[2])
     return name + _named("-A{:.4g}-T{:.4g}", acceleration, time)
 
 
@@ -803,8 +803,8 @@ def _analytic(name: str, segments: list[tuple[float, ...]]) -> GroundMotion:
     """Segments one after the other, each by its end, kind and constants."""
     rows = []
     start = 0.0
-    for end, *given in segments:
-        rows.append([start, end, *given, *[0.0] * (COLUMNS - KIND - len(given))])
+    for end, *values in segments:
+        rows.append([start, end, *values, *[0.0] * (COLUMNS - KIND - len(values))])
         start = end
     return GroundMotion(np.array(rows), name, "analytic")
 

@@ -88,12 +88,12 @@ def acceleration(rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
 
 def _by_kind(function: Callable[..., Any], rows: np.ndarray, tau: np.ndarray) -> np.ndarray:
     """Values (m,) of a function of (kind, c0, c1, c2, c3, tau) for rows (m, 7) at tau (m,)."""
-    found = np.empty(len(tau))
+    result = np.empty(len(tau))
     for kind in _KINDS:
         of_kind = rows[:, KIND] == kind
         if of_kind.any():
-            found[of_kind] = function(kind, *rows[of_kind, C0:].T, tau[of_kind])
-    return found
+            result[of_kind] = function(kind, *rows[of_kind, C0:].T, tau[of_kind])
+    return result
 
 
 def of_row(function: Callable[..., Any], row: np.ndarray, tau: np.ndarray) -> np.ndarray:
@@ -255,10 +255,10 @@ def peak(segments: np.ndarray) -> float:
     for of_kind, tau in stationary:
         # A point beyond an end falls back on that end, which is a candidate anyway.
         candidates.append(np.where(kind == of_kind, np.clip(tau, 0.0, length), 0.0))
-    found = max(np.abs(acceleration(segments, tau)).max() for tau in candidates)
+    result = max(np.abs(acceleration(segments, tau)).max() for tau in candidates)
     for row in segments[kind == MAVROEIDIS_PAPAGEORGIOU]:
-        found = max(found, np.abs(of_row(within, row, turns(row))).max())
-    return float(found)
+        result = max(result, np.abs(of_row(within, row, turns(row))).max())
+    return float(result)
 
 
 def shaking_ends(segments: np.ndarray) -> float:
@@ -273,16 +273,16 @@ def shaking_ends(segments: np.ndarray) -> float:
 def scaled(segments: np.ndarray, amplitude: Any, time: Any) -> np.ndarray:
     """The table with accelerations times `amplitude` and the time axis times `time`."""
     linear = segments[:, KIND] == LINEAR
-    found = segments.astype(np.result_type(segments, type(amplitude), type(time)))
+    result = segments.astype(np.result_type(segments, type(amplitude), type(time)))
     for column, factor in ((START, time), (END, time), (C0, amplitude)):
-        found[:, column] = segments[:, column] * factor
+        result[:, column] = segments[:, column] * factor
     rate = segments[:, C1] / time
-    found[:, C1] = np.where(linear, rate * amplitude, rate)
+    result[:, C1] = np.where(linear, rate * amplitude, rate)
     kind = segments[:, KIND]
     wavelet = (kind == RICKER) | (kind == ANTISYMMETRIC_RICKER)
-    found[wavelet, C2] *= time  # the centre of a wavelet is a time, the c2 of a sine an angle
-    found[kind == MAVROEIDIS_PAPAGEORGIOU, C3] /= time
-    return found
+    result[wavelet, C2] *= time  # the centre of a wavelet is a time, the c2 of a sine an angle
+    result[kind == MAVROEIDIS_PAPAGEORGIOU, C3] /= time
+    return result
 
 
 def cut(segments: np.ndarray, start: float, end: float) -> np.ndarray:

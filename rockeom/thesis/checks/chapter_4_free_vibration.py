@@ -65,22 +65,22 @@ def restoring_force() -> Callable:
 
 
 def rise_of_centroid(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """U = m g times the rise of the centroid; 4-18 leaves its descent on the circle out."""
+    """U = m g times the rise of the centroid; 4-18 omits its descent on the circle."""
     (relation,) = relations
     for side in equation.sides:
         rise = turned(side, th.d_lifted - th.B, th.H_c)[1]
         exact = th.m_T * th.g * rise.subs(th.B, HALF_WIDTH).subs(th.d_lifted, lifted())
-        left_out = th.m_T * th.g * th.H_c * (1 - cos(th.theta))
-        rest = relation.rhs.subs(th.B, HALF_WIDTH) - exact - left_out
-        yield vanishes("thesis minus exact minus what it leaves out", placed(rest, side), reduced)
-        *below, leading = taylor(left_out, (th.theta,), 2)
-        yield vanishes("what it leaves out below order 2", sum(below))
+        omitted = th.m_T * th.g * th.H_c * (1 - cos(th.theta))
+        rest = relation.rhs.subs(th.B, HALF_WIDTH) - exact - omitted
+        yield vanishes("thesis minus exact minus the term it omits", placed(rest, side), reduced)
+        *below, leading = taylor(omitted, (th.theta,), 2)
+        yield vanishes("the term it omits below order 2", sum(below))
         stated = th.m_T * th.g * th.H_c * th.theta**2 / 2
         yield vanishes("its term of order 2 minus the stated one", leading - stated, sp.simplify)
         energy = of_displacement(relation.rhs / 1000)(FALL)
-        lost = left_out.subs(WALL).subs(th.theta, math.asin(FALL / HEIGHT)) / 1000
+        lost = omitted.subs(WALL).subs(th.theta, math.asin(FALL / HEIGHT)) / 1000
         yield close("U at 30.41 mm in J", energy, 101.7, 0.1)
-        yield close("left out of it", float(lost), 3.34, 0.01)
+        yield close("omitted from it", float(lost), 3.34, 0.01)
 
 
 @cache
@@ -158,8 +158,8 @@ def _energies_at_peaks(equation: Equation, relations: Relations) -> Iterator[Fin
             th.U_start: gravity(1e3 * record.displacement[row]),
             th.U_E_start: elastic.subs(th.P_tendon, record.tendon_force[row] / 1e3),
         }
-        found = float(relations[0].rhs.subs(parts))
-        yield close(f"energy at {record.time[row]:.3f} s in J", found, stated, 1.1)
+        computed = float(relations[0].rhs.subs(parts))
+        yield close(f"energy at {record.time[row]:.3f} s in J", computed, stated, 1.1)
 
 
 def _conserved(equation: Equation, relations: Relations) -> Iterator[Finding]:
@@ -265,8 +265,8 @@ def _time_of_motion(equation: Equation, relations: Relations) -> Iterator[Findin
 
 def _limit(equation: Equation, relations: Relations) -> Iterator[Finding]:
     (relation,) = relations
-    found = float(relation.rhs.subs(th.Delta_peak, FALL)) / FALL
-    yield close("fraction of the peak, 25 % by 4.7", found, 0.25, 1e-12)
+    computed = float(relation.rhs.subs(th.Delta_peak, FALL)) / FALL
+    yield close("fraction of the peak, 25 % by 4.7", computed, 0.25, 1e-12)
 
 
 def _limit_speed(equation: Equation, relations: Relations) -> Iterator[Finding]:

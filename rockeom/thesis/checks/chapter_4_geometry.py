@@ -56,38 +56,38 @@ def _profile(place: sp.Expr, readings: tuple[sp.Expr, sp.Expr]) -> sp.Expr:
 
 def _base(equation: Equation, relations: Relations) -> Iterator[Finding]:
     (relation,) = relations
-    given = {n: right(n) for n in ("4-1", "4-2")} | {equation.number: relation.rhs}
+    right_sides = {n: right(n) for n in ("4-1", "4-2")} | {equation.number: relation.rhs}
     places = {"4-1": 0, "4-2": BETWEEN, "4-3": 30, "4-4": BETWEEN - 30}
     for what, readings in SIGNS.items():
         put = dict(zip((th.u_L, th.u_R), readings, strict=True))
-        centre = given["4-1"].subs(put)
-        other = given["4-2"].subs(th.x, centre)
-        found = relation.rhs.subs({th.x: centre, th.y_centre: other, **put})
+        centre = right_sides["4-1"].subs(put)
+        other = right_sides["4-2"].subs(th.x, centre)
+        computed = relation.rhs.subs({th.x: centre, th.y_centre: other, **put})
         if equation.number in ("4-1", "4-2"):
-            place = found if equation.number == "4-1" else BETWEEN - found
+            place = computed if equation.number == "4-1" else BETWEEN - computed
             rest = _profile(place, readings)
             yield vanishes(f"uplift of the base there, {what}", rest, sp.simplify)
         else:
-            rest = found - _profile(places[equation.number], readings)
+            rest = computed - _profile(places[equation.number], readings)
             yield vanishes(f"thesis minus uplift of the base, {what}", rest, sp.simplify)
 
 
 def _uplifts_again(equation: Equation, relations: Relations) -> Iterator[Finding]:
     stated = relations[0].rhs
-    given = {n: right(n) for n in ("4-1", "4-2")} | {equation.number: stated}
+    right_sides = {n: right(n) for n in ("4-1", "4-2")} | {equation.number: stated}
     for left, other in ((-0.6, 11.7), (11.0, -0.8), (0.3, 0.5)):
-        centre = given["4-1"].subs({th.u_L: left, th.u_R: other})
-        put = {th.x: centre, th.y_centre: given["4-2"].subs(th.x, centre)}
-        found = float(stated.subs({th.u_L: left, th.u_R: other, **put}))
+        centre = right_sides["4-1"].subs({th.u_L: left, th.u_R: other})
+        put = {th.x: centre, th.y_centre: right_sides["4-2"].subs(th.x, centre)}
+        computed = float(stated.subs({th.u_L: left, th.u_R: other, **put}))
         again = corrected_uplifts(left / 1e3, other / 1e3)
-        known = {
+        reference = {
             "4-1": again.centre_from_left_gauge,
             "4-2": BETWEEN / 1e3 - again.centre_from_left_gauge,
             "4-3": again.left,
             "4-4": again.right,
         }[equation.number]
         what = f"against rockeom.analysis in mm, readings {left} and {other} mm"
-        yield close(what, found, 1e3 * float(known), 1e-9)
+        yield close(what, computed, 1e3 * float(reference), 1e-9)
 
 
 def _edges_of_table_a1(equation: Equation, relations: Relations) -> Iterator[Finding]:
@@ -122,7 +122,7 @@ def _migration(equation: Equation, relations: Relations) -> Iterator[Finding]:
     far = distance.rhs.subs(th.Delta, sp.oo)
     yield close("distance once rocking is developed", float(far), developed_distance(), 2)
     left = distance.rhs.subs(th.Delta, th.penalty) - far
-    yield vanishes("what is left at epsilon, minus 1/e", left / (upright - far) - sp.exp(-1))
+    yield vanishes("remainder at epsilon, minus 1/e", left / (upright - far) - sp.exp(-1))
     yield close("epsilon, by 4.8.1", penalty.rhs, 3.551, 1e-12)
 
 
@@ -140,9 +140,11 @@ def _edge_uplifts(equation: Equation, relations: Relations) -> Iterator[Finding]
     record = measured()
     rows = record.at_peak & (record.reading == "clean")
     at = record.displacement[rows]
-    known = np.where(at > 0, record.left_uplift[rows], record.right_uplift[rows])
+    reference = np.where(at > 0, record.left_uplift[rows], record.right_uplift[rows])
     stated = of_displacement(relations[0].rhs)(1e3 * at) / 1e3
-    yield close("R**2 of the 17 legible peaks of Table A-1", r_squared(known, stated), 0.99, 5e-3)
+    yield close(
+        "R**2 of the 17 legible peaks of Table A-1", r_squared(reference, stated), 0.99, 5e-3
+    )
     gone = np.abs(stated - Wall.thesis().uplift(at)).max()
     yield close("against rockeom.analysis in m", float(gone), 0, 1e-12)
 
@@ -188,8 +190,8 @@ def _tendon_forces(equation: Equation, relations: Relations) -> Iterator[Finding
     rows = record.at_peak & (record.reading == "clean")
     at = record.displacement[rows]
     stated = of_displacement(relations[0].rhs.subs(th.L_T0, relations[1].rhs))(1e3 * at) * 1e3
-    found = r_squared(record.tendon_force[rows], stated)
-    yield close("R**2 of the 17 legible peaks of Table A-1", found, 0.927, 0.005)
+    computed = r_squared(record.tendon_force[rows], stated)
+    yield close("R**2 of the 17 legible peaks of Table A-1", computed, 0.927, 0.005)
     gone = np.abs(stated / Wall.thesis().tendon_force(at) - 1).max()
     yield close("against rockeom.analysis", float(gone), 0, 1e-5)
 

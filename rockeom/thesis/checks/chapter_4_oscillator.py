@@ -63,9 +63,9 @@ def _passage(equation: Equation, relations: Relations) -> Iterator[Finding]:
 def _peaks_of_constant_r(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """Compare the peaks of 4-27, integrated with the force, with their closed form."""
     force = relations[0].rhs
-    known = peak_sequence(Wall.thesis().restoring_force, 0.025, 0.852, float(PENALTY) / 1e3, 3)
-    found = peaks_of_oscillator(force, lambda speed: 0.852, 25.0, 3)
-    for i, (a, b) in enumerate(zip(found[1:], np.abs(known[1:]) * 1e3, strict=False), 1):
+    reference = peak_sequence(Wall.thesis().restoring_force, 0.025, 0.852, float(PENALTY) / 1e3, 3)
+    computed = peaks_of_oscillator(force, lambda speed: 0.852, 25.0, 3)
+    for i, (a, b) in enumerate(zip(computed[1:], np.abs(reference[1:]) * 1e3, strict=False), 1):
         yield close(f"peak {i} in mm after 25 mm, r = 0.852", a, b, 1e-3)
 
 
@@ -78,9 +78,9 @@ def peaks_of_oscillator(
     """
     elastic, mass = restoring_force(), float(MASS)
     # F_Damp/M_e [m/s2] of r, Delta [mm], velocity [m/s]; the width n is in metres in it
-    given = force.subs(th.M_e, 1).subs(th.Delta, th.Delta / 1000).subs(th.n, PENALTY / 1000)
-    damping = sp.lambdify((th.r, th.Delta, th.Delta_d), given, "math")
-    found = [start]
+    expression = force.subs(th.M_e, 1).subs(th.Delta, th.Delta / 1000).subs(th.n, PENALTY / 1000)
+    damping = sp.lambdify((th.r, th.Delta, th.Delta_d), expression, "math")
+    computed = [start]
     for _ in range(passages):
 
         def growth(place, energy):
@@ -92,21 +92,21 @@ def peaks_of_oscillator(
             return energy[0]
 
         rest.terminal, rest.direction = True, -1  # type: ignore[attr-defined]
-        first = -found[-1] * (1 - 1e-6)
-        energy = stiffer * elastic(found[-1]) * 1e-6 * found[-1]
+        first = -computed[-1] * (1 - 1e-6)
+        energy = stiffer * elastic(computed[-1]) * 1e-6 * computed[-1]
         run = solve_ivp(
             growth,
-            (first, 2 * found[-1]),
+            (first, 2 * computed[-1]),
             [energy],
             events=rest,
             rtol=1e-7,
             atol=1e-8,
-            max_step=found[-1] / 20,
+            max_step=computed[-1] / 20,
         )
         if not len(run.t_events[0]):
             break
-        found.append(float(run.t_events[0][0]))
-    return found
+        computed.append(float(run.t_events[0][0]))
+    return computed
 
 
 def _push(equation: Equation, relations: Relations) -> Iterator[Finding]:
@@ -165,9 +165,9 @@ def _one_band_for_each_speed(bands: sp.Piecewise, jumps: Iterable[float]) -> Ite
     inside = [sp.lambdify(th.Delta_d, condition, "math") for _, condition in bands.args]
     for band, speed in enumerate(jumps):
         for beside, wanted in ((speed - 1e-4, band), (speed + 1e-4, band + 1)):
-            found = [i for i, holds in enumerate(inside) if holds(beside)]
-            what = f"bands at {beside:.4f} m/s, counted from 0: {found}, and that of the text"
-            yield Finding(what, wanted, found == [wanted])
+            computed = [i for i, holds in enumerate(inside) if holds(beside)]
+            what = f"bands at {beside:.4f} m/s, counted from 0: {computed}, and that of the text"
+            yield Finding(what, wanted, computed == [wanted])
 
 
 def bands(function: Callable, jumps: dict[float, float]) -> Callable:
@@ -179,9 +179,9 @@ def bands(function: Callable, jumps: dict[float, float]) -> Callable:
         stated = sp.lambdify(th.Delta_d, relation.rhs, "math")
         for speed in (0.05, 0.2, 0.299, 0.32, 0.36, 0.4, 0.46, 0.48, 0.6, 0.77, 0.79, 0.87):
             for way in BOTH:
-                found = stated(way * speed)
-                yield close(f"r at {way * speed} m/s", found, float(function(speed)), 1e-12)
-                yield Finding("an impact that loses energy", found, 0 < found < 1)
+                computed = stated(way * speed)
+                yield close(f"r at {way * speed} m/s", computed, float(function(speed)), 1e-12)
+                yield Finding("an impact that loses energy", computed, 0 < computed < 1)
         for speed, jump in jumps.items():
             rise = stated(speed + 1e-9) - stated(speed - 1e-9)
             yield close(f"jump at {speed} m/s", rise, jump, 1e-6)
@@ -192,10 +192,10 @@ def bands(function: Callable, jumps: dict[float, float]) -> Callable:
 def _simulated_decay(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """Compare 4-27 with F_k 6 % larger, as in Figure 4-37, with the peaks of Table A-1."""
     stated = sp.lambdify(th.Delta_d, relations[0].rhs, "math")
-    found = peaks_of_oscillator(right("4-28"), stated, FALL, 13, stiffer=1.06)
-    known = sizes_of_peaks()[: len(found)]
-    rms = float(np.sqrt(np.mean((np.array(found) - known) ** 2)))
-    yield Finding("rms error of 13 peaks in mm, below 1.5", rms, len(found) == 14 and rms < 1.5)
+    computed = peaks_of_oscillator(right("4-28"), stated, FALL, 13, stiffer=1.06)
+    reference = sizes_of_peaks()[: len(computed)]
+    rms = float(np.sqrt(np.mean((np.array(computed) - reference) ** 2)))
+    yield Finding("rms error of 13 peaks in mm, below 1.5", rms, len(computed) == 14 and rms < 1.5)
 
 
 # --- 4-39, 4-41 to 4-43: base excitation
@@ -230,8 +230,8 @@ def _at_rest(equation: Equation, relations: Relations) -> Iterator[Finding]:
     (force,) = sp.solve((motion.lhs - motion.rhs).subs(th.F_D, 0), th.F_k)
     yield vanishes("4-41 without damping minus thesis", force - relations[0].rhs, sp.expand)
     stated = relations[0].rhs.subs({th.M_e: 2016, th.Delta_dd: -12, th.a_g: 3})
-    known = float(back_calculated_force(2016, -12, 3))
-    yield close("against rockeom.analysis", float(stated), known, 1e-9)
+    reference = float(back_calculated_force(2016, -12, 3))
+    yield close("against rockeom.analysis", float(stated), reference, 1e-9)
 
 
 def _harmonic(equation: Equation, relations: Relations) -> Iterator[Finding]:

@@ -121,21 +121,21 @@ def peaks_of_block(
 ) -> tuple[list[float], list[float]]:
     """Peaks [mm] of 4-32 and speeds [m/s] of its passages; r depends on the speed."""
     place, energy = corner_potential()
-    found, speeds = [FALL], []
+    sizes, speeds = [FALL], []
     left = float(np.interp(FALL, place, energy))
     for _ in range(passages):
         speeds.append(math.sqrt(2 * left / corner_inertia()) * HEIGHT / 1e3)
         left *= ratio(speeds[-1])
-        found.append(float(np.interp(left, energy, place)))
-    return found, speeds
+        sizes.append(float(np.interp(left, energy, place)))
+    return sizes, speeds
 
 
 def _linear_ratio(equation: Equation, relations: Relations) -> Iterator[Finding]:
     stated = sp.lambdify(th.Delta_d, relations[0].rhs, "math")
     for speed in (0.1, 0.34, 0.78):
         for way in BOTH:
-            known = float(energy_ratio_4_36(speed))
-            yield close(f"r at {way * speed} m/s", stated(way * speed), known, 1e-12)
+            reference = float(energy_ratio_4_36(speed))
+            yield close(f"r at {way * speed} m/s", stated(way * speed), reference, 1e-12)
     slope = stated(1.0) - stated(0.0)
     yield close("0.91 - 0.88 over its slope, in m/s", 0.03 / slope, 0.68, 0.001)
     yield close("r = 0.91 is reached at, in m/s", (0.91 - stated(0.0)) / slope, 1.02, 0.005)
@@ -144,11 +144,11 @@ def _linear_ratio(equation: Equation, relations: Relations) -> Iterator[Finding]
 def _block_decay(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """Compare 4-32 with impacts, as in Figure 4-43, with the peaks of Table A-1."""
     stated = sp.lambdify(th.Delta_d, relations[0].rhs, "math")
-    known = sizes_of_peaks()
+    reference = sizes_of_peaks()
 
     def rms(ratio: Callable[[float], float]) -> float:
-        found, _ = peaks_of_block(ratio, len(known) - 1)
-        return float(np.sqrt(np.mean((np.array(found) - known) ** 2)))
+        sizes, _ = peaks_of_block(ratio, len(reference) - 1)
+        return float(np.sqrt(np.mean((np.array(sizes) - reference) ** 2)))
 
     error = rms(stated)
     yield Finding("rms error of 22 peaks in mm, below 1.6", error, error < 1.6)
@@ -166,8 +166,8 @@ def _moving_lever(equation: Equation, relations: Relations) -> Iterator[Finding]
     distance, _ = EQUATIONS["4-7"].right
     yield vanishes("B minus 4-7, minus thesis", HALF_WIDTH - distance.rhs - relation.rhs, sp.expand)
     far = float(relation.rhs.subs(th.Delta, sp.oo))
-    known = HALF_WIDTH - developed_distance()
-    yield close("once rocking is developed, in mm, against Table A-1", far, known, 2)
+    reference = HALF_WIDTH - developed_distance()
+    yield close("once rocking is developed, in mm, against Table A-1", far, reference, 2)
 
 
 # --- the checks of each equation

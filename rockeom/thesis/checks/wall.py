@@ -156,12 +156,12 @@ def lifted() -> sp.Expr:
     return (2 * HALF_WIDTH - distance) / cos(th.theta)
 
 
-def by_geometry(exact: Callable[[int], sp.Expr], **known: Callable[[int], sp.Expr]) -> Callable:
-    """Check that the right side equals `exact(side)`, after substitution of `known` by symbol."""
+def by_geometry(exact: Callable[[int], sp.Expr], **by_symbol: Callable[[int], sp.Expr]) -> Callable:
+    """Check that the right side equals `exact(side)`, once `by_symbol` replaces its symbols."""
 
     def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
         for side in equation.sides:
-            put = {getattr(th, name): value(side) for name, value in known.items()}
+            put = {getattr(th, name): value(side) for name, value in by_symbol.items()}
             for relation in relations:
                 rest = placed((relation.rhs - exact(side)).subs(put), side)
                 what = f"thesis minus geometry, theta {'>' if side > 0 else '<'} 0"

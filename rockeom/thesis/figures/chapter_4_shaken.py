@@ -66,9 +66,9 @@ def bending(displacement: np.ndarray) -> np.ndarray:
 def figure_4_57() -> Drawn:
     """Uplifts of both edges against the displacement, and the sliding read from them.
 
-    The measured uplifts of the shaking-table tests are lost: drawn are 4-9, which the thesis finds
-    to hold for them unchanged, the points of the free vibration in Table A-1, and a band of
-    2.5 mm of sliding to either side.
+    The measured uplifts of the shaking-table tests are lost. The figure has 4-9, which according to
+    the thesis holds for them unchanged, the points of the free vibration in Table A-1, and a band
+    of 2.5 mm of sliding to either side.
     """
     measured, chosen = identification.FreeVibration.table_a1(), legible()
     figure, *axes = overview_and_origin()
@@ -111,8 +111,8 @@ def figure_4_57() -> Drawn:
 def figure_4_58() -> Drawn:
     """Tendon force against the displacement: 4-16, and the largest of each test in Table 4-2.
 
-    The traces are lost; of each of the five tests with 75 kN its largest displacement and its
-    largest tendon force are printed. The band is 2.5 mm of sliding to either side. The prestress
+    The traces are lost; the thesis prints the largest displacement and the largest tendon force of
+    each of the five tests with 75 kN. The band is 2.5 mm of sliding to either side. The prestress
     of the curve is 75.6 kN.
     """
     tests = rows_of_75_kn()
@@ -191,10 +191,10 @@ def forces_when_still(run: rk.Response) -> tuple[np.ndarray, np.ndarray]:
 
 @thesis_figure(Source.IN_KIND)
 def figure_4_69() -> Drawn:
-    """The static restoring force, 4-30, and what 4-42 reads from a dynamic response.
+    """The static restoring force, 4-30, and the force by 4-42 from a dynamic response.
 
-    The traces are lost. In their place stands `ControlledWall`, the wall by Lagrange's equations
-    with no term dropped, with r = 0.852, under the motion of test run 4 and under 1.4 times it, as
+    The traces are lost. `ControlledWall` replaces them, the wall by Lagrange's equations with all
+    terms, with r = 0.852, under the motion of test run 4 and under 1.4 times it, as
     the first does not go beyond 5 mm; from 1.5 times it on the tendon yields, and the points fall
     below the curve with its prestress. M_e is the whole mass, as in the thesis.
     """
@@ -242,7 +242,7 @@ SHAKEN = 5.0
 
 @cache
 def trials() -> dict[str, design.OscillatorResponse]:
-    """The oscillator under run 4, as 4.9.1.4 changes its backbone and its damping."""
+    """Responses of the oscillator under run 4 with the backbones and damping of 4.9.1.4."""
     mass, n = WALL.mass, WALL.rotation_centre.epsilon
     force = design.tabulated(WALL.restoring_force, 0.06)
     passages = design.PassageDamping(RATIO, n)
@@ -275,12 +275,12 @@ def figure_4_70() -> Drawn:
     """The oscillator with r = 0.852 under the record of test run 4, and other trials.
 
     The motion is the record that the test names, not that of the table, and the measured trace is
-    lost; its peak of 23.91 mm is drawn as a line. Right: the peaks of the changes that 4.9.1.4
-    tries; their values are not stated. Here the other rotation centre is 4-7 referred to the edge,
-    for that of Figure 4-60 is lost, the linear start goes to 2 mm, the bilinear backbone
-    is the nearest up to 30 mm, and viscous damping is that of 2-16 for r at the period of the
-    secant at 2 mm, everywhere or below 5 mm with r besides; that of the tangent stiffness has the
-    same ratio there.
+    lost; a line marks its peak of 23.91 mm. Right: the peaks of the changes that 4.9.1.4 tries;
+    the thesis does not state their values. Here the other rotation centre is 4-7 referred to the
+    edge, since that of Figure 4-60 is lost; the linear start goes to 2 mm; the bilinear backbone is
+    the nearest up to 30 mm. Viscous damping is that of 2-16 for r at the period of the secant at
+    2 mm, either everywhere or below 5 mm together with r; the damping by the tangent stiffness has
+    the same ratio there.
     """
     responses = trials()
     figure = style.new_figure(8.8, 3.6)
@@ -327,9 +327,9 @@ def figure_4_70() -> Drawn:
 def figure_4_71() -> Drawn:
     """Peaks of the oscillator in test run 4 for many r about 0.852.
 
-    The motion of the table is not printed. Here it is the record that was meant, Northridge 1994,
-    Sylmar 360, its time scaled by 0.6 (Table 4-1). The measured curve of the thesis is
-    replaced by the response with r = 0.852. The oscillator is that of 4-37, with all of its mass
+    The motion of the table is not printed. Here it is the intended record, Northridge 1994, Sylmar
+    360, its time scaled by 0.6 (Table 4-1). The response with r = 0.852 replaces the measured
+    curve of the thesis. The oscillator is that of 4-37, with all of its mass
     driven by the ground (4-39).
     """
     record = wall_motion("4")

@@ -25,7 +25,7 @@ from rockeom.thesis.free_vibration_table import STIFFER, WALL, measured_peaks
 FIXED = rk.SimplifiedSubstituteGravityWall.from_wall(WALL)
 """The wall of 4-32, about its corners."""
 STILL = rk.GroundMotion.none(0.5)
-"""Long enough to reach the next peak."""
+"""Free vibration, long enough to reach the next peak."""
 CORNER = formulas.RotationCentre(C1=WALL.half_width, C2=0.0, epsilon=WALL.rotation_centre.epsilon)
 """Rotation centre of 4-37, which ends at the edge."""
 
@@ -128,7 +128,7 @@ def moved(curves: list[tuple[str, History]]) -> list[float]:
 
 
 def oscillator(r: float) -> rk.ControlledWallOscillator:
-    """With all of the mass, and F_k as it follows from the energies."""
+    """The oscillator with the whole mass, and with F_k by the energies."""
     return rk.ControlledWallOscillator.from_wall(WALL, r, effective_mass=WALL.mass)
 
 
@@ -148,8 +148,8 @@ def fitted_ratio(first: int, last: int) -> identification.Fit:
 def figure_4_36() -> Drawn:
     """Free vibration of the equivalent oscillator with one r for all passages, and Table A-1.
 
-    The r of the thesis are not stated but for the first, that of 2-6; here 0.835 by 2-6 about the
-    corner, 0.88 and 0.93. The effective mass is all of the mass, n the epsilon of 4-7, and F_k is
+    The thesis states only the first of its r, that of 2-6; here they are 0.835 by 2-6 about the
+    corner, 0.88 and 0.93. The effective mass is the whole mass, n the epsilon of 4-7, and F_k is
     not raised.
     """
     curves = [(f"r = {r:.3f}", released(oscillator(r))) for r in (HOUSNER, 0.88, 0.93)]
@@ -175,20 +175,20 @@ def figure_4_36() -> Drawn:
 def figure_4_37() -> Figure:
     """Free vibration of the equivalent oscillator with r of 4-31, and Table A-1.
 
-    As the text has it: the effective mass is all of the mass, n is the epsilon of 4-7, F_k is
-    raised by 6 % (here the mass is lowered by as much, which is the same equation), and r is that
-    of the instantaneous velocity, so that it changes within a passage. Dashed: r of a whole
-    passage is that of the speed with which the wall would come upright without losses. The second
+    As in the text, the effective mass is the whole mass, n is the epsilon of 4-7, F_k is raised by
+    6 % (here the mass is lowered by as much, which gives the same equation), and r is that of the
+    instantaneous velocity, so that it changes within a passage. Dashed: r of a whole passage is
+    that of the speed with which the wall would come upright without losses. The second
     and third passages then exceed the limit of 0.78 m/s and lose 5 % instead of 15 %.
     """
     law = rk.EnergyRatioAtSpeed.equation_4_31()
     curves = []
-    for label, held, line in (
+    for label, of_passage, line in (
         ("r of the instantaneous speed", False, {"color": style.LINES[0]}),
         ("r of the whole passage", True, {"color": style.LINES[1], "ls": "--", "lw": 0.8}),
     ):
         wall = rk.ControlledWallOscillator.from_wall(
-            WALL, law, held=held, effective_mass=WALL.mass / STIFFER
+            WALL, law, held=of_passage, effective_mass=WALL.mass / STIFFER
         )
         curves.append((label, released(wall), line))
     return draw_histories(curves)
@@ -198,15 +198,15 @@ def figure_4_37() -> Figure:
 def figure_4_38() -> Drawn:
     """Effect of small changes of r in 4-31 on the free vibration of the equivalent oscillator.
 
-    The deviations of the thesis are not stated; here r is 0.02 larger in one of the three faster
+    The thesis does not state its deviations; here r is 0.02 larger in one of the three faster
     bands of speed at a time. The oscillator is that of Figure 4-37, r that of the instantaneous
-    speed. The differences stand below.
+    speed. The differences are below.
     """
     law = rk.EnergyRatioAtSpeed.equation_4_31()
 
-    def of(given: rk.EnergyRatioAtSpeed) -> rk.Structure:
+    def of(law: rk.EnergyRatioAtSpeed) -> rk.Structure:
         return rk.ControlledWallOscillator.from_wall(
-            WALL, given, held=False, effective_mass=WALL.mass / STIFFER
+            WALL, law, held=False, effective_mass=WALL.mass / STIFFER
         )
 
     curves = [("4-31", released(of(law)))]
@@ -233,7 +233,7 @@ def figure_4_38() -> Drawn:
 def figure_4_39() -> Drawn:
     """Free vibration of the substitute-gravity wall about fixed corners with one r.
 
-    The r of the thesis are not stated but for the first, that of 2-6; here 0.835, and 0.88 and 0.91
+    The thesis states only the first of its r, that of 2-6; here they are 0.835, and 0.88 and 0.91
     of the text.
     """
     curves = [
@@ -379,7 +379,7 @@ def figure_4_41() -> Drawn:
 
 
 class Miss(NamedTuple):
-    """Root mean squares of what the first thirteen peaks are off [mm], and their times [ms]."""
+    """Root mean square errors of the first thirteen peaks [mm] and of their times [ms]."""
 
     peak: float
     time: float
@@ -460,7 +460,7 @@ def draw_law(law: rk.EnergyRatioAtSpeed, name: str) -> Figure:
 def figure_4_44() -> Figure:
     """Changes of R, alpha and b' by a rotation centre that moves, and its path: 4-37.
 
-    4-37 lets the centre go to the edge of the wall, 508 mm, where 4-7, which the tendon's force
+    With 4-37 the centre reaches the edge of the wall, 508 mm, where 4-7, which the tendon's force
     still follows, stops 96 mm before. Both are drawn.
     """
     figure = style.new_figure(7.6, 3.8)
@@ -543,7 +543,7 @@ def figure_4_45() -> Figure:
 def figure_4_47() -> Figure:
     """Effect of 10 % of n on the free vibration of the substitute-gravity wall with 4-38.
 
-    By themselves next to nothing, as the thesis says. But with 1.1 n the third passage has
+    The effect itself is very small, as the thesis says. But with 1.1 n the third passage has
     0.779 m/s, just below the limit of 0.78 m/s where r of 4-38 falls from 0.94 to 0.85, and all
     later peaks are lower.
     """
@@ -573,10 +573,10 @@ def bands_raised(
 def figure_4_48() -> Drawn:
     """Effect of small changes of r in 4-38 on the free vibration of the substitute-gravity wall.
 
-    The text does not state the deviations of the thesis. Here r is 0.02 larger in one of the three
+    The thesis does not state its deviations. Here r is 0.02 larger in one of the three
     faster bands at a time. In the fastest one this brings one more passage, with 0.783 m/s, over
     the limit of 0.78 m/s. In the slowest of them it moves the wall so little that its curve lies
-    under that of 4-38: the differences stand below.
+    under that of 4-38; the differences are below.
     """
     law = rk.EnergyRatioAtSpeed.equation_4_38()
     curves = [("4-38", released(substitute_gravity(), law))]

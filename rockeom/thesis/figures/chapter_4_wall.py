@@ -23,7 +23,7 @@ from rockeom.thesis.wall_tests import back_calculated_force, quarter_period_fit
 
 MM = 1e3
 GAUGE = 0.030
-"""From the edge of the wall out to the uplift gauge [m]."""
+"""Distance from the edge of the wall outward to the uplift gauge [m]."""
 
 
 def legible() -> np.ndarray:
@@ -72,7 +72,7 @@ def figure_4_17() -> Figure:
 
     The distances of the table count from the uplift gauge, 30 mm outside the edge: at the peaks
     its own uplifts of the edges place the centre 30 mm nearer. Referred to the edge, 4-7 has 442
-    and 66 mm in place of the printed 412 and 96 mm. All are drawn here as seen from the gauge.
+    and 66 mm in place of the printed 412 and 96 mm. All curves count from the gauge.
     """
     measured = identification.FreeVibration.table_a1()
     d = symmetric(0.032)
@@ -100,8 +100,7 @@ def figure_4_17() -> Figure:
 def figure_4_18() -> Figure:
     """Uplift of both edges of the base against the displacement: 4-9 and Table A-1.
 
-    The curve of 4-9 is continued to the pressed edge, which it takes down by
-    (B - b) sin(theta).
+    The curve of 4-9 continues to the pressed edge, whose uplift it makes -(B - b) sin(theta).
     """
     measured = identification.FreeVibration.table_a1()
     figure, *axes = overview_and_origin()
@@ -128,10 +127,10 @@ def figure_4_18() -> Figure:
 
 
 def tilted_wall(ax: Axes, b: float, theta: float) -> dict[str, np.ndarray]:
-    """The wall of Figure 4-4 turned clockwise through theta about a point b from its centreline.
+    """Draw the wall of Figure 4-4, rotated clockwise by theta about a point b off its centreline.
 
-    Returns its points: the rotation centre, the edges, the foot and the top of the tendon on the
-    centreline, and the centroid.
+    Returns its points by name: the rotation centre, the edges, the foot and the top of the tendon
+    on the centreline, and the centroid.
     """
     half, height = WALL.half_width, WALL.height
     low, high = 0.0, height
@@ -266,7 +265,7 @@ def figure_4_20() -> Drawn:
     """Force of the tendon against the displacement: 4-16 and Table A-1.
 
     With the stiffness of appendix B, an unstressed length of 3093.5 mm; 4-16 adds the extension
-    to the distance of the anchors instead of taking it off. The curve lies above the peaks. Dotted
+    to the distance of the anchors instead of subtracting it. The curve lies above the peaks. Dotted
     is 4-16 with its initial force and its stiffness fitted to the legible peaks.
     """
     measured = TendonOfTable.fitted()
@@ -295,8 +294,8 @@ def figure_4_20() -> Drawn:
 def figure_4_24() -> Drawn:
     """Quarter periods against the peak: 4-17, the fit 4-5, quadrature, and Table A-1.
 
-    Not in the thesis: the time of a conservative motion to upright, 4-24. It ends at D = 0, the
-    measured one at the instant without acceleration, a millimetre or two before.
+    The thesis does not have the time of a conservative motion to upright, 4-24. It ends at D = 0,
+    the measured one at the instant without acceleration, a millimetre or two before.
     """
     measured = identification.FreeVibration.table_a1()
     starts = np.flatnonzero(measured.at_peak[:-1])
@@ -350,7 +349,7 @@ def figure_4_24() -> Drawn:
 def figure_4_32() -> Figure:
     """Trajectories without losses from measured peaks, 4-23, and the measured zero crossings.
 
-    Only both ends of the measured trajectories are printed, in Table A-1. Their distance from the
+    Table A-1 has only both ends of the measured trajectories. Their distance from the
     curves at the zero crossing is the energy lost by then: about half of r.
     """
     measured = identification.FreeVibration.table_a1()
@@ -412,7 +411,7 @@ def figure_4_35() -> Figure:
     """Restoring force F_k of the wall against displacement, 4-30, and -M a at measured peaks.
 
     The force of 4-30 is the exact derivative of the energies, where the thesis has differences.
-    Measured is -M_e a at the peaks of Table A-1, as 4-42 has it, with the whole mass for M_e.
+    The points are -M_e a at the peaks of Table A-1, by 4-42, with the whole mass for M_e.
     """
     measured = identification.FreeVibration.table_a1()
     rows = measured.at_peak & legible()
