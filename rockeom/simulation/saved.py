@@ -26,28 +26,10 @@ from rockeom.simulation.steps import Steps
 from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.classes import SHIPPED
 from rockeom.structures.declared import DeclaredStructure
-from rockeom.structures.impact_laws import (
-    AngularMomentum,
-    EnergyLossAtSpeed,
-    EnergyRatio,
-    EnergyRatioAtSpeed,
-    ImpactLaw,
-    Impulsive,
-    RandomEnergyRatio,
-    VelocityRatio,
-)
+from rockeom.structures.impact_laws import LAWS, ImpactLaw
 
 FORMAT = 1
 """Format of the files: a higher one is refused. A change of it must still read the lower ones."""
-
-LAWS = {
-    law.__name__: law
-    for law in (
-        AngularMomentum, EnergyLossAtSpeed, EnergyRatio, EnergyRatioAtSpeed, Impulsive,
-        RandomEnergyRatio, VelocityRatio,
-    )
-}  # fmt: skip
-"""Impact laws that a file may name."""
 
 NAMES = {FixedBase: "fixed_base", SolverOptions: "options"} | {law: n for n, law in LAWS.items()}
 """Names of classes in files; a structure goes by its `model`, a support by its `kind`."""

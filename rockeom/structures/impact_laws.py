@@ -11,7 +11,7 @@ from __future__ import annotations
 import inspect
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, is_dataclass
 from functools import cached_property
 from itertools import pairwise
 from typing import Any, NamedTuple, Protocol
@@ -531,12 +531,10 @@ class RandomEnergyRatio(TabulatedLaw):
 
 
 LAWS: dict[str, Any] = {
-    law.__name__: law
-    for law in (
-        AngularMomentum, EnergyLossAtSpeed, EnergyRatio, EnergyRatioAtSpeed, Impulsive,
-        RandomEnergyRatio, VelocityRatio,
-    )
-}  # fmt: skip
+    name: law
+    for name, law in globals().items()
+    if isinstance(law, type) and is_dataclass(law) and hasattr(law, "resolve")
+}
 """The impact laws by name: those that a file of a response may hold."""
 
 
