@@ -150,6 +150,6 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    """What is ours: not what this file needs to find it."""
+    """The public names, without those that this file needs for itself."""
     dunder = (name for name in globals() if name.startswith("__"))
     return sorted({*dunder, *_NAMESPACES, *__getattr__("__all__")})

@@ -1,7 +1,7 @@
 """The numbers that stand for words wherever parts of a program meet, each in its only home.
 
-A generated module, the step of a method, the loop, lanes and Python take them from here. What the
-parts ask of one another by name is declared in `rockeom/integrator/interface.pyi`.
+A generated module, the step of a method, the loop, lanes and Python take them from here.
+`rockeom/integrator/interface.pyi` declares the functions that the parts call in one another.
 """
 
 import numpy as np
@@ -30,8 +30,8 @@ found again."""
 
 FULL = 9  # it has not: the records must be emptied before the loop goes on, or a turn is over
 
-# Kinds of guards, by the passage that they end a contact state with; and the end of infinitely
-# many impacts, a kind of event without a guard
+# Kinds of guards, by the event that ends a mode; and the end of infinitely many impacts, a kind of
+# event without a guard
 IMPACT, UPLIFT, SWITCH, REST = range(4)
 KIND_OF = {"impact": IMPACT, "uplift": UPLIFT, "switch": SWITCH}
 
@@ -42,19 +42,19 @@ LANDING, LIFTING, SLIPPING, STICKING = range(4, 8)
 STEPPED_OVER = -2
 """In place of the guard of a REST that is a step over events without end, see `step_over`."""
 
-# States of such a point, and what is said where no contact state follows, or several may
+# States of such a point, and results where no mode follows, or several may
 # (one that is closed without friction slips or not, as the rest of the structure moves it)
 OPEN, STICK, SLIP_RIGHT, SLIP_LEFT, FRICTIONLESS = range(5)
 IMPOSSIBLE, AMBIGUOUS = -1, -2
 
-# What is said of a step in which no guard is known to fall
+# Verdicts on a step in which no guard is known to fall
 STAYS_OPEN, UNCLEAR = -1, -2
 
 MOST_DIGITS = 52
-"""Of a number that says which guards of a contact state are closed: as a float it is exact."""
+"""Digits of a number that says which guards of a mode are closed: as a float it is exact."""
 
 MOST_CONTACT_STATES = 4096
-"""Of a structure whose contacts may open, slide and bounce, or whose elements switch."""
+"""Modes of a structure whose contacts may open, slide and bounce, or whose elements switch."""
 
 NEVER_SLIPS = 1e300
 """The coefficient of friction of a point that never does."""
@@ -67,23 +67,23 @@ ENERGY_ROUNDING = 1e-9
 # an impact may lose next to nothing where the next one, on the other foot, loses much
 RATIO, IMPULSIVE, TABULATED, UNEVEN = range(4)
 
-# What `integrate` must know of a motion to go on with it, by columns of `status`
+# The status of a motion, with which `integrate` goes on, by columns of `status`
 (
     CONTACT,
     TOUCHING,  # the guard that is closed now, or -1
     IMPACTS,  # so far
     STEPS,  # steps so far, with those refused
-    IDLE,  # passages since time last moved
+    IDLE,  # events since time last moved
     GUARD_DUE,  # 1 where a guard may be due
     RATE_STALE,  # 1 where the rate must be found anew
     STEPS_KEPT,  # in the record, since it was emptied
     EVENTS_KEPT,
-    REFINED,  # laws of the ground in which equal steps would have been too long
+    REFINED,  # segments in which equal steps would have been too long
 ) = range(10)
 AT_THE_START = np.array([0, -1, 0, 0, 0, 1, 1, 0, 0, 0])
 AT_THE_START.flags.writeable = False
-"""The status of a motion that begins in contact state 0."""
+"""The status of a motion that begins in mode 0."""
 
 # and of `clock`: time, the next step (0: unknown), the error of the last step (0: of none), the end
-# of the law whose equal steps are refined (0: of none)
+# of the segment whose equal steps are refined (0: of none)
 TIME, NEXT_STEP, LAST_ERROR, REFINED_TO = range(4)

@@ -1,4 +1,4 @@
-"""The commands: a line on each, and their modules, each imported only where it is asked for.
+"""The commands: a line on each, and their modules, each imported only where it is needed.
 
 So `rockeom --help` imports none of them, and `rockeom simulate` neither SymPy nor the thesis.
 """

@@ -17,8 +17,8 @@ from rockeom.symbolic.write.typeset import content
 
 DESCRIPTION = """\
 Derive the equations of motion, energies, support reactions, impact maps and uplift conditions
-of a structure from the positions of its masses, and show them. Takes some seconds. A family and
-what it stands on are said behind the name, see `rockeom models`.
+of a structure from the positions of its masses, and show them. Takes some seconds. Arguments
+of a family and its support follow the name, see `rockeom models`.
 """
 EPILOG = """\
 examples:

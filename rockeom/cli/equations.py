@@ -112,7 +112,7 @@ def _shown(decision: Decision, columns: int) -> str:
         blocks += ["As it should be:", Display(tuple(one.lines("corrected"))), one.reason]
     blocks += [text for text in (one.remark, one.undetermined) if text]
     blocks += ["Symbols:", Table(("", "", ""), _symbols(one))]
-    blocks.append("What decides it:")
+    blocks.append("Decided by:")
     text = to_text(blocks, columns)
     lines = []
     for check in decision.checks:

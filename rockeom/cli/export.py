@@ -23,7 +23,7 @@ Write what is simulated for another program, as one self-contained file.
             support=two_springs, under a ground motion: corotational elements on springs that
             press and never pull
 
-For c and matlab a family and what it stands on are said behind the name, as in `rockeom derive`;
+For c and matlab arguments of a family and its support follow the name, as in `rockeom derive`;
 for opensees the parameters and the motion, as in `rockeom simulate`.
 """
 EPILOG = """\
@@ -109,7 +109,7 @@ def _code(args: argparse.Namespace) -> tuple[str, str]:
     if given or args.free:
         raise UsageError(
             f"--{(given or ['free'])[0]} is for opensees: {args.language} holds functions of any "
-            "parameters; a family's own are said behind the name, as storeys=3"
+            "parameters; a family's own follow the name, as storeys=3"
         )
     arguments = details(args.arguments)
     if arguments.get("support") == "pinned":  # as if not given

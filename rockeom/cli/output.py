@@ -54,7 +54,7 @@ def peak(run: Response, name: str) -> tuple[float, float]:
 def write_csv(run: Response, path: Path) -> None:
     """Time, mode and all quantities, headed by names with units.
 
-    The instant of a jump stands in two rows, before and after.
+    The instant of a jump has two rows, before and after.
     """
     unit = units_with_time(run.structure.module, run.units)
     names = [*main_units(run.structure.module)]

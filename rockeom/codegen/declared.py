@@ -89,7 +89,7 @@ def _of_guards(model: HybridModel) -> list[str]:
 def _closed(model: HybridModel, contact: str) -> list[int]:
     """For each guard of a mode: the one of its target that leads back, or -1.
 
-    It is zero on entering, up to rounding, and must not be taken for another event.
+    It is zero on entering, up to rounding, and must not count as another event.
     """
     back = []
     for t in _outgoing(model, contact):

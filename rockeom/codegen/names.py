@@ -110,7 +110,7 @@ def _letter(c: str) -> str:
 
 
 def docstring(text: str, indent: str = "") -> str:
-    """A docstring that says `text`, whatever stands in it."""
+    """A docstring that says `text`, whatever letters that has."""
     written = "".join(_LETTERS.get(c) or _letter(c) for c in text).replace('"""', r"\"\"\"")
     if written.endswith('"'):
         written = f'{written[:-1]}\\"'

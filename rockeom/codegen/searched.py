@@ -300,7 +300,7 @@ class Guard:
 
 
 def guards_of(of: ContactDeclaration, pattern: Pattern) -> list[Guard]:
-    """The guards of a pattern in the order in which they stand in g, elements last."""
+    """The guards of a pattern in the order that they have in g, elements last."""
     found: list[Guard] = []
     for i, state in enumerate(pattern.states):
         if state == OPEN:
@@ -618,8 +618,8 @@ def _tables(written: Written) -> list[str]:
     longest_row = max(1, *map(len, guards_in.values()))
     if of.contacts and longest_row > MOST_DIGITS:
         raise ValueError(
-            f"{of.name}: its contacts and elements have {longest_row} guards in one contact "
-            f"state, more than {MOST_DIGITS}: declare fewer of them"
+            f"{of.name}: its contacts and elements have {longest_row} guards in one mode, "
+            f"more than {MOST_DIGITS}: declare fewer of them"
         )
     slips = max(len(mode.slipping) for mode in modes.derived)
     return [

@@ -85,8 +85,8 @@ def unsymmetric(
     """The same of a matrix that friction makes unsymmetric.
 
     Unknowns whose rows and columns friction leaves alike are eliminated first: theirs is the
-    matrix of a motion without friction, whose pivots are positive. Of the others, one or two are
-    found by determinants, which may change sign with friction while no pivot would show it.
+    matrix of a motion without friction, whose pivots are positive. One or two others are found by
+    determinants, which may change sign with friction while no pivot would show it.
     """
     n = matrix.rows
     alike = [i for i in range(n) if all(tidy(matrix[i, j] - matrix[j, i]) == 0 for j in range(n))]
@@ -207,8 +207,8 @@ def _collect(
 def _symmetric(n: int, out: Sequence[str], indent: str, known: bool = False) -> list[str]:
     """Lines that solve a symmetric n x n system by L D L^T, written out without loops.
 
-    The entries stand in m00, m10, m11 (lower triangle) and f0, f1. Where the first reciprocal
-    pivot is `known`, it stands in r0, and m00 nowhere.
+    The entries are m00, m10, m11 (lower triangle) and f0, f1. Where the first reciprocal pivot
+    is `known`, r0 holds it, and m00 does not occur.
     """
     lines = []
     for j in range(n):

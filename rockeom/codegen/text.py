@@ -1,7 +1,7 @@
 """The text of a generated module as it grows: the names in it, its constants, its functions.
 
-What is written stands in `rates`, `guards`, `jump`, `outputs` and `parameters`: each has one
-function that adds to the text. Here is what they have in common.
+`rates`, `guards`, `jump`, `outputs` and `parameters` write it: each has one function that adds to
+the text. This file holds what they have in common.
 """
 
 from __future__ import annotations
@@ -226,7 +226,7 @@ class Text:
     ) -> None:
         """Add a function with a branch for each mode, and the lines behind them.
 
-        Phases of which the same is to be said share a branch.
+        Modes that have the same lines share a branch.
         """
         branches: dict[tuple[str, ...], list[Mode]] = {}
         for mode in self.model.modes:

@@ -2,7 +2,7 @@
 
 Generated modules, steps, the loop and the lanes are written in a closed part of Python: numbers,
 tuples of them, arrays that are passed in, calls, `while`, `for ... in range(...)`, `if`. Its
-meaning here is that of Python, but for what is said of machine numbers below; everything else is
+meaning here is that of Python, but for the rules of machine numbers below; everything else is
 refused by file and line.
 
     int       64 bits; what overflows is undefined. a // b and a % b for what cannot be negative

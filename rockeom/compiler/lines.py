@@ -161,8 +161,8 @@ class Lines:
     """The lines of one function; each variable is a place on the stack, which is called by it.
 
     arguments : names of variables that are given. fused : a*b + c may be rounded once.
-    declared : takes what is called of other libraries, by name. again : what is said of each loop
-    over a range where it jumps back.
+    declared : takes what is called of other libraries, by name. again : text added to each jump
+    back of a loop over a range.
 
     An operation on values of other types raises Unfit.
     """

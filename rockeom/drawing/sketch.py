@@ -145,7 +145,7 @@ class Sketch:
             free_body.mass(ax, centre, size=6.0)
 
     def _feet_of(self, name: str) -> list[str]:
-        """Feet that are points of a body, where nothing is said of how it looks."""
+        """Feet that are points of a body, where no shape is declared."""
         if any(name in (member.start, member.end) for member in self.shapes.members):
             return []
         slips = np.abs(self.now.seen_from(name) - self.moved.seen_from(name)).max(axis=1)

@@ -52,8 +52,8 @@ _OF_POINTS = '''
 def impact(contact, guard, y, p, ax, ay, out):
     """Pass through what a guard that fell leads to: state after into out (N,).
 
-    At a landing all points that touch meet by their restitution and friction at once; the contact
-    state that follows is that whose impulses, and then forces, fit. Returns its number, -1 where
+    At a landing all points that touch meet by their restitution and friction at once; the mode
+    that follows is that whose impulses, and then forces, fit. Returns its number, -1 where
     none fits, -2 where several do that move differently.
     """
     known, ground = np.empty(N_KNOWN), np.empty(5)
@@ -94,7 +94,7 @@ class Described:
         return next((line for line in lines if line.startswith("Source: ")), "")
 
     @property
-    def passage(self) -> str:
+    def transition(self) -> str:
         """The function that gives the state after the end of a mode."""
         return "impact" if "impact" in self.entries else "jump"
 
@@ -172,7 +172,7 @@ class Described:
         return [
             "`prepare` is called once for a set of parameters; it gives the p of all others.",
             "Within a mode integrate `rates` while all its `guards` are positive. Where",
-            f"the first of them falls to zero, `{self.passage}` gives the state after it.",
+            f"the first of them falls to zero, `{self.transition}` gives the state after it.",
         ]
 
     def arguments(self, function: Function, given: Sequence[str]) -> list[tuple[str, str]]:
@@ -408,7 +408,7 @@ def _matlab(described: Described) -> str:
         f"    m = {called}();  p = m.prepare(parameters);  dy = m.rates(contact, y, p, ax, ay);",
         "",
         "Arrays that a function fills are what it gives, behind a value of its own, as in",
-        f"[follows, y] = m.{described.passage}(...).",
+        f"[follows, y] = m.{described.transition}(...).",
         "Modes, guards and impact laws are numbered from 0.",
     ]
     lines = [f"function m = {called}()", *(f"    % {line}".rstrip() for line in head)]

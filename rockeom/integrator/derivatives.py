@@ -1,7 +1,7 @@
 """Functions of numbers with derivatives, which a program that carries derivatives calls.
 
 `f_of_duals` replaces a function f of the texts whose text is not its own derivative: it rounds
-on its way, or is a series that was cut. Of `math.f` see `rockeom.numbers.derivatives`.
+on its way, or is a series that was cut. `rockeom.numbers.derivatives` has those of `math.f`.
 """
 
 import math

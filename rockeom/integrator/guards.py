@@ -68,7 +68,7 @@ def rocking(mode):
 
 @inlined
 def stays_open(gap, touching):
-    """Whether the gap of a rocking phase clearly stays open in a step, without dense output.
+    """Whether the gap of a rocking mode clearly stays open in a step, without dense output.
 
     gap : as of `gap_at_ends`. Where all coefficients are positive by a margin far above its error,
     there is no root; what leaves from rest is zero for long, but for rounding, see `rounding`.
@@ -81,7 +81,7 @@ def stays_open(gap, touching):
 
 
 def closes_once(gap, touching):
-    """Place in a step at which the gap of a rocking phase clearly closes, once, or NEVER.
+    """Place in a step at which the gap of a rocking mode clearly closes, once, or NEVER.
 
     Where the coefficients change their sign once, by a margin as in `stays_open`, there is one
     root.

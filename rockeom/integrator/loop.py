@@ -11,8 +11,8 @@ stages:
     accept           record it, and go on from its end
     leave_mode       the event: the mode that follows, and the end of infinitely many impacts
 
-What follows an event is the work of a contract of functions, which `transitions/table.py` fulfils
-for declared modes, and `transitions/search.py` for points that may open, slide and bounce.
+A contract of functions gives the transition at an event. `transitions/table.py` fulfils it for
+declared modes, `transitions/search.py` for points that may open, slide and bounce.
 
 This text is joined to others, see `rockeom.integrator.program`.
 """

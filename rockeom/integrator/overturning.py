@@ -62,9 +62,9 @@ def bound_passed(state, coefficients, bound, b, stack):
 
 
 def leans_most(extremes, fallen, p):
-    """Of what may fall, the state that has come nearest to its bound, and how far it has come.
+    """The state, of those that may fall, nearest to its bound, and how far it has come.
 
-    That of another coordinate than the rotation counts beside its bound as the rotation's does.
+    Another coordinate than the rotation counts against its bound as the rotation does.
     """
     leaning, leans = ROTATION, max(-extremes[0, ROTATION], extremes[1, ROTATION])
     if N_FALLS > 0:

@@ -253,7 +253,7 @@ def _printed(generated: GeneratedModule, method: str, part: str, bounds: bool = 
     from rockeom.compiler.printer import GROWTH, Program as Printed
 
     # a loop over lanes becomes one of vectors only where it calls nothing
-    growth = 0.1 * GROWTH if has_points(generated) else GROWTH  # they have many mechanisms
+    growth = 0.1 * GROWTH if has_points(generated) else GROWTH  # they have many modes
     growth = math.inf if part == VECTORS else growth
     with _nothing_collected():
         return Printed(joined_texts(generated, method, part), growth=growth, bounds=bounds)
@@ -272,7 +272,7 @@ def _nothing_collected() -> Iterator[None]:
 
 
 def joined_texts(generated: GeneratedModule, method: str, part: str) -> list[Text]:
-    """What a part of a program is printed from; entries of the other parts are called."""
+    """The texts that a part of a program is printed from; it calls the entries of other parts."""
     own = {LOOP: _LOOPS, VECTORS: (VECTORS,), GLUE: (_LANES,), TANGENTS: (_VARIATIONAL,)}[part]
     found = texts(generated, method, part in (VECTORS, GLUE))
     if part == TANGENTS:

@@ -1,4 +1,4 @@
-"""What the loop carries from stage to stage, in records with named fields.
+"""Records, with named fields, that the loop carries from stage to stage.
 
 This text is joined to others, see `rockeom.integrator.program`.
 """
@@ -23,7 +23,7 @@ class Ground(NamedTuple):
 
 
 class Case(NamedTuple):
-    """What stays the same in a motion.
+    """Data that stay the same in a motion.
 
     t_end : the end of the motion. horizontal, vertical (m, 7) : the ground motion, each row start,
     end, kind and constants of a segment; no step straddles an end, and behind the last one the

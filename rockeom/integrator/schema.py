@@ -1,4 +1,4 @@
-"""What a generated module offers, and what follows from that alone."""
+"""The interface of a generated module, and functions that follow from it alone."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ def digest(*texts: str) -> str:
 
 
 def source(generated: Any) -> str:
-    """Of a file, or of what `load_text` has put in its place."""
+    """The text of a module: of its file, or as `load_text` was given it."""
     return "".join(linecache.getlines(str(generated.__file__)))
 
 

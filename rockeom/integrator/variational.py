@@ -1,8 +1,8 @@
 """Derivatives carried along a motion: one text for every structure and method.
 
 Joined behind the loop, see `rockeom.integrator.program`, and printed for numbers with derivatives:
-the steps that a motion was made of are taken once more, with all derivatives in them. What moved
-is known by then, so that the motion itself is the same to the last bit, with or without.
+the steps that a motion was made of are repeated with all derivatives in them. The motion is
+known by then, so that it is the same to the last bit, with derivatives or without.
 
 Derivatives are those at a fixed time, but beside an event: it moves with the numbers that the
 motion depends on, by
@@ -10,7 +10,7 @@ motion depends on, by
     tau = -dg / (dg/dt along the motion)
 
 of the guard g that falls there; the states on both sides are followed as they move with it, through
-the same passage as in the loop, and taken back to the fixed time by the rates on either side.
+the same transition as in the loop, and back to the fixed time by the rates on either side.
 """
 
 from __future__ import annotations

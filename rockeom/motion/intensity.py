@@ -1,6 +1,6 @@
 """How strong a ground motion is: its peaks, energies and durations, exact within its segments.
 
-What is said of the acceleration alone holds between the samples, too: a segment is divided where
+Measures of the acceleration alone hold between the samples, too: a segment is divided where
 its acceleration changes sign or turns, and integrals over the parts are by Gauss's rule with eight
 places, which leaves rounding errors alone.
 """
@@ -153,8 +153,8 @@ def mean_period(motion: Motion) -> float:
     """Mean period of the Fourier spectrum [s]: sum(C**2/f)/sum(C**2) from 0.25 to 20 Hz.
 
     C : Fourier amplitudes of the samples, at frequencies f no more than 0.05 Hz apart, for which a
-        record of less than 20 s is followed by zeros. A motion without samples is taken 400 times a
-        second.
+        record of less than 20 s is followed by zeros. A motion without samples is sampled 400 times
+        a second.
     Source: Rathje, Abrahamson and Bray, Journal of Geotechnical and Geoenvironmental Engineering
     124 (1998) 150-159. nan for a motion that does not shake in that band.
     """

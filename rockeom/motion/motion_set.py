@@ -85,7 +85,7 @@ class MotionSet(Sequence[GroundMotion]):
             the name of its file says so (UP, DWN, UD, V, VERT, Z, HNZ); a warning names those that
             "horizontal" leaves out.
 
-        The motions stand in the order of their names. Raises MotionError where no file has such a
+        The motions are in the order of their names. Raises MotionError where no file has such a
         name or is of such a component, and where one cannot be read: it tells of all that cannot.
         """
         folder = Path(path)

@@ -124,7 +124,7 @@ def read_channels(
 
 
 def _full(table: _Table, name: str) -> str:
-    """The heading that is called `name` once its unit is taken off, or `name` itself."""
+    """The heading that is called `name` without its unit, or `name` itself."""
     found = [n for n in table.names if _BRACKETED.sub("", n).strip() == name]
     return found[0] if len(found) == 1 else name
 
@@ -720,8 +720,8 @@ def _last_printed_digit(last_digits: np.ndarray, leading: np.ndarray) -> np.ndar
     """Unit of the last digit (n,) of printed numbers, whether decimals or digits are fixed.
 
     last_digits, leading : (n,) powers of ten of the last and of the first digit of each. A single
-    number does not tell, "1" may stand for 1.00; so the file's largest number of decimals and of
-    significant digits are taken together.
+    number does not tell, "1" may stand for 1.00; so the file's largest numbers of decimals and of
+    significant digits count together.
     """
     digits = (leading - last_digits).max()
     with np.errstate(over="ignore"):

@@ -30,7 +30,7 @@ class Collection(NamedTuple):
     extra: str
     """The extra of rockeom that brings all of it."""
     titles: Callable[[], dict[str, Stored]]
-    """Its records by all that is said of them: earthquake, year, station, component, set."""
+    """Its records by their descriptions: earthquake, year, station, component, set."""
 
     @property
     def is_installed(self) -> bool:

@@ -1,7 +1,7 @@
 """Many numbers that are handled as one: a text for one case, run for many at once.
 
 A `Many` holds a number of each of n cases and calculates as a number does, for all of them and,
-to the last bit, as each would by itself. Where one number is asked for (`if x > 0`, `math.sin(x)`,
+to the last bit, as each would by itself. Where one number is needed (`if x > 0`, `math.sin(x)`,
 `round(x)`, a key of a dict) and the cases differ, it raises `Differs`, which tells the cases apart:
 whoever began does each part by itself, until all of a part agree.
 """
@@ -105,7 +105,7 @@ class Many(NDArrayOperatorsMixin, Compound):
     def __repr__(self) -> str:
         return f"<numbers of {len(self.values)} cases>"
 
-    # -- where one number is asked for
+    # -- where one number is needed
 
     def __float__(self) -> float:
         return float(self.one())

@@ -152,7 +152,7 @@ class Dual(Compound):
     value : the number, a float. tangent : (m,) its derivatives. All duals of a calculation have the
     same directions: those of `duals`, for instance, are the parameters that it was given.
 
-    It is compared by its value. Where a float is asked for it raises TypeError, so that no
+    It is compared by its value. Where a float is needed it raises TypeError, so that no
     derivative is lost in silence: take `.value`. It is no key of a dict: two that are equal may
     have other derivatives.
 
@@ -186,7 +186,7 @@ class Dual(Compound):
 
     def __float__(self) -> NoReturn:
         raise TypeError(
-            f"{self!r} is asked for as a float, which has no derivatives: take its `.value` where "
+            f"{self!r} is needed as a float, which has no derivatives: take its `.value` where "
             "none are wanted; `rk.tangents` carries them through a motion"
         )
 

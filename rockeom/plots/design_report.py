@@ -270,8 +270,8 @@ class DesignReport:
         )
         bottom = _draw_table(figure, top - 0.395, self.columns, self.rows, len(self.results))
         for heading, sentences in (
-            ("What was found", self.findings),
-            ("What was assumed, and how far it held", self.assumptions),
+            ("Results", self.findings),
+            ("Assumptions, and how far they held", self.assumptions),
         ):
             figure.text(0.07, bottom, heading, fontsize=9, weight="bold", va="top")
             bottom -= 0.017
@@ -443,11 +443,11 @@ th:first-child, td:first-child {{ text-align: left }}
 <dl>{facts}</dl>
 <img alt="displacement under the worst record, base shear and displacement under all records"
  src="data:image/svg+xml;base64,{svg}">
-<h2>What was found</h2><ul>{findings}</ul>
+<h2>Results</h2><ul>{findings}</ul>
 <table><thead><tr>{head}</tr></thead><tbody>
 {body}
 </tbody></table><p>{shown}</p>
-<h2>What was assumed, and how far it held</h2><ul>{assumptions}</ul>
+<h2>Assumptions, and how far they held</h2><ul>{assumptions}</ul>
 </body></html>
 """
 

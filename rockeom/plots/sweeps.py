@@ -16,6 +16,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from rockeom import renamed
 from rockeom.analysis.dynamics.overturning import impacts_before_overturning
 from rockeom.analysis.risk.fragility import Fragility, fragility_of
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
@@ -285,9 +286,10 @@ def _looks(ax: Axes, sweep: xr.Dataset, by: str | None, n: int) -> list[dict[str
 # --- how likely it is
 
 
+@renamed.arguments(found="result")
 @style.styled
 def fragility_curve(
-    found: xr.Dataset | Fragility,
+    result: xr.Dataset | Fragility,
     *,
     intensity: str = "intensity",
     demand: str | None = None,
@@ -300,7 +302,7 @@ def fragility_curve(
         fragility_curve(sweep, intensity="pga")
         fragility_curve(sweep, intensity="pga", demand="theta", limit=0.05)
 
-    found : a sweep, or a curve that `analysis.risk.fit_fragility` has fitted.
+    result : a sweep, or a curve that `analysis.risk.fit_fragility` has fitted.
     intensity, demand, limit : as of `analysis.fragility_of`; of overturning without the latter two.
         `intensity` labels the axis of a curve that is given.
     level : probability of the bounds at an intensity; they come from the Fisher information.
@@ -309,11 +311,11 @@ def fragility_curve(
     Dots are the fractions observed. Raises ValueError where no curve is most likely, as
     `analysis.risk.fit_fragility` says.
     """
-    if isinstance(found, Fragility):
-        curve, label = found, style.plain(intensity.replace("_", " "))
+    if isinstance(result, Fragility):
+        curve, label = result, style.plain(intensity.replace("_", " "))
     else:
-        curve = fragility_of(found, intensity=intensity, demand=demand, limit=limit)
-        label = coordinates.label(found, intensity)
+        curve = fragility_of(result, intensity=intensity, demand=demand, limit=limit)
+        label = coordinates.label(result, intensity)
     if ax is None:
         ax = style.new_figure(5.4, 3.8).add_subplot()
     levels, fractions = curve.fractions()
@@ -328,13 +330,13 @@ def fragility_curve(
             label="observed", clip_on=False)  # fmt: skip
     ax.plot([curve.median] * 2, [0.0, 0.5], ":", color=style.INK, lw=0.9)
     ax.set(xlabel=label, xlim=(0.0, end), ylim=(0.0, 1.0))
-    ax.set_ylabel(_event(demand, limit, found))
+    ax.set_ylabel(_event(demand, limit, result))
     _, _, unit = label.partition(" [")
-    told = f"median {curve.median:.4g} {unit.rstrip(']')}".rstrip(" -")
-    told += f", dispersion {curve.dispersion:.3g}, {curve.number.sum():g} motions"
+    title = f"median {curve.median:.4g} {unit.rstrip(']')}".rstrip(" -")
+    title += f", dispersion {curve.dispersion:.3g}, {curve.number.sum():g} motions"
     if curve.left_out:
-        told += f", {curve.left_out} without an answer left out"
-    ax.set_title(told, fontsize=8.5)
+        title += f", {curve.left_out} without an answer left out"
+    ax.set_title(title, fontsize=8.5)
     ax.legend(loc="lower right")
     return style.parent_figure(ax)
 
@@ -379,7 +381,7 @@ def incremental_dynamic_analysis(
     the band where so many records overturn. Source: Vamvatsikos and Cornell (2002), Earthquake
     Engineering and Structural Dynamics 31(3), 491-514.
 
-    Raises ValueError for names that the sweep does not have, where `record` is not told, and for
+    Raises ValueError for names that the sweep does not have, where `record` is missing, and for
     cases that were not run.
     """
     function = "incremental_dynamic_analysis"

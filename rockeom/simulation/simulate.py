@@ -69,7 +69,7 @@ def simulate(
         ValueError: `at`, works and other extremes, `support`.
 
     Raises ValueError for states that are unknown, not finite or already fallen over, and TypeError
-    for an argument of another kind than is asked for.
+    for an argument of the wrong kind.
     """
     if keep not in KEEP:
         raise ValueError(f"keep is {described(keep)}: choose {' or '.join(map(repr, KEEP))}")

@@ -153,8 +153,8 @@ class Structure:
     def small_motion(self) -> tuple[float, float]:
         """(motion, decay) the fastest rates of small motion at rest in any mode [1/s].
 
-        Of the eigenvalues of the linearised equations: decay, the largest of those that die out
-        within a radian; motion, the largest of the others, which vibrate or grow.
+        Eigenvalues of the linearised equations: decay is the largest of those that die out within
+        a radian, motion the largest of the others, which vibrate or grow.
         """
         return linearised.fastest_rates(self.module, self.vector)
 
@@ -244,7 +244,7 @@ class Structure:
     ) -> dict[str, np.ndarray]:
         """Velocities (..., 2) of the places of `positions`, by name [m/s], relative to the ground.
 
-        Of a motion see `run.places`.
+        `run.places` gives those of a motion.
         """
         at = self._at(state, mode)
         values = evaluation.velocities(self.module, self.vector, at.modes, at.y)
@@ -389,7 +389,7 @@ class Structure:
 
         x to the right and y upwards, in axes that move with the ground, from the origin of the
         declaration: the middle between the feet at rest, of shipped structures. A state may hold
-        arrays, of one shape or for NumPy to make of one. Of a motion see `run.places`.
+        arrays, of one shape or for NumPy to make of one. `run.places` gives those of a motion.
         """
         return positions_of(self.module, self._places(state, mode))
 
@@ -435,8 +435,8 @@ class Structure:
     def uplift_acceleration(self) -> float | None:
         """Least horizontal ground acceleration, either way, at which a foot lifts [m/s2].
 
-        The structure stands in equilibrium under it: a column has bent under an acceleration that
-        grew slowly, and may lift earlier when it vibrates. For a block it is g tan(alpha). inf if
+        The structure is in equilibrium under it: a column has bent under an acceleration that grew
+        slowly, and may lift earlier when it vibrates. For a block it is g tan(alpha). inf if
         none lifts it; None unless the structure stands on rigid ground.
         """
         if not self.rocks_on_rigid_ground:
@@ -633,7 +633,7 @@ class FixedBase(Structure):
 
     @property
     def periods(self) -> np.ndarray:
-        """(n,) periods of its undamped modes, of small motion about standing, longest first [s]."""
+        """(n,) periods of its undamped modes, of small motion about rest, longest first [s]."""
         return self._modal.periods
 
     @property

@@ -379,7 +379,7 @@ class EnergyLossAtSpeed(TabulatedLaw):
 
     @classmethod
     def from_data(cls, rate: Iterable[float], loss: Iterable[float]) -> EnergyLossAtSpeed:
-        """Of measured impacts, each foot by itself, by least squares.
+        """The law of measured impacts, each foot by itself, by least squares.
 
         rate : (n,) of rotation before each impact [rad/s], negative where the left foot lands.
         loss : (n,) of energy [J]. Raises ValueError where a foot has fewer than three rates.
@@ -477,9 +477,9 @@ class RandomEnergyRatio(TabulatedLaw):
 
     @classmethod
     def normal(cls, mean: float, std: float, *, seed: int = 0) -> RandomEnergyRatio:
-        """Of a normal distribution, cut off at 0 and 1: by a thousand equally likely values.
+        """The law of a normal distribution, cut off at 0 and 1: a thousand equally likely values.
 
-        mean, std : of the whole distribution; what is cut off changes both, see `mean` and `std`.
+        mean, std : of the whole distribution; cutting it off changes both, see `mean` and `std`.
         Raises ValueError for a std that is not positive, and where next to nothing lies within.
         """
         from scipy.special import ndtr, ndtri

@@ -32,7 +32,7 @@ def free_states(module: GeneratedModule, p: np.ndarray) -> np.ndarray:
 
 
 class Modal:
-    """Modes of vibration about standing, n of them, the slowest first.
+    """Modes of vibration about rest, n of them, the slowest first.
 
     module : that of the structure, p its parameters and constants, free (N,) the states that may
     differ from zero.
@@ -43,7 +43,7 @@ class Modal:
 
     @functools.cached_property
     def _small_motion(self) -> np.ndarray:
-        """(2 n, 2 n) of the rates by the states of what moves, about standing."""
+        """(2 n, 2 n) of the rates by the states that move, about rest."""
         m = self._module
         n = m.N_STATES // 2
         mode = m.MODES.index(FULL_CONTACT)
@@ -60,7 +60,7 @@ class Modal:
 
     @functools.cached_property
     def _eigenvalues(self) -> np.ndarray:
-        """(n,) of small motion about standing, one of each pair."""
+        """(n,) of small motion about rest, one of each pair."""
         values = np.linalg.eigvals(self._small_motion)
         return np.array(sorted(values[values.imag >= 0.0], key=abs))
 
@@ -139,10 +139,10 @@ def rayleigh_damping(periods: ArrayLike, ratios: ArrayLike) -> RayleighDamping:
         held = frame.fixed_base()
         alpha, beta = rk.rayleigh_damping(held.periods[:2], [0.02, 0.02])
 
-    A `ShearFrame` has a damper in each storey and none between a floor and the base: what beta
-    asks for is beta times the stiffness of each, and `frame.damped(0.02)` gives it. What alpha asks
-    for needs a damper alpha times the mass of each floor that holds it to the base: declare it in
-    a model of your own, `Spring("held_1", u_1, damping=alpha * m_1)`.
+    A `ShearFrame` has a damper in each storey and none between a floor and the base. The part of
+    beta, a damper of beta times the stiffness in each storey, comes from `frame.damped(0.02)`. The
+    part of alpha needs a damper of alpha times its mass between each floor and the base: declare it
+    in a model of your own, `Spring("held_1", u_1, damping=alpha * m_1)`.
 
     Raises ValueError for other numbers of modes, for what is not positive or finite, and for two
     equal periods.

@@ -378,7 +378,7 @@ def equilibrium(module: SearchedModes, p: np.ndarray, rotation: float) -> Equili
         return _as_it_stood(m, p, _state(m, p, {m.STATES[m.ROTATION]: rotation, **named}))
 
     def statics(y: np.ndarray, load: float) -> np.ndarray:
-        """Of the rotation and the free coordinates: virtual work, the tied ones moving along."""
+        """Residuals of rotation and free coordinates: virtual work, the tied ones moving along."""
         lacking = np.empty(n)
         m.statics(mode_of(m, y, p), y, p, load, lacking)
         rows = _held(m, p, y)

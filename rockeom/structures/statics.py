@@ -84,7 +84,7 @@ def uplift_acceleration(module: GeneratedModule, p: np.ndarray) -> float:
     """Ground acceleration at which the force on a foot vanishes, of a structure on rigid ground.
 
     Unknown are the acceleration and the coordinates that are free in full contact. Their equations
-    are linear, but for small terms: Newton's method from standing.
+    are linear, but for small terms: Newton's method from rest.
     """
     m = module
     n = m.N_STATES // 2

@@ -341,7 +341,7 @@ class Source:
             except Differs as ways:
                 waiting += [rows[part] for part in ways.parts]
                 continue
-            except Exception:  # is told by a case that raises it, if there is one
+            except Exception:  # a case that raises it says so, if there is one
                 problems = None
             if problems is None:
                 yield from map(self.one_by_one, _few(rows))

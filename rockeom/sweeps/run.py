@@ -244,7 +244,7 @@ def _method(case: Case, options: SolverOptions) -> Choice:
         return Choice(options.method, "named")
     try:
         method, because = chosen(case.structure, case.problem(), options)
-    except Exception:  # is told when the case is run, with its values
+    except Exception:  # running the case raises it again, with its values
         method, because = DEFAULT
     return Choice(method, f"{because}, by the first case")
 

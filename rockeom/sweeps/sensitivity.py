@@ -316,7 +316,7 @@ def _turned(part: str, path: _Path) -> Turn:
     return lambda case, x: replace(case, **{part: _remade(getattr(case, part), path, x)})
 
 
-# -- what is asked for
+# -- quantities and parameters by name
 
 
 def answer(name: str, found: Tangents) -> Dual:
@@ -439,7 +439,7 @@ def _told(module: Any, name: str) -> tuple[str, int, int]:
             places[f"{element}_{part}"] = "elements", k, k + 1
     if name not in places:
         raise ValueError(
-            f"of: derivatives are told of {', '.join(places)}: {name!r} is none of them"
+            f"of: there are derivatives of {', '.join(places)}: {name!r} is none of them"
             f"{near(name, places)}"
         )
     return places[name]

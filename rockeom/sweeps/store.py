@@ -206,7 +206,7 @@ def definition(task: Task, cases: Cases, module: GeneratedModule) -> dict[str, s
         "times": str(np.asarray(task.times, dtype=float).tolist()),
         "lanes": str(task.lanes),
     }
-    if task.impact_states:  # not told of stores that were made before it could be asked for
+    if task.impact_states:  # stores of former releases have no such entry
         facts["impact_states"] = "True"
     facts |= {name: repr(value) for name, value in asdict(task.options).items()}
     for name, values in cases.values.items():

@@ -9,8 +9,8 @@
     found.event_times[0]  # of the first impact, by the half-width and by the first rotation
     found.at([1.0, 2.0])  # (2, 2, 2): of the states then
 
-They are exact: nothing is moved by a little to see what it does. The steps of the motion are taken
-once more by the same texts, printed for numbers with derivatives; what happens where a guard falls,
+They are exact: nothing is moved by a little to see what it does. The same texts repeat the steps
+of the motion, printed for numbers with derivatives; what happens where a guard falls,
 `rockeom/integrator/variational.py` says.
 """
 

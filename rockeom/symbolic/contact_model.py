@@ -29,7 +29,7 @@ class Model(Declared, ContactDeclaration):
         each `Spring` are added.
     forces : others that always act, each by its work along a displacement.
     rates : of each internal variable z, dz/dt, a function of coordinates, velocities and internal
-        variables. These may stand in forces and in the elastic energy, whose slope by a coordinate
+        variables. Forces and the elastic energy may depend on these, whose slope by a coordinate
         is a force; its slope by z is none. An impact leaves them as they are, and so does statics.
         A response has its integral over time, too, `z_integral`, which acts on nothing.
     load_point : place of a pushover's force, whose displacement a response has.

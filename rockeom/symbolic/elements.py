@@ -14,6 +14,7 @@ from typing import ClassVar, NamedTuple, Self
 
 import sympy as sp
 
+from rockeom import renamed
 from rockeom.symbolic import valid
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import Coordinate, InternalVariable, Point, internal_variable
@@ -36,6 +37,7 @@ class Ending(NamedTuple):
     back: int | None = None
 
 
+@renamed.attributes(told_displacement="output_displacement")
 @dataclass(frozen=True)
 class Unilateral:
     """A spring and a damper that press, k d + c d', while d and that sum are positive.
@@ -77,7 +79,7 @@ class Unilateral:
         return self.compression
 
     @property
-    def told_displacement(self) -> sp.Expr:
+    def output_displacement(self) -> sp.Expr:
         """The second of `outputs`."""
         return -self.compression
 
@@ -141,6 +143,7 @@ class Unilateral:
         }
 
 
+@renamed.attributes(told_displacement="output_displacement")
 @dataclass(frozen=True)
 class Yielding:
     """A bar or a tendon that is elastic up to a strength, and then yields.
@@ -201,7 +204,7 @@ class Yielding:
         return self.elongation
 
     @property
-    def told_displacement(self) -> sp.Expr:
+    def output_displacement(self) -> sp.Expr:
         return self.elongation
 
     @property
@@ -297,6 +300,7 @@ class Yielding:
         }
 
 
+@renamed.attributes(told_displacement="output_displacement")
 @dataclass(frozen=True)
 class Spring:
     """A spring and a damper that always act: a storey's columns, a bearing, a tendon that is tight.
@@ -341,7 +345,7 @@ class Spring:
         return self.deformation
 
     @property
-    def told_displacement(self) -> sp.Expr:
+    def output_displacement(self) -> sp.Expr:
         return self.deformation
 
     def called(self, side: int) -> str:

@@ -6,7 +6,7 @@ element (off, on; elastic, yielding). Where points are closed or stuck the accel
     M q'' = f + J_N^T lambda_N + J_T^T lambda_T,    gap'' = 0,    slip'' = 0 where it sticks,
     lambda_T = -mu sigma lambda_N where it slips,   sigma = +1 or -1, the sign of the slip rate.
 
-Dependent coordinates, one for each constraint, are eliminated: q_D' = T q_I'. What is left of the
+Dependent coordinates, one for each constraint, are eliminated: q_D' = T q_I'. The rest of the
 forces of contact vanishes under L, L^T (J_N^T - mu sigma J_T^T) = 0:
 
     L^T M T q_I'' = L^T (f - M tau),    q'' = T q_I'' + tau,

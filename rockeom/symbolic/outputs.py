@@ -118,7 +118,7 @@ def switching(model: HybridModel) -> tuple[tuple[Switching, sp.Expr], ...]:
 def of_element(acting: Acting, coordinates: tuple[Coordinate, ...]) -> tuple[sp.Expr, ...]:
     """Deformation [m], force [N], energy [J] and power lost [W]."""
     e, chi = acting
-    return e.told_displacement, e.force(chi, coordinates), e.energy(chi), e.loss(chi, coordinates)
+    return e.output_displacement, e.force(chi, coordinates), e.energy(chi), e.loss(chi, coordinates)
 
 
 # -- energies, motion and equilibrium ----------------------------------------------------------
@@ -157,7 +157,7 @@ def kinematics(model: HybridModel, mode: Mode) -> dict[str, sp.Expr]:
         return values | mode.quantities_in("m")
     points = [(c.name, *c.at(c.side)) for c in model.search.of.contacts]
     values |= {f"{name}_uplift": gap for name, gap, _ in points}
-    values |= {f"{e.name}_{e.outputs[1]}": e.told_displacement for e, _ in switching(model)}
+    values |= {f"{e.name}_{e.outputs[1]}": e.output_displacement for e, _ in switching(model)}
     values |= {f"{name}_slip": moved(slip) for name, _, slip in points}
     return {name: tidy(e) for name, e in values.items()}
 

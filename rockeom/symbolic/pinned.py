@@ -1,8 +1,8 @@
 """Feet that are pinned: the structure on them in the coordinates that are left.
 
 Two coordinates of the free structure, such as the place of its base, are eliminated by the foot on
-which it stands: its gap is zero, and its slip is where it stood upright. What is left turns about
-that foot, and `rockeom.symbolic.rocking.on_pinned_feet` derives the rest.
+which it stands: its gap is zero, and its slip is where it stood upright. The rest turns about
+that foot, and `rockeom.symbolic.rocking.on_pinned_feet` derives its modes.
 """
 
 from __future__ import annotations

@@ -441,8 +441,8 @@ STEPS = (
             - m_b * a_g * R_b * cos(alpha_b + theta),
         ),
         "In the gravity term the sign of u cos(theta) is wrong: a deformation u > 0 moves the "
-        "weight to the right on either side, so that -m_e g u cos(theta) stands in D-19, D-23 "
-        "and D-25 alike.",
+        "weight to the right on either side, so that D-19, D-23 and D-25 alike have "
+        "-m_e g u cos(theta).",
         sides=NEGATIVE,
     ),
     Equation(

@@ -299,8 +299,8 @@ DYNAMICS = (
             sqrt(I_o / (R * (m * g + P_tendon))) * acosh(1 / (1 - Delta / (d_lifted * cos(theta))))
             + T_fixed_base / 4,
         ),
-        remark="Delta is its size where the peak is negative. The force is that at the peak, taken "
-        "for the whole fall. I_o and R are those of the corner.",
+        remark="Delta is its size where the peak is negative. The force is that at the peak, "
+        "during the whole fall. I_o and R are those of the corner.",
         sides=POSITIVE,
     ),
     Equation(

@@ -401,8 +401,8 @@ MODEL_B = (
         "5-24 with the centroid of the system",
         (),
         says(P, (2 * k_f * B**2 - W * H_c) / H_e * theta),
-        "Not legible. Of 5-24 to 5-26, which the text simplifies, 5-27 is 5-25 and 5-29 is 5-26: "
-        "what is left is 5-24, with W H_c for g (m_e H_e + m_b H_b) by 5-17 and 5-30.",
+        "Not legible. The text simplifies 5-24 to 5-26; 5-27 is 5-25 and 5-29 is 5-26: "
+        "there remains 5-24, with W H_c for g (m_e H_e + m_b H_b) by 5-17 and 5-30.",
     ),
     Equation(
         "5-29",

@@ -104,7 +104,7 @@ class Equation:
         return r"\begin{gathered} " + r" \\ ".join(lines) + r" \end{gathered}"
 
     def _repr_latex_(self) -> str:
-        """What Jupyter shows."""
+        """The equation as Jupyter shows it."""
         return rf"$\displaystyle {self.latex()} \qquad \text{{({self.number})}}$"
 
 

@@ -197,7 +197,7 @@ def _() -> Finding:
 def _() -> Finding:
     r = float(formulas.energy_ratio_of_lumped_mass(**COLUMN))
     return (
-        f"{r:.3f}; the split of the inertia is a choice, its sum was taken for this r",
+        f"{r:.3f}; the split of the inertia is a choice, its sum follows from this r",
         None,
     )
 

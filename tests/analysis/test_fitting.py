@@ -158,7 +158,7 @@ def test_a_fit_without_exact_derivatives_finds_the_same():
     assert not other.exact
     assert other.values == pytest.approx(exact.values, rel=1e-6)
     assert other.covariance == pytest.approx(exact.covariance, rel=1e-4)
-    with pytest.raises(TypeError, match="asked for as a float"):
+    with pytest.raises(TypeError, match="needed as a float"):
         analysis.fit_free_vibration(in_floats, start, crossing_times=crossings, exact=True)
     with pytest.raises(ValueError, match=r"return \(4, 2\), a row for each value"):
         identification.fit(

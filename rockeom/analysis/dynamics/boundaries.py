@@ -151,7 +151,7 @@ class _Line:
 
     def gradient(self, place: float) -> np.ndarray:
         """(k,) of the time at which the motion leaves the equilibrium; zeros where unknown."""
-        fallen = [run.passages for run in (self.run(0.0), self.run(1.0)) if run.falls]
+        fallen = [run.events for run in (self.run(0.0), self.run(1.0)) if run.falls]
         return self.run(place).gradient(min(fallen))
 
 
@@ -175,7 +175,7 @@ class _Run:
         return cls(made, options, tangents(made, options))
 
     @property
-    def passages(self) -> int:
+    def events(self) -> int:
         return len(self.found.event_times)
 
     @property
@@ -189,11 +189,11 @@ class _Run:
             return float(len(run.impacts))
         return math.inf if run.outcome in STANDS else math.nan
 
-    def gradient(self, passages: int) -> np.ndarray:
-        """Gradient of the time of the event after so many passages, overturning included."""
+    def gradient(self, events: int) -> np.ndarray:
+        """Gradient of the time of the event after so many events, overturning included."""
         for motion in self.longer():
-            if len(motion.event_times) > passages:
-                slope = motion.event_times[passages]
+            if len(motion.event_times) > events:
+                slope = motion.event_times[events]
             elif motion.response.t[-1] < motion.response.duration:  # it has overturned
                 slope = motion.end_time
             else:

@@ -168,8 +168,8 @@ class OrbitBranch:
         """The branch that begins at a bifurcation of this one, followed away from it.
 
         at : a period doubling or a break of symmetry, behind which the motions have twice the
-        cycles, or a branch point. It leaves along the eigenvector of the multiplier -1 or +1. Of
-        the two ways, which are one motion a cycle later, or two mirror images, one is followed.
+        cycles, or a branch point. It leaves along the eigenvector of the multiplier -1 or +1,
+        on one of the two ways, which are one motion a cycle later, or two mirror images.
         between : values that are not left, those of this branch if not given. step, until : as for
         `orbit_branch`.
 

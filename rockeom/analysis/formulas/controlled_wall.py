@@ -311,7 +311,7 @@ class Wall:
 
         detached_length d of the base [m], any shape; 2 B for the inertia about the corner.
         The added mass stands at the distance d - B from the centre. B-9 prints d there, which
-        denies the 3 % by which I_o is said to change.
+        denies its 3 % of change of I_o.
         """
         (d,) = not_negative("Wall.moment_of_inertia", detached_length=detached_length)
         if self.inertia is not None:

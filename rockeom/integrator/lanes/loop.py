@@ -7,7 +7,7 @@ Each lane has a time, a step and a control of its error of its own. All lanes ta
 together, whatever it is to each of them: an ordinary one, one more of those that were refused, or
 one that is to end at an impact. The quintic of the gap through both ends of a step says what
 becomes of it: it stands, it is repeated to end at the impact, or it has ended there. In all other
-cases, an uplift, a fall, a doubt, the lane is taken out, and `integrate` carries it: to the end of
+cases, an uplift, a fall, a doubt, `integrate` takes the lane over, and carries it to the end of
 that step or its first event, or, where steps are equal ones, to the end of the segment.
 
 No lane's numbers depend on another's, nor on its place: so the results are the same to the last
@@ -407,8 +407,8 @@ def alone(lane, z, w, batch, recorder, scratch, until):
 def hop(lane, z, t, flight):
     """Let the first step of a short flight end at the next impact.
 
-    What the flight before it had more than its parabola, in proportion to the square of their
-    length as without ground_acceleration, this one has, too.
+    The flight before it lasted longer than its parabola; this one does, too, in proportion to the
+    square of their lengths, as without ground acceleration.
     """
     length, last = flight, z[Z_FLIGHT + lane]
     if last > 0.0:

@@ -53,12 +53,12 @@ def bend_{name}_lanes(z: Floats, times: Floats):
 {known}    for lane in range(LANES):
         t, h, start = z[Z_T + lane], z[Z_H + lane], z[Z_START_{axis} + lane]
         size, rate = z[Z_{axis}0 + lane], z[Z_{axis}1 + lane]
-        phase, bent = z[Z_{axis}2 + lane], z[Z_KIND_{axis} + lane] == 1.0
+        angle, bent = z[Z_{axis}2 + lane], z[Z_KIND_{axis} + lane] == 1.0
 """
         for j in range(places):
             place = f"z[Z_A{axis} + {j} * LANES + lane]"
             text += f"        tau = t + c{j} * h\n"
-            text += "        bend = size * sine(rate * (tau - start) + phase)\n"
+            text += "        bend = size * sine(rate * (tau - start) + angle)\n"
             text += f"        {place} = bend if bent else {place}\n"
     return text
 
@@ -94,7 +94,7 @@ def sine_cosine(x):
     c1 += zz * (c2 + zz * (1 / 20922789888000))
     return r + r * z * (s0 + zz * s1), 1.0 - (0.5 * z - zz * (c0 + zz * c1))
 """
-"""What takes the place of a generated module's `sine_cosine` in the step of lanes."""
+"""The step of lanes has it in place of a generated module's `sine_cosine`."""
 
 
 def _accelerations(generated: GeneratedModule) -> str:
@@ -113,7 +113,7 @@ def _accelerations(generated: GeneratedModule) -> str:
 
 
 def gap_sides(generated: GeneratedModule) -> tuple[float, ...]:
-    """Of each mode that an impact ends, and nothing else, its side; 0 of all others."""
+    """The side of each mode that only an impact ends; 0 of all others."""
     return tuple(
         side if kinds[:guards] == (IMPACT,) else 0.0
         for side, guards, kinds in zip(
@@ -123,7 +123,7 @@ def gap_sides(generated: GeneratedModule) -> tuple[float, ...]:
 
 
 def _held(generated: GeneratedModule) -> list[int]:
-    """Contact states that all their guards are asked of, sampled in a step."""
+    """Modes whose guards are all sampled in a step."""
     return [c for c, side in enumerate(gap_sides(generated)) if side == 0.0]
 
 

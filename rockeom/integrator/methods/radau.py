@@ -85,7 +85,7 @@ def implicit_step_text(n: int) -> str:
     # the rates of four stages and the new state, the ground, the rest as by the places below
     room = 4 * 2 * n + 6 + size * (size + 2) + 2 * n * n + 4 * 2 * n
     total = -(-room // (2 * n + 2))
-    # N_ALL_STAGES : as many as give room for what stands in k
+    # N_ALL_STAGES : as many as give room for the contents of k
     return (
         method_header(method, 3, total)
         + f"""

@@ -223,8 +223,8 @@ def held_by(candidate, wanted, known, fractions, impulse):
 def share(candidate, known, force, fractions):
     """The fraction of friction of sticking points at different heights, which share their sum.
 
-    Which of them gives it cannot be told of rigid bodies; all mobilise the same fraction of it, as
-    they do when they slip. Returns whether there are such points.
+    Rigid bodies do not determine the share of each; all mobilise the same fraction of their bounds,
+    as they do when they slip. Returns whether there are such points.
     """
     found = False
     for i in range(N_POINTS):
@@ -267,8 +267,8 @@ def margin_of(candidate, near, sliding, wanted, known, sizes, impulse, least_of_
     """The least margin by which impulses, or forces, fit; negative where they do not.
 
     They press, friction is within its bound and opposes the slip, and open points leave as they
-    may. A margin is relative to sizes, see `sizes_of`. Once it is below `least_of_all` nothing
-    else is asked.
+    may. A margin is relative to sizes, see `sizes_of`. Once it is below `least_of_all` no
+    other one is computed.
     """
     least = np.inf
     for i in range(N_POINTS):
@@ -341,8 +341,8 @@ def fitting_states(
 def sizes_of(whole, known, sizes):
     """How large what points do is, relative to the whole motion, into sizes (ROWS + N_POINTS,).
 
-    whole : the velocities, or accelerations, squared in the measure of the mass. Of those of the
-    points, and then of normal impulses, or forces.
+    whole : the velocities, or accelerations, squared in the measure of the mass. Sizes of those of
+    the points come first, then those of normal impulses, or forces.
     """
     for r in range(ROWS):
         sizes[r] = math.sqrt(known[COUPLING + r * ROWS + r] * whole) + 1e-300
@@ -353,7 +353,7 @@ def sizes_of(whole, known, sizes):
 def radius_of(known, point):
     """The radius of gyration of what a point moves: the length with which its gap is compared.
 
-    Of rotations about all other coordinates held; 1 where nothing turns.
+    It is that of a rotation with all other coordinates held; 1 where nothing turns.
     """
     inertia = known[MATRIX + ROTATION * N_COORDINATES + ROTATION]
     return math.sqrt(inertia * known[COUPLING + 2 * point * ROWS + 2 * point])
@@ -544,7 +544,7 @@ def best_later(mode, ends, near, sliding, fitting, several, y, p, ground, sizes)
     return found
 
 
-# -- passages ------------------------------------------------------------------------------------
+# -- transitions ---------------------------------------------------------------------------------
 
 
 def pass_on(mode, guard, h, y, p, ground, rtol, known, out):
@@ -611,7 +611,7 @@ def still_closed(before, follows, guard, closed, touching):
 
 
 def meet(mode, guard, near, y, p, ground, rtol, known, out):
-    """What follows where the points of near (N_POINTS,) touch: velocities, and the mode.
+    """The velocities and the mode that follow where the points of near (N_POINTS,) touch.
 
     out (N,) : the state, at first that before, of whose places all is known. Returns as `pass_on`.
     """

@@ -75,7 +75,7 @@ def single_hop(mode, touching, y, p, dy):
 def fall_within(motion, ground, step, sampled, hop, case, a):
     """(guard, place): which guard of a mode falls through zero in a step, and where.
 
-    STAYS_OPEN where all of them stay far from zero, UNCLEAR where that cannot be said so easily.
+    STAYS_OPEN where all of them stay far from zero, UNCLEAR where these samples leave a doubt.
     They are sampled on the quintics through both ends: parabolas through the ends and the middle,
     but for what they miss at three quarters. The samples are four rows of all guards: at the start,
     in the middle, at three quarters, at the end.
@@ -136,10 +136,10 @@ def falls_by(samples, i, opens, at_end):
     """Where guard i falls through zero, if it clearly does once; or zero.
 
     A parabola from f to -g has one root between, where its slope is at least 2 sqrt(f g); one that
-    opens from zero has the slope there, and less that slope where it falls. What it misses at three
-    quarters, d, and not at the ends and in the middle, has a slope less than 11 d if it is a cubic.
+    opens from zero has the slope there, and less that slope where it falls. Its error at three
+    quarters, d, zero at the ends and in the middle, has a slope less than 11 d if it is a cubic.
     So there is one root as long as f, or half of the slope, and g are above 6 d; here they are far
-    above, for what is no cubic.
+    above, for an error that is no cubic.
 
     at_end : whether it should open from zero, and be beside zero at the end.
     """

@@ -145,7 +145,7 @@ def solved_at_once(a, order):
 def through_mass(matrix, b, width):
     """Solve M x = b in place, b (n, width), by Gauss without a search for pivots: M is positive.
 
-    matrix (n, n) : M, which is kept. What has no inertia does not move.
+    matrix (n, n) : M, which is kept. Coordinates without inertia do not move.
     """
     n = N_COORDINATES
     a, inverse = np.empty(N_MATRIX), np.empty(N_COORDINATES)
@@ -171,7 +171,7 @@ def through_mass(matrix, b, width):
 
 @rolled
 def all_known(y, p, mode, known):
-    """What is known of the points in a state, into known (N_KNOWN,), with what impulses do there.
+    """Places and rates of the points in a state, and effects of impulses, into known (N_KNOWN,).
 
     All but what `points` tells follows from the places alone.
     """
@@ -230,7 +230,7 @@ def gap_rounding(known, y):
 
 @inlined
 def acceleration_of(known, row, dy):
-    """Of a gap or a slip, from the rates (N,) of the state."""
+    """The acceleration of a gap or a slip, from the rates (N,) of the state."""
     total, _ = rate_of(known, row, dy, N_COORDINATES)
     point = int(row * 0.5)
     return total + known[point * POINT + 3 + row - 2 * point]

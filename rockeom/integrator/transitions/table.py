@@ -46,7 +46,7 @@ if TYPE_CHECKING:  # joined before this text
     )
 
 MOST_IDLE = 100  # events at one instant; with more they are chatter
-QUIET_STEPS = not LOCALISED  # whether steps in which nothing can happen are taken apart
+QUIET_STEPS = not LOCALISED  # whether `quiet_steps` takes steps in which nothing can happen
 EXTRAPOLATES = not LOCALISED  # whether the end of a step may be moved on its quintics
 
 

@@ -1,6 +1,6 @@
-"""What ends events without end: infinitely many impacts to come, or any events at one instant.
+"""The end of events without end: infinitely many impacts to come, or any events at one instant.
 
-Joined behind contacts.py, whose passages the impacts are, see `rockeom.integrator.program`.
+Joined behind contacts.py, whose transitions the impacts are, see `rockeom.integrator.program`.
 """
 
 from __future__ import annotations
@@ -390,7 +390,7 @@ def fast_fly_on(here, bounces, start, known, dy):
 
 
 def some_ended(here, bouncing):
-    """Whether some points that bounced are closed: of those still in flight it is taken back."""
+    """Whether some points that bounced are closed. For those still in flight it is undone."""
     ended = False
     for i in range(N_POINTS):
         if bouncing[i] == 1 and POINT_STATES[here][i] == OPEN:

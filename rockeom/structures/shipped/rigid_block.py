@@ -64,7 +64,7 @@ class RigidBlock(declarations.RigidBlock):
 
 
 def inertia_hints(mass: float, radius: float, inertia: float | None) -> tuple[str, ...]:
-    """Of a centroid at the middle of a rectangle and an inertia that no body within it has."""
+    """Hints at a centroid amid a rectangle and an inertia that no body within it has."""
     most = mass * radius**2
     if inertia is None or inertia <= most * (1 + 1e-12):
         return ()

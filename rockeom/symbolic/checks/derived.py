@@ -155,7 +155,7 @@ def _at_rest(model: HybridModel) -> dict[sp.Symbol, Any]:
 
 
 def _rests(model: HybridModel, sample: _Sample) -> None:
-    """Springs do not push the structure away from where it is said to rest.
+    """Springs do not push the structure away from where it rests by declaration.
 
     Without a spring at work, or where it carries the weight, a coordinate may be zero.
     """
@@ -175,8 +175,8 @@ def _rests(model: HybridModel, sample: _Sample) -> None:
     for name in (name for name, always in pushed.items() if always):
         fail(
             model.name,
-            f"the elastic energy pushes {name!r} away from zero, where the structure is said to "
-            "rest: declare an energy such as k u**2/2, not a force",
+            f"the elastic energy pushes {name!r} away from zero, where the structure "
+            "rests: declare an energy such as k u**2/2, not a force",
         )
 
 

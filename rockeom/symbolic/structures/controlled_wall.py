@@ -128,7 +128,7 @@ class TendonState(Spring):
     yield_force: sp.Expr = sp.S.Zero
 
     @property
-    def told_displacement(self) -> sp.Expr:
+    def output_displacement(self) -> sp.Expr:
         if self.state == YIELDING:
             return (self.yield_force - self.initial_force) / self.stiffness
         return self.deformation

@@ -95,7 +95,7 @@ def _force(letter: str, names: Iterable[str]) -> str:
 
 def _declared(of: ContactDeclaration, notation: Notation) -> list[Block]:
     """Contacts with their laws, and the energies of the free structure."""
-    blocks: list[Block] = [Heading(2, "What touches")]
+    blocks: list[Block] = [Heading(2, "Contacts")]
     for contact in of.contacts:
         gap, slip = contact.at(contact.side)
         friction = contact.law.friction

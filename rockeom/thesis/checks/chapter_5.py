@@ -236,7 +236,7 @@ def _decrement(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 
 DECREMENT_EXCESS = 5.4e-3
-"""Of 5-7 where it gives 0.104."""
+"""The excess of the decrement by 5-7 where it gives 0.104."""
 
 
 # --- restitution

@@ -221,7 +221,7 @@ RELEASE, ENERGY_RATIO, WIDTH = 0.4, 0.7225, 1e-3
 
 
 def potential(x: float) -> float:
-    """Of 2-17 without a force, above that of the upright block."""
+    """Energy of 2-17 without a force, above that of the upright block."""
     return abs(x) - x**2 / 2
 
 

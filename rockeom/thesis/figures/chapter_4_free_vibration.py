@@ -1,4 +1,4 @@
-"""What Table A-1 says of the free vibration of the wall of chapter 4, sections 4.5 and 4.7.
+"""Table A-1 on the free vibration of the wall of chapter 4, sections 4.5 and 4.7.
 
 Only that table of the continuous record is printed: its peaks and the instants without
 acceleration between them. A line between two of them is the polynomial of degree five that has the
@@ -566,7 +566,7 @@ class Losses(NamedTuple):
 
 
 def losses() -> Losses:
-    """Of Table A-1, by energies from the measured force of the tendon."""
+    """Losses by Table A-1, by energies from the measured force of the tendon."""
     measured = identification.FreeVibration.table_a1()
     r, speed, peak = measured.restitution(WALL)
     rows = np.flatnonzero(measured.at_peak)

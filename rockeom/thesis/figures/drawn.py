@@ -52,7 +52,7 @@ class ThesisFigure:
     """A figure of the thesis, drawn anew when it is called.
 
     number : such as "2-16". source : what stands behind it. text : its title, and below it what
-    the thesis leaves open and what was taken for it. draw : what draws it.
+    the thesis leaves open and what is assumed. draw : what draws it.
     """
 
     number: str
