@@ -8,12 +8,11 @@ import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.motion import intensity, processing
 from rockeom.motion.arguments import (
     accelerations as _accelerations,
     array as _array,
@@ -44,13 +43,16 @@ from rockeom.motion.segments import (
     shaking_ends as _shaking_ends,
     velocity as _velocity,
 )
-from rockeom.motion.spectra import ResponseSpectrum, response_spectrum
-from rockeom.motion.synthetic import Noise, noise
 from rockeom.motion.units import STANDARD_GRAVITY, factor
 from rockeom.numbers.batch import Many, one_of
 from rockeom.numbers.checks import described, number
 from rockeom.numbers.dual import nominal
 from rockeom.numbers.functions import mathematics
+
+if TYPE_CHECKING:
+    from rockeom.motion import intensity, processing
+    from rockeom.motion.spectra import ResponseSpectrum
+    from rockeom.motion.synthetic import Noise
 
 QUIET_PERIODS = 10
 """Quiet time after a pulse without a duration [periods]: the free motion after it often
@@ -303,6 +305,8 @@ class GroundMotion:
         >>> motion == GroundMotion.kanai_tajimi(0.01, duration=20.0, seed=1)
         True
         """
+        from rockeom.motion.synthetic import noise
+
         ground = (
             _positive("angular_frequency", angular_frequency),
             _positive("damping_ratio", damping_ratio),
@@ -333,6 +337,8 @@ class GroundMotion:
 
         Source: Clough and Penzien, Dynamics of Structures (1975). Raises MotionError.
         """
+        from rockeom.motion.synthetic import noise
+
         ground = (
             _positive("angular_frequency", angular_frequency),
             _positive("damping_ratio", damping_ratio),
@@ -542,6 +548,8 @@ class GroundMotion:
     @property
     def peak_velocity(self) -> float:
         """Largest absolute velocity of the ground [m/s] within the duration, exact to rounding."""
+        from rockeom.motion import intensity
+
         return intensity.peak_velocity(self)
 
     @property
@@ -551,6 +559,8 @@ class GroundMotion:
         A record that ends with a velocity has a displacement that grows with it: see
         `baseline_corrected`.
         """
+        from rockeom.motion import intensity
+
         return intensity.peak_displacement(self)
 
     def measures(self) -> intensity.Measures:
@@ -559,6 +569,8 @@ class GroundMotion:
         >>> round(GroundMotion.single_sine(2.0, 0.5, duration=0.5).measures().cav, 6)
         0.63662
         """
+        from rockeom.motion import intensity
+
         return intensity.measures(self)
 
     def significant_interval(self, lower: float = 0.05, upper: float = 0.95) -> tuple[float, float]:
@@ -568,6 +580,8 @@ class GroundMotion:
         within the segments. Raises MotionError for parts that are not between 0 and 1, and for no
         shaking.
         """
+        from rockeom.motion import intensity
+
         return intensity.significant_interval(self, lower, upper)
 
     def response_spectrum(
@@ -577,6 +591,8 @@ class GroundMotion:
 
         periods (n,) [s]; if not given, 100 from 0.02 to 10 s.
         """
+        from rockeom.motion.spectra import response_spectrum
+
         periods = np.geomspace(0.02, 10.0, 100) if periods is None else periods
         return response_spectrum(self, periods, damping_ratio)
 
@@ -652,6 +668,8 @@ class GroundMotion:
         Raises MotionError for a motion without samples and for a degree that such a polynomial
         cannot have.
         """
+        from rockeom.motion import processing
+
         return self._changed(processing.baseline_corrected(self, degree, of))
 
     def filtered(
@@ -668,6 +686,8 @@ class GroundMotion:
         Raises MotionError for a motion without samples, and for corners in wrong order, above half
         of the rate of sampling, or so low that a hundredth of a period fills the record.
         """
+        from rockeom.motion import processing
+
         return self._changed(processing.filtered(self, low, high, order))
 
     def resampled(self, dt: float, method: str = "linear") -> GroundMotion:
@@ -682,6 +702,8 @@ class GroundMotion:
         An analytic motion becomes a record, linear between the new times. The last one is the last
         whole step within the motion. Raises MotionError.
         """
+        from rockeom.motion import processing
+
         return self._changed(processing.resampled(self, dt, method))
 
     def trimmed(self, start: float = 0.0, end: float | None = None) -> GroundMotion:
@@ -694,6 +716,8 @@ class GroundMotion:
         Raises MotionError for times outside the motion, for fewer than two samples, and where a
         Mavroeidis-Papageorgiou pulse would lose its beginning.
         """
+        from rockeom.motion import processing
+
         until = self.duration if end is None else end
         return self._changed(processing.trimmed(self, start, until))
 

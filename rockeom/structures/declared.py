@@ -40,8 +40,10 @@ class StructureWithFields(Structure):
         super().__init_subclass__(**given)
         declared = (base.__doc__ for base in cls.__mro__ if "model" in vars(base))
         described = cls.__doc__ or next(declared, None)
-        dataclass(frozen=True, kw_only=True)(cls)
         cls.__doc__ = described
+        if len(cls.__bases__) == 1 and not vars(cls).get("__annotations__"):
+            return  # closed forms of a declared structure, whose fields are those of its base
+        dataclass(frozen=True, kw_only=True)(cls)
         plain: Any = cls.__init__
         defaults = cls.defaults()
         known = set(defaults)
@@ -49,13 +51,14 @@ class StructureWithFields(Structure):
 
         @functools.wraps(plain)
         def init(self: StructureWithFields, *unnamed: Any, **values: Any) -> None:
-            values = cls.complete(values)
-            check_named(cls.__name__, unnamed, known)
-            check_names(cls.__name__, required, known, set(values))
-            numbers = {name: v for name, v in values.items() if name not in cls.not_numbers}
-            check_values(cls.__name__, numbers, cls.may_vanish, cls.may_be_negative)
-            for name in cls.whole & set(values):
-                check_whole(cls.__name__, name, values[name])
+            kind = type(self)  # this class, or one of its closed forms
+            values = kind.complete(values)
+            check_named(kind.__name__, unnamed, known)
+            check_names(kind.__name__, required, known, set(values))
+            numbers = {name: v for name, v in values.items() if name not in kind.not_numbers}
+            check_values(kind.__name__, numbers, kind.may_vanish, kind.may_be_negative)
+            for name in kind.whole & set(values):
+                check_whole(kind.__name__, name, values[name])
             plain(self, **values)
 
         setattr(cls, "__init__", init)  # noqa: B010
