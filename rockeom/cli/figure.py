@@ -15,8 +15,8 @@ from rockeom.files import check_target
 from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Drawn, ThesisFigure
 
 DESCRIPTION = """\
-List the figures of Ma's thesis (2010) that are drawn anew, or draw one of them into a file. Beside
-it stands what the thesis leaves open about a figure, and the assumption that fills the gap.
+List the figures of Ma's thesis (2010) that are drawn anew, or draw one of them into a file. A text
+beside it says what the thesis leaves open about a figure, and which assumption fills the gap.
 The first drawing of a simulated figure compiles its structures, which takes a second or two.
 """
 EPILOG = """\

@@ -13,8 +13,8 @@ from rockeom.thesis.tables import TABLES
 
 DESCRIPTION = """\
 List the tables of Ma's thesis (2010) and the lists of numbers under its figures, or show some of
-them: each computed column beside the printed one, and remarks on them. With A-1 come
-the peaks of the free vibration by each model of the wall and restitution law.
+them: each computed column beside the printed one, and remarks on them. A-1 has
+the peaks of the free vibration by each model of the wall and impact law, too.
 The first simulation of a structure compiles it, which takes a second or two.
 """
 EPILOG = """\

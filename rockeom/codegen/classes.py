@@ -79,7 +79,7 @@ def classes(names: Mapping[str, Any], package: Path) -> str:
     public = "".join(f"    {string(n)},\n" for n in sorted([*map(class_name, names), "Structure"]))
     return (
         f"{_CLASSES}{''.join(imports)}\nSHIPPED: dict[str, type[Structure]] = {{\n{rows}}}\n"
-        f'"""By the name of the model, in the order of lists."""\n\n__all__ = [\n{public}]\n'
+        f'"""Classes by their names, in the order of lists."""\n\n__all__ = [\n{public}]\n'
     )
 
 

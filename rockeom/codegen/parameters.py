@@ -46,7 +46,7 @@ def functions_of_parameters(text: Text) -> None:
 
 
 def sizes_to_check(model: HybridModel) -> list[Size]:
-    """Those that the signs of the parameters do not settle."""
+    """Sizes that the signs of the parameters do not settle."""
     return [size for size in sizes(model) if not (size.may_vanish and size.value.is_nonnegative)]
 
 

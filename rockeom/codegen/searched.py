@@ -49,7 +49,7 @@ from rockeom.symbolic.modes import (
 from rockeom.symbolic.reactions import total_reaction
 
 MOST_QUICK = 2
-"""So many modes have functions of their own: each makes the program longer."""
+"""Number of modes with functions of their own, each of which makes the program longer."""
 
 
 class Written:
@@ -295,7 +295,7 @@ class Guard:
     place: int = 0
 
     def of(self, place: int | None) -> Guard | None:
-        """That of another ending of its element."""
+        """The guard of another ending of its element."""
         return None if place is None else replace(self, place=place)
 
 

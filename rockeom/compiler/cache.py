@@ -81,7 +81,7 @@ def _folder() -> Path | None:
 
 
 def _danger(state: os.stat_result) -> str | None:
-    """Who else can have written what has this state, if anybody.
+    """Other users who can have written a file with this state, if any.
 
     On Windows owner and mode tell nothing: there the user's own folder is trusted unseen.
     """

@@ -16,17 +16,17 @@ _F = TypeVar("_F", bound=Callable[..., object])
 
 
 def inlined(function: _F) -> _F:
-    """To be written out wherever it is called, unless the program would grow long by it."""
+    """Mark a function to be written out at each call, unless the program would grow long by it."""
     return function
 
 
 def everywhere(function: _F) -> _F:
-    """To be written out wherever it is called, however long the program grows by it."""
+    """Mark a function to be written out at each call, however long the program grows by it."""
     return function
 
 
 def apart(function: _F) -> _F:
-    """To be called, not written out where it is called."""
+    """Mark a function to be called, and not written out at its calls."""
     return function
 
 

@@ -362,7 +362,7 @@ class Function:
         return self.ir.read(found) if _is_place(found) else found
 
     def _slice(self, node: ast.Subscript, part: ast.Slice) -> Value:
-        """From one index of the first dimension to another; they are not cut to the length."""
+        """A slice of the first dimension; its ends are not cut to the length."""
         array = self._value(node.value)
         if not isinstance(array.type, Array) or part.step is not None:
             self.refuse(node, "a slice is array[first:last]")

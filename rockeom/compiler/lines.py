@@ -490,7 +490,7 @@ class Lines:
         return self.number(FLOAT, f"fneg {self.fast}double {value.operand}")
 
     def power(self, square: Value, n: int) -> Value:
-        """By repeated squares."""
+        """A whole power by repeated squares."""
         power = None
         while True:
             if n & 1:
@@ -529,7 +529,7 @@ class Lines:
         return self.number(INT, f"select i1 {below}, i64 {other}, i64 {value.operand}")
 
     def largest(self, best: Value, *others: Value, better: str = "Gt") -> Value:
-        """As in Python: the first of those that no other exceeds."""
+        """The largest as in Python: the first that no other exceeds."""
         for value in others:
             type_ = joined(best.type, value.type)
             if type_ not in (FLOAT, INT, DUAL):
@@ -684,7 +684,7 @@ class Lines:
         return self.guarded(Value(left, (self.address(array, at), *shape[count:])), inside)
 
     def part(self, array: Value, first: str, last: str) -> Value:
-        """From one index of the first dimension to another."""
+        """A part from one index of the first dimension to another."""
         inside = self.checked(last, array.parts[1], how="up_to")
         inside = self.checked(first, last, inside, how="up_to")
         at = first

@@ -16,7 +16,7 @@ _POINTS = 4000
 """Times at which a motion is drawn, besides its breaks."""
 
 _BY_NAME = 6
-"""So many spectra have names in the legend; more are one crowd, with their median."""
+"""Number of spectra with names in the legend; more are one crowd, with their median."""
 
 
 @style.styled

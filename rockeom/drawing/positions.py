@@ -1,4 +1,4 @@
-"""Where the bodies and feet of a structure are, and what a sketch shows of them.
+"""Places of the bodies and feet of a structure, and of the parts that a sketch shows.
 
 A generated module tells both; here they get their names. Places are (x, y) in axes that move with
 the ground, x to the right and y upwards, from the origin of the declaration.
@@ -57,7 +57,7 @@ def places(module: Any, contacts: np.ndarray, states: np.ndarray, p: np.ndarray)
 
 
 def positions_of(module: Any, found: np.ndarray) -> dict[str, np.ndarray]:
-    """By name, (..., 2) of what `places` has found (..., m, 3)."""
+    """Places (..., 2) by name, of the values (..., m, 3) of `places`."""
     return {name: found[..., i, :2] for i, name in enumerate(module.POSITIONS)}
 
 

@@ -233,7 +233,7 @@ class Sketch:
     # -- the ground
 
     def _ground(self, ax: Axes) -> None:
-        """Under all feet, level between those of one height, and some way beyond them."""
+        """The ground under all feet, level between those of one height, and a way beyond them."""
         if not self.supports:
             ends = self.extent[:, 0].min(), self.extent[:, 0].max()
             self.supports = [(x, 0.0) for x in ends]
@@ -272,7 +272,7 @@ def _pose(structure: Structure, contact: int, y: np.ndarray) -> _Pose:
 
 
 def _gaps(structure: Structure, contact: int, y: np.ndarray) -> dict[str, float]:
-    """How far feet are from what they touch, by name [m]."""
+    """Distances of feet from what they touch, by name [m]."""
     m = structure.module
     found = np.zeros(len(m.KINEMATICS))
     m.kinematics(contact, y, structure.vector, found)

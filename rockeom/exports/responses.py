@@ -51,7 +51,7 @@ _MOST_COMPRESSED = 1032
 
 @dataclasses.dataclass(frozen=True)
 class LawNotSaved:
-    """In place of an impact law of the user's own, of which a file has the name alone."""
+    """A placeholder of an impact law of the user's own, of which a file has the name alone."""
 
     name: str
 

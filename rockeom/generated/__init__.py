@@ -1,6 +1,6 @@
 """The generated modules, one a structure: ``rockeom.generated.<name>``.
 
-In a checkout they stand in the top-level folder ``generated/``, where they are read, reviewed and
+In a checkout they are in the top-level folder ``generated/``, where they are read, reviewed and
 rewritten (``make generated``); an installed wheel carries them in this folder. This file only makes
 both one package. The top-level folder must hold no ``__init__.py`` of its own, which would take
 the place of this one when the wheel is built.

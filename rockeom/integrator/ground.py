@@ -110,7 +110,7 @@ def segment_of(table, n):
 
 
 def segment_for(table, n, t):
-    """As segment_at, but the very end of a motion still belongs to its last law."""
+    """As `segment_at`, but the very end of a motion still belongs to its last segment."""
     if table.shape[0] > 0 and t == table[-1, 1]:
         return table.shape[0] - 1, segment_of(table, table.shape[0] - 1)
     return segment_at(table, n, t)

@@ -227,7 +227,7 @@ class _Parts:
 
     @cached_property
     def peak_displacement(self) -> float:
-        """At the end of a part, or where the ground stands still within it."""
+        """The peak at the end of a part, or where the ground stands still within it."""
         before, after = self.velocity(self.low), self.velocity(self.high)
         of = np.flatnonzero(before * after < 0.0)
         still = table.bisected(lambda tau: self.velocity(tau, of), self.low[of], self.high[of])

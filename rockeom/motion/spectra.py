@@ -215,7 +215,7 @@ class _Oscillator:
 
 
 class _UnderRecord(_Oscillator):
-    """Under accelerations (n,) [m/s2] that are linear between samples dt apart [s]."""
+    """Oscillators under accelerations (n,) [m/s2] that are linear between samples dt apart [s]."""
 
     def __init__(self, period: float, xi: float, samples: np.ndarray, dt: float) -> None:
         super().__init__(period, xi)
@@ -250,7 +250,7 @@ class _UnderRecord(_Oscillator):
 
 
 class _UnderSegments(_Oscillator):
-    """Under analytic segments (n, 7), each in equal steps."""
+    """Oscillators under analytic segments (n, 7), each in equal steps."""
 
     def __init__(self, period: float, xi: float, segments: np.ndarray) -> None:
         super().__init__(period, xi)

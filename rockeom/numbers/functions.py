@@ -120,4 +120,4 @@ FUNCTIONS: dict[str, Derivatives] = {
     )
     for name in _NAMES
 } | {"fabs": Derivatives(np.abs, np.sign, lambda x: 0.0 * x)}
-"""By their names in `math`."""
+"""Functions by their names in `math`."""

@@ -39,12 +39,12 @@ def only(function: str, found: xr.DataArray, sweep: xr.Dataset, *names: str) -> 
 
 
 def sortable(sweep: xr.Dataset, *names: str) -> list[str]:
-    """Those of the names whose values are numbers."""
+    """Names whose values are numbers."""
     return [name for name in names if sweep[name].dtype.kind in "iuf"]
 
 
 def places(values: xr.DataArray) -> np.ndarray:
-    """Where values stand on an axis: numbers where they are, words one after the other."""
+    """Places of values on an axis: numbers where they are, words one after the other."""
     if values.dtype.kind in "iuf":
         return values.values
     each = different(values)

@@ -151,13 +151,13 @@ class DesignReport:
 
     @cached_property
     def standing(self) -> tuple[UnderRecord, ...]:
-        """Those that ended upright, the largest displacement first; the others count as fallen."""
+        """Motions that ended upright, the largest displacement first; others count as fallen."""
         found = [one for one in self.results if one.stands]
         return tuple(sorted(found, key=lambda one: -one.rocking.displacement))
 
     @cached_property
     def rows(self) -> tuple[Row, ...]:
-        """Those that did not stand first, then the largest displacements; as many as are shown."""
+        """Motions that overturned first, then the largest displacements; as many as are shown."""
         fallen = [one for one in self.results if not one.stands]
         return tuple(one.row for one in (*fallen, *self.standing)[:SHOWN])
 

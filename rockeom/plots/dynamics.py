@@ -27,7 +27,7 @@ _MOMENTS = ("period", "before", "after")
 """When a motion is looked at: at the starts of cycles, and on both sides of impacts."""
 
 _NAMED = len(style.LINES)
-"""So many starts have a colour each."""
+"""Number of starts that have a colour each, at most."""
 
 # --- sections and what they settle on
 

@@ -26,7 +26,7 @@ from rockeom.plots import coordinates
 
 _STYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 3)))
 _NAMED = len(style.LINES)
-"""So many lines have a name each in a legend."""
+"""Number of lines that have a name each in a legend, at most."""
 
 
 # --- which pulses overturn

@@ -280,7 +280,7 @@ class Places:
 def _base(
     structure: Structure, mode: np.ndarray, y: np.ndarray, ax: np.ndarray, ay: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """By the momentum and the angular momentum of all bodies (d'Alembert)."""
+    """The forces by the momentum and the angular momentum of all bodies (d'Alembert)."""
     m = structure.module
     bodies = sum(kind in ("body", "massless") for kind in m.POSITION_KINDS)
     moved = motion_of_places(structure.module, structure.vector, mode, y, ax, ay)

@@ -136,7 +136,7 @@ def run(
 
 @cache
 def _benches(compiled: Program, keep: bool) -> list[_Bench]:
-    """Those of a program that nobody uses now."""
+    """Benches of a program that nobody uses now."""
     return []
 
 

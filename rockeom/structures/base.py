@@ -577,7 +577,7 @@ class FixedBase(Structure):
         return self.module.NAME
 
     def parameters(self) -> dict[str, float]:
-        """Those of the structure that rocks."""
+        """The parameters of the structure that rocks."""
         return self.rocking.parameters()
 
     def parameter_at(self, path: tuple[Any, ...]) -> str:

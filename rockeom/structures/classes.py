@@ -49,7 +49,7 @@ SHIPPED: dict[str, type[Structure]] = {
     "rocking_frame": RockingFrame,
     "wall_with_frame": WallWithFrame,
 }
-"""By the name of the model, in the order of lists."""
+"""Classes by their names, in the order of lists."""
 
 __all__ = [
     "ControlledWall",

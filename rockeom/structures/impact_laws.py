@@ -78,7 +78,7 @@ class Table(NamedTuple):
     bounded: bool = False
 
     def numbers(self) -> list[float]:
-        """In the order of `tabulated_energy_ratio`, which reads them from their end."""
+        """Numbers in the order of `tabulated_energy_ratio`, which reads them from their end."""
         rows = [
             (row.limit, row.ratio, row.slope, row.reciprocal) if isinstance(row, Row) else (row,)
             for row in (*self.left, *self.right)
@@ -323,7 +323,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         return lever
 
     def _at_height(self, height: float) -> Table:
-        """By the rate of rotation about a point so far below that whose speed it is [m]."""
+        """The table by the rate of rotation; height [m] of the point whose speed it has now."""
         rows = [
             Row(r, slope * height, 0.0, limit / height if limit < math.inf else limit)
             for limit, r, slope in self.pieces

@@ -9,7 +9,7 @@ import numpy as np
 from rockeom.integrator.schema import GeneratedModule
 
 _MOST_LINEAR = 16
-"""So many modes are linearised of a structure that has more: its dampers act in all."""
+"""Number of modes that are linearised, at most: dampers of a structure with more act in all."""
 
 _DAMPED: dict[str, bool] = {}
 """Whether the small motion of structures may be damped at all, by the name of their module."""

@@ -1,4 +1,4 @@
-"""Which of two files finds the modes of a structure: `declared_modes` or `searched_modes`."""
+"""The file that determines the modes of a structure: `declared_modes` or `searched_modes`."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ class Points:
         return np.abs(self.gap) <= _CLOSED * np.maximum(self.size, np.abs(self.normal) @ places)
 
     def contacts(self) -> Contacts:
-        """Which points are closed in a state that a user gives, and how they slip."""
+        """The points that are closed in a state of a user, and how they slip."""
         m = len(self.module.POINTS)
         contacts = Contacts(np.zeros(m, np.int64), np.zeros(m), np.zeros(m))
         if m:

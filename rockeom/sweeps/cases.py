@@ -21,11 +21,11 @@ FEW, MANY = 256, 2048
 """Cases in a batch at most: made one by one, and made at once."""
 
 LAST_FEW, LAST_MANY = 32, 256
-"""And at least, in the end. A batch costs as much as some 60 pulses, since the lanes
-run empty behind it."""
+"""The least number of cases in a batch, in the end. A batch costs as much as some 60 pulses, since
+the lanes run empty behind it."""
 
 WORTHWHILE = 8
-"""So many cases are made faster at once than one by one."""
+"""Number of cases from which making them at once is faster than one by one."""
 
 ROW = "case"
 """Name of the rows of a table."""
@@ -323,7 +323,7 @@ class Source:
         return Batch(rows, Problems.of([q for _, q in pairs]), [case for case, _ in pairs])
 
     def together(self, rows: np.ndarray) -> Iterator[Batch]:
-        """As many at once as go the same way; raises what the first case does that cannot be."""
+        """Cases that go the same way, at once; raises the error of the first that cannot be."""
         try:
             yield from self.alike(rows)
         except Exception:  # of a case, but of which?

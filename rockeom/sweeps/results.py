@@ -24,7 +24,7 @@ from rockeom.sweeps.cases import Batch
 from rockeom.sweeps.task import Task
 
 NOT_RUN = -1
-"""In place of the number of an outcome."""
+"""The value in place of the number of an outcome, of a case that was not run."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ class Results:
         )
 
     def arrays(self) -> dict[str, np.ndarray]:
-        """By name."""
+        """The arrays by name."""
         return vars(self)
 
     def put(self, rows: np.ndarray | slice, found: Mapping[str, np.ndarray]) -> None:

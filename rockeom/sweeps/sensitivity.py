@@ -359,7 +359,7 @@ class _Moving:
         return self.of(name, int(contact[0]), y[0], self.found.at([t])[0])
 
     def at_corner(self, name: str, corner: Dual) -> Dual:
-        """At a corner of the ground's motion, a time that moves."""
+        """The value at a corner of the ground motion, a time that moves."""
         t = float(np.nextafter(value_of(corner), 0.0))
         y, contact = self.run.steps.at(np.array([t]), "left")
         along = self.found.at([t])[0] + np.outer(self.path.rates(t), tangent_of(corner, self.m))

@@ -194,7 +194,7 @@ class Motion:
 
     @cached_property
     def longest_step(self) -> float:
-        """In which derivatives follow the fastest vibration that there may be [s]."""
+        """The step in which derivatives follow the fastest possible vibration [s]."""
         structure = self.response.structure
         if structure.rocks_on_rigid_ground and len(structure.states) == 2:
             return math.inf  # nothing vibrates

@@ -26,7 +26,7 @@ from rockeom.sweeps.results import Results
 from rockeom.sweeps.task import Task
 
 AGAIN = 3
-"""So many times a chunk is given to an executor that has lost it."""
+"""Number of times that an executor which has lost a chunk receives it again."""
 
 
 def run_apart(task: Task, cases: Cases) -> dict[str, np.ndarray]:

@@ -77,7 +77,7 @@ def tidy(expr: sp.Expr) -> sp.Expr:
 
 @lru_cache(maxsize=4096)  # minors are minors of minors
 def determinant(matrix: sp.ImmutableMatrix, short: Callable[[sp.Expr], sp.Expr] = tidy) -> sp.Expr:
-    """By the row with the fewest entries: constraints, and storeys, have few.
+    """The determinant by the row with the fewest entries: constraints, and storeys, have few.
 
     short : what is done with each minor; left as they come, they grow with every row.
     """
@@ -119,7 +119,7 @@ def brief(expr: sp.Expr) -> sp.Expr:
 
 
 def inverted(matrix: sp.Matrix) -> sp.Matrix:
-    """By determinants: entries are short."""
+    """The inverse by determinants: entries are short."""
     if matrix.rows == 0:
         return matrix
     n, divisor = matrix.rows, determinant(matrix.as_immutable(), brief)

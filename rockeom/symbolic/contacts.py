@@ -189,22 +189,22 @@ class ContactDeclaration:
 
     @property
     def springs(self) -> tuple[Spring, ...]:
-        """Those of `elements` that always act."""
+        """The `elements` that always act."""
         return tuple(e for e in self.elements if isinstance(e, Spring))
 
     @property
     def switching(self) -> tuple[Switching, ...]:
-        """Those of `elements` that have states, of which modes are made."""
+        """The `elements` that have states, of which modes are made."""
         return tuple(e for e in self.elements if not isinstance(e, Spring))
 
     @cached_property
     def endings(self) -> tuple[Mapping[int, tuple[Ending, ...]], ...]:
-        """Those that end the states of each of `switching`."""
+        """The endings of the states of each of `switching`."""
         return tuple(e.endings(self.coordinates) for e in self.switching)
 
     @property
     def _generalised_forces(self) -> tuple[sp.Expr, ...]:
-        """That on each coordinate, by virtual work."""
+        """The force on each coordinate, by virtual work."""
         return tuple(
             sum((f.value * sp.diff(f.displacement, c.position) for f in self.forces), sp.S.Zero)
             for c in self.coordinates

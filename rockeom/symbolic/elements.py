@@ -60,7 +60,7 @@ class Unilateral:
     outputs: ClassVar = ("reaction", "uplift")
     """Names in a response of its force, and of its displacement with the other sign."""
     positive: ClassVar = frozenset[str]()
-    """Those of `constants` that may not be zero."""
+    """The `constants` that may not be zero."""
     internal: ClassVar[tuple[InternalVariable, ...]] = ()
 
     def __post_init__(self) -> None:
@@ -75,7 +75,7 @@ class Unilateral:
 
     @property
     def displacement(self) -> sp.Expr:
-        """On whose rise the force does work, the negative of both."""
+        """The displacement on whose rise the force does work, the negative of both."""
         return self.compression
 
     @property
@@ -306,8 +306,8 @@ class Spring:
     """A spring and a damper that always act: a storey's columns, a bearing, a tendon that is tight.
 
     Its force is P + k d + c d', positive where it resists that the deformation d grows: d, a
-    function of the coordinates, on whose rise the force does work -(P + k d + c d'). From it follow
-    the elastic energy and the dissipation of the structure, and a response has it by name:
+    function of the coordinates, on whose rise the force does work -(P + k d + c d'). The elastic
+    energy and the dissipation of the structure follow from it, and a response has it by name:
     NAME_deformation, NAME_force, NAME_energy and NAME_loss.
 
     stiffness : k [N/m]. damping : c [N s/m]. initial_force : P [N], of either sign, where d is

@@ -169,7 +169,7 @@ class HybridModel:
 
     @cached_property
     def _impulse_maps(self) -> dict[tuple[str, str], ImpulseMap]:
-        """Those that have been derived."""
+        """The impulse maps that have been derived."""
         return {}
 
     @cached_property

@@ -225,7 +225,7 @@ class DerivedMode:
 
     @property
     def held(self) -> tuple[tuple[int, ...], ...]:
-        """Those of `groups` that smooth contacts keep from slipping."""
+        """The `groups` that smooth contacts keep from slipping."""
         return self._groups[1]
 
     @cached_property
@@ -259,7 +259,7 @@ class DerivedMode:
 
     @property
     def rubbing(self) -> tuple[tuple[int, ...], ...]:
-        """Those of `groups` that have friction here."""
+        """The `groups` that have friction here."""
         return tuple(g for g in self.groups if self.states[g[0]] != FRICTIONLESS)
 
     @cached_property

@@ -32,7 +32,7 @@ class Arguments:
 _PLACES: dict[str, float] = {}
 _DECLARED: dict[str, Callable[[], RockingModel]] = {}
 ARGUMENTS: dict[str, Arguments] = {}
-"""Those of the classes of shipped structures, by name."""
+"""The arguments of the classes of shipped structures, by name."""
 FAMILIES: dict[str, Callable[..., RockingModel]] = {}
 """The functions that declare a structure for each set of their arguments, by name."""
 

@@ -144,7 +144,7 @@ def laws(what: str, symbol: Any) -> None:
 
 
 def repeated(names: Iterable[Any]) -> list[str]:
-    """Those that stand there more than once, as texts."""
+    """Items that occur more than once, as texts."""
     names = list(names)
     return sorted({str(n) for n in names if names.count(n) > 1})
 

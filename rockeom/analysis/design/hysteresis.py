@@ -252,7 +252,7 @@ class TakedaRule(HysteresisRule):
         return self.stiffness * (self.yield_displacement / peak) ** self.unloading_exponent
 
     def _reloading(self, u: np.ndarray, zero: np.ndarray, peak: np.ndarray) -> np.ndarray:
-        """On the way from zero force to the peak, and on the envelope beyond it."""
+        """Forces on the way from zero to the peak, and on the envelope beyond it."""
         line = self._envelope(peak) * (u - zero) / (peak - zero)
         return np.where(u < peak, line, self._envelope(u))
 

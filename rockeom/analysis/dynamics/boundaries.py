@@ -289,7 +289,7 @@ class _Walk:
     def points(
         self, point: OverturningPoint, sign: float, most: int
     ) -> tuple[list[OverturningPoint], str]:
-        """Those on one side of a point, and why there are no more."""
+        """Points of the boundary on one side of a point, and why there are no more."""
         followed: list[OverturningPoint] = []
         step = self.step
         while len(followed) < most:

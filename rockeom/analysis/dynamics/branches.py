@@ -60,7 +60,7 @@ _SHORTEST = 1e-10
 """Step along a branch, in parts of it, below which the branch has ended."""
 
 _INSIDE = 1e-9
-"""By how much of their range values may pass a bound, for rounding."""
+"""Part of their range by which values may pass a bound, for rounding."""
 
 _AT_THE_LOOK = 1e-6
 """Time between an event and the start of a cycle, in parts of the cycle, that counts as zero."""

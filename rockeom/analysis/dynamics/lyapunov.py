@@ -172,7 +172,7 @@ def lyapunov_spectrum(
 def _start(
     stroboscope: StroboscopicMap, initial: Mapping[str, float] | ArrayLike | LyapunovSpectrum
 ) -> _Motion:
-    """From where the motion is followed; raises ValueError for a spectrum of another map."""
+    """The state where the motion begins; raises ValueError for a spectrum of another map."""
     if not isinstance(initial, LyapunovSpectrum):
         names = stroboscope.states
         if isinstance(initial, Mapping):  # what is not named may follow from the rest

@@ -236,7 +236,7 @@ class _Brackets:
         return (self.high - self.low <= accuracy * size) | ~between
 
     def dataset(self) -> xr.Dataset:
-        """In the order of the names' values."""
+        """A dataset in the order of the names' values."""
         at = self.with_middles()
         order = np.lexsort([*reversed(at.values()), self.along])
         columns = {name: (_DIM, getattr(self, name)[order]) for name in ("along", *_NUMBERS)}

@@ -57,7 +57,7 @@ class RotationCentre:
 
     @classmethod
     def thesis_gauge(cls) -> RotationCentre:
-        """As printed in 4-7, and used ever after: fitted to distances from the uplift gauge."""
+        """The wall of 4-7 as printed, and used ever after: fitted to distances from the gauge."""
         return cls(**ThesisCentre()._asdict())
 
     @classmethod
@@ -167,7 +167,7 @@ class Tendon:
 
     @property
     def yield_extension(self) -> float:
-        """From the unstressed state to yield [m]."""
+        """Extension from the unstressed state to yield [m]."""
         return self.yield_force / self.stiffness
 
     def force(self, extension: ArrayLike) -> np.ndarray:
@@ -213,7 +213,7 @@ class Tendon:
 
     @property
     def _reserve(self) -> float:
-        """From the initial state to yield [m]."""
+        """Extension from the initial state to yield [m]."""
         return (self.yield_force - self.initial_force) / self.stiffness
 
 

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
 
 class QuarterPeriods(NamedTuple):
-    """From a peak to the next crossing: the peak [m], signed, and the time between them [s]."""
+    """Times from a peak to the next crossing: the signed peak [m], and the time between [s]."""
 
     peak: np.ndarray
     time: np.ndarray
@@ -194,7 +194,7 @@ class FreeVibration:
         )
 
     def quarter_periods(self) -> QuarterPeriods:
-        """From each peak to the crossing after it; thesis Figure 4-13."""
+        """Times from each peak to the crossing after it; thesis Figure 4-13."""
         starts = np.flatnonzero(self.at_peak[:-1])
         return QuarterPeriods(self.displacement[starts], np.diff(self.time)[starts])
 

@@ -208,7 +208,7 @@ class Impacts:
         rotational_stiffness: float = 0.0,
         smallest: float | None = None,
     ) -> Impacts:
-        """From the peaks of a channel of a record, as `of_peaks`.
+        """Impacts by the peaks of a channel of a record, as `of_peaks`.
 
         record : as measured; each peak is fitted, which needs no filter, and the noise of the
         record gives the intervals. channel : "theta", or as the structure calls its rotation, if
@@ -238,7 +238,7 @@ class Impacts:
         threshold: float = 0.0,
         rotational_stiffness: float = 0.0,
     ) -> Impacts:
-        """From successive peaks: r = U_after/U_before by the structure's own energies.
+        """Impacts by successive peaks: r = U_after/U_before by the structure's own energies.
 
         time (n,) [s]; peaks (n,), rotations of the structure on both sides in turn, signed;
         deviation : standard deviation of the peaks, (n,) or one for all.

@@ -184,7 +184,7 @@ def reliability_of(
     reach: float = REACH,
     options: SolverOptions | None = None,
 ) -> FirstOrder:
-    """By first order, how likely a structure of random parameters overturns or exceeds a limit.
+    """How likely a structure of random parameters overturns or exceeds a limit, by first order.
 
         reliability_of(case, random)                               # overturning
         reliability_of(case, random, demand="theta", limit=0.05)   # or a rotation of 0.05 rad
@@ -446,7 +446,7 @@ class _Smooth:
         return -self.side * _unit(self.slope)
 
     def distance(self, ray: np.ndarray) -> float:
-        """By Newton's rule, kept between what is on this side of the boundary and what is not."""
+        """The distance by Newton's rule, kept between places before and beyond the boundary."""
         low, high, s = 0.0, math.inf, self._expected(ray)
         for _ in range(ROUNDS):
             value, slope = self.first if s == 0.0 else self._at(s * ray)
@@ -602,7 +602,7 @@ class _Overturning:
         return self.fates.runs + self.own_runs
 
     def distance(self, ray: np.ndarray) -> float:
-        """By halves, between places found by many motions at once."""
+        """The distance by halves, between places of many motions at once."""
         low, high = self.fates.first_changes(ray[None])[0].tolist()
         while high - low > ACCURACY * (1.0 + low) and high < math.inf:
             middle = 0.5 * (low + high)

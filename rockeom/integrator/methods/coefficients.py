@@ -133,4 +133,4 @@ class DOP853:
 
 
 PAIRS: dict[str, type] = {"DOP853": DOP853, "RK45": RK45}
-"""By the names that a user chooses them by, the default first."""
+"""Methods by the names that a user chooses them by, the default first."""

@@ -256,7 +256,7 @@ def share(candidate, known, force, fractions):
 
 @inlined
 def exceeds(row, wanted, known, impulse):
-    """By how much impulses change the velocity of a row more than it is wanted to."""
+    """The excess of the change of velocity of a row by impulses over the one wanted."""
     total = -wanted[row]
     for s in range(ROWS):
         total += known[COUPLING + row * ROWS + s] * impulse[s]
@@ -360,7 +360,7 @@ def radius_of(known, point):
 
 
 def squared(known, x):
-    """In the measure of the mass."""
+    """The square in the measure of the mass."""
     total = 0.0
     for i in range(N_COORDINATES):
         for j in range(N_COORDINATES):

@@ -46,7 +46,7 @@ def tabulated_velocity_ratio(impact, rate, p):
 def tabulated_energy_ratio(impact, rate, p):
     """Ratio r of the kinetic energies of rocking, by the table at the end of p.
 
-    Behind the rows of the left foot stand as many of the right one, then the number of rows of a
+    The rows of the left foot come first, then as many of the right one, the number of rows of a
     foot, their columns, and whether r is bounded. A row of one column is r of one impact; behind
     the last row the first one follows. A row of four holds up to a limit of the rate: that limit,
     r at no rate, its slope, and what is divided by the rate.

@@ -167,7 +167,7 @@ def shear_frame(storeys: int) -> Superstructure:
     slab = rectangle(HALF_WIDTH.symbol, thick)
 
     def columns(floor: int) -> Iterator[Member]:
-        """Those of a storey, under a floor."""
+        """The columns of a storey, under a floor."""
         below = f"floor {floor - 1}" if floor > 1 else "base"
         top = thick if floor > 1 else BASE_HEIGHT.symbol
         for x in (-HALF_WIDTH.symbol * INWARD, HALF_WIDTH.symbol * INWARD):

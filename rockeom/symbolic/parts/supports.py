@@ -45,7 +45,7 @@ RESTITUTION = Parameter(
 
 
 def pinned(of: Superstructure, title: str = "", reference: str = "") -> RockingModel:
-    """On feet that may lift, and neither slide nor bounce."""
+    """A model on feet that may lift, and neither slide nor bounce."""
     theta = ROTATION.position
     return rocking_structure(
         name=of.name,
@@ -64,7 +64,7 @@ def pinned(of: Superstructure, title: str = "", reference: str = "") -> RockingM
 
 
 def two_springs(of: Superstructure, guided: str = "centre") -> Model | RockingModel:
-    """On a spring and a damper under each foot, which press and never pull.
+    """A model on a spring and a damper under each foot, which press and never pull.
 
     guided : what moves up and down alone, the base's "centre", or the "foot" to whose side it
     leans.
@@ -78,7 +78,7 @@ def two_springs(of: Superstructure, guided: str = "centre") -> Model | RockingMo
 
 
 def winkler(of: Superstructure, springs: int) -> Model:
-    """On a bed of equal springs and dampers, equally far apart, which press and never pull.
+    """A model on a bed of equal springs and dampers, equally far apart, which press and never pull.
 
     The outer two stand at the feet, and the base's centre is guided vertically.
     """
@@ -114,7 +114,7 @@ def winkler(of: Superstructure, springs: int) -> Model:
 
 
 def sliding(of: Superstructure) -> Model:
-    """On feet that open, stick, slip and bounce on rigid ground."""
+    """A model on feet that open, stick, slip and bounce on rigid ground."""
     place = moved((X.position, Y.position))
     bodies = of.about_the_middle(place, ROTATION.position)
     return Model(

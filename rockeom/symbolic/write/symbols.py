@@ -103,7 +103,7 @@ def listed(names: Iterable[str]) -> str:
 
 
 def energies(mode: Mode, notation: Notation) -> list[Block]:
-    """Those that are not zero."""
+    """The energies that are not zero."""
     equations = mode.equations
     lines = [
         f"T = {notation.write(equations.kinetic_energy)}",

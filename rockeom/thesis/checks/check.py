@@ -14,7 +14,7 @@ from rockeom.thesis.equation import Equation, Relations
 
 
 class Means(Enum):
-    """By what an equation is decided."""
+    """Ways to decide an equation."""
 
     DERIVED = "derived"  # from first principles, by the engine or an independent route
     REPRODUCED = "reproduced"  # numbers of a table or a figure come out

@@ -149,12 +149,12 @@ def figure_4_7() -> Drawn:
 
 
 def oscillator_run(run: str) -> Response:
-    """By 4-27 with r of 4-31."""
+    """Motion by 4-27 with r of 4-31."""
     return shaken.oscillator_run(run, rk.EnergyRatioAtSpeed.equation_4_31())
 
 
 def substitute_run(run: str) -> Response:
-    """By 4-40 with r of 4-38."""
+    """Motion by 4-40 with r of 4-38."""
     return shaken.substitute_gravity_run(run, rk.EnergyRatioAtSpeed.equation_4_38())
 
 
