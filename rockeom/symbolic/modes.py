@@ -59,7 +59,7 @@ SLIP = SLIP_RIGHT
 """In a pattern, which leaves the signs of slips open."""
 
 VERBS = {STICK: "sticks", SLIP: "slips", FRICTIONLESS: "touches"}
-"""By the state of a closed point in a pattern."""
+"""Verbs by the state of a closed point in a pattern."""
 
 
 def sign_of_slip(group: int) -> sp.Symbol:

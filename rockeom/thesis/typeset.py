@@ -150,7 +150,7 @@ class _Printer(Notation):
         return self._print(sp.Symbol(expr.func.__name__)) + (f"^{{{exp}}}" if exp else "")
 
     def _print_Derivative(self, expr: sp.Derivative) -> str:
-        """By time outside, as in Lagrange's equation; rates with a dot."""
+        """Derivatives by time outside, as in Lagrange's equation; rates with a dot."""
         body, *rest = expr.args
         variables = sorted(rest, key=lambda pair: str(pair[0]) == "t")
         if isinstance(body, AppliedUndef) and len(rest) == 1 and str(rest[0][0]) == "t":

@@ -674,7 +674,7 @@ def impact_forces() -> identification.ImpactForces:
 
 
 def grows(speed: np.ndarray, force: np.ndarray) -> float:
-    """By how much a force grows from 0.2 to 0.8 rad/s on the straight line through its points."""
+    """Growth of a force from 0.2 to 0.8 rad/s on the straight line through its points."""
     slope, level = np.polyfit(np.abs(speed), force, 1)
     return float((level + 0.8 * slope) / (level + 0.2 * slope) - 1)
 

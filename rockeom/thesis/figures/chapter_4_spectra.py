@@ -27,7 +27,7 @@ START = -0.03041
 
 
 def oscillator() -> rk.ControlledWallOscillator:
-    """That of Figure 4-37, with r of 4-31."""
+    """The oscillator of Figure 4-37, with r of 4-31."""
     law = rk.EnergyRatioAtSpeed.equation_4_31()
     return rk.ControlledWallOscillator.from_wall(
         WALL, law, held=False, effective_mass=WALL.mass / STIFFER

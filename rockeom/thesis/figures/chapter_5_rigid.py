@@ -66,7 +66,7 @@ def measured(number: str) -> tuple[np.ndarray, np.ndarray]:
 
 
 def shift(run: Response, number: str) -> float:
-    """By how much later the column was let go than the first time printed [s].
+    """Delay of the release of the column after the first time printed [s].
 
     The first zero then comes when it was measured.
     """

@@ -54,7 +54,7 @@ def mark_points(ax: Axes, run: int, label: str = "printed") -> None:
 
 @cache
 def impacts() -> identification.Impacts:
-    """Those of run 1: r by 5-4 from the printed peaks, good to the last printed digit."""
+    """Impacts of run 1: r by 5-4 from the printed peaks, good to the last printed digit."""
     time, displacement = points(1)
     rotation = identification.rotation_from_displacement(displacement[::2], **MEASURED_AT)
     rounding = 0.01e-3 / np.sqrt(12) / MEASURED_AT["height"]
