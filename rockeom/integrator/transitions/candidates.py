@@ -300,16 +300,15 @@ def margin_of(candidate, near, sliding, wanted, known, sizes, impulse, least_of_
     return least
 
 
-def fitting_states(
-    mode, left_out, near, sliding, wanted, known, sizes, tolerance, alike, fitting, change
-):  # fmt: skip
+def fitting_states(mode, near, sliding, wanted, known, sizes, tolerance, alike, fitting, change):
     """(best, several): of all modes but one those whose impulses, or forces, fit.
 
     They fit by `tolerance`, and what they change of the velocities, or accelerations,
     differs by no more than `alike`, squared in the measure of the mass: AMBIGUOUS if it does,
-    IMPOSSIBLE if none fits. fitting : the first `several` of it are they. change (n,) : of the
-    best, by its margin.
+    IMPOSSIBLE if none fits. fitting : its first number is the mode to leave out, or -1; on return
+    its first `several` numbers are those that fit. change (n,) : of the best, by its margin.
     """
+    left_out = fitting[0]
     impulse, first = np.empty(ROWS), np.empty(N_COORDINATES)
     this, apart = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
     best, several, most = IMPOSSIBLE, 0, -np.inf
@@ -391,8 +390,9 @@ def collide(mode, near, slowest, known, y):
         if 2 * int(r * 0.5) == r:
             wanted[r] -= known[LAWS + r] * min(arriving, 0.0)
     alike = max(1e-18 * whole, slowest)
+    fitting[0] = -1
     found, _ = fitting_states(
-        mode, -1, near, sliding, wanted, known, sizes, FITS, alike, fitting, change
+        mode, near, sliding, wanted, known, sizes, FITS, alike, fitting, change
     )
     if found >= 0:
         for i in range(n):
@@ -495,8 +495,9 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, known, sizes
         if follows != IMPOSSIBLE or nearly < NEARLY:
             break
         alike = ALIKE * ALIKE * nearly * nearly * whole
+        fitting[0] = -1
         follows, several = fitting_states(
-            mode, -1, near, sliding, wanted, known, sizes, nearly, alike, fitting, change
+            mode, near, sliding, wanted, known, sizes, nearly, alike, fitting, change
         )
         apart = ends and follows == AMBIGUOUS
         if apart:  # what has come to its end and another: only one of them lasts
@@ -504,10 +505,10 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, known, sizes
         if apart or (follows >= 0 and (several > 1 or (ends and follows == mode))):
             follows = best_later(mode, ends, near, sliding, fitting, several, y, p, ground, sizes)
         if apart and follows == IMPOSSIBLE:
+            fitting[0] = mode
             follows, several = fitting_states(
-                mode, mode, near, sliding, wanted, known, sizes, nearly, alike, fitting,
-                change,
-            )  # fmt: skip
+                mode, near, sliding, wanted, known, sizes, nearly, alike, fitting, change
+            )
             if follows >= 0 and several > 1:
                 follows = best_later(
                     mode, ends, near, sliding, fitting, several, y, p, ground, sizes
