@@ -36,6 +36,8 @@ class StructureWithFields(Structure):
     sizes_checked: ClassVar[bool] = False
     """Whether arguments of the right signs may give a body or a base no size."""
 
+    __dataclass_fields__: ClassVar[dict[str, dataclasses.Field[Any]]]
+
     def __init_subclass__(cls, **given: Any) -> None:
         super().__init_subclass__(**given)
         declared = (base.__doc__ for base in cls.__mro__ if "model" in vars(base))
@@ -43,7 +45,7 @@ class StructureWithFields(Structure):
         cls.__doc__ = described
         if len(cls.__bases__) == 1 and not vars(cls).get("__annotations__"):
             return  # closed forms of a declared structure, whose fields are those of its base
-        dataclass(frozen=True, kw_only=True)(cls)
+        dataclass(frozen=True, kw_only=True, repr=False, eq=False)(cls)
         plain: Any = cls.__init__
         defaults = cls.defaults()
         known = set(defaults)
@@ -62,6 +64,23 @@ class StructureWithFields(Structure):
             plain(self, **values)
 
         setattr(cls, "__init__", init)  # noqa: B010
+
+    # dataclass would write these into each class, and a process would start later
+
+    def __repr__(self) -> str:
+        values = (f"{f.name}={getattr(self, f.name)!r}" for f in dataclasses.fields(self))
+        return f"{type(self).__qualname__}({', '.join(values)})"
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        return self._field_values() == other._field_values()
+
+    def __hash__(self) -> int:
+        return hash(self._field_values())
+
+    def _field_values(self) -> tuple[Any, ...]:
+        return tuple(getattr(self, f.name) for f in dataclasses.fields(self))
 
     def __post_init__(self) -> None:
         if self.sizes_checked:
