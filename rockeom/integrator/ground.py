@@ -65,6 +65,12 @@ def ground_acceleration(row, t):
 
 
 @inlined
+def ground_accelerations(ground, t):
+    """(ax, ay) by the segments that hold."""
+    return ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+
+
+@inlined
 def ground_at_stages(row, t, h, first, last, out, at):
     """Ground accelerations at the stages from `first` to before `last` of a step, to out[at + j].
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:  # joined before this text
         rises_first,
         size,
     )
-    from rockeom.integrator.ground import ground_acceleration, straight
+    from rockeom.integrator.ground import ground_acceleration, ground_accelerations, straight
     from rockeom.integrator.interface import (
         FULL_CONTACT,
         GUARDS,
@@ -214,7 +214,8 @@ def beside_gap(mode, guard, there, away):
 @inlined
 def guards_at(mode, t, y, p, ground, g):
     """The guards of a mode in a state at a time of the ground's segments, into g."""
-    guards(mode, y, p, ground_acceleration(ground.x, t), ground_acceleration(ground.y, t), g)
+    ax, ay = ground_accelerations(ground, t)
+    guards(mode, y, p, ax, ay, g)
 
 
 def guard_polynomials(mode, t, h, ground, case, a):
@@ -254,7 +255,7 @@ def first_event(mode, t, h, instant, landed, touching, ground, case, a):
     from_closed = unclear = False
     rocks = rocking(mode)
     b = a.b
-    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    ax, ay = ground_accelerations(ground, t)
     for i in range(GUARDS[mode]):
         known = is_known(touching, i)
         if i == landed or (landed >= 0 and known):
@@ -306,7 +307,7 @@ def settle(mode, t, h, touching, ground, case, a):
     due = -1
     moved = False
     w, g, rate = a.w, a.g, a.k
-    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    ax, ay = ground_accelerations(ground, t)
     guards(mode, a.y, case.p, ax, ay, g)
     for i in range(GUARDS[mode]):
         known = is_known(touching, i)
@@ -342,7 +343,7 @@ def opens_soon(mode, index, t, h, ground, case, a, noise):
         for i in range(n):
             w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * k[n + i])
             w[n + i] = y[n + i] + tau * k[n + i]
-        ax, ay = ground_acceleration(ground.x, t + tau), ground_acceleration(ground.y, t + tau)
+        ax, ay = ground_accelerations(ground, t + tau)
         rates(mode, w, case.p, ax, ay, later)
         for i in range(n):
             w[i] += tau * tau * (later[n + i] - k[n + i]) / 6.0
@@ -386,7 +387,7 @@ def overlooks(mode, t, h, ground, case, a, at_end):
         x = 1.0 - part if at_end else part
         tau = t + x * h
         dense_at(a.coefficients, x, w)
-        ax, ay = ground_acceleration(ground.x, tau), ground_acceleration(ground.y, tau)
+        ax, ay = ground_accelerations(ground, tau)
         rates(mode, w, case.p, ax, ay, rate)
         for i in range(n, N_STATES):
             slope, _ = slope_at(a.coefficients, x, i)

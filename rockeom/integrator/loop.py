@@ -57,6 +57,7 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.full_contact import cannot_move, stands_until
     from rockeom.integrator.ground import (
         ground_acceleration,
+        ground_accelerations,
         jumps,
         sampling_step,
         segment_at,
@@ -167,7 +168,7 @@ def integrate(
     a = arrays_of(y, rate, scratch)
     motion = resumed(status, clock)
     ground = ground_at(motion.t, case)
-    ax, ay = ground_acceleration(ground.x, motion.t), ground_acceleration(ground.y, motion.t)
+    ax, ay = ground_accelerations(ground, motion.t)
     begins = motion.taken == 0 and motion.impacts == 0 and motion.rate_stale
     if begins and not initial_mode_is_one(motion.mode, y, case.p, ax, ay):
         return SEVERAL_SOLUTIONS
@@ -527,7 +528,7 @@ def land(motion, ground, step, case, a):
         move = time_to_landing(motion, step, case, a)
         near = 0.1 if step.corrections == 0 else 0.01
     else:
-        ax, ay = ground_acceleration(ground.x, tau), ground_acceleration(ground.y, tau)
+        ax, ay = ground_accelerations(ground, tau)
         guards(motion.mode, a.y_new, case.p, ax, ay, a.g)
         move = -a.g[step.target] / step.slope if step.slope < 0.0 else 0.0
     least = max(2.0 * EPS * tau, 1e-5 * case.rtol * step.h)

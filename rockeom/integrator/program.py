@@ -299,8 +299,7 @@ def texts(generated: GeneratedModule, method: str, lanes: bool = False) -> list[
     else:
         quick = getattr(generated, "QUICK", ())
         step = step_text(tableau(method), n, generated.ROTATION, quick)
-    bounces = getattr(generated, "N_POINTS", 0) > 0
-    contract = _SEARCH if bounces else _TABLE
+    contract = _SEARCH if _bounces(generated) else _TABLE
     parts = [
         Text(f"{generated.NAME}.py", source(generated)),
         Text(f"the step of {method}", step, fused=True),
@@ -321,7 +320,13 @@ def _of_points(generated: GeneratedModule) -> list[Text]:
     if not has_points(generated):
         return [Text("no points", "N_POINTS = N_KNOWN = 0\n")]
     which = f"\n\nANGLES = {angles(generated)!r}  # which coordinates are\n"
-    return [Text(POINTS, text_of(POINTS) + which), *map(_joined, (*POINT_TEXTS[1:], *_OF_POINTS))]
+    others = (*POINT_TEXTS[1:], *(_OF_POINTS if _bounces(generated) else ()))
+    return [Text(POINTS, text_of(POINTS) + which), *map(_joined, others)]
+
+
+def _bounces(generated: GeneratedModule) -> bool:
+    """Whether a structure has points that may open, slide and bounce, besides elements."""
+    return getattr(generated, "N_POINTS", 0) > 0
 
 
 def _joined(name: str, fused: bool = False) -> Text:

@@ -24,7 +24,12 @@ from rockeom.compiler.decorators import Duals, Duals2, Duals3, Floats, Ints, ent
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.full_contact import cannot_move
-    from rockeom.integrator.ground import ground_acceleration, segment_at, segment_of
+    from rockeom.integrator.ground import (
+        ground_acceleration,
+        ground_accelerations,
+        segment_at,
+        segment_of,
+    )
     from rockeom.integrator.interface import (
         N_ALL_STAGES,
         N_GUARDS,
@@ -41,7 +46,7 @@ if TYPE_CHECKING:  # joined before this text
         value,
     )
     from rockeom.integrator.records import Case, Ground, Recorder, State
-    from rockeom.integrator.transitions.candidates import AX, AY, LATER, LATER_AX, LATER_AY, pass_on
+    from rockeom.integrator.transitions.candidates import ground_now_and_later, pass_on
     from rockeom.integrator.transitions.declared import stand, time_to_rest, velocity_ratio_at
     from rockeom.integrator.transitions.points import N_KNOWN
     from rockeom.integrator.transitions.zeno import time_of_bounces
@@ -218,7 +223,6 @@ def go_on(mode, t, h, y, ground, case, varied, duals):
     `varied.longest`.
     """
     k, here, y_new = duals[_STAGES:_NEW], duals[_MOVED:_BEHIND], duals[_NEW:_MOVED]
-    x, vertical = ground.x, ground.y
     parts = 1 + int(h / varied.longest)
     part = h / parts
     for j in range(N_STATES):
@@ -227,9 +231,11 @@ def go_on(mode, t, h, y, ground, case, varied, duals):
         for j in range(N_STATES):
             here[j] = y_new[j]
         now = t + i * part
-        ax, ay = ground_acceleration(x, now), ground_acceleration(vertical, now)
+        ax, ay = ground_accelerations(ground, now)
         rates(mode, here, varied.p, ax, ay, k)
-        take_step(mode, now, part, here, varied.p, x, vertical, case.rtol, case.atol, k, y_new)
+        take_step(
+            mode, now, part, here, varied.p, ground.x, ground.y, case.rtol, case.atol, k, y_new
+        )
 
 
 def stands_still(mode, t, ground, p, floats):
@@ -238,7 +244,7 @@ def stands_still(mode, t, ground, p, floats):
     for j in range(N_STATES // 2, N_STATES):
         if start[j] != 0.0:
             return False
-    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    ax, ay = ground_accelerations(ground, t)
     rates(mode, start, p, ax, ay, rate_there)
     return cannot_move(mode, rate_there, start, p)
 
@@ -268,7 +274,7 @@ def pass_through(e, impacts, length, recorder, shaken, case, varied, out, floats
     for j in range(N_STATES):
         before[j] = recorder.event_states[e, 0, j]
     put(y, before)
-    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    ax, ay = ground_accelerations(ground, t)
     rates(mode, before, case.p, ax, ay, rate_there)
     code, tau = moves_by(e, length, recorder, shaken, case, varied, y, floats, duals)
     if code != 0:
@@ -306,7 +312,7 @@ def pass_through(e, impacts, length, recorder, shaken, case, varied, out, floats
         more = e < recorder.events.shape[0]
         if not (more and (recorder.events[e] == t or recorder.event_kinds[e, 0] == REST)):
             break
-    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    ax, ay = ground_accelerations(ground, t)
     rates(follows, before, case.p, ax, ay, rate_there)
     for j in range(N_STATES):
         y[j] = moved[j] - rate_there[j] * tau
@@ -337,12 +343,12 @@ def moves_by(e, length, recorder, shaken, case, varied, y, floats, duals):
     for j in range(N_STATES):
         later[j] = before[j] + ahead * rate_there[j]
     soon = t + ahead
-    ax, ay = ground_acceleration(ground.x, soon), ground_acceleration(ground.y, soon)
+    ax, ay = ground_accelerations(ground, soon)
     rates(mode, later, p, ax, ay, rate_soon)
     after = falls_by(mode, guard, soon, later, rate_soon, ground, p, state, g)
     for j in range(N_STATES):
         later[j] = case.atol[j] + case.rtol * abs(before[j])
-    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    ax, ay = ground_accelerations(ground, t)
     grain = abs(guard_along(mode, guard, before, later, ax, ay, p, state, g))
     # where it falls faster and faster it comes from where it was open: a short hop is no graze
     bends = max(after - falls, 0.0) / ahead if ahead > 0.0 else 0.0
@@ -357,7 +363,7 @@ def moves_by(e, length, recorder, shaken, case, varied, y, floats, duals):
 def falls_by(mode, guard, t, y, dy, ground, p, state, g):
     """How fast a guard changes along the motion."""
     now = moving(t, 1.0)
-    ax, ay = ground_acceleration(ground.x, now), ground_acceleration(ground.y, now)
+    ax, ay = ground_accelerations(ground, now)
     return guard_along(mode, guard, y, dy, ax, ay, p, state, g)
 
 
@@ -375,7 +381,7 @@ def goes_on(e, t, ground, p, recorder, floats):
     rate_behind = floats[2 * N_STATES : 3 * N_STATES]
     for j in range(N_STATES):
         y[j] = recorder.event_states[e, 1, j]
-    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    ax, ay = ground_accelerations(ground, t)
     rates(recorder.event_kinds[e, 2], y, p, ax, ay, rate_behind)
     same = True
     for j in range(N_STATES):
@@ -399,12 +405,10 @@ def passed(e, now, length, impacts, recorder, ground, case, varied, duals):
         follows = jump(mode, guard, case.law, ratio, y, p, out)
     else:
         ahead, known = 1e-5 * length, duals[_KNOWN_POINTS:]
-        accelerations, soon = np.empty(5), value(now) + ahead
-        accelerations[AX] = ground_acceleration(ground.x, now)
-        accelerations[AY] = ground_acceleration(ground.y, now)
-        accelerations[LATER_AX] = ground_acceleration(ground.x, soon)
-        accelerations[LATER_AY] = ground_acceleration(ground.y, soon)
-        accelerations[LATER] = ahead
+        ax, ay = ground_accelerations(ground, now)
+        later_ax, later_ay = ground_accelerations(ground, value(now) + ahead)
+        accelerations = np.empty(5)
+        ground_now_and_later(ax, ay, later_ax, later_ay, ahead, accelerations)
         follows, _ = pass_on(mode, guard, length, y, p, accelerations, case.rtol, known, out)
     return follows
 
@@ -418,7 +422,7 @@ def comes_to_rest(e, now, impacts, recorder, ground, case, varied, duals):
     """
     mode, tolerance, p = recorder.event_kinds[e, 1], case.rest_tolerance, varied.p
     y, out, stands = duals[_MOVED:_BEHIND], duals[_BEHIND:_STATE], duals[_NEW:_MOVED]
-    ax, ay = ground_acceleration(ground.x, now), ground_acceleration(ground.y, now)
+    ax, ay = ground_accelerations(ground, now)
     if N_POINTS > 0:
         known = duals[_KNOWN_POINTS:]
         rests, follows = time_of_bounces(

@@ -446,10 +446,16 @@ def fits_by_forces(mode, y, p, ax, ay):
 
 
 @inlined
+def ground_now_and_later(ax, ay, later_ax, later_ay, later, ground):
+    """The ground with its accelerations now, and those a time `later`, into ground (5,)."""
+    ground[AX], ground[AY], ground[LATER_AX], ground[LATER_AY] = ax, ay, later_ax, later_ay
+    ground[LATER] = later
+
+
+@inlined
 def same_ground(ax, ay, later, ground):
     """Ground that has the same accelerations a little later."""
-    ground[AX], ground[AY], ground[LATER_AX], ground[LATER_AY] = ax, ay, ax, ay
-    ground[LATER] = later
+    ground_now_and_later(ax, ay, ax, ay, later, ground)
 
 
 def without_forces(y, p, ax, ay, mode, known, wanted, sizes):

@@ -23,18 +23,14 @@ from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.bernstein import EPS, NEVER
-    from rockeom.integrator.ground import ground_acceleration
+    from rockeom.integrator.ground import ground_accelerations
     from rockeom.integrator.interface import KINDS, N_STAGES, N_STATES
     from rockeom.integrator.recorder import enter_mode
     from rockeom.integrator.records import Rest, State
     from rockeom.integrator.rounding import noise_of
     from rockeom.integrator.transitions.candidates import (
-        AX,
-        AY,
-        LATER,
-        LATER_AX,
-        LATER_AY,
         fits_by_forces,
+        ground_now_and_later,
         guard_noise,
         held_upright,
         nothing_moves,
@@ -120,12 +116,10 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
             return after_step_over(motion, rest), rest
     length = max(h, min(motion.h_next, end - motion.t))
     tau = 1e-5 * length
-    accelerations, soon = np.empty(5), motion.t + tau
-    accelerations[AX] = ground_acceleration(ground.x, motion.t)
-    accelerations[AY] = ground_acceleration(ground.y, motion.t)
-    accelerations[LATER_AX] = ground_acceleration(ground.x, soon)
-    accelerations[LATER_AY] = ground_acceleration(ground.y, soon)
-    accelerations[LATER] = tau
+    ax, ay = ground_accelerations(ground, motion.t)
+    later_ax, later_ay = ground_accelerations(ground, motion.t + tau)
+    accelerations = np.empty(5)
+    ground_now_and_later(ax, ay, later_ax, later_ay, tau, accelerations)
     mode, touching = pass_on(
         motion.mode, guard, length, a.y, case.p, accelerations, case.rtol, a.known, a.after
     )
@@ -144,7 +138,7 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
 @inlined
 def state_of(motion, ground, case, a):
     """The state of a motion between two steps, with the ground there."""
-    ax, ay = ground_acceleration(ground.x, motion.t), ground_acceleration(ground.y, motion.t)
+    ax, ay = ground_accelerations(ground, motion.t)
     return State(motion.mode, a.y, case.p, ax, ay)
 
 

@@ -14,7 +14,7 @@ from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.bernstein import NEVER
-    from rockeom.integrator.ground import ground_acceleration
+    from rockeom.integrator.ground import ground_accelerations
     from rockeom.integrator.guards import (
         closes_once,
         rises_and_falls,
@@ -136,7 +136,7 @@ def zeno_time(motion, ground, end, case, a):
     rest = Rest(np.inf, mode, False)
     if SIDES[mode] == 0.0:
         return motion, rest
-    ax, ay = ground_acceleration(ground.x, t), ground_acceleration(ground.y, t)
+    ax, ay = ground_accelerations(ground, t)
     rates(mode, a.y, case.p, ax, ay, a.k)
     if not may_fade(SIDES[mode], a.y, a.k, case.law, case.ratio, case.rest_tolerance):
         # the next step begins with these rates
