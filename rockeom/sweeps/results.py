@@ -17,7 +17,9 @@ from rockeom.codes import (
     STEPS,
     TIME,
 )
+from rockeom.integrator import records
 from rockeom.integrator.program import Program
+from rockeom.simulation.case import Problems
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulate
 from rockeom.sweeps.cases import Batch
@@ -126,56 +128,60 @@ class Results:
         anew by the loop, so that the limit ends them where it ends a single motion.
         """
         q, rows = batch.problems, batch.rows
-        n, width = q.y0.shape
-        final, peaks, rates = np.empty((n, width)), np.empty((n, 2, width)), np.empty((n, width))
-        times, clock = np.empty((n, self.times.shape[1])), np.empty((n, 4))
-        gains = np.empty((n, 2))
-        status = np.empty((n, len(AT_THE_START)), np.int64)
-        outcome = np.empty(n, np.int64)
+        n, m = len(q.y0), _motions(q, options, self.times.shape[1])
 
         def begin(these: np.ndarray) -> None:
-            final[these], peaks[these], rates[these] = q.y0[these], q.y0[these, None], 0.0
-            times[these], gains[these] = np.nan, 0.0
-            clock[these], outcome[these] = 0.0, FULL
-            status[these] = AT_THE_START
-            status[these, CONTACT] = q.mode[these]
+            m.states[these], m.extremes[these] = q.y0[these], q.y0[these, None]
+            m.rates[these], m.impact_times[these], m.gains[these] = 0.0, np.nan, 0.0
+            m.clock[these], m.outcome[these] = 0.0, FULL
+            m.status[these] = AT_THE_START
+            m.status[these, CONTACT] = q.mode[these]
 
         begin(np.full(n, True))
-        state = status, clock, final, rates
-        others = (
-            q.horizontal, q.h_rows, q.vertical, q.v_rows, q.p, q.law, q.ratio, options.rtol,
-            np.full(width, options.atol), options.max_step, options.steps_per_segment, q.fallen,
-            options.rest_tolerance, options.max_impacts, options.max_steps, outcome, peaks, times,
-            gains,
-        )  # fmt: skip
         in_lanes = ended = 0
         try:
             if lanes:
                 z, w = _aligned(compiled.Z_SIZE), np.full(compiled.W_SIZE, -1)
-                call = compiled.integrate_lanes.bound(0, z, w, *state, q.end, q.quiet_from, *others)
+                call = compiled.integrate_lanes.bound(0, z, w, *m)
                 while in_lanes >= 0 and not stop.is_set():
                     call["first"] = in_lanes
                     in_lanes = call()
                 if in_lanes < 0:
-                    begin(status[:, STEPS] >= options.max_steps / 2)
-            call = compiled.integrate_many.bound(0, *state, q.end, q.quiet_from, *others)
+                    begin(m.status[:, STEPS] >= options.max_steps / 2)
+            call = compiled.integrate_many.bound(0, *m)
             while ended < n and not stop.is_set():
                 call["first"] = ended
                 ended = call()
         finally:
             ran = np.arange(n) < ended
             if lanes:  # whether those that have ended fall is still open
-                ran = (outcome != FULL) | (clock[:, TIME] >= q.end)
+                ran = (m.outcome != FULL) | (m.clock[:, TIME] >= q.end)
                 ends, quiet = np.where(ran, q.end, 0.0), np.where(ran, q.quiet_from, np.inf)
-                compiled.integrate_many(0, *state, ends, quiet, *others)
+                compiled.integrate_many(0, *m._replace(t_end=ends, quiet_from=quiet))
             there = rows[ran]
-            self.final[rows], self.peaks[rows] = final, peaks
-            self.times[there], self.gains[there] = times[ran], gains[ran]
-            self.final_time[there] = clock[ran, TIME]
-            self.mode[there] = status[ran, CONTACT]
-            self.impacts[there] = status[ran, IMPACTS]
-            self.refined[there] = status[ran, REFINED]
-            self.outcome[there] = outcome[ran]
+            self.final[rows], self.peaks[rows] = m.states, m.extremes
+            self.times[there], self.gains[there] = m.impact_times[ran], m.gains[ran]
+            self.final_time[there] = m.clock[ran, TIME]
+            self.mode[there] = m.status[ran, CONTACT]
+            self.impacts[there] = m.status[ran, IMPACTS]
+            self.refined[there] = m.status[ran, REFINED]
+            self.outcome[there] = m.outcome[ran]
+
+
+def _motions(q: Problems, options: SolverOptions, impacts: int) -> records.Batch:
+    """Motions as the loop takes them, with room for their results and their first impacts."""
+    n, width = q.y0.shape
+    return records.Batch(
+        status=np.empty((n, len(AT_THE_START)), np.int64), clock=np.empty((n, 4)),
+        states=np.empty((n, width)), rates=np.empty((n, width)), t_end=q.end,
+        quiet_from=q.quiet_from, horizontal=q.horizontal, h_rows=q.h_rows, vertical=q.vertical,
+        v_rows=q.v_rows, p=q.p, law=q.law, ratio=q.ratio, rtol=options.rtol,
+        atol=np.full(width, options.atol), h_max=options.max_step,
+        fixed=options.steps_per_segment, fallen=q.fallen, rest_tolerance=options.rest_tolerance,
+        max_impacts=options.max_impacts, max_steps=options.max_steps,
+        outcome=np.empty(n, np.int64), extremes=np.empty((n, 2, width)),
+        impact_times=np.empty((n, impacts)), gains=np.empty((n, 2)),
+    )  # fmt: skip
 
 
 def _aligned(size: int) -> np.ndarray:
