@@ -41,7 +41,8 @@ def expected_files(
     rows = "\n".join(f"    {string(name)}: {string(class_name(name))}," for name in SHIPPED)
     yield folder / INDEX, _INDEX.format(rows=rows)
     models, package = {name: build() for name, build in SHIPPED.items()}, folder.parent / "rockeom"
-    yield package / DECLARATIONS, declarations(models, SHIPPED)
+    for file, text in declarations(models, SHIPPED):
+        yield package / DECLARATIONS / file, text
     yield package / CLASSES, classes(SHIPPED, package)
     for name, build in SHIPPED.items():
         if names and name not in names:
@@ -88,4 +89,8 @@ def check_generated(folder: Path = GENERATED, names: Collection[str] = ()) -> st
     for path in sorted(folder.glob("*.*")):
         if path.suffix in {".py", ".md"} and path.name != INDEX and path.stem not in SHIPPED:
             diffs.append(f"generated/{path.name}: nothing generates this file\n")
+    declared = folder.parent / "rockeom" / DECLARATIONS
+    for path in sorted(declared.glob("[!_]*.py")):
+        if path.stem not in SHIPPED:
+            diffs.append(f"rockeom/{DECLARATIONS}/{path.name}: nothing generates this file\n")
     return "".join(diffs)

@@ -65,12 +65,13 @@ def class_named(name: str) -> type[Structure]:
 
     Raises ValueError, naming all of them, if there is none of that name.
     """
-    every = {**SHIPPED, **FAMILIES}
-    if name not in every:
-        raise ValueError(
-            f"no structure named {name!r}{near(name, every)}; there are {', '.join(every)}"
-        )
-    return every[name]
+    for classes in (SHIPPED, FAMILIES):
+        if name in classes:
+            return classes[name]
+    every = (*SHIPPED, *FAMILIES)
+    raise ValueError(
+        f"no structure named {name!r}{near(name, every)}; there are {', '.join(every)}"
+    )
 
 
 def takes_support(made: type[Structure]) -> bool:

@@ -98,7 +98,8 @@ def test_hollow_ring_of_one_new_file_is_derived_generated_and_simulated(tmp_path
     # the lists of all, and the module and page of the one that is new: nothing else changes
     wrote = python(tmp_path, "-m", "rockeom.cli", "generate", "hollow_ring").split("\n")
     names = (
-        "generated/shipped_structures.py", "rockeom/structures/shipped/declarations.py",
+        "generated/shipped_structures.py",
+        "rockeom/structures/shipped/declarations/hollow_ring.py",
         "rockeom/structures/classes.py", "generated/hollow_ring.py", "generated/hollow_ring.md",
     )  # fmt: skip
     assert wrote == [*(f"wrote {name}" for name in names), ""]

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.declarations import controlled_wall as declared
 from rockeom.structures.shipped.walls import RockingWall, TendonedWall, ThesisWall, of_wall
 
 
-class ControlledWall(RockingWall, declarations.ControlledWall):
+class ControlledWall(RockingWall, declared.ControlledWall):
     @classmethod
     def from_wall(cls, wall: TendonedWall, anchor_distance: float = 3.1) -> ControlledWall:
         """The wall of `rockeom.analysis`; anchor_distance of the tendon's anchors [m].

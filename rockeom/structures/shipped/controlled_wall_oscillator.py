@@ -12,13 +12,13 @@ import numpy as np
 from rockeom.numbers.checks import described, number
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.impact_laws import EnergyRatioAtSpeed
-from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.declarations import controlled_wall_oscillator as declared
 from rockeom.structures.shipped.walls import RockingWall, TendonedWall, ThesisWall, of_wall
 
 _PIECES = 4
 
 
-class ControlledWallOscillator(RockingWall, declarations.ControlledWallOscillator):
+class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
     not_numbers = frozenset({"energy_ratio", "held"})
     energy_ratio: float | EnergyRatioAtSpeed
     held: bool = True

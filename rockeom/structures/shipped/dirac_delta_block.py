@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.declarations import dirac_delta_block as declared
 
 
-class DiracDeltaBlock(declarations.DiracDeltaBlock):
+class DiracDeltaBlock(declared.DiracDeltaBlock):
     def __post_init__(self) -> None:
         if self.energy_ratio > 1:
             raise ValueError(

@@ -8,13 +8,13 @@ import numpy as np
 
 from rockeom.structures.base import FixedBase
 from rockeom.structures.parameters import check_values
-from rockeom.structures.shipped import declarations
 from rockeom.structures.shipped.controlled_wall import ControlledWall
+from rockeom.structures.shipped.declarations import flexible_controlled_wall as declared
 from rockeom.structures.shipped.flexible_structure import FlexibleStructure
 from rockeom.structures.shipped.walls import RockingWall, TendonedWall, ThesisWall
 
 
-class FlexibleControlledWall(RockingWall, declarations.FlexibleControlledWall):
+class FlexibleControlledWall(RockingWall, declared.FlexibleControlledWall):
     @classmethod
     def from_wall(
         cls,

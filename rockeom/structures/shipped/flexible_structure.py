@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.declarations import flexible_structure as declared
 from rockeom.structures.supports import SupportedStructure
 
 
-class FlexibleStructure(SupportedStructure, declarations.FlexibleStructure):
+class FlexibleStructure(SupportedStructure, declared.FlexibleStructure):
     def of_base(self) -> tuple[float, float]:
         inertia = self.inertia + self.base_inertia + self.base_mass * self.base_height**2
         return self.base_mass, inertia

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.declarations import lumped_mass_structure as declared
 from rockeom.structures.supports import SupportedStructure
 
 
-class LumpedMassStructure(SupportedStructure, declarations.LumpedMassStructure):
+class LumpedMassStructure(SupportedStructure, declared.LumpedMassStructure):
     def of_base(self) -> tuple[float, float]:
         inertia = self.inertia + self.base_inertia + self.base_mass * self.base_height**2
         return self.base_mass + self.mass, inertia + self.mass * self.height**2

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.declarations import nondimensional_block as declared
 
 
-class NondimensionalBlock(declarations.NondimensionalBlock):
+class NondimensionalBlock(declared.NondimensionalBlock):
     sizes_checked = False  # a radius_ratio of no body is a hint: the equations hold all the same
 
     def hints(self) -> tuple[str, ...]:

@@ -8,10 +8,10 @@ from typing import Self
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.parameters import check_values
-from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.declarations import rigid_block as declared
 
 
-class RigidBlock(declarations.RigidBlock):
+class RigidBlock(declared.RigidBlock):
     @classmethod
     def from_frequency(
         cls,

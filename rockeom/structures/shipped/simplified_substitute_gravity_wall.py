@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.declarations import simplified_substitute_gravity_wall as declared
 from rockeom.structures.shipped.substitute_gravity_wall import SubstituteGravityWall
 
 
 class SimplifiedSubstituteGravityWall(
-    declarations.SimplifiedSubstituteGravityWall, SubstituteGravityWall
+    declared.SimplifiedSubstituteGravityWall, SubstituteGravityWall
 ):
     pass

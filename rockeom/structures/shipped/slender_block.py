@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.structures.parameters import check_values
-from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.declarations import slender_block as declared
 from rockeom.structures.shipped.rigid_block import inertia_hints
 
 
-class SlenderBlock(declarations.SlenderBlock):
+class SlenderBlock(declared.SlenderBlock):
     @classmethod
     def from_frequency(
         cls, p: float, alpha: float, mass: float = 1.0, gravity: float = STANDARD_GRAVITY

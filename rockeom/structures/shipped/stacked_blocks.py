@@ -6,13 +6,13 @@ from typing import Any
 
 from rockeom.numbers.checks import described
 from rockeom.structures.parameters import ParameterError, check_restitution
-from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.declarations import stacked_blocks as declared
 from rockeom.structures.shipped.rigid_block import RigidBlock
 
 _OF_A_BLOCK = ("half_width", "half_height", "mass", "inertia")
 
 
-class StackedBlocks(declarations.StackedBlocks):
+class StackedBlocks(declared.StackedBlocks):
     def __post_init__(self) -> None:
         check_restitution("StackedBlocks", self.restitution)
         if self.upper_half_width > self.lower_half_width:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Self
 
-from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.declarations import substitute_gravity_wall as declared
 from rockeom.structures.shipped.walls import RockingWall, TendonedWall, ThesisWall, of_wall
 
 
-class SubstituteGravityWall(RockingWall, declarations.SubstituteGravityWall):
+class SubstituteGravityWall(RockingWall, declared.SubstituteGravityWall):
     @classmethod
     def from_wall(cls, wall: TendonedWall) -> Self:
         """The wall of `rockeom.analysis`, its inertia that about a corner."""

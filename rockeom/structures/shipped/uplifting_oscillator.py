@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.structures.parameters import check_values
-from rockeom.structures.shipped import declarations
+from rockeom.structures.shipped.declarations import uplifting_oscillator as declared
 
 
-class UpliftingOscillator(declarations.UpliftingOscillator):
+class UpliftingOscillator(declared.UpliftingOscillator):
     @classmethod
     def from_frequency(
         cls,
