@@ -6,6 +6,7 @@ import ast
 import re
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -159,7 +160,7 @@ class Program(Texts):
 
     def calls(self, name: str) -> int:
         """How often a function is called in the texts, or a little more: words are counted."""
-        return sum(text.source.count(f"{name}(") for text in self.texts) - 1  # its definition
+        return sum(_called(text.source)[name] for text in self.texts) - 1  # its definition
 
     def constant(self, value: Any) -> Value | None:
         """A table of numbers as an array of the program, or None if it is none."""
@@ -284,6 +285,12 @@ def _joined(
             f"{name} = private unnamed_addr constant [{len(numbers)} x {element}] [{items}]"
         )
     return "\n".join([*tables, *(f"declare {d}" for d in declared), *bodies, _ROLLED]) + "\n"
+
+
+@lru_cache(maxsize=64)  # the loop and the steps are those of many structures
+def _called(source: str) -> Counter[str]:
+    """How often each name is followed by a bracket."""
+    return Counter(re.findall(r"\b(\w+)\(", source))
 
 
 # of what is printed: calls, and whether they are written out; heads of functions; names in them
