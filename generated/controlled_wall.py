@@ -45,7 +45,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "fe38628370509de2"
+SOURCE_HASH = "75ce594dd55b2f2e"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"
@@ -228,7 +228,7 @@ def sine_cosine(x):
 
 @inlined
 def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left or right."""
+    """Accelerations of the coordinates in modes left or right."""
     sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     centroid_height = p[2]
@@ -309,7 +309,7 @@ def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent
 
 @inlined
 def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left_slack or right_slack."""
+    """Accelerations of the coordinates in modes left_slack or right_slack."""
     sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     centroid_height = p[2]
@@ -364,7 +364,7 @@ def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_do
 
 @inlined
 def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left_yield or right_yield."""
+    """Accelerations of the coordinates in modes left_yield or right_yield."""
     sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     centroid_height = p[2]
@@ -435,43 +435,43 @@ def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_do
 
 
 @inlined
-def accelerations(contact, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
+def accelerations(mode, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         return accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay)
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         return accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay)
     else:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         return accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     dy[0] = y[2]
     dy[1] = 0.0
-    found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
     dy[2] = found[0]
     dy[3] = found[1]
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Acceleration with which a mode's gap would open from closed and at rest."""
-    found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
-    return SIDES[contact] * found[0]
+    found = accelerations(mode, 0.0, y[1], 0.0, y[3], p, ax, ay)
+    return SIDES[mode] * found[0]
 
 
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[1]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -494,8 +494,8 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = s*theta
         g[1] = -c19 - x2
         g[2] = initial_force + x2
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         theta = y[0]
         permanent_extension = y[1]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -515,8 +515,8 @@ def guards(contact, y, p, ax, ay, g):
             math.sqrt((anchor_depth + anchor_height*cos_theta - sin_theta*x1)**2 +
             (anchor_height*sin_theta + cos_theta*x1 - eccentricity - x0)**2))
         )
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[2]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -544,7 +544,7 @@ def guards(contact, y, p, ax, ay, g):
         )
 
 
-def jump(contact, guard, law, ratio, y, p, out):
+def jump(mode, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -553,34 +553,34 @@ def jump(contact, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if contact == LEFT and guard == 0:
+    if mode == LEFT and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
         if out[2] > 0.0 and y[2] != 0.0:
             return RIGHT
         out[2] = 0.0
         return RIGHT
-    if contact == LEFT and guard == 1:
+    if mode == LEFT and guard == 1:
         return LEFT_YIELD
-    if contact == LEFT and guard == 2:
+    if mode == LEFT and guard == 2:
         return LEFT_SLACK
-    if contact == LEFT_SLACK and guard == 0:
+    if mode == LEFT_SLACK and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
         if out[2] > 0.0 and y[2] != 0.0:
             return RIGHT_SLACK
         out[2] = 0.0
         return RIGHT_SLACK
-    if contact == LEFT_SLACK and guard == 1:
+    if mode == LEFT_SLACK and guard == 1:
         return LEFT
-    if contact == LEFT_YIELD and guard == 0:
+    if mode == LEFT_YIELD and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
         if out[2] > 0.0 and y[2] != 0.0:
             return RIGHT_YIELD
         out[2] = 0.0
         return RIGHT_YIELD
-    if contact == LEFT_YIELD and guard == 1:
+    if mode == LEFT_YIELD and guard == 1:
         s = -1.0
         theta = y[0]
         height = p[3]
@@ -603,34 +603,34 @@ def jump(contact, guard, law, ratio, y, p, out):
             yield_force)/tendon_stiffness
         )
         return LEFT
-    if contact == RIGHT and guard == 0:
+    if mode == RIGHT and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
         if -out[2] > 0.0 and y[2] != 0.0:
             return LEFT
         out[2] = 0.0
         return LEFT
-    if contact == RIGHT and guard == 1:
+    if mode == RIGHT and guard == 1:
         return RIGHT_YIELD
-    if contact == RIGHT and guard == 2:
+    if mode == RIGHT and guard == 2:
         return RIGHT_SLACK
-    if contact == RIGHT_SLACK and guard == 0:
+    if mode == RIGHT_SLACK and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
         if -out[2] > 0.0 and y[2] != 0.0:
             return LEFT_SLACK
         out[2] = 0.0
         return LEFT_SLACK
-    if contact == RIGHT_SLACK and guard == 1:
+    if mode == RIGHT_SLACK and guard == 1:
         return RIGHT
-    if contact == RIGHT_YIELD and guard == 0:
+    if mode == RIGHT_YIELD and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
         if -out[2] > 0.0 and y[2] != 0.0:
             return LEFT_YIELD
         out[2] = 0.0
         return LEFT_YIELD
-    if contact == RIGHT_YIELD and guard == 1:
+    if mode == RIGHT_YIELD and guard == 1:
         s = 1.0
         theta = y[0]
         height = p[3]
@@ -653,7 +653,7 @@ def jump(contact, guard, law, ratio, y, p, out):
             yield_force)/tendon_stiffness
         )
         return RIGHT
-    return contact
+    return mode
 
 
 @inlined
@@ -665,11 +665,11 @@ def full_contact_guards(y, p, ax, g):
     pass
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         theta_ddot = found[0]
         theta = y[0]
         permanent_extension = y[1]
@@ -728,9 +728,9 @@ def reactions(contact, y, p, ax, ay, out):
         out[1] = x28*(1/2 - x23)
         out[2] = x28*(x23 + 1/2)
         out[3] = x27
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         theta_ddot = found[0]
         theta = y[0]
         theta_dot = y[2]
@@ -775,9 +775,9 @@ def reactions(contact, y, p, ax, ay, out):
         out[1] = x23*(1/2 - x22)
         out[2] = x23*(x22 + 1/2)
         out[3] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         theta_ddot = found[0]
         theta = y[0]
         theta_dot = y[2]
@@ -832,10 +832,10 @@ def reactions(contact, y, p, ax, ay, out):
         out[3] = yield_force
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[1]
         theta_dot = y[2]
@@ -885,8 +885,8 @@ def energies(contact, y, p, out):
             permanent_extension + math.sqrt((anchor_depth + anchor_height*x11 - x22*x3)**2 +
             (anchor_height*x3 - eccentricity + x11*x22 + x21)**2)))**2/tendon_stiffness
         )
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         theta = y[0]
         theta_dot = y[2]
         mass = p[0]
@@ -924,8 +924,8 @@ def energies(contact, y, p, out):
         )
         out[1] = x12*x20 + x13*x20*x8
         out[2] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[2]
         mass = p[0]
@@ -967,9 +967,9 @@ def energies(contact, y, p, out):
         out[2] = (1/2)*yield_force**2/tendon_stiffness
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
-    s = SIDES[contact]
+    s = SIDES[mode]
     theta = y[0]
     height = p[3]
     half_width = p[4]
@@ -994,9 +994,9 @@ def kinematics(contact, y, p, out):
     )
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
-    s = SIDES[contact]
+    s = SIDES[mode]
     theta = y[0]
     theta_dot = y[2]
     mass = p[0]
@@ -1020,10 +1020,10 @@ def momentum(contact, y, p, out):
     out[1] = x0*x5*x9 + x0*x8 - x2*x3
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[1]
         mass = p[0]
@@ -1076,8 +1076,8 @@ def statics(contact, y, p, load, out):
             anchor_height + x25)
         )
         out[1] = 0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         theta = y[0]
         mass = p[0]
         centroid_height = p[2]
@@ -1102,8 +1102,8 @@ def statics(contact, y, p, load, out):
             gravity*mass*s*x1*x2*x8 - load*(height*x1 + x0*x8*x9 - x1**2*x10 + x1*x10)
         )
         out[1] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         theta = y[0]
         mass = p[0]
         centroid_height = p[2]
@@ -1150,7 +1150,7 @@ def statics(contact, y, p, load, out):
         out[1] = 0
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     mass = p[0]
     inertia = p[1]
@@ -1160,12 +1160,12 @@ def masses(contact, y, p, out):
     out[2] = gravity
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK):
-        s = SIDES[contact]
+    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK):
+        s = SIDES[mode]
         theta = y[0]
         theta_dot = y[2]
         mass = p[0]
@@ -1193,8 +1193,8 @@ def powers(contact, y, p, ax, ay, out):
         )
         out[1] = 0
         out[2] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[2]
         mass = p[0]
@@ -1244,9 +1244,9 @@ def powers(contact, y, p, ax, ay, out):
         out[2] = 0
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    s = SIDES[contact]
+    s = SIDES[mode]
     theta = y[0]
     centroid_height = p[2]
     height = p[3]
@@ -1274,13 +1274,13 @@ def positions(contact, y, p, out):
     out[11] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[1]
         height = p[3]
@@ -1305,8 +1305,8 @@ def elements(contact, y, p, out):
         out[1] = x5
         out[2] = (1/2)*x5**2/tendon_stiffness
         out[3] = 0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         theta = y[0]
         permanent_extension = y[1]
         height = p[3]
@@ -1327,8 +1327,8 @@ def elements(contact, y, p, out):
         out[1] = 0
         out[2] = 0
         out[3] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[2]
         height = p[3]

@@ -55,7 +55,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "7f417804c7f245a0"
+SOURCE_HASH = "19313bf9e826e543"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"
@@ -567,44 +567,44 @@ def accelerations_2(s, u, permanent_extension, passage_speed, u_dot, permanent_e
 
 
 @inlined
-def accelerations(contact, u, permanent_extension, passage_speed, u_dot, permanent_extension_dot, passage_speed_dot, p, ax, ay):
+def accelerations(mode, u, permanent_extension, passage_speed, u_dot, permanent_extension_dot, passage_speed_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
-        s = SIDES[contact]
+    if mode == LEFT or mode == LEFT_INWARD or mode == LEFT_NEAR or mode == RIGHT or mode == RIGHT_INWARD or mode == RIGHT_NEAR:
+        s = SIDES[mode]
         return accelerations_0(s, u, permanent_extension, passage_speed, u_dot, permanent_extension_dot, passage_speed_dot, p, ax, ay)
-    elif contact == LEFT_SLACK or contact == LEFT_INWARD_SLACK or contact == LEFT_NEAR_SLACK or contact == RIGHT_SLACK or contact == RIGHT_INWARD_SLACK or contact == RIGHT_NEAR_SLACK:
-        s = SIDES[contact]
+    elif mode == LEFT_SLACK or mode == LEFT_INWARD_SLACK or mode == LEFT_NEAR_SLACK or mode == RIGHT_SLACK or mode == RIGHT_INWARD_SLACK or mode == RIGHT_NEAR_SLACK:
+        s = SIDES[mode]
         return accelerations_1(s, u, permanent_extension, passage_speed, u_dot, permanent_extension_dot, passage_speed_dot, p, ax, ay)
     else:
-        s = SIDES[contact]
+        s = SIDES[mode]
         return accelerations_2(s, u, permanent_extension, passage_speed, u_dot, permanent_extension_dot, passage_speed_dot, p, ax, ay)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     dy[0] = y[3]
     dy[1] = 0.0
     dy[2] = 0.0
-    found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
     dy[3] = found[0]
     dy[4] = found[1]
     dy[5] = found[2]
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Acceleration with which a mode's gap would open from closed and at rest."""
-    found = accelerations(contact, 0.0, y[1], y[2], 0.0, y[4], y[5], p, ax, ay)
-    return SIDES[contact] * found[0]
+    found = accelerations(mode, 0.0, y[1], y[2], 0.0, y[4], y[5], p, ax, ay)
+    return SIDES[mode] * found[0]
 
 
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT:
+    if mode == LEFT:
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -627,7 +627,7 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = -u_dot
         g[1] = -c15 - x3
         g[2] = initial_force + x3
-    elif contact == LEFT_INWARD:
+    elif mode == LEFT_INWARD:
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -652,7 +652,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = u_dot
         g[2] = -c15 - x3
         g[3] = initial_force + x3
-    elif contact == LEFT_INWARD_SLACK:
+    elif mode == LEFT_INWARD_SLACK:
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -674,7 +674,7 @@ def guards(contact, y, p, ax, ay, g):
             -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity - x2*(-c2*(1 -
             math.exp(-c1*x0)) + half_width*(1 - x1))) - permanent_extension)
         )
-    elif contact == LEFT_INWARD_YIELD:
+    elif mode == LEFT_INWARD_YIELD:
         u = y[0]
         u_dot = y[3]
         half_width = p[3]
@@ -699,7 +699,7 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = -c16 - u
         g[1] = u_dot
         g[2] = u_dot*(c6*x0*x6*x8 + u*x7*(-c0*u*x5*x8 - x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
-    elif contact == LEFT_NEAR:
+    elif mode == LEFT_NEAR:
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -723,7 +723,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = u_dot
         g[2] = -c15 - x3
         g[3] = initial_force + x3
-    elif contact == LEFT_NEAR_SLACK:
+    elif mode == LEFT_NEAR_SLACK:
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -744,7 +744,7 @@ def guards(contact, y, p, ax, ay, g):
             -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity - x2*(-c2*(1 -
             math.exp(-c1*x0)) + half_width*(1 - x1))) - permanent_extension)
         )
-    elif contact == LEFT_NEAR_YIELD:
+    elif mode == LEFT_NEAR_YIELD:
         u = y[0]
         u_dot = y[3]
         half_width = p[3]
@@ -768,7 +768,7 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = -u
         g[1] = u_dot
         g[2] = u_dot*(c6*x0*x6*x8 + u*x7*(-c0*u*x5*x8 - x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
-    elif contact == LEFT_SLACK:
+    elif mode == LEFT_SLACK:
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -788,7 +788,7 @@ def guards(contact, y, p, ax, ay, g):
             -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity - x2*(-c2*(1 -
             math.exp(-c1*x0)) + half_width*(1 - x1))) - permanent_extension)
         )
-    elif contact == LEFT_YIELD:
+    elif mode == LEFT_YIELD:
         u = y[0]
         u_dot = y[3]
         half_width = p[3]
@@ -810,7 +810,7 @@ def guards(contact, y, p, ax, ay, g):
         x7 = c3*x3
         x8 = x1**(-3/2)
         g[0] = u_dot*(c6*x0*x6*x8 + u*x7*(-c0*u*x5*x8 - x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
-    elif contact == RIGHT:
+    elif mode == RIGHT:
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -833,7 +833,7 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = u_dot
         g[1] = -c15 - x3
         g[2] = initial_force + x3
-    elif contact == RIGHT_INWARD:
+    elif mode == RIGHT_INWARD:
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -858,7 +858,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = -u_dot
         g[2] = -c15 - x3
         g[3] = initial_force + x3
-    elif contact == RIGHT_INWARD_SLACK:
+    elif mode == RIGHT_INWARD_SLACK:
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -880,7 +880,7 @@ def guards(contact, y, p, ax, ay, g):
             -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity + x2*(-c2*(1 -
             math.exp(-c1*x0)) + half_width*(1 - x1))) - permanent_extension)
         )
-    elif contact == RIGHT_INWARD_YIELD:
+    elif mode == RIGHT_INWARD_YIELD:
         u = y[0]
         u_dot = y[3]
         half_width = p[3]
@@ -905,7 +905,7 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = -c16 + u
         g[1] = -u_dot
         g[2] = u_dot*(c6*x0*x6*x8 + u*x7*(c0*u*x5*x8 + x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
-    elif contact == RIGHT_NEAR:
+    elif mode == RIGHT_NEAR:
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -929,7 +929,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = -u_dot
         g[2] = -c15 - x3
         g[3] = initial_force + x3
-    elif contact == RIGHT_NEAR_SLACK:
+    elif mode == RIGHT_NEAR_SLACK:
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -950,7 +950,7 @@ def guards(contact, y, p, ax, ay, g):
             -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity + x2*(-c2*(1 -
             math.exp(-c1*x0)) + half_width*(1 - x1))) - permanent_extension)
         )
-    elif contact == RIGHT_NEAR_YIELD:
+    elif mode == RIGHT_NEAR_YIELD:
         u = y[0]
         u_dot = y[3]
         half_width = p[3]
@@ -974,7 +974,7 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = u
         g[1] = -u_dot
         g[2] = u_dot*(c6*x0*x6*x8 + u*x7*(c0*u*x5*x8 + x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
-    elif contact == RIGHT_SLACK:
+    elif mode == RIGHT_SLACK:
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -994,7 +994,7 @@ def guards(contact, y, p, ax, ay, g):
             -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity + x2*(-c2*(1 -
             math.exp(-c1*x0)) + half_width*(1 - x1))) - permanent_extension)
         )
-    elif contact == RIGHT_YIELD:
+    elif mode == RIGHT_YIELD:
         u = y[0]
         u_dot = y[3]
         half_width = p[3]
@@ -1018,7 +1018,7 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = u_dot*(c6*x0*x6*x8 + u*x7*(c0*u*x5*x8 + x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
 
 
-def jump(contact, guard, law, ratio, y, p, out):
+def jump(mode, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -1027,7 +1027,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if contact == LEFT and guard == 0:
+    if mode == LEFT and guard == 0:
         s = -1.0
         u = y[0]
         permanent_extension = y[1]
@@ -1057,29 +1057,29 @@ def jump(contact, guard, law, ratio, y, p, out):
             x0*max(0, initial_force - permanent_extension*tendon_stiffness)**2)/effective_mass)
         )
         return LEFT_INWARD
-    if contact == LEFT and guard == 1:
+    if mode == LEFT and guard == 1:
         return LEFT_YIELD
-    if contact == LEFT and guard == 2:
+    if mode == LEFT and guard == 2:
         return LEFT_SLACK
-    if contact == LEFT_INWARD and guard == 0:
+    if mode == LEFT_INWARD and guard == 0:
         return LEFT_NEAR
-    if contact == LEFT_INWARD and guard == 1:
+    if mode == LEFT_INWARD and guard == 1:
         return LEFT
-    if contact == LEFT_INWARD and guard == 2:
+    if mode == LEFT_INWARD and guard == 2:
         return LEFT_INWARD_YIELD
-    if contact == LEFT_INWARD and guard == 3:
+    if mode == LEFT_INWARD and guard == 3:
         return LEFT_INWARD_SLACK
-    if contact == LEFT_INWARD_SLACK and guard == 0:
+    if mode == LEFT_INWARD_SLACK and guard == 0:
         return LEFT_NEAR_SLACK
-    if contact == LEFT_INWARD_SLACK and guard == 1:
+    if mode == LEFT_INWARD_SLACK and guard == 1:
         return LEFT_SLACK
-    if contact == LEFT_INWARD_SLACK and guard == 2:
+    if mode == LEFT_INWARD_SLACK and guard == 2:
         return LEFT_INWARD
-    if contact == LEFT_INWARD_YIELD and guard == 0:
+    if mode == LEFT_INWARD_YIELD and guard == 0:
         return LEFT_NEAR_YIELD
-    if contact == LEFT_INWARD_YIELD and guard == 1:
+    if mode == LEFT_INWARD_YIELD and guard == 1:
         return LEFT_YIELD
-    if contact == LEFT_INWARD_YIELD and guard == 2:
+    if mode == LEFT_INWARD_YIELD and guard == 2:
         s = -1.0
         u = y[0]
         height = p[2]
@@ -1099,25 +1099,25 @@ def jump(contact, guard, law, ratio, y, p, out):
             half_width)))/height
         )
         return LEFT_INWARD
-    if contact == LEFT_NEAR and guard == 0:
+    if mode == LEFT_NEAR and guard == 0:
         return RIGHT
-    if contact == LEFT_NEAR and guard == 1:
+    if mode == LEFT_NEAR and guard == 1:
         return LEFT
-    if contact == LEFT_NEAR and guard == 2:
+    if mode == LEFT_NEAR and guard == 2:
         return LEFT_NEAR_YIELD
-    if contact == LEFT_NEAR and guard == 3:
+    if mode == LEFT_NEAR and guard == 3:
         return LEFT_NEAR_SLACK
-    if contact == LEFT_NEAR_SLACK and guard == 0:
+    if mode == LEFT_NEAR_SLACK and guard == 0:
         return RIGHT_SLACK
-    if contact == LEFT_NEAR_SLACK and guard == 1:
+    if mode == LEFT_NEAR_SLACK and guard == 1:
         return LEFT_SLACK
-    if contact == LEFT_NEAR_SLACK and guard == 2:
+    if mode == LEFT_NEAR_SLACK and guard == 2:
         return LEFT_NEAR
-    if contact == LEFT_NEAR_YIELD and guard == 0:
+    if mode == LEFT_NEAR_YIELD and guard == 0:
         return RIGHT_YIELD
-    if contact == LEFT_NEAR_YIELD and guard == 1:
+    if mode == LEFT_NEAR_YIELD and guard == 1:
         return LEFT_YIELD
-    if contact == LEFT_NEAR_YIELD and guard == 2:
+    if mode == LEFT_NEAR_YIELD and guard == 2:
         s = -1.0
         u = y[0]
         height = p[2]
@@ -1137,7 +1137,7 @@ def jump(contact, guard, law, ratio, y, p, out):
             half_width)))/height
         )
         return LEFT_NEAR
-    if contact == LEFT_SLACK and guard == 0:
+    if mode == LEFT_SLACK and guard == 0:
         s = -1.0
         u = y[0]
         permanent_extension = y[1]
@@ -1160,9 +1160,9 @@ def jump(contact, guard, law, ratio, y, p, out):
             permanent_extension*tendon_stiffness)**2/tendon_stiffness)/effective_mass)
         )
         return LEFT_INWARD_SLACK
-    if contact == LEFT_SLACK and guard == 1:
+    if mode == LEFT_SLACK and guard == 1:
         return LEFT
-    if contact == LEFT_YIELD and guard == 0:
+    if mode == LEFT_YIELD and guard == 0:
         s = -1.0
         u = y[0]
         height = p[2]
@@ -1182,7 +1182,7 @@ def jump(contact, guard, law, ratio, y, p, out):
             half_width)))/height
         )
         return LEFT
-    if contact == RIGHT and guard == 0:
+    if mode == RIGHT and guard == 0:
         s = 1.0
         u = y[0]
         permanent_extension = y[1]
@@ -1212,29 +1212,29 @@ def jump(contact, guard, law, ratio, y, p, out):
             x0*max(0, initial_force - permanent_extension*tendon_stiffness)**2)/effective_mass)
         )
         return RIGHT_INWARD
-    if contact == RIGHT and guard == 1:
+    if mode == RIGHT and guard == 1:
         return RIGHT_YIELD
-    if contact == RIGHT and guard == 2:
+    if mode == RIGHT and guard == 2:
         return RIGHT_SLACK
-    if contact == RIGHT_INWARD and guard == 0:
+    if mode == RIGHT_INWARD and guard == 0:
         return RIGHT_NEAR
-    if contact == RIGHT_INWARD and guard == 1:
+    if mode == RIGHT_INWARD and guard == 1:
         return RIGHT
-    if contact == RIGHT_INWARD and guard == 2:
+    if mode == RIGHT_INWARD and guard == 2:
         return RIGHT_INWARD_YIELD
-    if contact == RIGHT_INWARD and guard == 3:
+    if mode == RIGHT_INWARD and guard == 3:
         return RIGHT_INWARD_SLACK
-    if contact == RIGHT_INWARD_SLACK and guard == 0:
+    if mode == RIGHT_INWARD_SLACK and guard == 0:
         return RIGHT_NEAR_SLACK
-    if contact == RIGHT_INWARD_SLACK and guard == 1:
+    if mode == RIGHT_INWARD_SLACK and guard == 1:
         return RIGHT_SLACK
-    if contact == RIGHT_INWARD_SLACK and guard == 2:
+    if mode == RIGHT_INWARD_SLACK and guard == 2:
         return RIGHT_INWARD
-    if contact == RIGHT_INWARD_YIELD and guard == 0:
+    if mode == RIGHT_INWARD_YIELD and guard == 0:
         return RIGHT_NEAR_YIELD
-    if contact == RIGHT_INWARD_YIELD and guard == 1:
+    if mode == RIGHT_INWARD_YIELD and guard == 1:
         return RIGHT_YIELD
-    if contact == RIGHT_INWARD_YIELD and guard == 2:
+    if mode == RIGHT_INWARD_YIELD and guard == 2:
         s = 1.0
         u = y[0]
         height = p[2]
@@ -1254,25 +1254,25 @@ def jump(contact, guard, law, ratio, y, p, out):
             half_width)))/height
         )
         return RIGHT_INWARD
-    if contact == RIGHT_NEAR and guard == 0:
+    if mode == RIGHT_NEAR and guard == 0:
         return LEFT
-    if contact == RIGHT_NEAR and guard == 1:
+    if mode == RIGHT_NEAR and guard == 1:
         return RIGHT
-    if contact == RIGHT_NEAR and guard == 2:
+    if mode == RIGHT_NEAR and guard == 2:
         return RIGHT_NEAR_YIELD
-    if contact == RIGHT_NEAR and guard == 3:
+    if mode == RIGHT_NEAR and guard == 3:
         return RIGHT_NEAR_SLACK
-    if contact == RIGHT_NEAR_SLACK and guard == 0:
+    if mode == RIGHT_NEAR_SLACK and guard == 0:
         return LEFT_SLACK
-    if contact == RIGHT_NEAR_SLACK and guard == 1:
+    if mode == RIGHT_NEAR_SLACK and guard == 1:
         return RIGHT_SLACK
-    if contact == RIGHT_NEAR_SLACK and guard == 2:
+    if mode == RIGHT_NEAR_SLACK and guard == 2:
         return RIGHT_NEAR
-    if contact == RIGHT_NEAR_YIELD and guard == 0:
+    if mode == RIGHT_NEAR_YIELD and guard == 0:
         return LEFT_YIELD
-    if contact == RIGHT_NEAR_YIELD and guard == 1:
+    if mode == RIGHT_NEAR_YIELD and guard == 1:
         return RIGHT_YIELD
-    if contact == RIGHT_NEAR_YIELD and guard == 2:
+    if mode == RIGHT_NEAR_YIELD and guard == 2:
         s = 1.0
         u = y[0]
         height = p[2]
@@ -1292,7 +1292,7 @@ def jump(contact, guard, law, ratio, y, p, out):
             half_width)))/height
         )
         return RIGHT_NEAR
-    if contact == RIGHT_SLACK and guard == 0:
+    if mode == RIGHT_SLACK and guard == 0:
         s = 1.0
         u = y[0]
         permanent_extension = y[1]
@@ -1315,9 +1315,9 @@ def jump(contact, guard, law, ratio, y, p, out):
             permanent_extension*tendon_stiffness)**2/tendon_stiffness)/effective_mass)
         )
         return RIGHT_INWARD_SLACK
-    if contact == RIGHT_SLACK and guard == 1:
+    if mode == RIGHT_SLACK and guard == 1:
         return RIGHT
-    if contact == RIGHT_YIELD and guard == 0:
+    if mode == RIGHT_YIELD and guard == 0:
         s = 1.0
         u = y[0]
         height = p[2]
@@ -1337,7 +1337,7 @@ def jump(contact, guard, law, ratio, y, p, out):
             half_width)))/height
         )
         return RIGHT
-    return contact
+    return mode
 
 
 @inlined
@@ -1349,11 +1349,11 @@ def full_contact_guards(y, p, ax, g):
     pass
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
-        s = SIDES[contact]
-        found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+    if mode == LEFT or mode == LEFT_INWARD or mode == LEFT_NEAR or mode == RIGHT or mode == RIGHT_INWARD or mode == RIGHT_NEAR:
+        s = SIDES[mode]
+        found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
         u_ddot = found[0]
         u = y[0]
         permanent_extension = y[1]
@@ -1374,14 +1374,14 @@ def reactions(contact, y, p, ax, ay, out):
             s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
             half_width)))/height)
         )
-    elif contact == LEFT_SLACK or contact == LEFT_INWARD_SLACK or contact == LEFT_NEAR_SLACK or contact == RIGHT_SLACK or contact == RIGHT_INWARD_SLACK or contact == RIGHT_NEAR_SLACK:
-        found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+    elif mode == LEFT_SLACK or mode == LEFT_INWARD_SLACK or mode == LEFT_NEAR_SLACK or mode == RIGHT_SLACK or mode == RIGHT_INWARD_SLACK or mode == RIGHT_NEAR_SLACK:
+        found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
         u_ddot = found[0]
         effective_mass = p[1]
         out[0] = ax*effective_mass + effective_mass*u_ddot
         out[1] = 0
-    elif contact == LEFT_YIELD or contact == LEFT_INWARD_YIELD or contact == LEFT_NEAR_YIELD or contact == RIGHT_YIELD or contact == RIGHT_INWARD_YIELD or contact == RIGHT_NEAR_YIELD:
-        found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+    elif mode == LEFT_YIELD or mode == LEFT_INWARD_YIELD or mode == LEFT_NEAR_YIELD or mode == RIGHT_YIELD or mode == RIGHT_INWARD_YIELD or mode == RIGHT_NEAR_YIELD:
+        found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
         u_ddot = found[0]
         effective_mass = p[1]
         yield_force = p[8]
@@ -1389,10 +1389,10 @@ def reactions(contact, y, p, ax, ay, out):
         out[1] = yield_force
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
-        s = SIDES[contact]
+    if mode == LEFT or mode == LEFT_INWARD or mode == LEFT_NEAR or mode == RIGHT or mode == RIGHT_INWARD or mode == RIGHT_NEAR:
+        s = SIDES[mode]
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -1421,8 +1421,8 @@ def energies(contact, y, p, out):
             tendon_stiffness*(-permanent_extension + u*x2*x4*(-eccentricity +
             s*x2*x3)))**2/tendon_stiffness
         )
-    elif contact == LEFT_SLACK or contact == LEFT_INWARD_SLACK or contact == LEFT_NEAR_SLACK or contact == RIGHT_SLACK or contact == RIGHT_INWARD_SLACK or contact == RIGHT_NEAR_SLACK:
-        s = SIDES[contact]
+    elif mode == LEFT_SLACK or mode == LEFT_INWARD_SLACK or mode == LEFT_NEAR_SLACK or mode == RIGHT_SLACK or mode == RIGHT_INWARD_SLACK or mode == RIGHT_NEAR_SLACK:
+        s = SIDES[mode]
         u = y[0]
         u_dot = y[3]
         mass = p[0]
@@ -1440,8 +1440,8 @@ def energies(contact, y, p, out):
             gravity*mass*s*u*(half_width*(1 - x1) + (1 -
             math.exp(-x0/transition**2))*(-edge_distance + half_width))/(height*x1)
         )
-    elif contact == LEFT_YIELD or contact == LEFT_INWARD_YIELD or contact == LEFT_NEAR_YIELD or contact == RIGHT_YIELD or contact == RIGHT_INWARD_YIELD or contact == RIGHT_NEAR_YIELD:
-        s = SIDES[contact]
+    elif mode == LEFT_YIELD or mode == LEFT_INWARD_YIELD or mode == LEFT_NEAR_YIELD or mode == RIGHT_YIELD or mode == RIGHT_INWARD_YIELD or mode == RIGHT_NEAR_YIELD:
+        s = SIDES[mode]
         u = y[0]
         u_dot = y[3]
         mass = p[0]
@@ -1464,9 +1464,9 @@ def energies(contact, y, p, out):
         )
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
-    s = SIDES[contact]
+    s = SIDES[mode]
     u = y[0]
     height = p[2]
     half_width = p[3]
@@ -1482,7 +1482,7 @@ def kinematics(contact, y, p, out):
     out[2] = u*x3*(-eccentricity + s*x3*(half_width*(1 - x2) + x1))/height
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
     u_dot = y[3]
     effective_mass = p[1]
@@ -1490,10 +1490,10 @@ def momentum(contact, y, p, out):
     out[1] = 0
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
-        s = SIDES[contact]
+    if mode == LEFT or mode == LEFT_INWARD or mode == LEFT_NEAR or mode == RIGHT or mode == RIGHT_INWARD or mode == RIGHT_NEAR:
+        s = SIDES[mode]
         u = y[0]
         permanent_extension = y[1]
         mass = p[0]
@@ -1532,8 +1532,8 @@ def statics(contact, y, p, load, out):
         )
         out[1] = 0
         out[2] = 0
-    elif contact == LEFT_SLACK or contact == LEFT_INWARD_SLACK or contact == LEFT_NEAR_SLACK or contact == RIGHT_SLACK or contact == RIGHT_INWARD_SLACK or contact == RIGHT_NEAR_SLACK:
-        s = SIDES[contact]
+    elif mode == LEFT_SLACK or mode == LEFT_INWARD_SLACK or mode == LEFT_NEAR_SLACK or mode == RIGHT_SLACK or mode == RIGHT_INWARD_SLACK or mode == RIGHT_NEAR_SLACK:
+        s = SIDES[mode]
         u = y[0]
         mass = p[0]
         height = p[2]
@@ -1557,8 +1557,8 @@ def statics(contact, y, p, load, out):
         )
         out[1] = 0
         out[2] = 0
-    elif contact == LEFT_YIELD or contact == LEFT_INWARD_YIELD or contact == LEFT_NEAR_YIELD or contact == RIGHT_YIELD or contact == RIGHT_INWARD_YIELD or contact == RIGHT_NEAR_YIELD:
-        s = SIDES[contact]
+    elif mode == LEFT_YIELD or mode == LEFT_INWARD_YIELD or mode == LEFT_NEAR_YIELD or mode == RIGHT_YIELD or mode == RIGHT_INWARD_YIELD or mode == RIGHT_NEAR_YIELD:
+        s = SIDES[mode]
         u = y[0]
         mass = p[0]
         height = p[2]
@@ -1594,7 +1594,7 @@ def statics(contact, y, p, load, out):
         out[2] = 0
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     effective_mass = p[1]
     gravity = p[23]
@@ -1603,11 +1603,11 @@ def masses(contact, y, p, out):
     out[2] = gravity
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if contact in (LEFT, LEFT_INWARD, LEFT_NEAR, RIGHT, RIGHT_INWARD, RIGHT_NEAR, LEFT_SLACK, LEFT_INWARD_SLACK, LEFT_NEAR_SLACK, RIGHT_SLACK, RIGHT_INWARD_SLACK, RIGHT_NEAR_SLACK):
+    if mode in (LEFT, LEFT_INWARD, LEFT_NEAR, RIGHT, RIGHT_INWARD, RIGHT_NEAR, LEFT_SLACK, LEFT_INWARD_SLACK, LEFT_NEAR_SLACK, RIGHT_SLACK, RIGHT_INWARD_SLACK, RIGHT_NEAR_SLACK):
         u = y[0]
         passage_speed = y[2]
         u_dot = y[3]
@@ -1636,8 +1636,8 @@ def powers(contact, y, p, ax, ay, out):
             energy_ratio_slope_3*x1) if (speed_limit_3 > x1) else (energy_ratio_4 +
             energy_ratio_slope_4*x1)))/(math.sqrt(math.pi)*regularisation)
         )
-    elif contact == LEFT_YIELD or contact == LEFT_INWARD_YIELD or contact == LEFT_NEAR_YIELD or contact == RIGHT_YIELD or contact == RIGHT_INWARD_YIELD or contact == RIGHT_NEAR_YIELD:
-        s = SIDES[contact]
+    elif mode == LEFT_YIELD or mode == LEFT_INWARD_YIELD or mode == LEFT_NEAR_YIELD or mode == RIGHT_YIELD or mode == RIGHT_INWARD_YIELD or mode == RIGHT_NEAR_YIELD:
+        s = SIDES[mode]
         u = y[0]
         passage_speed = y[2]
         u_dot = y[3]
@@ -1693,7 +1693,7 @@ def powers(contact, y, p, ax, ay, out):
         )
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
     u = y[0]
     out[0] = u
@@ -1704,13 +1704,13 @@ def positions(contact, y, p, out):
     out[5] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.
     """
-    if contact == LEFT or contact == LEFT_INWARD or contact == LEFT_NEAR or contact == RIGHT or contact == RIGHT_INWARD or contact == RIGHT_NEAR:
-        s = SIDES[contact]
+    if mode == LEFT or mode == LEFT_INWARD or mode == LEFT_NEAR or mode == RIGHT or mode == RIGHT_INWARD or mode == RIGHT_NEAR:
+        s = SIDES[mode]
         u = y[0]
         permanent_extension = y[1]
         height = p[2]
@@ -1732,8 +1732,8 @@ def elements(contact, y, p, out):
         out[1] = x4
         out[2] = (1/2)*x4**2/tendon_stiffness
         out[3] = 0
-    elif contact == LEFT_SLACK or contact == LEFT_INWARD_SLACK or contact == LEFT_NEAR_SLACK or contact == RIGHT_SLACK or contact == RIGHT_INWARD_SLACK or contact == RIGHT_NEAR_SLACK:
-        s = SIDES[contact]
+    elif mode == LEFT_SLACK or mode == LEFT_INWARD_SLACK or mode == LEFT_NEAR_SLACK or mode == RIGHT_SLACK or mode == RIGHT_INWARD_SLACK or mode == RIGHT_NEAR_SLACK:
+        s = SIDES[mode]
         u = y[0]
         permanent_extension = y[1]
         height = p[2]
@@ -1751,8 +1751,8 @@ def elements(contact, y, p, out):
         out[1] = 0
         out[2] = 0
         out[3] = 0
-    elif contact == LEFT_YIELD or contact == LEFT_INWARD_YIELD or contact == LEFT_NEAR_YIELD or contact == RIGHT_YIELD or contact == RIGHT_INWARD_YIELD or contact == RIGHT_NEAR_YIELD:
-        s = SIDES[contact]
+    elif mode == LEFT_YIELD or mode == LEFT_INWARD_YIELD or mode == LEFT_NEAR_YIELD or mode == RIGHT_YIELD or mode == RIGHT_INWARD_YIELD or mode == RIGHT_NEAR_YIELD:
+        s = SIDES[mode]
         u = y[0]
         u_dot = y[3]
         height = p[2]

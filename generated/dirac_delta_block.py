@@ -33,7 +33,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "2153d27863e28707"
+SOURCE_HASH = "304661a473f5e6f4"
 
 NAME = "dirac_delta_block"
 CLASS = "DiracDeltaBlock"
@@ -163,7 +163,7 @@ def sine_cosine(x):
 
 @inlined
 def accelerations_left_right(s, x, x_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left or right."""
+    """Accelerations of the coordinates in modes left or right."""
     c0 = p[3]  # 1/alpha
     total_gravity = ay + 1
     x_ddot = -ax*c0 + total_gravity*(-s + x)
@@ -172,7 +172,7 @@ def accelerations_left_right(s, x, x_dot, p, ax, ay):
 
 @inlined
 def accelerations_left_core_left_tail_right_core_right_tail(x, x_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left_core or left_tail or right_core or right_tail."""
+    """Accelerations of the coordinates in modes left_core or left_tail or right_core or right_tail."""
     c0 = p[3]  # 1/alpha
     c1 = p[4]  # 1/regularisation
     c2 = p[5]  # regularisation**(-2)
@@ -186,60 +186,60 @@ def accelerations_left_core_left_tail_right_core_right_tail(x, x_dot, p, ax, ay)
 
 
 @inlined
-def accelerations(contact, x, x_dot, p, ax, ay):
+def accelerations(mode, x, x_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         return accelerations_left_right(s, x, x_dot, p, ax, ay)
     else:
         return accelerations_left_core_left_tail_right_core_right_tail(x, x_dot, p, ax, ay)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     dy[0] = y[1]
-    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], p, ax, ay)
     dy[1] = found[0]
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Acceleration with which a mode's gap would open from closed and at rest."""
-    found = accelerations(contact, 0.0, 0.0, p, ax, ay)
-    return SIDES[contact] * found[0]
+    found = accelerations(mode, 0.0, 0.0, p, ax, ay)
+    return SIDES[mode] * found[0]
 
 
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT:
+    if mode == LEFT:
         x = y[0]
         c4 = p[7]  # 20*regularisation
         g[0] = -c4 - x
-    elif contact == LEFT_CORE:
+    elif mode == LEFT_CORE:
         x = y[0]
         c5 = p[8]  # 3*regularisation
         g[0] = c5 + x
         g[1] = -x
-    elif contact == LEFT_TAIL:
+    elif mode == LEFT_TAIL:
         x = y[0]
         c4 = p[7]  # 20*regularisation
         c5 = p[8]  # 3*regularisation
         g[0] = c4 + x
         g[1] = -c5 - x
-    elif contact == RIGHT:
+    elif mode == RIGHT:
         x = y[0]
         c4 = p[7]  # 20*regularisation
         g[0] = -c4 + x
-    elif contact == RIGHT_CORE:
+    elif mode == RIGHT_CORE:
         x = y[0]
         c5 = p[8]  # 3*regularisation
         g[0] = c5 - x
         g[1] = x
-    elif contact == RIGHT_TAIL:
+    elif mode == RIGHT_TAIL:
         x = y[0]
         c4 = p[7]  # 20*regularisation
         c5 = p[8]  # 3*regularisation
@@ -248,7 +248,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = -c5 - x0
 
 
-def jump(contact, guard, law, ratio, y, p, out):
+def jump(mode, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -257,27 +257,27 @@ def jump(contact, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if contact == LEFT and guard == 0:
+    if mode == LEFT and guard == 0:
         return LEFT_TAIL
-    if contact == LEFT_CORE and guard == 0:
+    if mode == LEFT_CORE and guard == 0:
         return LEFT_TAIL
-    if contact == LEFT_CORE and guard == 1:
+    if mode == LEFT_CORE and guard == 1:
         return RIGHT_CORE
-    if contact == LEFT_TAIL and guard == 0:
+    if mode == LEFT_TAIL and guard == 0:
         return LEFT
-    if contact == LEFT_TAIL and guard == 1:
+    if mode == LEFT_TAIL and guard == 1:
         return LEFT_CORE
-    if contact == RIGHT and guard == 0:
+    if mode == RIGHT and guard == 0:
         return RIGHT_TAIL
-    if contact == RIGHT_CORE and guard == 0:
+    if mode == RIGHT_CORE and guard == 0:
         return RIGHT_TAIL
-    if contact == RIGHT_CORE and guard == 1:
+    if mode == RIGHT_CORE and guard == 1:
         return LEFT_CORE
-    if contact == RIGHT_TAIL and guard == 0:
+    if mode == RIGHT_TAIL and guard == 0:
         return RIGHT
-    if contact == RIGHT_TAIL and guard == 1:
+    if mode == RIGHT_TAIL and guard == 1:
         return RIGHT_CORE
-    return contact
+    return mode
 
 
 @inlined
@@ -289,18 +289,18 @@ def full_contact_guards(y, p, ax, g):
     pass
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], p, ax, ay)
     x_ddot = found[0]
     alpha = p[0]
     out[0] = alpha*x_ddot + ax
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         x = y[0]
         x_dot = y[1]
         alpha = p[0]
@@ -309,7 +309,7 @@ def energies(contact, y, p, out):
         out[0] = x1*x_dot**2
         out[1] = s*x*x0 - x**2*x1 + 1
         out[2] = 0
-    elif contact == LEFT_CORE or contact == LEFT_TAIL or contact == RIGHT_CORE or contact == RIGHT_TAIL:
+    elif mode == LEFT_CORE or mode == LEFT_TAIL or mode == RIGHT_CORE or mode == RIGHT_TAIL:
         x = y[0]
         x_dot = y[1]
         alpha = p[0]
@@ -322,24 +322,24 @@ def energies(contact, y, p, out):
         out[2] = 0
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     x = y[0]
     alpha = p[0]
     out[0] = alpha*x
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         x = y[0]
         x_dot = y[1]
         alpha = p[0]
         x0 = alpha**2*x_dot
         out[0] = alpha*x_dot
         out[1] = s*x0 - x*x0
-    elif contact == LEFT_CORE or contact == LEFT_TAIL or contact == RIGHT_CORE or contact == RIGHT_TAIL:
+    elif mode == LEFT_CORE or mode == LEFT_TAIL or mode == RIGHT_CORE or mode == RIGHT_TAIL:
         x = y[0]
         x_dot = y[1]
         alpha = p[0]
@@ -349,15 +349,15 @@ def momentum(contact, y, p, out):
         out[1] = -x*x0*x_dot + x0*x_dot*math.tanh(x/regularisation)
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         x = y[0]
         alpha = p[0]
         x0 = alpha**2
         out[0] = -alpha*load + s*x0 - x*x0
-    elif contact == LEFT_CORE or contact == LEFT_TAIL or contact == RIGHT_CORE or contact == RIGHT_TAIL:
+    elif mode == LEFT_CORE or mode == LEFT_TAIL or mode == RIGHT_CORE or mode == RIGHT_TAIL:
         x = y[0]
         alpha = p[0]
         regularisation = p[2]
@@ -365,19 +365,19 @@ def statics(contact, y, p, load, out):
         out[0] = -alpha*load - x*x0 + x0*math.tanh(x/regularisation)
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     out[0] = 1
     out[1] = 0
     out[2] = 1
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         x = y[0]
         x_dot = y[1]
         alpha = p[0]
@@ -385,7 +385,7 @@ def powers(contact, y, p, ax, ay, out):
         out[0] = x_dot*(-alpha*ax - ay*s*x0 + ay*x*x0)
         out[1] = 0
         out[2] = 0
-    elif contact == LEFT_CORE or contact == LEFT_TAIL or contact == RIGHT_CORE or contact == RIGHT_TAIL:
+    elif mode == LEFT_CORE or mode == LEFT_TAIL or mode == RIGHT_CORE or mode == RIGHT_TAIL:
         x = y[0]
         x_dot = y[1]
         alpha = p[0]
@@ -400,10 +400,10 @@ def powers(contact, y, p, ax, ay, out):
         )
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         x = y[0]
         alpha = p[0]
         x0 = alpha*x
@@ -414,7 +414,7 @@ def positions(contact, y, p, out):
         out[3] = x0
         out[4] = x1
         out[5] = 0
-    elif contact == LEFT_CORE or contact == LEFT_TAIL or contact == RIGHT_CORE or contact == RIGHT_TAIL:
+    elif mode == LEFT_CORE or mode == LEFT_TAIL or mode == RIGHT_CORE or mode == RIGHT_TAIL:
         x = y[0]
         alpha = p[0]
         regularisation = p[2]
@@ -428,7 +428,7 @@ def positions(contact, y, p, out):
         out[5] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.

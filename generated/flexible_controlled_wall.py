@@ -47,7 +47,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "86159e563c0f9c4a"
+SOURCE_HASH = "0368b39e1a714a9c"
 
 NAME = "flexible_controlled_wall"
 CLASS = "FlexibleControlledWall"
@@ -253,7 +253,7 @@ def sine_cosine(x):
 
 @inlined
 def accelerations_left_right(s, theta, u, permanent_extension, theta_dot, u_dot, permanent_extension_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left or right."""
+    """Accelerations of the coordinates in modes left or right."""
     sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     centroid_height = p[2]
@@ -362,7 +362,7 @@ def accelerations_left_right(s, theta, u, permanent_extension, theta_dot, u_dot,
 
 @inlined
 def accelerations_left_slack_right_slack(s, theta, u, permanent_extension, theta_dot, u_dot, permanent_extension_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left_slack or right_slack."""
+    """Accelerations of the coordinates in modes left_slack or right_slack."""
     sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     centroid_height = p[2]
@@ -449,7 +449,7 @@ def accelerations_left_slack_right_slack(s, theta, u, permanent_extension, theta
 
 @inlined
 def accelerations_left_yield_right_yield(s, theta, u, permanent_extension, theta_dot, u_dot, permanent_extension_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left_yield or right_yield."""
+    """Accelerations of the coordinates in modes left_yield or right_yield."""
     sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     centroid_height = p[2]
@@ -550,45 +550,45 @@ def accelerations_left_yield_right_yield(s, theta, u, permanent_extension, theta
 
 
 @inlined
-def accelerations(contact, theta, u, permanent_extension, theta_dot, u_dot, permanent_extension_dot, p, ax, ay):
+def accelerations(mode, theta, u, permanent_extension, theta_dot, u_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         return accelerations_left_right(s, theta, u, permanent_extension, theta_dot, u_dot, permanent_extension_dot, p, ax, ay)
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         return accelerations_left_slack_right_slack(s, theta, u, permanent_extension, theta_dot, u_dot, permanent_extension_dot, p, ax, ay)
     else:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         return accelerations_left_yield_right_yield(s, theta, u, permanent_extension, theta_dot, u_dot, permanent_extension_dot, p, ax, ay)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     dy[0] = y[3]
     dy[1] = y[4]
     dy[2] = 0.0
-    found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
     dy[3] = found[0]
     dy[4] = found[1]
     dy[5] = found[2]
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Acceleration with which a mode's gap would open from closed and at rest."""
-    found = accelerations(contact, 0.0, y[1], y[2], 0.0, y[4], y[5], p, ax, ay)
-    return SIDES[contact] * found[0]
+    found = accelerations(mode, 0.0, y[1], y[2], 0.0, y[4], y[5], p, ax, ay)
+    return SIDES[mode] * found[0]
 
 
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[2]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -611,8 +611,8 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = s*theta
         g[1] = -c23 - x2
         g[2] = initial_force + x2
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         theta = y[0]
         permanent_extension = y[2]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -632,8 +632,8 @@ def guards(contact, y, p, ax, ay, g):
             math.sqrt((anchor_depth + anchor_height*cos_theta - sin_theta*x1)**2 +
             (anchor_height*sin_theta + cos_theta*x1 - eccentricity - x0)**2))
         )
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[3]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -660,7 +660,7 @@ def guards(contact, y, p, ax, ay, g):
         )
 
 
-def jump(contact, guard, law, ratio, y, p, out):
+def jump(mode, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -669,34 +669,34 @@ def jump(contact, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if contact == LEFT and guard == 0:
+    if mode == LEFT and guard == 0:
         out[0] = 0.0
         out[3] = ratio * y[3]
         if out[3] > 0.0 and y[3] != 0.0:
             return RIGHT
         out[3] = 0.0
         return RIGHT
-    if contact == LEFT and guard == 1:
+    if mode == LEFT and guard == 1:
         return LEFT_YIELD
-    if contact == LEFT and guard == 2:
+    if mode == LEFT and guard == 2:
         return LEFT_SLACK
-    if contact == LEFT_SLACK and guard == 0:
+    if mode == LEFT_SLACK and guard == 0:
         out[0] = 0.0
         out[3] = ratio * y[3]
         if out[3] > 0.0 and y[3] != 0.0:
             return RIGHT_SLACK
         out[3] = 0.0
         return RIGHT_SLACK
-    if contact == LEFT_SLACK and guard == 1:
+    if mode == LEFT_SLACK and guard == 1:
         return LEFT
-    if contact == LEFT_YIELD and guard == 0:
+    if mode == LEFT_YIELD and guard == 0:
         out[0] = 0.0
         out[3] = ratio * y[3]
         if out[3] > 0.0 and y[3] != 0.0:
             return RIGHT_YIELD
         out[3] = 0.0
         return RIGHT_YIELD
-    if contact == LEFT_YIELD and guard == 1:
+    if mode == LEFT_YIELD and guard == 1:
         s = -1.0
         theta = y[0]
         height = p[3]
@@ -719,34 +719,34 @@ def jump(contact, guard, law, ratio, y, p, out):
             yield_force)/tendon_stiffness
         )
         return LEFT
-    if contact == RIGHT and guard == 0:
+    if mode == RIGHT and guard == 0:
         out[0] = 0.0
         out[3] = ratio * y[3]
         if -out[3] > 0.0 and y[3] != 0.0:
             return LEFT
         out[3] = 0.0
         return LEFT
-    if contact == RIGHT and guard == 1:
+    if mode == RIGHT and guard == 1:
         return RIGHT_YIELD
-    if contact == RIGHT and guard == 2:
+    if mode == RIGHT and guard == 2:
         return RIGHT_SLACK
-    if contact == RIGHT_SLACK and guard == 0:
+    if mode == RIGHT_SLACK and guard == 0:
         out[0] = 0.0
         out[3] = ratio * y[3]
         if -out[3] > 0.0 and y[3] != 0.0:
             return LEFT_SLACK
         out[3] = 0.0
         return LEFT_SLACK
-    if contact == RIGHT_SLACK and guard == 1:
+    if mode == RIGHT_SLACK and guard == 1:
         return RIGHT
-    if contact == RIGHT_YIELD and guard == 0:
+    if mode == RIGHT_YIELD and guard == 0:
         out[0] = 0.0
         out[3] = ratio * y[3]
         if -out[3] > 0.0 and y[3] != 0.0:
             return LEFT_YIELD
         out[3] = 0.0
         return LEFT_YIELD
-    if contact == RIGHT_YIELD and guard == 1:
+    if mode == RIGHT_YIELD and guard == 1:
         s = 1.0
         theta = y[0]
         height = p[3]
@@ -769,7 +769,7 @@ def jump(contact, guard, law, ratio, y, p, out):
             yield_force)/tendon_stiffness
         )
         return RIGHT
-    return contact
+    return mode
 
 
 @inlined
@@ -781,11 +781,11 @@ def full_contact_guards(y, p, ax, g):
     pass
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
+        found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
         theta_ddot = found[0]
         u_ddot = found[1]
         theta = y[0]
@@ -853,9 +853,9 @@ def reactions(contact, y, p, ax, ay, out):
         out[1] = x34*(1/2 - x28)
         out[2] = x34*(x28 + 1/2)
         out[3] = x33
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
+        found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
         theta_ddot = found[0]
         u_ddot = found[1]
         theta = y[0]
@@ -911,9 +911,9 @@ def reactions(contact, y, p, ax, ay, out):
         out[1] = x30*(1/2 - x29)
         out[2] = x30*(x29 + 1/2)
         out[3] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
+        found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
         theta_ddot = found[0]
         u_ddot = found[1]
         theta = y[0]
@@ -978,10 +978,10 @@ def reactions(contact, y, p, ax, ay, out):
         out[3] = yield_force
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         permanent_extension = y[2]
@@ -1045,8 +1045,8 @@ def energies(contact, y, p, out):
             x31*x6)**2 + (anchor_height*x6 - eccentricity + x14 +
             x18*x31)**2)))**2/tendon_stiffness
         )
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         theta = y[0]
         u = y[1]
         theta_dot = y[3]
@@ -1099,8 +1099,8 @@ def energies(contact, y, p, out):
         )
         out[1] = gravity*x23 + x11*x21*x31 - x13*x31
         out[2] = (1/2)*stiffness*x5
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         theta = y[0]
         u = y[1]
         theta_dot = y[3]
@@ -1157,9 +1157,9 @@ def energies(contact, y, p, out):
         out[2] = (1/2)*stiffness*x5 + (1/2)*yield_force**2/tendon_stiffness
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
-    s = SIDES[contact]
+    s = SIDES[mode]
     theta = y[0]
     u = y[1]
     height = p[3]
@@ -1185,9 +1185,9 @@ def kinematics(contact, y, p, out):
     )
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
-    s = SIDES[contact]
+    s = SIDES[mode]
     theta = y[0]
     u = y[1]
     theta_dot = y[3]
@@ -1220,10 +1220,10 @@ def momentum(contact, y, p, out):
     )
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         permanent_extension = y[2]
@@ -1278,8 +1278,8 @@ def statics(contact, y, p, load, out):
         )
         out[1] = -load*x3 + stiffness*u - x2
         out[2] = 0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         theta = y[0]
         u = y[1]
         mass = p[0]
@@ -1309,8 +1309,8 @@ def statics(contact, y, p, load, out):
         )
         out[1] = -load*x3 + stiffness*u - x2
         out[2] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         theta = y[0]
         u = y[1]
         mass = p[0]
@@ -1359,7 +1359,7 @@ def statics(contact, y, p, load, out):
         out[2] = 0
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     mass = p[0]
     inertia = p[1]
@@ -1369,12 +1369,12 @@ def masses(contact, y, p, out):
     out[2] = gravity
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK):
-        s = SIDES[contact]
+    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK):
+        s = SIDES[mode]
         theta = y[0]
         u = y[1]
         theta_dot = y[3]
@@ -1408,8 +1408,8 @@ def powers(contact, y, p, ax, ay, out):
         )
         out[1] = damping*u_dot**2
         out[2] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         theta = y[0]
         u = y[1]
         theta_dot = y[3]
@@ -1465,9 +1465,9 @@ def powers(contact, y, p, ax, ay, out):
         out[2] = 0
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    s = SIDES[contact]
+    s = SIDES[mode]
     theta = y[0]
     u = y[1]
     centroid_height = p[2]
@@ -1497,13 +1497,13 @@ def positions(contact, y, p, out):
     out[11] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         permanent_extension = y[2]
@@ -1536,8 +1536,8 @@ def elements(contact, y, p, out):
         out[5] = damping*u_dot + stiffness*u
         out[6] = (1/2)*stiffness*u**2
         out[7] = damping*u_dot**2
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         theta = y[0]
         u = y[1]
         permanent_extension = y[2]
@@ -1566,8 +1566,8 @@ def elements(contact, y, p, out):
         out[5] = damping*u_dot + stiffness*u
         out[6] = (1/2)*stiffness*u**2
         out[7] = damping*u_dot**2
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         theta = y[0]
         u = y[1]
         theta_dot = y[3]

@@ -41,7 +41,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "6195bf6757e7ee55"
+SOURCE_HASH = "300c173abbd9fb83"
 
 NAME = "flexible_structure"
 CLASS = "FlexibleStructure"
@@ -170,7 +170,7 @@ def sine_cosine(x):
 
 @inlined
 def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left or right."""
+    """Accelerations of the coordinates in modes left or right."""
     sin_theta, cos_theta = sine_cosine(theta)
     mass = p[0]
     height = p[1]
@@ -207,7 +207,7 @@ def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
 
 @inlined
 def accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact both."""
+    """Accelerations of the coordinates in mode both."""
     c9 = p[19]  # damping/mass
     c10 = p[20]  # stiffness/mass
     u_ddot = -ax - c10*u - c9*u_dot
@@ -215,54 +215,54 @@ def accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay):
 
 
 @inlined
-def accelerations(contact, theta, u, theta_dot, u_dot, p, ax, ay):
+def accelerations(mode, theta, u, theta_dot, u_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         return accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay)
     else:
         return accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact == LEFT or contact == RIGHT:
+    if mode == LEFT or mode == RIGHT:
         dy[0] = y[2]
         dy[1] = y[3]
-    elif contact == BOTH:
+    elif mode == BOTH:
         dy[0] = 0.0
         dy[1] = y[3]
-    found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
     dy[2] = found[0]
     dy[3] = found[1]
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Acceleration with which a mode's gap would open from closed and at rest."""
-    found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
-    return SIDES[contact] * found[0]
+    found = accelerations(mode, 0.0, y[1], 0.0, y[3], p, ax, ay)
+    return SIDES[mode] * found[0]
 
 
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT:
+    if mode == LEFT:
         theta = y[0]
         g[0] = -theta
-    elif contact == BOTH:
+    elif mode == BOTH:
         g[0] = -opening_acceleration(LEFT, y, p, ax, ay)
         g[1] = -opening_acceleration(RIGHT, y, p, ax, ay)
-    elif contact == RIGHT:
+    elif mode == RIGHT:
         theta = y[0]
         g[0] = theta
 
 
 def impulse_to_opposite(s, y, p, out):
-    """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and the opposite mode follows: M+ q'+ = sum J+^T m v-."""
     u = y[1]
     theta_dot = y[2]
     u_dot = y[3]
@@ -291,7 +291,7 @@ def impulse_to_opposite(s, y, p, out):
 
 
 def impulse_to_both(s, y, p, out):
-    """Rates after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and mode both follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[2]
     u_dot = y[3]
     height = p[1]
@@ -299,7 +299,7 @@ def impulse_to_both(s, y, p, out):
     out[3] = u_dot_after
 
 
-def jump(contact, guard, law, ratio, y, p, out):
+def jump(mode, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -308,7 +308,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if contact == LEFT and guard == 0:
+    if mode == LEFT and guard == 0:
         out[0] = 0.0
         if law == IMPULSIVE:
             impulse_to_opposite(-1.0, y, p, out)
@@ -320,11 +320,11 @@ def jump(contact, guard, law, ratio, y, p, out):
             impulse_to_both(-1.0, y, p, out)
         out[2] = 0.0
         return BOTH
-    if contact == BOTH and guard == 0:
+    if mode == BOTH and guard == 0:
         return LEFT
-    if contact == BOTH and guard == 1:
+    if mode == BOTH and guard == 1:
         return RIGHT
-    if contact == RIGHT and guard == 0:
+    if mode == RIGHT and guard == 0:
         out[0] = 0.0
         if law == IMPULSIVE:
             impulse_to_opposite(1.0, y, p, out)
@@ -336,7 +336,7 @@ def jump(contact, guard, law, ratio, y, p, out):
             impulse_to_both(1.0, y, p, out)
         out[2] = 0.0
         return BOTH
-    return contact
+    return mode
 
 
 @inlined
@@ -358,11 +358,11 @@ def full_contact_guards(y, p, ax, g):
     g[1] = c15 - x0 - x1 + x2
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         theta_ddot = found[0]
         u_ddot = found[1]
         theta = y[0]
@@ -403,8 +403,8 @@ def reactions(contact, y, p, ax, ay, out):
         )
         out[1] = x15*(1 - s)
         out[2] = x15*(s + 1)
-    elif contact == BOTH:
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    elif mode == BOTH:
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         u_ddot = found[1]
         u = y[1]
         mass = p[0]
@@ -431,10 +431,10 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x12*(x11 - x3 - x4 - x5 + x7 + x8)
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         theta_dot = y[2]
@@ -466,7 +466,7 @@ def energies(contact, y, p, out):
         )
         out[1] = base_height*base_mass*x9 + base_mass*x11 + mass*x11 + x0*x9 - x10*x7
         out[2] = (1/2)*stiffness*x6
-    elif contact == BOTH:
+    elif mode == BOTH:
         u = y[1]
         u_dot = y[3]
         mass = p[0]
@@ -480,10 +480,10 @@ def energies(contact, y, p, out):
         out[2] = (1/2)*stiffness*u**2
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         height = p[1]
@@ -493,17 +493,17 @@ def kinematics(contact, y, p, out):
         out[0] = height*x1 + x0 + (u - x0)*math.cos(theta)
         out[1] = -x1*(-half_width - x0)
         out[2] = -x1*(half_width - x0)
-    elif contact == BOTH:
+    elif mode == BOTH:
         u = y[1]
         out[0] = u
         out[1] = 0
         out[2] = 0
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         theta_dot = y[2]
@@ -527,17 +527,17 @@ def momentum(contact, y, p, out):
             base_mass*half_width*s*theta_dot*x0 + half_width*mass*s*theta_dot*x0 - x1*x5 - x2*x7
             - x3*x6 - x4*x6
         )
-    elif contact == BOTH:
+    elif mode == BOTH:
         u_dot = y[3]
         mass = p[0]
         out[0] = mass*u_dot
         out[1] = 0
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         mass = p[0]
@@ -557,14 +557,14 @@ def statics(contact, y, p, load, out):
             x0*(-half_width*s + u))
         )
         out[1] = -load*x3 + stiffness*u - x2
-    elif contact == BOTH:
+    elif mode == BOTH:
         u = y[1]
         stiffness = p[8]
         out[0] = 0
         out[1] = -load + stiffness*u
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     mass = p[0]
     inertia = p[2]
@@ -578,12 +578,12 @@ def masses(contact, y, p, out):
     out[4] = gravity
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         theta_dot = y[2]
@@ -607,7 +607,7 @@ def powers(contact, y, p, ax, ay, out):
         )
         out[1] = damping*u_dot**2
         out[2] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         u_dot = y[3]
         mass = p[0]
         damping = p[9]
@@ -616,10 +616,10 @@ def powers(contact, y, p, ax, ay, out):
         out[2] = 0
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         height = p[1]
@@ -648,7 +648,7 @@ def positions(contact, y, p, out):
         out[12] = x4
         out[13] = x5
         out[14] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         u = y[1]
         height = p[1]
         base_height = p[4]
@@ -670,7 +670,7 @@ def positions(contact, y, p, out):
         out[14] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.

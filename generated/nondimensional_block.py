@@ -33,7 +33,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "f56dca1651a61c51"
+SOURCE_HASH = "66798bd0caa3795f"
 
 NAME = "nondimensional_block"
 CLASS = "NondimensionalBlock"
@@ -144,7 +144,7 @@ def sine_cosine(x):
 
 @inlined
 def accelerations_left_right(s, x, x_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left or right."""
+    """Accelerations of the coordinates in modes left or right."""
     alpha = p[0]
     sin_angle_0, cos_angle_0 = sine_cosine(alpha*x)
     c0 = p[2]  # math.cos(alpha)/alpha
@@ -157,56 +157,56 @@ def accelerations_left_right(s, x, x_dot, p, ax, ay):
 
 @inlined
 def accelerations_both(x, x_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact both."""
+    """Accelerations of the coordinates in mode both."""
     return (0.0,)
 
 
 @inlined
-def accelerations(contact, x, x_dot, p, ax, ay):
+def accelerations(mode, x, x_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         return accelerations_left_right(s, x, x_dot, p, ax, ay)
     else:
         return accelerations_both(x, x_dot, p, ax, ay)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact == LEFT or contact == RIGHT:
+    if mode == LEFT or mode == RIGHT:
         dy[0] = y[1]
-    elif contact == BOTH:
+    elif mode == BOTH:
         dy[0] = 0.0
-    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], p, ax, ay)
     dy[1] = found[0]
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Acceleration with which a mode's gap would open from closed and at rest."""
-    found = accelerations(contact, 0.0, 0.0, p, ax, ay)
-    return SIDES[contact] * found[0]
+    found = accelerations(mode, 0.0, 0.0, p, ax, ay)
+    return SIDES[mode] * found[0]
 
 
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT:
+    if mode == LEFT:
         x = y[0]
         g[0] = -x
-    elif contact == BOTH:
+    elif mode == BOTH:
         g[0] = -opening_acceleration(LEFT, y, p, ax, ay)
         g[1] = -opening_acceleration(RIGHT, y, p, ax, ay)
-    elif contact == RIGHT:
+    elif mode == RIGHT:
         x = y[0]
         g[0] = x
 
 
 def impulse_to_opposite(s, y, p, out):
-    """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and the opposite mode follows: M+ q'+ = sum J+^T m v-."""
     x_dot = y[1]
     c2 = p[4]  # 2*radius_ratio*math.sin(alpha)**2
     x_dot_after = -c2*x_dot + x_dot
@@ -214,11 +214,11 @@ def impulse_to_opposite(s, y, p, out):
 
 
 def impulse_to_both(s, y, p, out):
-    """Rates after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and mode both follows: M+ q'+ = sum J+^T m v-."""
     pass
 
 
-def jump(contact, guard, law, ratio, y, p, out):
+def jump(mode, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -227,7 +227,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if contact == LEFT and guard == 0:
+    if mode == LEFT and guard == 0:
         out[0] = 0.0
         if law == IMPULSIVE:
             impulse_to_opposite(-1.0, y, p, out)
@@ -239,11 +239,11 @@ def jump(contact, guard, law, ratio, y, p, out):
             impulse_to_both(-1.0, y, p, out)
         out[1] = 0.0
         return BOTH
-    if contact == BOTH and guard == 0:
+    if mode == BOTH and guard == 0:
         return LEFT
-    if contact == BOTH and guard == 1:
+    if mode == BOTH and guard == 1:
         return RIGHT
-    if contact == RIGHT and guard == 0:
+    if mode == RIGHT and guard == 0:
         out[0] = 0.0
         if law == IMPULSIVE:
             impulse_to_opposite(1.0, y, p, out)
@@ -255,7 +255,7 @@ def jump(contact, guard, law, ratio, y, p, out):
             impulse_to_both(1.0, y, p, out)
         out[1] = 0.0
         return BOTH
-    return contact
+    return mode
 
 
 @inlined
@@ -267,11 +267,11 @@ def full_contact_guards(y, p, ax, g):
     pass
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        found = accelerations(contact, y[0], y[1], p, ax, ay)
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
+        found = accelerations(mode, y[0], y[1], p, ax, ay)
         x_ddot = found[0]
         x = y[0]
         x_dot = y[1]
@@ -295,7 +295,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[0] = ax + x1*x10 + x3*x4 + x4*x5*x7 - x8*x9
         out[1] = x11*(1 - s)
         out[2] = x11*(s + 1)
-    elif contact == BOTH:
+    elif mode == BOTH:
         alpha = p[0]
         x0 = ax*math.cos(alpha)
         x1 = math.sin(alpha)
@@ -306,10 +306,10 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x3*(-x0 + x2)
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         x = y[0]
         x_dot = y[1]
         alpha = p[0]
@@ -321,7 +321,7 @@ def energies(contact, y, p, out):
             radius_ratio*math.cos(alpha)*math.cos(x0)
         )
         out[2] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         alpha = p[0]
         radius_ratio = p[1]
         out[0] = 0
@@ -329,10 +329,10 @@ def energies(contact, y, p, out):
         out[2] = 0
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         x = y[0]
         alpha = p[0]
         radius_ratio = p[1]
@@ -343,16 +343,16 @@ def kinematics(contact, y, p, out):
         out[0] = radius_ratio*x3*math.cos(alpha) - x1*math.cos(x2) + x1
         out[1] = -x3*(-x0 - x1)
         out[2] = -x3*(x0 - x1)
-    elif contact == BOTH:
+    elif mode == BOTH:
         out[0] = 0
         out[1] = 0
         out[2] = 0
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         x = y[0]
         x_dot = y[1]
         alpha = p[0]
@@ -365,15 +365,15 @@ def momentum(contact, y, p, out):
         x5 = s*x2*math.sin(alpha)
         out[0] = x1*x3 + x4*x5
         out[1] = x1*x5 - x3*x4
-    elif contact == BOTH:
+    elif mode == BOTH:
         out[0] = 0
         out[1] = 0
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         x = y[0]
         alpha = p[0]
         radius_ratio = p[1]
@@ -384,11 +384,11 @@ def statics(contact, y, p, load, out):
         x4 = math.sin(alpha)
         x5 = math.cos(x0)
         out[0] = alpha*radius_ratio*s*x4*x5 - load*(s*x1*x2*x4 + x3*x5) - x1*x3
-    elif contact == BOTH:
+    elif mode == BOTH:
         out[0] = 0
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     radius_ratio = p[1]
     out[0] = 1
@@ -396,12 +396,12 @@ def masses(contact, y, p, out):
     out[2] = 1
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         x = y[0]
         x_dot = y[1]
         alpha = p[0]
@@ -417,16 +417,16 @@ def powers(contact, y, p, ax, ay, out):
         )
         out[1] = 0
         out[2] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         out[0] = 0
         out[1] = 0
         out[2] = 0
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         x = y[0]
         alpha = p[0]
         radius_ratio = p[1]
@@ -452,7 +452,7 @@ def positions(contact, y, p, out):
         out[9] = x6
         out[10] = x7
         out[11] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         alpha = p[0]
         radius_ratio = p[1]
         x0 = radius_ratio*math.cos(alpha)
@@ -471,7 +471,7 @@ def positions(contact, y, p, out):
         out[11] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.

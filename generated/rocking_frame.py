@@ -37,7 +37,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "4b8e22eac58b3289"
+SOURCE_HASH = "9e3ae490d47ae7c9"
 
 NAME = "rocking_frame"
 CLASS = "RockingFrame"
@@ -151,7 +151,7 @@ def sine_cosine(x):
 
 @inlined
 def accelerations_left_right(s, theta, theta_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left or right."""
+    """Accelerations of the coordinates in modes left or right."""
     sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[5]
     c0 = p[6]
@@ -164,56 +164,56 @@ def accelerations_left_right(s, theta, theta_dot, p, ax, ay):
 
 @inlined
 def accelerations_both(theta, theta_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact both."""
+    """Accelerations of the coordinates in mode both."""
     return (0.0,)
 
 
 @inlined
-def accelerations(contact, theta, theta_dot, p, ax, ay):
+def accelerations(mode, theta, theta_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         return accelerations_left_right(s, theta, theta_dot, p, ax, ay)
     else:
         return accelerations_both(theta, theta_dot, p, ax, ay)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact == LEFT or contact == RIGHT:
+    if mode == LEFT or mode == RIGHT:
         dy[0] = y[1]
-    elif contact == BOTH:
+    elif mode == BOTH:
         dy[0] = 0.0
-    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], p, ax, ay)
     dy[1] = found[0]
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Acceleration with which a mode's gap would open from closed and at rest."""
-    found = accelerations(contact, 0.0, 0.0, p, ax, ay)
-    return SIDES[contact] * found[0]
+    found = accelerations(mode, 0.0, 0.0, p, ax, ay)
+    return SIDES[mode] * found[0]
 
 
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT:
+    if mode == LEFT:
         theta = y[0]
         g[0] = -theta
-    elif contact == BOTH:
+    elif mode == BOTH:
         g[0] = -opening_acceleration(LEFT, y, p, ax, ay)
         g[1] = -opening_acceleration(RIGHT, y, p, ax, ay)
-    elif contact == RIGHT:
+    elif mode == RIGHT:
         theta = y[0]
         g[0] = theta
 
 
 def impulse_to_opposite(s, y, p, out):
-    """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and the opposite mode follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[1]
     c2 = p[8]
     c3 = p[9]
@@ -224,11 +224,11 @@ def impulse_to_opposite(s, y, p, out):
 
 
 def impulse_to_both(s, y, p, out):
-    """Rates after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and mode both follows: M+ q'+ = sum J+^T m v-."""
     pass
 
 
-def jump(contact, guard, law, ratio, y, p, out):
+def jump(mode, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -237,7 +237,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if contact == LEFT and guard == 0:
+    if mode == LEFT and guard == 0:
         out[0] = 0.0
         if law == IMPULSIVE:
             impulse_to_opposite(-1.0, y, p, out)
@@ -249,11 +249,11 @@ def jump(contact, guard, law, ratio, y, p, out):
             impulse_to_both(-1.0, y, p, out)
         out[1] = 0.0
         return BOTH
-    if contact == BOTH and guard == 0:
+    if mode == BOTH and guard == 0:
         return LEFT
-    if contact == BOTH and guard == 1:
+    if mode == BOTH and guard == 1:
         return RIGHT
-    if contact == RIGHT and guard == 0:
+    if mode == RIGHT and guard == 0:
         out[0] = 0.0
         if law == IMPULSIVE:
             impulse_to_opposite(1.0, y, p, out)
@@ -265,7 +265,7 @@ def jump(contact, guard, law, ratio, y, p, out):
             impulse_to_both(1.0, y, p, out)
         out[1] = 0.0
         return BOTH
-    return contact
+    return mode
 
 
 @inlined
@@ -277,11 +277,11 @@ def full_contact_guards(y, p, ax, g):
     pass
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        found = accelerations(contact, y[0], y[1], p, ax, ay)
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
+        found = accelerations(mode, y[0], y[1], p, ax, ay)
         theta_ddot = found[0]
         theta = y[0]
         theta_dot = y[1]
@@ -318,7 +318,7 @@ def reactions(contact, y, p, ax, ay, out):
         )
         out[1] = x16*(1 - s)
         out[2] = x16*(s + 1)
-    elif contact == BOTH:
+    elif mode == BOTH:
         columns = p[0]
         column_mass = p[1]
         half_width = p[2]
@@ -340,10 +340,10 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x9*(-x3 - x4 + x8)
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         theta_dot = y[1]
         columns = p[0]
@@ -365,7 +365,7 @@ def energies(contact, y, p, out):
         out[0] = x1*x2 + x1*x5 + x2*x3 + x3*x5
         out[1] = x6*x7 + x6*x9 + x7*x8 + x8*x9
         out[2] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         columns = p[0]
         column_mass = p[1]
         half_height = p[3]
@@ -377,10 +377,10 @@ def energies(contact, y, p, out):
         out[2] = 0
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         half_width = p[2]
         half_height = p[3]
@@ -390,16 +390,16 @@ def kinematics(contact, y, p, out):
         out[0] = 2*half_height*x2 - x1*math.cos(theta) + x1
         out[1] = -x2*(-half_width - x0)
         out[2] = -x2*(half_width - x0)
-    elif contact == BOTH:
+    elif mode == BOTH:
         out[0] = 0
         out[1] = 0
         out[2] = 0
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         theta_dot = y[1]
         columns = p[0]
@@ -420,15 +420,15 @@ def momentum(contact, y, p, out):
             2*beam_mass*half_width*s*theta_dot*x0 +
             column_mass*columns*half_width*s*theta_dot*x0 - x3*x7 - x4*x7
         )
-    elif contact == BOTH:
+    elif mode == BOTH:
         out[0] = 0
         out[1] = 0
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         columns = p[0]
         column_mass = p[1]
@@ -445,11 +445,11 @@ def statics(contact, y, p, load, out):
             column_mass*columns*gravity*half_width*s*x3 - column_mass*columns*half_height*x2 -
             load*(2*half_width*s*x1 + x0*x3)
         )
-    elif contact == BOTH:
+    elif mode == BOTH:
         out[0] = 0
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     columns = p[0]
     column_mass = p[1]
@@ -465,12 +465,12 @@ def masses(contact, y, p, out):
     out[4] = gravity
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         theta_dot = y[1]
         columns = p[0]
@@ -493,16 +493,16 @@ def powers(contact, y, p, ax, ay, out):
         )
         out[1] = 0
         out[2] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         out[0] = 0
         out[1] = 0
         out[2] = 0
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         half_width = p[2]
         half_height = p[3]
@@ -531,7 +531,7 @@ def positions(contact, y, p, out):
         out[12] = x5
         out[13] = x7
         out[14] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         half_width = p[2]
         half_height = p[3]
         x0 = 2*half_height
@@ -552,7 +552,7 @@ def positions(contact, y, p, out):
         out[14] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.

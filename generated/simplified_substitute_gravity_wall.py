@@ -43,7 +43,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "62748ef7e0798aaf"
+SOURCE_HASH = "6ca15a40440c4c3f"
 
 NAME = "simplified_substitute_gravity_wall"
 CLASS = "SimplifiedSubstituteGravityWall"
@@ -231,7 +231,7 @@ def sine_cosine(x):
 
 @inlined
 def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left or right."""
+    """Accelerations of the coordinates in modes left or right."""
     sin_theta, cos_theta = sine_cosine(theta)
     half_width = p[4]
     tendon_stiffness = p[7]
@@ -259,7 +259,7 @@ def accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent
 
 @inlined
 def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left_slack or right_slack."""
+    """Accelerations of the coordinates in modes left_slack or right_slack."""
     sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[11]
     c3 = p[15]  # centroid_height*mass/pivot_inertia
@@ -272,7 +272,7 @@ def accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_do
 
 @inlined
 def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left_yield or right_yield."""
+    """Accelerations of the coordinates in modes left_yield or right_yield."""
     sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[11]
     c3 = p[15]  # centroid_height*mass/pivot_inertia
@@ -290,62 +290,62 @@ def accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_do
 
 @inlined
 def accelerations_both(theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact both."""
+    """Accelerations of the coordinates in mode both."""
     return (0.0, 0.0,)
 
 
 @inlined
 def accelerations_both_slack(theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact both_slack."""
+    """Accelerations of the coordinates in mode both_slack."""
     return (0.0, 0.0,)
 
 
 @inlined
-def accelerations(contact, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
+def accelerations(mode, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         return accelerations_left_right(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay)
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         return accelerations_left_slack_right_slack(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay)
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         return accelerations_left_yield_right_yield(s, theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay)
-    elif contact == BOTH:
+    elif mode == BOTH:
         return accelerations_both(theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay)
     else:
         return accelerations_both_slack(theta, permanent_extension, theta_dot, permanent_extension_dot, p, ax, ay)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
         dy[0] = y[2]
         dy[1] = 0.0
-    elif contact in (BOTH, BOTH_SLACK):
+    elif mode in (BOTH, BOTH_SLACK):
         dy[0] = 0.0
         dy[1] = 0.0
-    found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
     dy[2] = found[0]
     dy[3] = found[1]
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Acceleration with which a mode's gap would open from closed and at rest."""
-    found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
-    return SIDES[contact] * found[0]
+    found = accelerations(mode, 0.0, y[1], 0.0, y[3], p, ax, ay)
+    return SIDES[mode] * found[0]
 
 
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[1]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -364,8 +364,8 @@ def guards(contact, y, p, ax, ay, g):
         g[0] = s*theta
         g[1] = -c8 - x0
         g[2] = initial_force + x0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         theta = y[0]
         permanent_extension = y[1]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -381,8 +381,8 @@ def guards(contact, y, p, ax, ay, g):
             - math.exp(-c0*sin_theta**2)) + half_width*(1 -
             cos_theta))/cos_theta)*math.tan(theta))
         )
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[2]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -400,15 +400,15 @@ def guards(contact, y, p, ax, ay, g):
             theta_dot*(x0*(s*x1*(c9*cos_theta*sin_theta*x2 + half_width*sin_theta) +
             s*sin_theta*x3/cos_theta**2) + (-eccentricity + s*x1*x3)*(x0**2 + 1))
         )
-    elif contact == BOTH:
+    elif mode == BOTH:
         g[0] = -opening_acceleration(LEFT, y, p, ax, ay)
         g[1] = -opening_acceleration(RIGHT, y, p, ax, ay)
-    elif contact == BOTH_SLACK:
+    elif mode == BOTH_SLACK:
         g[0] = -opening_acceleration(LEFT_SLACK, y, p, ax, ay)
         g[1] = -opening_acceleration(RIGHT_SLACK, y, p, ax, ay)
 
 
-def jump(contact, guard, law, ratio, y, p, out):
+def jump(mode, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -417,34 +417,34 @@ def jump(contact, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if contact == LEFT and guard == 0:
+    if mode == LEFT and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
         if out[2] > 0.0 and y[2] != 0.0:
             return RIGHT
         out[2] = 0.0
         return BOTH
-    if contact == LEFT and guard == 1:
+    if mode == LEFT and guard == 1:
         return LEFT_YIELD
-    if contact == LEFT and guard == 2:
+    if mode == LEFT and guard == 2:
         return LEFT_SLACK
-    if contact == LEFT_SLACK and guard == 0:
+    if mode == LEFT_SLACK and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
         if out[2] > 0.0 and y[2] != 0.0:
             return RIGHT_SLACK
         out[2] = 0.0
         return BOTH_SLACK
-    if contact == LEFT_SLACK and guard == 1:
+    if mode == LEFT_SLACK and guard == 1:
         return LEFT
-    if contact == LEFT_YIELD and guard == 0:
+    if mode == LEFT_YIELD and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
         if out[2] > 0.0 and y[2] != 0.0:
             return RIGHT_YIELD
         out[2] = 0.0
         return BOTH
-    if contact == LEFT_YIELD and guard == 1:
+    if mode == LEFT_YIELD and guard == 1:
         s = -1.0
         theta = y[0]
         height = p[3]
@@ -462,42 +462,42 @@ def jump(contact, guard, law, ratio, y, p, out):
             half_width))/x0)*math.tan(theta) - (-initial_force + yield_force)/tendon_stiffness
         )
         return LEFT
-    if contact == BOTH and guard == 0:
+    if mode == BOTH and guard == 0:
         return LEFT
-    if contact == BOTH and guard == 1:
+    if mode == BOTH and guard == 1:
         return RIGHT
-    if contact == BOTH_SLACK and guard == 0:
+    if mode == BOTH_SLACK and guard == 0:
         return LEFT_SLACK
-    if contact == BOTH_SLACK and guard == 1:
+    if mode == BOTH_SLACK and guard == 1:
         return RIGHT_SLACK
-    if contact == RIGHT and guard == 0:
+    if mode == RIGHT and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
         if -out[2] > 0.0 and y[2] != 0.0:
             return LEFT
         out[2] = 0.0
         return BOTH
-    if contact == RIGHT and guard == 1:
+    if mode == RIGHT and guard == 1:
         return RIGHT_YIELD
-    if contact == RIGHT and guard == 2:
+    if mode == RIGHT and guard == 2:
         return RIGHT_SLACK
-    if contact == RIGHT_SLACK and guard == 0:
+    if mode == RIGHT_SLACK and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
         if -out[2] > 0.0 and y[2] != 0.0:
             return LEFT_SLACK
         out[2] = 0.0
         return BOTH_SLACK
-    if contact == RIGHT_SLACK and guard == 1:
+    if mode == RIGHT_SLACK and guard == 1:
         return RIGHT
-    if contact == RIGHT_YIELD and guard == 0:
+    if mode == RIGHT_YIELD and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
         if -out[2] > 0.0 and y[2] != 0.0:
             return LEFT_YIELD
         out[2] = 0.0
         return BOTH
-    if contact == RIGHT_YIELD and guard == 1:
+    if mode == RIGHT_YIELD and guard == 1:
         s = 1.0
         theta = y[0]
         height = p[3]
@@ -515,7 +515,7 @@ def jump(contact, guard, law, ratio, y, p, out):
             half_width))/x0)*math.tan(theta) - (-initial_force + yield_force)/tendon_stiffness
         )
         return RIGHT
-    return contact
+    return mode
 
 
 @inlined
@@ -527,11 +527,11 @@ def full_contact_guards(y, p, ax, g):
     pass
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         theta_ddot = found[0]
         theta = y[0]
         permanent_extension = y[1]
@@ -567,9 +567,9 @@ def reactions(contact, y, p, ax, ay, out):
         out[1] = x11*(1/2 - x9)
         out[2] = x11*(x9 + 1/2)
         out[3] = x10
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         theta_ddot = found[0]
         theta = y[0]
         theta_dot = y[2]
@@ -592,9 +592,9 @@ def reactions(contact, y, p, ax, ay, out):
         out[1] = x10*(1/2 - x9)
         out[2] = x10*(x9 + 1/2)
         out[3] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         theta_ddot = found[0]
         theta = y[0]
         theta_dot = y[2]
@@ -618,7 +618,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[1] = x10*(1/2 - x9)
         out[2] = x10*(x9 + 1/2)
         out[3] = yield_force
-    elif contact == BOTH:
+    elif mode == BOTH:
         permanent_extension = y[1]
         mass = p[0]
         centroid_height = p[2]
@@ -636,7 +636,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[1] = x5*(x1 + x4)
         out[2] = x5*(-x1 + x4)
         out[3] = initial_force - x3
-    elif contact == BOTH_SLACK:
+    elif mode == BOTH_SLACK:
         permanent_extension = y[1]
         mass = p[0]
         centroid_height = p[2]
@@ -658,10 +658,10 @@ def reactions(contact, y, p, ax, ay, out):
         out[3] = 0
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
-        s = SIDES[contact]
+    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+        s = SIDES[mode]
         theta = y[0]
         theta_dot = y[2]
         mass = p[0]
@@ -673,7 +673,7 @@ def energies(contact, y, p, out):
         out[0] = (1/2)*pivot_inertia*theta_dot**2
         out[1] = centroid_height*x0*math.cos(theta) + half_width*s*x0*math.sin(theta)
         out[2] = 0
-    elif contact in (BOTH, BOTH_SLACK):
+    elif mode in (BOTH, BOTH_SLACK):
         mass = p[0]
         centroid_height = p[2]
         gravity = p[11]
@@ -682,10 +682,10 @@ def energies(contact, y, p, out):
         out[2] = 0
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
-    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
-        s = SIDES[contact]
+    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+        s = SIDES[mode]
         theta = y[0]
         height = p[3]
         half_width = p[4]
@@ -704,7 +704,7 @@ def kinematics(contact, y, p, out):
             (-eccentricity + s*(half_width*(1 - x2) + (1 -
             math.exp(-height**2*x1**2/transition**2))*(-edge_distance - x3))/x2)*math.tan(theta)
         )
-    elif contact in (BOTH, BOTH_SLACK):
+    elif mode in (BOTH, BOTH_SLACK):
         half_width = p[4]
         out[0] = 0
         out[1] = 0
@@ -713,10 +713,10 @@ def kinematics(contact, y, p, out):
         out[4] = 0
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
-    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
-        s = SIDES[contact]
+    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+        s = SIDES[mode]
         theta = y[0]
         theta_dot = y[2]
         mass = p[0]
@@ -728,15 +728,15 @@ def momentum(contact, y, p, out):
         x3 = math.sin(theta)
         out[0] = half_width*s*x1*x3 + x0*x2
         out[1] = half_width*mass*s*theta_dot*x0 - x2*x3
-    elif contact in (BOTH, BOTH_SLACK):
+    elif mode in (BOTH, BOTH_SLACK):
         out[0] = 0
         out[1] = 0
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[1]
         mass = p[0]
@@ -760,8 +760,8 @@ def statics(contact, y, p, load, out):
             half_width))/x2)*math.tan(theta)))*(half_width*s*x2 - x1)
         )
         out[1] = 0
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         theta = y[0]
         mass = p[0]
         centroid_height = p[2]
@@ -775,8 +775,8 @@ def statics(contact, y, p, load, out):
             load*(half_width*s*x0 + height*x1)
         )
         out[1] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         theta = y[0]
         mass = p[0]
         centroid_height = p[2]
@@ -792,12 +792,12 @@ def statics(contact, y, p, load, out):
             + yield_force*(half_width*s*x2 - x1)
         )
         out[1] = 0
-    elif contact in (BOTH, BOTH_SLACK):
+    elif mode in (BOTH, BOTH_SLACK):
         out[0] = 0
         out[1] = 0
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     mass = p[0]
     pivot_inertia = p[1]
@@ -809,12 +809,12 @@ def masses(contact, y, p, out):
     out[2] = gravity
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         permanent_extension = y[1]
         theta_dot = y[2]
@@ -842,8 +842,8 @@ def powers(contact, y, p, ax, ay, out):
             math.exp(-height**2*x2**2/transition**2))*(-edge_distance +
             half_width))/x0)*math.tan(theta)))*(-centroid_height*x2 + half_width*s*x0)
         )
-    elif contact == LEFT_SLACK or contact == RIGHT_SLACK:
-        s = 1.0 if contact == RIGHT_SLACK else -1.0
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = 1.0 if mode == RIGHT_SLACK else -1.0
         theta = y[0]
         theta_dot = y[2]
         mass = p[0]
@@ -858,8 +858,8 @@ def powers(contact, y, p, ax, ay, out):
         )
         out[1] = 0
         out[2] = 0
-    elif contact == LEFT_YIELD or contact == RIGHT_YIELD:
-        s = 1.0 if contact == RIGHT_YIELD else -1.0
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = 1.0 if mode == RIGHT_YIELD else -1.0
         theta = y[0]
         theta_dot = y[2]
         mass = p[0]
@@ -876,16 +876,16 @@ def powers(contact, y, p, ax, ay, out):
         )
         out[1] = 0
         out[2] = -theta_dot*yield_force*(-centroid_height*x2 + half_width*s*x0)
-    elif contact in (BOTH, BOTH_SLACK):
+    elif mode in (BOTH, BOTH_SLACK):
         out[0] = 0
         out[1] = 0
         out[2] = 0
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
-        s = SIDES[contact]
+    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+        s = SIDES[mode]
         theta = y[0]
         centroid_height = p[2]
         height = p[3]
@@ -909,7 +909,7 @@ def positions(contact, y, p, out):
         out[9] = height*x0 + x3
         out[10] = height*x2 + x4
         out[11] = 0
-    elif contact in (BOTH, BOTH_SLACK):
+    elif mode in (BOTH, BOTH_SLACK):
         centroid_height = p[2]
         height = p[3]
         half_width = p[4]
@@ -927,7 +927,7 @@ def positions(contact, y, p, out):
         out[11] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.

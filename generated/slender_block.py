@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "e3a1d4d362ab1431"
+SOURCE_HASH = "e3f0e93dbeed6b4e"
 
 NAME = "slender_block"
 CLASS = "SlenderBlock"
@@ -149,7 +149,7 @@ def sine_cosine(x):
 
 @inlined
 def accelerations_left_right(s, theta, theta_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left or right."""
+    """Accelerations of the coordinates in modes left or right."""
     alpha = p[2]
     gravity = p[4]
     c0 = p[5]  # mass*radius/(inertia + mass*radius**2)
@@ -160,56 +160,56 @@ def accelerations_left_right(s, theta, theta_dot, p, ax, ay):
 
 @inlined
 def accelerations_both(theta, theta_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact both."""
+    """Accelerations of the coordinates in mode both."""
     return (0.0,)
 
 
 @inlined
-def accelerations(contact, theta, theta_dot, p, ax, ay):
+def accelerations(mode, theta, theta_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         return accelerations_left_right(s, theta, theta_dot, p, ax, ay)
     else:
         return accelerations_both(theta, theta_dot, p, ax, ay)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact == LEFT or contact == RIGHT:
+    if mode == LEFT or mode == RIGHT:
         dy[0] = y[1]
-    elif contact == BOTH:
+    elif mode == BOTH:
         dy[0] = 0.0
-    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], p, ax, ay)
     dy[1] = found[0]
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Acceleration with which a mode's gap would open from closed and at rest."""
-    found = accelerations(contact, 0.0, 0.0, p, ax, ay)
-    return SIDES[contact] * found[0]
+    found = accelerations(mode, 0.0, 0.0, p, ax, ay)
+    return SIDES[mode] * found[0]
 
 
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT:
+    if mode == LEFT:
         theta = y[0]
         g[0] = -theta
-    elif contact == BOTH:
+    elif mode == BOTH:
         g[0] = -opening_acceleration(LEFT, y, p, ax, ay)
         g[1] = -opening_acceleration(RIGHT, y, p, ax, ay)
-    elif contact == RIGHT:
+    elif mode == RIGHT:
         theta = y[0]
         g[0] = theta
 
 
 def impulse_to_opposite(s, y, p, out):
-    """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and the opposite mode follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[1]
     c1 = p[6]  # inertia/(inertia + mass*radius**2)
     c2 = p[7]  # mass*radius**2/(inertia + mass*radius**2)
@@ -219,11 +219,11 @@ def impulse_to_opposite(s, y, p, out):
 
 
 def impulse_to_both(s, y, p, out):
-    """Rates after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and mode both follows: M+ q'+ = sum J+^T m v-."""
     pass
 
 
-def jump(contact, guard, law, ratio, y, p, out):
+def jump(mode, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -232,7 +232,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if contact == LEFT and guard == 0:
+    if mode == LEFT and guard == 0:
         out[0] = 0.0
         if law == IMPULSIVE:
             impulse_to_opposite(-1.0, y, p, out)
@@ -244,11 +244,11 @@ def jump(contact, guard, law, ratio, y, p, out):
             impulse_to_both(-1.0, y, p, out)
         out[1] = 0.0
         return BOTH
-    if contact == BOTH and guard == 0:
+    if mode == BOTH and guard == 0:
         return LEFT
-    if contact == BOTH and guard == 1:
+    if mode == BOTH and guard == 1:
         return RIGHT
-    if contact == RIGHT and guard == 0:
+    if mode == RIGHT and guard == 0:
         out[0] = 0.0
         if law == IMPULSIVE:
             impulse_to_opposite(1.0, y, p, out)
@@ -260,7 +260,7 @@ def jump(contact, guard, law, ratio, y, p, out):
             impulse_to_both(1.0, y, p, out)
         out[1] = 0.0
         return BOTH
-    return contact
+    return mode
 
 
 @inlined
@@ -272,11 +272,11 @@ def full_contact_guards(y, p, ax, g):
     pass
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        found = accelerations(contact, y[0], y[1], p, ax, ay)
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
+        found = accelerations(mode, y[0], y[1], p, ax, ay)
         theta_ddot = found[0]
         theta = y[0]
         theta_dot = y[1]
@@ -293,7 +293,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[0] = ax*mass + x1
         out[1] = x2*(1 - s)
         out[2] = x2*(s + 1)
-    elif contact == BOTH:
+    elif mode == BOTH:
         mass = p[0]
         alpha = p[2]
         gravity = p[4]
@@ -306,10 +306,10 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x3*(-x0 + x2)
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         theta_dot = y[1]
         mass = p[0]
@@ -324,7 +324,7 @@ def energies(contact, y, p, out):
             -alpha**2*x1 + alpha*gravity*mass*radius*s*theta + gravity*mass*radius - theta**2*x1
         )
         out[2] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         mass = p[0]
         radius = p[1]
         alpha = p[2]
@@ -334,10 +334,10 @@ def energies(contact, y, p, out):
         out[2] = 0
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         radius = p[1]
         alpha = p[2]
@@ -347,16 +347,16 @@ def kinematics(contact, y, p, out):
         out[0] = x0
         out[1] = x1 + x2
         out[2] = -x1 + x2
-    elif contact == BOTH:
+    elif mode == BOTH:
         out[0] = 0
         out[1] = 0
         out[2] = 0
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         theta_dot = y[1]
         mass = p[0]
@@ -369,26 +369,26 @@ def momentum(contact, y, p, out):
         x4 = s*x1*math.sin(alpha)
         out[0] = x0*x2 + x3*x4
         out[1] = x0*x4 - x2*x3
-    elif contact == BOTH:
+    elif mode == BOTH:
         out[0] = 0
         out[1] = 0
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         mass = p[0]
         radius = p[1]
         alpha = p[2]
         gravity = p[4]
         out[0] = alpha*gravity*mass*radius*s - gravity*mass*radius*theta - load*radius
-    elif contact == BOTH:
+    elif mode == BOTH:
         out[0] = 0
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     mass = p[0]
     inertia = p[3]
@@ -398,12 +398,12 @@ def masses(contact, y, p, out):
     out[2] = gravity
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         theta_dot = y[1]
         mass = p[0]
@@ -413,16 +413,16 @@ def powers(contact, y, p, ax, ay, out):
         out[0] = theta_dot*(-alpha*ay*s*x0 - ax*x0 + ay*mass*radius*theta)
         out[1] = 0
         out[2] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         out[0] = 0
         out[1] = 0
         out[2] = 0
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         radius = p[1]
         alpha = p[2]
@@ -447,7 +447,7 @@ def positions(contact, y, p, out):
         out[9] = x5
         out[10] = x6
         out[11] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         radius = p[1]
         alpha = p[2]
         x0 = radius*math.cos(alpha)
@@ -466,7 +466,7 @@ def positions(contact, y, p, out):
         out[11] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.

@@ -41,7 +41,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import everywhere, fused, inlined
 
-SOURCE_HASH = "089bb353c50c00c7"
+SOURCE_HASH = "36762e0b5bd53ab2"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -469,43 +469,43 @@ def rates_flight(x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
 
 
 @inlined
-def rates_of_states(contact, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
+def rates_of_states(mode, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
     """Rates of all states, in their order."""
-    equations = EQUATIONS[contact]
+    equations = EQUATIONS[mode]
     if equations == 0:
         return rates_left_sticks_right_sticks(x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
     elif equations == 1:
-        sigma_0 = SIGMAS[contact][0]
+        sigma_0 = SIGMAS[mode][0]
         return rates_left_slips_right_slips(sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
     elif equations == 2:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         return rates_right_sticks(s, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
     elif equations == 3:
-        s = IMAGES[contact]
-        sigma_0 = SIGMAS[contact][0]
+        s = IMAGES[mode]
+        sigma_0 = SIGMAS[mode][0]
         return rates_right_slips(s, sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
     else:
         return rates_flight(x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
 
 
 @inlined
-def accelerations(contact, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
+def accelerations(mode, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    found = rates_of_states(contact, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
+    found = rates_of_states(mode, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
     return (found[3], found[4], found[5],)
 
 
 @everywhere
-def accelerations_2(contact, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
+def accelerations_2(mode, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay):
     """The same where right sticks, or its mirror image."""
-    s = IMAGES[contact]
+    s = IMAGES[mode]
     found = rates_right_sticks(s, x, y_, theta, x_dot, y_dot, theta_dot, p, ax, ay)
     return (found[3], found[4], found[5],)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    found = rates_of_states(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+    found = rates_of_states(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
     dy[0] = found[0]
     dy[1] = found[1]
     dy[2] = found[2]
@@ -515,7 +515,7 @@ def rates(contact, y, p, ax, ay, dy):
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Zero: whether a gap opens is found among the candidates."""
     return 0.0
 
@@ -595,13 +595,13 @@ def forces_right_slips(s, sigma_0, x, y_, theta, x_dot, y_dot, theta_dot, p, ax,
 
 
 @inlined
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    pattern = PATTERNS[contact]
+    pattern = PATTERNS[mode]
     if pattern == 0:
         x = y[0]
         y_ = y[1]
@@ -617,7 +617,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = friction_0 + x0
         g[3] = normal_1
     elif pattern == 1:
-        sigma_0 = SIGMAS[contact][0]
+        sigma_0 = SIGMAS[mode][0]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -629,7 +629,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = sigma_0*x_dot
         g[2] = normal_1
     elif pattern == 2:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -646,8 +646,8 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = friction_0 + x0
         g[3] = c23*s*sin_theta
     elif pattern == 3:
-        s = IMAGES[contact]
-        sigma_0 = SIGMAS[contact][0]
+        s = IMAGES[mode]
+        sigma_0 = SIGMAS[mode][0]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -663,7 +663,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = sigma_0*(-half_width*theta_dot*x0 + x_dot)
         g[2] = c23*x0
     elif pattern == 4:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -680,8 +680,8 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = -friction_1 + x0
         g[3] = friction_1 + x0
     elif pattern == 5:
-        s = IMAGES[contact]
-        sigma_0 = SIGMAS[contact][0]
+        s = IMAGES[mode]
+        sigma_0 = SIGMAS[mode][0]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -710,7 +710,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = -x0 + y_
 
 
-def free_motion(y, p, ax, ay, contact, matrix, forces):
+def free_motion(y, p, ax, ay, mode, matrix, forces):
     """M (n * n, row by row) and f (n) of M q'' = f + J^T lambda, without forces of contact."""
     theta = y[2]
     theta_dot = y[5]
@@ -794,12 +794,12 @@ def point_laws(p, out):
     out[3] = friction
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
     Where only the sum of frictions is determined, each has the same part of its largest.
     """
-    found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
     x_ddot = found[0]
     theta_ddot = found[2]
     theta = y[2]
@@ -810,7 +810,7 @@ def reactions(contact, y, p, ax, ay, out):
     out[0] = (
         ax*mass + mass*x_ddot + theta_ddot*x0*math.cos(theta) - theta_dot**2*x0*math.sin(theta)
     )
-    pattern = PATTERNS[contact]
+    pattern = PATTERNS[mode]
     if pattern == 0:
         x = y[0]
         y_ = y[1]
@@ -829,7 +829,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[3] = normal_0*x0
         out[4] = normal_1*x0
     elif pattern == 1:
-        sigma_0 = SIGMAS[contact][0]
+        sigma_0 = SIGMAS[mode][0]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -844,7 +844,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[3] = -normal_0*x0
         out[4] = -normal_1*x0
     elif pattern == 2:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -857,8 +857,8 @@ def reactions(contact, y, p, ax, ay, out):
         out[3] = friction_0
         out[4] = 0
     elif pattern == 3:
-        s = IMAGES[contact]
-        sigma_0 = SIGMAS[contact][0]
+        s = IMAGES[mode]
+        sigma_0 = SIGMAS[mode][0]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -872,7 +872,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[3] = -friction*normal_0*sigma_0
         out[4] = 0
     elif pattern == 4:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -885,8 +885,8 @@ def reactions(contact, y, p, ax, ay, out):
         out[3] = 0
         out[4] = friction_1
     elif pattern == 5:
-        s = IMAGES[contact]
-        sigma_0 = SIGMAS[contact][0]
+        s = IMAGES[mode]
+        sigma_0 = SIGMAS[mode][0]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -906,7 +906,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[4] = 0
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
     y_ = y[1]
     theta = y[2]
@@ -930,7 +930,7 @@ def energies(contact, y, p, out):
     out[2] = 0
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     x = y[0]
     y_ = y[1]
@@ -947,7 +947,7 @@ def kinematics(contact, y, p, out):
     out[4] = -half_width + x + x2
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
     theta = y[2]
     x_dot = y[3]
@@ -960,7 +960,7 @@ def momentum(contact, y, p, out):
     out[1] = mass*y_dot - x0*math.sin(theta)
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     theta = y[2]
     mass = p[0]
@@ -972,7 +972,7 @@ def statics(contact, y, p, load, out):
     out[2] = -height*load*math.cos(theta) - height*x0*math.sin(theta)
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     mass = p[0]
     inertia = p[3]
@@ -982,7 +982,7 @@ def masses(contact, y, p, out):
     out[2] = gravity
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
@@ -1001,7 +1001,7 @@ def powers(contact, y, p, ax, ay, out):
     out[2] = 0
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
     x = y[0]
     y_ = y[1]
@@ -1028,7 +1028,7 @@ def positions(contact, y, p, out):
     out[11] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.

@@ -45,7 +45,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import everywhere, fused, inlined
 
-SOURCE_HASH = "d0cb76811b13beec"
+SOURCE_HASH = "81bb5f6a9ee1bd34"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"
@@ -1260,63 +1260,63 @@ def rates_flight(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, et
 
 
 @inlined
-def rates_of_states(contact, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
+def rates_of_states(mode, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """Rates of all states, in their order."""
-    equations = EQUATIONS[contact]
+    equations = EQUATIONS[mode]
     if equations == 0:
         return rates_left_sticks_right_sticks_upper_left_sticks_upper_right_sticks(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     elif equations == 1:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         return rates_left_sticks_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     elif equations == 2:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         return rates_right_sticks_upper_left_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     elif equations == 3:
         return rates_left_sticks_right_sticks(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     elif equations == 4:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         return rates_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     elif equations == 5:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         return rates_right_sticks_upper_left_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     elif equations == 6:
         return rates_upper_left_sticks_upper_right_sticks(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     elif equations == 7:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         return rates_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     elif equations == 8:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         return rates_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     else:
         return rates_flight(x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
 
 
 @inlined
-def accelerations(contact, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
+def accelerations(mode, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    found = rates_of_states(contact, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
+    found = rates_of_states(mode, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     return (found[6], found[7], found[8], found[9], found[10], found[11],)
 
 
 @everywhere
-def accelerations_1(contact, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
+def accelerations_1(mode, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """The same where left sticks, right sticks, upper_right sticks, or its mirror image."""
-    s = IMAGES[contact]
+    s = IMAGES[mode]
     found = rates_left_sticks_right_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     return (found[6], found[7], found[8], found[9], found[10], found[11],)
 
 
 @everywhere
-def accelerations_2(contact, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
+def accelerations_2(mode, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay):
     """The same where right sticks, upper_left sticks, upper_right sticks, or its mirror image."""
-    s = IMAGES[contact]
+    s = IMAGES[mode]
     found = rates_right_sticks_upper_left_sticks_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta_dot, xi_dot, eta_dot, phi_dot, p, ax, ay)
     return (found[6], found[7], found[8], found[9], found[10], found[11],)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    found = rates_of_states(contact, y[0], y[1], y[2], y[3], y[4], y[5], y[6], y[7], y[8], y[9], y[10], y[11], p, ax, ay)
+    found = rates_of_states(mode, y[0], y[1], y[2], y[3], y[4], y[5], y[6], y[7], y[8], y[9], y[10], y[11], p, ax, ay)
     dy[0] = found[0]
     dy[1] = found[1]
     dy[2] = found[2]
@@ -1332,7 +1332,7 @@ def rates(contact, y, p, ax, ay, dy):
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Zero: whether a gap opens is found among the candidates."""
     return 0.0
 
@@ -1906,13 +1906,13 @@ def forces_upper_right_sticks(s, x, y_, theta, xi, eta, phi, x_dot, y_dot, theta
 
 
 @inlined
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    pattern = PATTERNS[contact]
+    pattern = PATTERNS[mode]
     if pattern == 0:
         x = y[0]
         y_ = y[1]
@@ -1932,7 +1932,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = normal_2
         g[3] = normal_3
     elif pattern == 1:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -1953,7 +1953,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = normal_2
         g[3] = c24*s*sin_phi
     elif pattern == 2:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -1974,7 +1974,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = c24*s*sin_phi
         g[3] = normal_3
     elif pattern == 3:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -1995,7 +1995,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = normal_2
         g[3] = normal_3
     elif pattern == 4:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2037,7 +2037,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = eta + x0
         g[3] = eta - x0
     elif pattern == 6:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2060,7 +2060,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = normal_2
         g[3] = c24*s*sin_angle_1
     elif pattern == 7:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2083,7 +2083,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = -c24*s*sin_angle_1
         g[3] = normal_3
     elif pattern == 8:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2106,7 +2106,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = normal_2
         g[3] = -c24*s*sin_angle_1
     elif pattern == 9:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2150,7 +2150,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = normal_2
         g[3] = normal_3
     elif pattern == 11:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2174,7 +2174,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = eta - x0
         g[3] = eta + x0
     elif pattern == 12:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2198,7 +2198,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = eta + x0
         g[3] = eta - x0
     elif pattern == 13:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2222,7 +2222,7 @@ def guards(contact, y, p, ax, ay, g):
         g[2] = normal_2
         g[3] = c24*s*sin_angle_1
     elif pattern == 14:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2270,7 +2270,7 @@ def guards(contact, y, p, ax, ay, g):
         g[3] = eta - x1
 
 
-def free_motion(y, p, ax, ay, contact, matrix, forces):
+def free_motion(y, p, ax, ay, mode, matrix, forces):
     """M (n * n, row by row) and f (n) of M q'' = f + J^T lambda, without forces of contact."""
     theta = y[2]
     xi = y[3]
@@ -2525,12 +2525,12 @@ def point_laws(p, out):
     out[7] = 1.00000000000000e+300
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
     Where only the sum of frictions is determined, each has the same part of its largest.
     """
-    found = accelerations(contact, y[0], y[1], y[2], y[3], y[4], y[5], y[6], y[7], y[8], y[9], y[10], y[11], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], y[6], y[7], y[8], y[9], y[10], y[11], p, ax, ay)
     x_ddot = found[0]
     theta_ddot = found[2]
     xi_ddot = found[3]
@@ -2565,7 +2565,7 @@ def reactions(contact, y, p, ax, ay, out):
         theta_ddot*x1*xi + theta_ddot*x2*x5 + upper_mass*x_ddot - x0*x5*x9 - x1*x7*xi_dot -
         x10*x8 - x3*x9*xi + x3*xi_ddot + x4*x8
     )
-    pattern = PATTERNS[contact]
+    pattern = PATTERNS[mode]
     if pattern == 0:
         x = y[0]
         y_ = y[1]
@@ -2593,7 +2593,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[7] = normal_2*share_2
         out[8] = normal_3*share_2
     elif pattern == 1:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2618,7 +2618,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[7] = friction_2
         out[8] = 0
     elif pattern == 2:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2643,7 +2643,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[7] = 0
         out[8] = friction_3
     elif pattern == 3:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2668,7 +2668,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[7] = normal_2*share_2
         out[8] = normal_3*share_2
     elif pattern == 4:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2717,7 +2717,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[7] = 0
         out[8] = 0
     elif pattern == 6:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2740,7 +2740,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[7] = friction_2
         out[8] = 0
     elif pattern == 7:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2763,7 +2763,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[7] = 0
         out[8] = friction_3
     elif pattern == 8:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2786,7 +2786,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[7] = friction_2
         out[8] = 0
     elif pattern == 9:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2833,7 +2833,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[7] = normal_2*share_2
         out[8] = normal_3*share_2
     elif pattern == 11:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2856,7 +2856,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[7] = 0
         out[8] = 0
     elif pattern == 12:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2879,7 +2879,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[7] = 0
         out[8] = 0
     elif pattern == 13:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2902,7 +2902,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[7] = friction_2
         out[8] = 0
     elif pattern == 14:
-        s = IMAGES[contact]
+        s = IMAGES[mode]
         x = y[0]
         y_ = y[1]
         theta = y[2]
@@ -2935,7 +2935,7 @@ def reactions(contact, y, p, ax, ay, out):
         out[8] = 0
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
     y_ = y[1]
     theta = y[2]
@@ -3010,7 +3010,7 @@ def energies(contact, y, p, out):
     out[2] = 0
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     x = y[0]
     y_ = y[1]
@@ -3040,7 +3040,7 @@ def kinematics(contact, y, p, out):
     out[8] = -upper_half_width + x6 + xi
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
     theta = y[2]
     xi = y[3]
@@ -3076,7 +3076,7 @@ def momentum(contact, y, p, out):
     )
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
     theta = y[2]
     xi = y[3]
@@ -3103,7 +3103,7 @@ def statics(contact, y, p, load, out):
     out[5] = -load*upper_half_height*math.cos(phi) - upper_half_height*x1*math.sin(phi)
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     lower_mass = p[0]
     lower_inertia = p[3]
@@ -3117,7 +3117,7 @@ def masses(contact, y, p, out):
     out[4] = gravity
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
@@ -3156,7 +3156,7 @@ def powers(contact, y, p, ax, ay, out):
     out[2] = 0
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
     x = y[0]
     y_ = y[1]
@@ -3205,7 +3205,7 @@ def positions(contact, y, p, out):
     out[20] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.

@@ -39,7 +39,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "36fe267cb07175bb"
+SOURCE_HASH = "3b1d551de975c0fe"
 
 NAME = "two_spring_cart"
 CLASS = "TwoSpringCart"
@@ -171,7 +171,7 @@ def sine_cosine(x):
 
 @inlined
 def accelerations_both_left_both_right(s, u, u_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact both_left or both_right."""
+    """Accelerations of the coordinates in modes both_left or both_right."""
     c0 = p[9]
     u_ddot = -ax - c0*u
     return (u_ddot,)
@@ -179,7 +179,7 @@ def accelerations_both_left_both_right(s, u, u_dot, p, ax, ay):
 
 @inlined
 def accelerations_left_right(s, u, u_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left or right."""
+    """Accelerations of the coordinates in modes left or right."""
     c1 = p[10]
     c2 = p[11]
     c3 = p[12]
@@ -188,57 +188,57 @@ def accelerations_left_right(s, u, u_dot, p, ax, ay):
 
 
 @inlined
-def accelerations(contact, u, u_dot, p, ax, ay):
+def accelerations(mode, u, u_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    if contact == BOTH_LEFT or contact == BOTH_RIGHT:
-        s = 1.0 if contact == BOTH_RIGHT else -1.0
+    if mode == BOTH_LEFT or mode == BOTH_RIGHT:
+        s = 1.0 if mode == BOTH_RIGHT else -1.0
         return accelerations_both_left_both_right(s, u, u_dot, p, ax, ay)
     else:
-        s = 1.0 if contact == RIGHT else -1.0
+        s = 1.0 if mode == RIGHT else -1.0
         return accelerations_left_right(s, u, u_dot, p, ax, ay)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     dy[0] = y[1]
-    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], p, ax, ay)
     dy[1] = found[0]
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Acceleration with which a mode's gap would open from closed and at rest."""
-    found = accelerations(contact, 0.0, 0.0, p, ax, ay)
-    return SIDES[contact] * found[0]
+    found = accelerations(mode, 0.0, 0.0, p, ax, ay)
+    return SIDES[mode] * found[0]
 
 
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == BOTH_LEFT:
+    if mode == BOTH_LEFT:
         u = y[0]
         c4 = p[13]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
         g[0] = -u
         g[1] = c4 + u
-    elif contact == LEFT:
+    elif mode == LEFT:
         u = y[0]
         c4 = p[13]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
         g[0] = -c4 - u
-    elif contact == BOTH_RIGHT:
+    elif mode == BOTH_RIGHT:
         u = y[0]
         c4 = p[13]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
         g[0] = u
         g[1] = c4 - u
-    elif contact == RIGHT:
+    elif mode == RIGHT:
         u = y[0]
         c4 = p[13]  # (1/2)*gravity*height*(base_mass + mass)/(foundation_stiffness*half_width)
         g[0] = -c4 + u
 
 
-def jump(contact, guard, law, ratio, y, p, out):
+def jump(mode, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -247,29 +247,29 @@ def jump(contact, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if contact == BOTH_LEFT and guard == 0:
+    if mode == BOTH_LEFT and guard == 0:
         out[0] = 0.0
         out[1] = ratio * y[1]
         if out[1] > 0.0 and y[1] != 0.0:
             return BOTH_RIGHT
         out[1] = 0.0
         return BOTH_RIGHT
-    if contact == BOTH_LEFT and guard == 1:
+    if mode == BOTH_LEFT and guard == 1:
         return LEFT
-    if contact == LEFT and guard == 0:
+    if mode == LEFT and guard == 0:
         return BOTH_LEFT
-    if contact == BOTH_RIGHT and guard == 0:
+    if mode == BOTH_RIGHT and guard == 0:
         out[0] = 0.0
         out[1] = ratio * y[1]
         if -out[1] > 0.0 and y[1] != 0.0:
             return BOTH_LEFT
         out[1] = 0.0
         return BOTH_LEFT
-    if contact == BOTH_RIGHT and guard == 1:
+    if mode == BOTH_RIGHT and guard == 1:
         return RIGHT
-    if contact == RIGHT and guard == 0:
+    if mode == RIGHT and guard == 0:
         return BOTH_RIGHT
-    return contact
+    return mode
 
 
 @inlined
@@ -281,18 +281,18 @@ def full_contact_guards(y, p, ax, g):
     pass
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    found = accelerations(contact, y[0], y[1], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], p, ax, ay)
     u_ddot = found[0]
     mass = p[0]
     base_mass = p[3]
     out[0] = ax*base_mass + ax*mass + base_mass*u_ddot + mass*u_ddot
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == BOTH_LEFT or contact == BOTH_RIGHT:
+    if mode == BOTH_LEFT or mode == BOTH_RIGHT:
         u = y[0]
         u_dot = y[1]
         mass = p[0]
@@ -309,8 +309,8 @@ def energies(contact, y, p, out):
             (1/2)*u**2*(-base_height*base_mass*gravity + 2*foundation_stiffness*half_width**2 -
             gravity*height*mass)/height**2
         )
-    elif contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    elif mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         u = y[0]
         u_dot = y[1]
         mass = p[0]
@@ -346,13 +346,13 @@ def energies(contact, y, p, out):
         )
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     u = y[0]
     out[0] = u
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
     u_dot = y[1]
     mass = p[0]
@@ -361,9 +361,9 @@ def momentum(contact, y, p, out):
     out[1] = 0
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if contact == BOTH_LEFT or contact == BOTH_RIGHT:
+    if mode == BOTH_LEFT or mode == BOTH_RIGHT:
         u = y[0]
         mass = p[0]
         height = p[1]
@@ -376,8 +376,8 @@ def statics(contact, y, p, load, out):
             -load + u*(-base_height*base_mass*gravity + 2*foundation_stiffness*half_width**2 -
             gravity*height*mass)/height**2
         )
-    elif contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    elif mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         u = y[0]
         mass = p[0]
         height = p[1]
@@ -402,7 +402,7 @@ def statics(contact, y, p, load, out):
         out[0] = gravity**2*height*s*x0*x12*x4*x7 - load + s*x8 - u*x12*x8
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     mass = p[0]
     base_mass = p[3]
@@ -412,7 +412,7 @@ def masses(contact, y, p, out):
     out[2] = gravity
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
@@ -424,7 +424,7 @@ def powers(contact, y, p, ax, ay, out):
     out[2] = 0
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
     u = y[0]
     out[0] = u
@@ -435,7 +435,7 @@ def positions(contact, y, p, out):
     out[5] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.

@@ -40,7 +40,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "73b7e5e75eab1342"
+SOURCE_HASH = "ca51bea1ca3a317a"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"
@@ -178,7 +178,7 @@ def sine_cosine(x):
 
 @inlined
 def accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact both."""
+    """Accelerations of the coordinates in mode both."""
     sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[7]
     c0 = p[10]  # base_height*base_mass
@@ -211,7 +211,7 @@ def accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay):
 
 @inlined
 def accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left or right."""
+    """Accelerations of the coordinates in modes left or right."""
     sin_theta, cos_theta = sine_cosine(theta)
     half_width = p[6]
     gravity = p[7]
@@ -252,7 +252,7 @@ def accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay):
 
 @inlined
 def accelerations_flight(theta, heave, theta_dot, heave_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact flight."""
+    """Accelerations of the coordinates in mode flight."""
     sin_theta, cos_theta = sine_cosine(theta)
     gravity = p[7]
     c0 = p[10]  # base_height*base_mass
@@ -276,40 +276,40 @@ def accelerations_flight(theta, heave, theta_dot, heave_dot, p, ax, ay):
 
 
 @inlined
-def accelerations(contact, theta, heave, theta_dot, heave_dot, p, ax, ay):
+def accelerations(mode, theta, heave, theta_dot, heave_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    if contact == BOTH:
+    if mode == BOTH:
         return accelerations_both(theta, heave, theta_dot, heave_dot, p, ax, ay)
-    elif contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    elif mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         return accelerations_left_right(s, theta, heave, theta_dot, heave_dot, p, ax, ay)
     else:
         return accelerations_flight(theta, heave, theta_dot, heave_dot, p, ax, ay)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
     dy[0] = y[2]
     dy[1] = y[3]
-    found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
     dy[2] = found[0]
     dy[3] = found[1]
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Acceleration with which a mode's gap would open from closed and at rest."""
-    found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
-    return SIDES[contact] * found[0]
+    found = accelerations(mode, 0.0, y[1], 0.0, y[3], p, ax, ay)
+    return SIDES[mode] * found[0]
 
 
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT:
+    if mode == LEFT:
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -328,7 +328,7 @@ def guards(contact, y, p, ax, ay, g):
         g[1] = foundation_damping*(-heave_dot - x3) + foundation_stiffness*(c15 - heave - x0)
         g[2] = x2
         g[3] = x4
-    elif contact == BOTH:
+    elif mode == BOTH:
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -342,7 +342,7 @@ def guards(contact, y, p, ax, ay, g):
         x1 = half_width*sin_theta
         g[0] = foundation_damping*(-heave_dot - x0) + foundation_stiffness*(c15 - heave - x1)
         g[1] = foundation_damping*(-heave_dot + x0) + foundation_stiffness*(c15 - heave + x1)
-    elif contact == FLIGHT:
+    elif mode == FLIGHT:
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -366,7 +366,7 @@ def guards(contact, y, p, ax, ay, g):
         g[3] = x4
         g[4] = x6
         g[5] = x7
-    elif contact == RIGHT:
+    elif mode == RIGHT:
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -387,7 +387,7 @@ def guards(contact, y, p, ax, ay, g):
         g[3] = x4
 
 
-def jump(contact, guard, law, ratio, y, p, out):
+def jump(mode, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -396,23 +396,23 @@ def jump(contact, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if contact == LEFT and guard == 0:
+    if mode == LEFT and guard == 0:
         return BOTH
-    if contact == LEFT and guard == 1:
+    if mode == LEFT and guard == 1:
         return FLIGHT
-    if contact == BOTH and guard == 0:
+    if mode == BOTH and guard == 0:
         return RIGHT
-    if contact == BOTH and guard == 1:
+    if mode == BOTH and guard == 1:
         return LEFT
-    if contact == FLIGHT and guard == 0:
+    if mode == FLIGHT and guard == 0:
         return LEFT
-    if contact == FLIGHT and guard == 1:
+    if mode == FLIGHT and guard == 1:
         return RIGHT
-    if contact == RIGHT and guard == 0:
+    if mode == RIGHT and guard == 0:
         return BOTH
-    if contact == RIGHT and guard == 1:
+    if mode == RIGHT and guard == 1:
         return FLIGHT
-    return contact
+    return mode
 
 
 @inlined
@@ -424,10 +424,10 @@ def full_contact_guards(y, p, ax, g):
     pass
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == BOTH:
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    if mode == BOTH:
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         theta_ddot = found[0]
         theta = y[0]
         heave = y[1]
@@ -460,9 +460,9 @@ def reactions(contact, y, p, ax, ay, out):
             foundation_damping*(-heave_dot + x6) + foundation_stiffness*((1/2)*gravity*x8*x9 -
             heave + x7)
         )
-    elif contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    elif mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         theta_ddot = found[0]
         theta = y[0]
         heave = y[1]
@@ -491,8 +491,8 @@ def reactions(contact, y, p, ax, ay, out):
         out[0] = ax*base_mass + ax*mass + x1*x2 + x1*x3 - x2*x5 - x3*x5
         out[1] = x7*(1 - s)
         out[2] = x7*(s + 1)
-    elif contact == FLIGHT:
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    elif mode == FLIGHT:
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         theta_ddot = found[0]
         theta = y[0]
         theta_dot = y[2]
@@ -509,9 +509,9 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = 0
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == BOTH:
+    if mode == BOTH:
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -551,8 +551,8 @@ def energies(contact, y, p, out):
             x13*((1/2)*gravity*x12*x8 - heave - x11)**2 + x13*((1/2)*gravity*x12*x8 - heave +
             x11)**2
         )
-    elif contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    elif mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -589,7 +589,7 @@ def energies(contact, y, p, out):
             (1/2)*foundation_stiffness*((1/2)*gravity*x8*(base_mass + mass) + half_width*s*x3 -
             heave)**2
         )
-    elif contact == FLIGHT:
+    elif mode == FLIGHT:
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -622,7 +622,7 @@ def energies(contact, y, p, out):
         out[2] = 0
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
     theta = y[0]
     heave = y[1]
@@ -635,7 +635,7 @@ def kinematics(contact, y, p, out):
     out[2] = heave - x1
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
     theta = y[0]
     theta_dot = y[2]
@@ -652,9 +652,9 @@ def momentum(contact, y, p, out):
     out[1] = base_mass*heave_dot + heave_dot*mass - x1*x3 - x2*x3
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if contact == BOTH:
+    if mode == BOTH:
         theta = y[0]
         heave = y[1]
         mass = p[0]
@@ -672,8 +672,8 @@ def statics(contact, y, p, load, out):
             height*load*x0 - height*mass*x2
         )
         out[1] = 2*foundation_stiffness*heave
-    elif contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    elif mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         heave = y[1]
         mass = p[0]
@@ -695,7 +695,7 @@ def statics(contact, y, p, load, out):
             height*load*x0 - height*mass*x2 - x0*x3*x4
         )
         out[1] = base_mass*x5 - foundation_stiffness*x1*x4 + mass*x5 + x3
-    elif contact == FLIGHT:
+    elif mode == FLIGHT:
         theta = y[0]
         mass = p[0]
         height = p[1]
@@ -709,7 +709,7 @@ def statics(contact, y, p, load, out):
         out[1] = x1 + x2
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     mass = p[0]
     inertia = p[2]
@@ -723,11 +723,11 @@ def masses(contact, y, p, out):
     out[4] = gravity
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if contact == BOTH:
+    if mode == BOTH:
         theta = y[0]
         theta_dot = y[2]
         heave_dot = y[3]
@@ -747,8 +747,8 @@ def powers(contact, y, p, ax, ay, out):
         )
         out[1] = half_width**2*theta_dot**2*x0**2*x3 + heave_dot**2*x3
         out[2] = 0
-    elif contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    elif mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         theta_dot = y[2]
         heave_dot = y[3]
@@ -772,7 +772,7 @@ def powers(contact, y, p, ax, ay, out):
             theta_dot*(-foundation_damping*heave_dot*x4 + half_width**2*x0**2*x3)
         )
         out[2] = 0
-    elif contact == FLIGHT:
+    elif mode == FLIGHT:
         theta = y[0]
         theta_dot = y[2]
         heave_dot = y[3]
@@ -790,7 +790,7 @@ def powers(contact, y, p, ax, ay, out):
         out[2] = 0
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
     theta = y[0]
     heave = y[1]
@@ -826,12 +826,12 @@ def positions(contact, y, p, out):
     out[14] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.
     """
-    if contact in (BOTH,):
+    if mode in (BOTH,):
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -859,7 +859,7 @@ def elements(contact, y, p, out):
         out[5] = foundation_damping*x8 + foundation_stiffness*x7
         out[6] = x6*x7**2
         out[7] = foundation_damping*x8**2
-    elif contact in (LEFT,):
+    elif mode in (LEFT,):
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -883,7 +883,7 @@ def elements(contact, y, p, out):
         out[5] = 0
         out[6] = 0
         out[7] = 0
-    elif contact in (RIGHT,):
+    elif mode in (RIGHT,):
         theta = y[0]
         heave = y[1]
         theta_dot = y[2]
@@ -907,7 +907,7 @@ def elements(contact, y, p, out):
         out[5] = foundation_damping*x4 + foundation_stiffness*x3
         out[6] = (1/2)*foundation_stiffness*x3**2
         out[7] = foundation_damping*x4**2
-    elif contact in (FLIGHT,):
+    elif mode in (FLIGHT,):
         theta = y[0]
         heave = y[1]
         mass = p[0]

@@ -37,7 +37,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "3a9802f7b4ecc717"
+SOURCE_HASH = "f1b1feb673abbf77"
 
 NAME = "uplifting_oscillator"
 CLASS = "UpliftingOscillator"
@@ -151,7 +151,7 @@ def sine_cosine(x):
 
 @inlined
 def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left or right."""
+    """Accelerations of the coordinates in modes left or right."""
     stiffness = p[3]
     damping = p[4]
     gravity = p[5]
@@ -172,7 +172,7 @@ def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
 
 @inlined
 def accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact both."""
+    """Accelerations of the coordinates in mode both."""
     c6 = p[12]  # damping/mass
     c7 = p[13]  # stiffness/mass
     u_ddot = -ax - c6*u_dot - c7*u
@@ -180,54 +180,54 @@ def accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay):
 
 
 @inlined
-def accelerations(contact, theta, u, theta_dot, u_dot, p, ax, ay):
+def accelerations(mode, theta, u, theta_dot, u_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         return accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay)
     else:
         return accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact == LEFT or contact == RIGHT:
+    if mode == LEFT or mode == RIGHT:
         dy[0] = y[2]
         dy[1] = y[3]
-    elif contact == BOTH:
+    elif mode == BOTH:
         dy[0] = 0.0
         dy[1] = y[3]
-    found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
     dy[2] = found[0]
     dy[3] = found[1]
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Acceleration with which a mode's gap would open from closed and at rest."""
-    found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
-    return SIDES[contact] * found[0]
+    found = accelerations(mode, 0.0, y[1], 0.0, y[3], p, ax, ay)
+    return SIDES[mode] * found[0]
 
 
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT:
+    if mode == LEFT:
         theta = y[0]
         g[0] = -theta
-    elif contact == BOTH:
+    elif mode == BOTH:
         g[0] = -opening_acceleration(LEFT, y, p, ax, ay)
         g[1] = -opening_acceleration(RIGHT, y, p, ax, ay)
-    elif contact == RIGHT:
+    elif mode == RIGHT:
         theta = y[0]
         g[0] = theta
 
 
 def impulse_to_opposite(s, y, p, out):
-    """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and the opposite mode follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[2]
     u_dot = y[3]
     c3 = p[9]  # height*mass/(half_width**2*mass + height**2*mass)
@@ -247,7 +247,7 @@ def impulse_to_opposite(s, y, p, out):
 
 
 def impulse_to_both(s, y, p, out):
-    """Rates after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and mode both follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[2]
     u_dot = y[3]
     height = p[1]
@@ -255,7 +255,7 @@ def impulse_to_both(s, y, p, out):
     out[3] = u_dot_after
 
 
-def jump(contact, guard, law, ratio, y, p, out):
+def jump(mode, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -264,7 +264,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if contact == LEFT and guard == 0:
+    if mode == LEFT and guard == 0:
         out[0] = 0.0
         if law == IMPULSIVE:
             impulse_to_opposite(-1.0, y, p, out)
@@ -276,11 +276,11 @@ def jump(contact, guard, law, ratio, y, p, out):
             impulse_to_both(-1.0, y, p, out)
         out[2] = 0.0
         return BOTH
-    if contact == BOTH and guard == 0:
+    if mode == BOTH and guard == 0:
         return LEFT
-    if contact == BOTH and guard == 1:
+    if mode == BOTH and guard == 1:
         return RIGHT
-    if contact == RIGHT and guard == 0:
+    if mode == RIGHT and guard == 0:
         out[0] = 0.0
         if law == IMPULSIVE:
             impulse_to_opposite(1.0, y, p, out)
@@ -292,7 +292,7 @@ def jump(contact, guard, law, ratio, y, p, out):
             impulse_to_both(1.0, y, p, out)
         out[2] = 0.0
         return BOTH
-    return contact
+    return mode
 
 
 @inlined
@@ -311,11 +311,11 @@ def full_contact_guards(y, p, ax, g):
     g[1] = c17 - x0
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         theta_ddot = found[0]
         u_ddot = found[1]
         mass = p[0]
@@ -327,8 +327,8 @@ def reactions(contact, y, p, ax, ay, out):
         out[0] = ax*mass + height*x0 + mass*u_ddot
         out[1] = x1*(1 - s)
         out[2] = x1*(s + 1)
-    elif contact == BOTH:
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    elif mode == BOTH:
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         u_ddot = found[1]
         mass = p[0]
         height = p[1]
@@ -344,10 +344,10 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x4*(ay*half_width*mass + gravity*half_width*mass - x3)
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         theta_dot = y[2]
@@ -363,7 +363,7 @@ def energies(contact, y, p, out):
         out[0] = half_width**2*x2 + height**2*x2 + theta_dot*u_dot*x0 + u_dot**2*x1
         out[1] = gravity*half_width*mass*s*theta + gravity*x0
         out[2] = (1/2)*stiffness*u**2
-    elif contact == BOTH:
+    elif mode == BOTH:
         u = y[1]
         u_dot = y[3]
         mass = p[0]
@@ -375,10 +375,10 @@ def energies(contact, y, p, out):
         out[2] = (1/2)*stiffness*u**2
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         height = p[1]
@@ -388,17 +388,17 @@ def kinematics(contact, y, p, out):
         out[0] = height*theta + u
         out[1] = x0 + x1
         out[2] = -x0 + x1
-    elif contact == BOTH:
+    elif mode == BOTH:
         u = y[1]
         out[0] = u
         out[1] = 0
         out[2] = 0
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta_dot = y[2]
         u_dot = y[3]
         mass = p[0]
@@ -407,17 +407,17 @@ def momentum(contact, y, p, out):
         x0 = mass*theta_dot
         out[0] = height*x0 + mass*u_dot
         out[1] = half_width*s*x0
-    elif contact == BOTH:
+    elif mode == BOTH:
         u_dot = y[3]
         mass = p[0]
         out[0] = mass*u_dot
         out[1] = 0
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         u = y[1]
         mass = p[0]
         height = p[1]
@@ -426,14 +426,14 @@ def statics(contact, y, p, load, out):
         gravity = p[5]
         out[0] = gravity*half_width*mass*s - height*load
         out[1] = -load + stiffness*u
-    elif contact == BOTH:
+    elif mode == BOTH:
         u = y[1]
         stiffness = p[3]
         out[0] = 0
         out[1] = -load + stiffness*u
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     mass = p[0]
     gravity = p[5]
@@ -444,12 +444,12 @@ def masses(contact, y, p, out):
     out[4] = gravity
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta_dot = y[2]
         u_dot = y[3]
         mass = p[0]
@@ -460,7 +460,7 @@ def powers(contact, y, p, ax, ay, out):
         out[0] = theta_dot*(-ay*half_width*mass*s - height*x0) - u_dot*x0
         out[1] = damping*u_dot**2
         out[2] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         u_dot = y[3]
         mass = p[0]
         damping = p[4]
@@ -469,10 +469,10 @@ def powers(contact, y, p, ax, ay, out):
         out[2] = 0
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         height = p[1]
@@ -499,7 +499,7 @@ def positions(contact, y, p, out):
         out[12] = x0
         out[13] = x2
         out[14] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         u = y[1]
         height = p[1]
         half_width = p[2]
@@ -520,7 +520,7 @@ def positions(contact, y, p, out):
         out[14] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.

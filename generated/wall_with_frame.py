@@ -42,7 +42,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "1d980a304a222da4"
+SOURCE_HASH = "b7f5bcdfc92a5b32"
 
 NAME = "wall_with_frame"
 CLASS = "WallWithFrame"
@@ -173,7 +173,7 @@ def sine_cosine(x):
 
 @inlined
 def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact left or right."""
+    """Accelerations of the coordinates in modes left or right."""
     sin_theta, cos_theta = sine_cosine(theta)
     half_width = p[1]
     frame_stiffness = p[5]
@@ -217,7 +217,7 @@ def accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay):
 
 @inlined
 def accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay):
-    """Accelerations of the coordinates with contact both."""
+    """Accelerations of the coordinates in mode both."""
     c16 = p[27]  # (frame_stiffness + link_stiffness)/frame_mass
     c17 = p[28]  # (frame_damping + link_damping)/frame_mass
     u_ddot = -ax - c16*u - c17*u_dot
@@ -225,54 +225,54 @@ def accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay):
 
 
 @inlined
-def accelerations(contact, theta, u, theta_dot, u_dot, p, ax, ay):
+def accelerations(mode, theta, u, theta_dot, u_dot, p, ax, ay):
     """Accelerations of the coordinates under ground accelerations ax, ay [m/s2]."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         return accelerations_left_right(s, theta, u, theta_dot, u_dot, p, ax, ay)
     else:
         return accelerations_both(theta, u, theta_dot, u_dot, p, ax, ay)
 
 
-def rates(contact, y, p, ax, ay, dy):
+def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if contact == LEFT or contact == RIGHT:
+    if mode == LEFT or mode == RIGHT:
         dy[0] = y[2]
         dy[1] = y[3]
-    elif contact == BOTH:
+    elif mode == BOTH:
         dy[0] = 0.0
         dy[1] = y[3]
-    found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
     dy[2] = found[0]
     dy[3] = found[1]
 
 
 @inlined
-def opening_acceleration(contact, y, p, ax, ay):
+def opening_acceleration(mode, y, p, ax, ay):
     """Acceleration with which a mode's gap would open from closed and at rest."""
-    found = accelerations(contact, 0.0, y[1], 0.0, y[3], p, ax, ay)
-    return SIDES[contact] * found[0]
+    found = accelerations(mode, 0.0, y[1], 0.0, y[3], p, ax, ay)
+    return SIDES[mode] * found[0]
 
 
-def guards(contact, y, p, ax, ay, g):
+def guards(mode, y, p, ax, ay, g):
     """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if contact == LEFT:
+    if mode == LEFT:
         theta = y[0]
         g[0] = -theta
-    elif contact == BOTH:
+    elif mode == BOTH:
         g[0] = -opening_acceleration(LEFT, y, p, ax, ay)
         g[1] = -opening_acceleration(RIGHT, y, p, ax, ay)
-    elif contact == RIGHT:
+    elif mode == RIGHT:
         theta = y[0]
         g[0] = theta
 
 
 def impulse_to_opposite(s, y, p, out):
-    """Rates after side s closes and opposite contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and the opposite mode follows: M+ q'+ = sum J+^T m v-."""
     theta_dot = y[2]
     u_dot = y[3]
     c18 = p[29]  # inertia/(half_width**2*mass + height**2*mass + inertia)
@@ -285,13 +285,13 @@ def impulse_to_opposite(s, y, p, out):
 
 
 def impulse_to_both(s, y, p, out):
-    """Rates after side s closes and both contact follows: M+ q'+ = sum J+^T m v-."""
+    """Rates after side s closes and mode both follows: M+ q'+ = sum J+^T m v-."""
     u_dot = y[3]
     u_dot_after = u_dot
     out[3] = u_dot_after
 
 
-def jump(contact, guard, law, ratio, y, p, out):
+def jump(mode, guard, law, ratio, y, p, out):
     """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -300,7 +300,7 @@ def jump(contact, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if contact == LEFT and guard == 0:
+    if mode == LEFT and guard == 0:
         out[0] = 0.0
         if law == IMPULSIVE:
             impulse_to_opposite(-1.0, y, p, out)
@@ -312,11 +312,11 @@ def jump(contact, guard, law, ratio, y, p, out):
             impulse_to_both(-1.0, y, p, out)
         out[2] = 0.0
         return BOTH
-    if contact == BOTH and guard == 0:
+    if mode == BOTH and guard == 0:
         return LEFT
-    if contact == BOTH and guard == 1:
+    if mode == BOTH and guard == 1:
         return RIGHT
-    if contact == RIGHT and guard == 0:
+    if mode == RIGHT and guard == 0:
         out[0] = 0.0
         if law == IMPULSIVE:
             impulse_to_opposite(1.0, y, p, out)
@@ -328,7 +328,7 @@ def jump(contact, guard, law, ratio, y, p, out):
             impulse_to_both(1.0, y, p, out)
         out[2] = 0.0
         return BOTH
-    return contact
+    return mode
 
 
 @inlined
@@ -350,11 +350,11 @@ def full_contact_guards(y, p, ax, g):
     g[1] = c24 - x0 - x1 + x2
 
 
-def reactions(contact, y, p, ax, ay, out):
+def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         theta_ddot = found[0]
         u_ddot = found[1]
         theta = y[0]
@@ -386,8 +386,8 @@ def reactions(contact, y, p, ax, ay, out):
         )
         out[1] = x9*(1 - s)
         out[2] = x9*(s + 1)
-    elif contact == BOTH:
-        found = accelerations(contact, y[0], y[1], y[2], y[3], p, ax, ay)
+    elif mode == BOTH:
+        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         u_ddot = found[1]
         u = y[1]
         u_dot = y[3]
@@ -415,10 +415,10 @@ def reactions(contact, y, p, ax, ay, out):
         out[2] = x6*(-x1 + x2 + x3 + x5)
 
 
-def energies(contact, y, p, out):
+def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         theta_dot = y[2]
@@ -444,7 +444,7 @@ def energies(contact, y, p, out):
             (1/2)*frame_stiffness*u**2 + (1/2)*link_stiffness*(half_width*s + link_height*x4 - u
             - x2*x5)**2
         )
-    elif contact == BOTH:
+    elif mode == BOTH:
         u = y[1]
         u_dot = y[3]
         mass = p[0]
@@ -460,10 +460,10 @@ def energies(contact, y, p, out):
         out[2] = frame_stiffness*x0 + link_stiffness*x0
 
 
-def kinematics(contact, y, p, out):
+def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         half_width = p[1]
@@ -472,17 +472,17 @@ def kinematics(contact, y, p, out):
         out[0] = u
         out[1] = -x0*(-half_width - x1)
         out[2] = -x0*(half_width - x1)
-    elif contact == BOTH:
+    elif mode == BOTH:
         u = y[1]
         out[0] = u
         out[1] = 0
         out[2] = 0
 
 
-def momentum(contact, y, p, out):
+def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         theta_dot = y[2]
         u_dot = y[3]
@@ -497,17 +497,17 @@ def momentum(contact, y, p, out):
         x4 = half_width*s*x1
         out[0] = frame_mass*u_dot + x0*x2 + x3*x4
         out[1] = x0*x4 - x2*x3
-    elif contact == BOTH:
+    elif mode == BOTH:
         u_dot = y[3]
         frame_mass = p[4]
         out[0] = frame_mass*u_dot
         out[1] = 0
 
 
-def statics(contact, y, p, load, out):
+def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         mass = p[0]
@@ -531,7 +531,7 @@ def statics(contact, y, p, load, out):
             2*x2*x7**2 + x2*x7 + x2 - x5*x7 + x5
         )
         out[1] = frame_stiffness*u - link_height*x4 - load + x1*x7 - x1 + x8
-    elif contact == BOTH:
+    elif mode == BOTH:
         u = y[1]
         frame_stiffness = p[5]
         link_stiffness = p[8]
@@ -539,7 +539,7 @@ def statics(contact, y, p, load, out):
         out[1] = frame_stiffness*u + link_stiffness*u - load
 
 
-def masses(contact, y, p, out):
+def masses(mode, y, p, out):
     """Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out."""
     mass = p[0]
     inertia = p[3]
@@ -552,12 +552,12 @@ def masses(contact, y, p, out):
     out[4] = gravity
 
 
-def powers(contact, y, p, ax, ay, out):
+def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         theta_dot = y[2]
         u_dot = y[3]
@@ -587,7 +587,7 @@ def powers(contact, y, p, ax, ay, out):
             - x4*x7*x8) + u_dot*(frame_damping*u_dot + x3 - x4*x5 - x4*x6)
         )
         out[2] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         u_dot = y[3]
         frame_mass = p[4]
         frame_damping = p[6]
@@ -597,10 +597,10 @@ def powers(contact, y, p, ax, ay, out):
         out[2] = 0
 
 
-def positions(contact, y, p, out):
+def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         half_width = p[1]
@@ -627,7 +627,7 @@ def positions(contact, y, p, out):
         out[12] = x0
         out[13] = link_height
         out[14] = 0
-    elif contact == BOTH:
+    elif mode == BOTH:
         u = y[1]
         half_width = p[1]
         height = p[2]
@@ -650,13 +650,13 @@ def positions(contact, y, p, out):
         out[14] = 0
 
 
-def elements(contact, y, p, out):
+def elements(mode, y, p, out):
     """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other.
     """
-    if contact == LEFT or contact == RIGHT:
-        s = 1.0 if contact == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT:
+        s = 1.0 if mode == RIGHT else -1.0
         theta = y[0]
         u = y[1]
         theta_dot = y[2]
@@ -680,7 +680,7 @@ def elements(contact, y, p, out):
         out[5] = link_damping*x4 + link_stiffness*x3
         out[6] = (1/2)*link_stiffness*x3**2
         out[7] = link_damping*x4**2
-    elif contact == BOTH:
+    elif mode == BOTH:
         u = y[1]
         u_dot = y[3]
         frame_stiffness = p[5]

@@ -63,40 +63,40 @@ def _of_transitions(model: HybridModel) -> list[str]:
 
 def _of_guards(model: HybridModel) -> list[str]:
     """Tables with a row for each mode, and in it a number for each guard."""
-    leaving = {c: _outgoing(model, c) for c in model.mode_names}
+    leaving = {m: _outgoing(model, m) for m in model.mode_names}
     legend = ", ".join(f"{number} {kind}" for kind, number in KIND_OF.items())
     return [
         *rows(
             f"KINDS = (  # of each guard of each mode; {legend}",
-            {c: [KIND_OF[t.kind] for t in row] for c, row in leaving.items()},
+            {m: [KIND_OF[t.kind] for t in row] for m, row in leaving.items()},
             SWITCH,
         ),
         *rows(
             "TARGETS = (  # mode to which each guard leads",
-            {c: [model.mode_names.index(t.target) for t in row] for c, row in leaving.items()},
+            {m: [model.mode_names.index(t.target) for t in row] for m, row in leaving.items()},
         ),
         *rows(
             "REVERSE = (  # guard of the mode that follows which is closed on entering it",
-            {c: _closed(model, c) for c in leaving},
+            {m: _reverse(model, m) for m in leaving},
         ),
         *rows(
             "PARTS = (  # place in g of the two parts of a guard, or -1",
-            {c: [min(two, default=-1) for two in _parts(model, c)] for c in leaving},
+            {m: [min(two, default=-1) for two in _parts(model, m)] for m in leaving},
         ),
     ]
 
 
-def _closed(model: HybridModel, contact: str) -> list[int]:
+def _reverse(model: HybridModel, mode: str) -> list[int]:
     """For each guard of a mode: the one of its target that leads back, or -1.
 
     It is zero on entering, up to rounding, and must not count as another event.
     """
     back = []
-    for t in _outgoing(model, contact):
+    for t in _outgoing(model, mode):
         returning = [
             i
             for i, other in enumerate(_outgoing(model, t.target))
-            if t.reversible and contact in (other.target, other.fallback)
+            if t.reversible and mode in (other.target, other.fallback)
         ]
         back.append(returning[0] if returning else -1)
     return back
@@ -109,28 +109,28 @@ def _guards(text: Text) -> None:
     model = text.model
     body: list[str] = []
     done: set[str] = set()
-    for contact in model.mode_names:
-        transitions = _outgoing(model, contact)
-        if not transitions or contact in done:
+    for mode in model.mode_names:
+        transitions = _outgoing(model, mode)
+        if not transitions or mode in done:
             continue
-        image = _image(model, contact)
-        done |= {contact, image or contact}
-        served = [f"contact == {text.contacts[c]}" for c in (contact, image) if c]
+        image = _image(model, mode)
+        done |= {mode, image or mode}
+        served = [f"mode == {text.mode_constants[m]}" for m in (mode, image) if m]
         body.append(f"    {'elif' if body else 'if'} {' or '.join(served)}:")
         if image:
-            body += text.side(" " * 8, model.mode(contact))
-            expressions = _on_both_sides(model, contact)
+            body += text.side(" " * 8, model.mode(mode))
+            expressions = _on_both_sides(model, mode)
         else:
-            expressions = _by_place(model, contact)
+            expressions = _by_place(model, mode)
         targets = {f"g[{i}]": e for i, e in expressions.items()}
         body += text.evaluate("guards", targets, " " * 8, hoist=True)
         body += [
-            f"        g[{i}] = -opening_acceleration({text.contacts[t.target]}, y, p, ax, ay)"
+            f"        g[{i}] = -opening_acceleration({text.mode_constants[t.target]}, y, p, ax, ay)"
             for i, t in enumerate(transitions)
             if t.kind == "uplift"
         ]
     text.function(
-        "guards(contact, y, p, ax, ay, g)",
+        "guards(mode, y, p, ax, ay, g)",
         """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
@@ -139,24 +139,24 @@ def _guards(text: Text) -> None:
     )
 
 
-def _outgoing(model: HybridModel, contact: str) -> list[Transition]:
+def _outgoing(model: HybridModel, mode: str) -> list[Transition]:
     """The transitions out of a mode, an impact first."""
-    found = [t for t in model.transitions if t.source == contact]
+    found = [t for t in model.transitions if t.source == mode]
     return sorted(found, key=lambda t: t.kind != "impact")
 
 
 def _longest(model: HybridModel) -> int:
     """The largest number of guards of a mode."""
-    return max(len(_outgoing(model, c)) for c in model.mode_names)
+    return max(len(_outgoing(model, m)) for m in model.mode_names)
 
 
-def _parts(model: HybridModel, contact: str) -> list[dict[int, sp.Expr]]:
+def _parts(model: HybridModel, mode: str) -> list[dict[int, sp.Expr]]:
     """For each guard of a mode: its two parts by their place in g, if it has any."""
     found: list[dict[int, sp.Expr]] = []
     place = _longest(model)
-    for t in _outgoing(model, contact):
+    for t in _outgoing(model, mode):
         if isinstance(t.guard, sp.Max):
-            two = (model.in_mode(e, contact) for e in t.guard.args)
+            two = (model.in_mode(e, mode) for e in t.guard.args)
             found.append(dict(zip((place, place + 1), two, strict=True)))
             place += 2
         else:
@@ -164,37 +164,37 @@ def _parts(model: HybridModel, contact: str) -> list[dict[int, sp.Expr]]:
     return found
 
 
-def _by_place(model: HybridModel, contact: str) -> dict[int, sp.Expr]:
+def _by_place(model: HybridModel, mode: str) -> dict[int, sp.Expr]:
     """Guards of a mode and their parts, by their place in g."""
     found = {
-        i: model.in_mode(t.guard, contact)
-        for i, t in enumerate(_outgoing(model, contact))
+        i: model.in_mode(t.guard, mode)
+        for i, t in enumerate(_outgoing(model, mode))
         if t.guard is not None
     }
-    for two in _parts(model, contact):
+    for two in _parts(model, mode):
         found |= two
     return found
 
 
-def _on_both_sides(model: HybridModel, contact: str) -> dict[int, sp.Expr]:
+def _on_both_sides(model: HybridModel, mode: str) -> dict[int, sp.Expr]:
     """Guards of a mode and of its image, with s, by their place in g."""
     closing = SIDE * model.rotation.position
     return {
         i: closing if t.kind == "impact" else t.guard
-        for i, t in enumerate(_outgoing(model, contact))
+        for i, t in enumerate(_outgoing(model, mode))
     }
 
 
-def _image(model: HybridModel, contact: str) -> str | None:
+def _image(model: HybridModel, mode: str) -> str | None:
     """The mode on the other side, where its guards are the same but for functions of s.
 
     They are then written once, with s: a mirrored motion has mirrored guards to the last bit.
     """
-    mode = model.mode(contact)
-    if sorted(mode.sides.values()) != [-1, 1]:
+    sides = model.mode(mode).sides
+    if sorted(sides.values()) != [-1, 1]:
         return None
-    (other,) = (c for c in mode.sides if c != contact)
-    mine, others = _outgoing(model, contact), _outgoing(model, other)
+    (other,) = (m for m in sides if m != mode)
+    mine, others = _outgoing(model, mode), _outgoing(model, other)
     alike = len(mine) == len(others) and all(
         t.kind == o.kind and (t.kind == "impact" or (t.kind == "switch" and t.guard == o.guard))
         for t, o in zip(mine, others, strict=True)
@@ -215,9 +215,9 @@ def _held_guards(text: Text) -> int:
     it is often a sum of the states and of the ground's acceleration, each by a constant: in a step,
     in which these are polynomials, so is that sum, and its coefficients are known at once.
     """
-    found = {c: sums for c in text.model.mode_names if (sums := _sums(text, c))}
-    contact = next(iter(found)) if len(found) == 1 else None
-    sums = found[contact] if contact else []
+    found = {m: sums for m in text.model.mode_names if (sums := _sums(text, m))}
+    mode = next(iter(found)) if len(found) == 1 else None
+    sums = found[mode] if mode else []
     text.function(
         "full_contact_guards(y, p, ax, g)",
         """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
@@ -227,15 +227,15 @@ def _held_guards(text: Text) -> int:
         or ["    pass"],
         "@inlined",
     )
-    return text.model.mode_names.index(contact) if contact else -1
+    return text.model.mode_names.index(mode) if mode else -1
 
 
-def _sums(text: Text, contact: str) -> list[sp.Expr]:
+def _sums(text: Text, mode: str) -> list[sp.Expr]:
     """The guards of a mode as such sums; none where one of them is no such sum.
 
     A structure of one coordinate does not move on both feet.
     """
-    leaving = _outgoing(text.model, contact)
+    leaving = _outgoing(text.model, mode)
     if text.n < 2 or any(t.kind != "uplift" or t.guard is not None for t in leaving):
         return []
     found = [_sum(text, t.target) for t in leaving]
@@ -272,16 +272,16 @@ def _jump(text: Text) -> None:
     """The functions of the impact maps, and one that passes through a transition."""
     impulses = _impulses(text)
     body = ["    for i in range(N_STATES):", "        out[i] = y[i]"]
-    for contact in text.model.mode_names:
-        for i, t in enumerate(_outgoing(text.model, contact)):
-            body.append(f"    if contact == {text.contacts[contact]} and guard == {i}:")
+    for mode in text.model.mode_names:
+        for i, t in enumerate(_outgoing(text.model, mode)):
+            body.append(f"    if mode == {text.mode_constants[mode]} and guard == {i}:")
             if t.kind == "impact":
                 body += _impact(text, t, impulses, " " * 8)
             else:
                 body += _passage(text, t, " " * 8)
-    body.append("    return contact")
+    body.append("    return mode")
     text.function(
-        "jump(contact, guard, law, ratio, y, p, out)",
+        "jump(mode, guard, law, ratio, y, p, out)",
         """Pass through the transition whose guard fell: state after into out (N,).
 
     law : RATIO multiplies the rate of rotation by `ratio` and leaves the other rates; IMPULSIVE
@@ -298,7 +298,7 @@ def _passage(text: Text, t: Transition, indent: str) -> list[str]:
     if any(e.has(SIDE) for e in sets.values()):
         lines.append(f"{indent}s = {text.model.mode(t.source).side_of(t.source)}.0")
     lines += text.evaluate("jump", sets, indent) if sets else []
-    return [*lines, f"{indent}return {text.contacts[t.target]}"]
+    return [*lines, f"{indent}return {text.mode_constants[t.target]}"]
 
 
 def _impact(text: Text, t: Transition, impulses: ImpulseNames, indent: str) -> list[str]:
@@ -321,12 +321,12 @@ def _impact(text: Text, t: Transition, impulses: ImpulseNames, indent: str) -> l
         lines += [*by_impulses(t.target), f"{indent}else:", f"{indent}    {by_ratio}"]
     else:
         lines.append(f"{indent}{by_ratio}")
-    lines += [f"{indent}if {opens}:", f"{indent}    return {text.contacts[t.target]}"]
+    lines += [f"{indent}if {opens}:", f"{indent}    return {text.mode_constants[t.target]}"]
     # the old foot does not lift
     if impulses and t.fallback:
         lines += by_impulses(t.fallback)
     lines.append(f"{indent}out[{theta_dot}] = 0.0")
-    return [*lines, f"{indent}return {text.contacts[t.fallback or t.target]}"]
+    return [*lines, f"{indent}return {text.mode_constants[t.fallback or t.target]}"]
 
 
 def _impulses(text: Text) -> ImpulseNames:
@@ -351,6 +351,7 @@ def _impulse(text: Text, t: Transition, target: str, maps: dict[str, ImpulseMap]
         if other.at_side(side).equals(impact.at_side(side)):
             return name
     word = "opposite" if target == t.target else target
+    follows = "the opposite mode" if target == t.target else f"mode {target}"
     name = text.function_name(f"impulse_to_{word}", f"impulse_{len(maps)}")
     maps[name] = impact
     after = [f"{text.name(c.velocity)}_after" for c in impact.coordinates]
@@ -361,7 +362,7 @@ def _impulse(text: Text, t: Transition, target: str, maps: dict[str, ImpulseMap]
     body += [f"    out[{i}] = {a}" for i, a in zip(places, after, strict=True)]
     text.function(
         f"{name}(s, y, p, out)",
-        f"Rates after side s closes and {word} contact follows: M+ q'+ = sum J+^T m v-.",
+        f"Rates after side s closes and {follows} follows: M+ q'+ = sum J+^T m v-.",
         body,
     )
     return name

@@ -21,7 +21,7 @@ sizes statics velocity_ratio fused inlined everywhere overturns_at
 
 free_motion points point_laws
 
-contact s y p ax ay dy g i number out law ratio guard load found value parameters total_gravity
+mode s y p ax ay dy g i number out law ratio guard load found value parameters total_gravity
 matrix forces pattern equations
 
 CLASS REVERSE MODES COPIES CORNERS ELEMENT_NAMES ENERGIES FALLS GUARDS HAS_IMPULSIVE FULL_CONTACT
@@ -68,9 +68,9 @@ class Names:
         self.given.add(name)
         return name
 
-    def of_contact(self, contact: str) -> str:
+    def of_mode(self, mode: str) -> str:
         """The name of the constant that is the number of a mode."""
-        name = unicodedata.normalize("NFKC", contact.upper())
+        name = unicodedata.normalize("NFKC", mode.upper())
         return self.of(name if _FEET.fullmatch(name) else f"{name}_")
 
 

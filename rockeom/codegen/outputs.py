@@ -25,38 +25,38 @@ def outputs(text: Text) -> dict[str, Columns]:
     columns = {
         "ENERGIES": _named(
             text,
-            "energies(contact, y, p, out)",
+            "energies(mode, y, p, out)",
             "Kinetic, gravitational and elastic energy [J] into out (3,).",
             lambda mode: expressions.energies(model, mode),
         ),
         "KINEMATICS": _named(
             text,
-            "kinematics(contact, y, p, out)",
+            "kinematics(mode, y, p, out)",
             "Displacement of the load point, gaps and slips [m] into out, as KINEMATICS.",
             lambda mode: expressions.kinematics(model, mode),
         ),
     }
     _named(
         text,
-        "momentum(contact, y, p, out)",
+        "momentum(mode, y, p, out)",
         "Horizontal and vertical momentum of all masses [kg m/s] into out (2,).",
         lambda mode: dict(zip("xy", momentum(mode), strict=True)),
     )
     _in_order(
         text,
-        "statics(contact, y, p, load, out)",
+        "statics(mode, y, p, load, out)",
         "Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,).",
         lambda mode: expressions.statics(model, mode),
     )
     _in_order(
         text,
-        "masses(contact, y, p, out)",
+        "masses(mode, y, p, out)",
         "Mass and moment of inertia of each body, as in POSITIONS, and then gravity, into out.",
         lambda mode: [*(e for b in mode.bodies for e in (b.mass, b.inertia)), mode.gravity],
     )
     _in_order(
         text,
-        "powers(contact, y, p, ax, ay, out)",
+        "powers(mode, y, p, ax, ay, out)",
         """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.""",
         lambda mode: expressions.powers(model, mode),
@@ -68,7 +68,7 @@ def reactions(text: Text) -> Columns:
     """Add the forces in declared modes."""
     return _named(
         text,
-        "reactions(contact, y, p, ax, ay, out)",
+        "reactions(mode, y, p, ax, ay, out)",
         "Forces of the ground [N] into out, in the order of REACTIONS.",
         lambda mode: expressions.forces(text.model, mode),
     )
@@ -113,7 +113,7 @@ def _positions(text: Text) -> dict[str, Columns]:
     model = text.model
     _in_order(
         text,
-        "positions(contact, y, p, out)",
+        "positions(mode, y, p, out)",
         "Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one.",
         lambda mode: (e for place in expressions.places(model, mode).values() for e in place[1:]),
     )
@@ -132,7 +132,7 @@ def _elements(text: Text) -> Columns:
     first = model.modes[0]
     side = next(iter(first.sides.values()))
     names = tuple(_called(a, side) for a in expressions.elements(model, first))
-    signature = "elements(contact, y, p, out)"
+    signature = "elements(mode, y, p, out)"
     doc = """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
 
     Into out, one element behind the other."""
@@ -169,11 +169,11 @@ def _on_each_side(text: Text, names: Columns) -> list[str]:
                 for x in expressions.of_element(acting[element], mode.coordinates)
             )
             lines = tuple(text.evaluate("elements", into_out(values), " " * 8))
-            branches.setdefault(lines, []).append(text.contacts[name])
+            branches.setdefault(lines, []).append(text.mode_constants[name])
     if len(branches) == 1:
         return [line[4:] for line in next(iter(branches))]
     body: list[str] = []
     for lines, modes in branches.items():
-        body.append(f"    {'elif' if body else 'if'} contact in ({', '.join(modes)},):")
+        body.append(f"    {'elif' if body else 'if'} mode in ({', '.join(modes)},):")
         body += lines
     return body

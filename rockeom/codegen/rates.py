@@ -27,7 +27,7 @@ def _accelerations(text: Text) -> None:
             chosen.append(f"    {'else' if mode is modes[-1] else test}:")
         chosen += [*text.side(indent, mode), f"{indent}return {call}"]
     text.function(
-        f"accelerations(contact, {', '.join(text.states)}, p, ax, ay)",
+        f"accelerations(mode, {', '.join(text.states)}, p, ax, ay)",
         "Accelerations of the coordinates under ground accelerations ax, ay [m/s2].",
         chosen,
         "@inlined",
@@ -39,7 +39,7 @@ def _accelerations_of(text: Text, number: int, mode: Mode) -> str:
     several = mode.has_side and len(mode.sides) > 2
     own = "" if several else "_".join(["accelerations", *mode.sides])
     name = text.function_name(own, f"accelerations_{number}")
-    which = f"of mode {number}" if several else f"with contact {' or '.join(mode.sides)}"
+    which = f"of mode {number}" if several else f"in mode{'s' * (len(mode.sides) > 1)} {' or '.join(mode.sides)}"
     out = [text.name(c.acceleration) for c in mode.coordinates]
     body = []
     if out:
@@ -72,7 +72,7 @@ def _rates(text: Text) -> None:
         ]
 
     text.by_mode(
-        "rates(contact, y, p, ax, ay, dy)",
+        "rates(mode, y, p, ax, ay, dy)",
         "Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,).",
         branch,
         after=[
@@ -87,11 +87,11 @@ def _opening_acceleration(text: Text) -> None:
     rotation = text.model.rotation
     theta, theta_dot = text.index(rotation.position), text.index(rotation.velocity)
     text.function(
-        "opening_acceleration(contact, y, p, ax, ay)",
+        "opening_acceleration(mode, y, p, ax, ay)",
         "Acceleration with which a mode's gap would open from closed and at rest.",
         [
             found_accelerations(text, "    ", zero=(theta, theta_dot)),
-            f"    return SIDES[contact] * found[{theta}]",
+            f"    return SIDES[mode] * found[{theta}]",
         ],
         "@inlined",
     )
@@ -100,4 +100,4 @@ def _opening_acceleration(text: Text) -> None:
 def found_accelerations(text: Text, indent: str, zero: Collection[int] = ()) -> str:
     """The line that finds the accelerations at y; the states numbered in `zero` are zero."""
     states = ("0.0" if i in zero else f"y[{i}]" for i in range(2 * text.n))
-    return f"{indent}found = accelerations(contact, {', '.join(states)}, p, ax, ay)"
+    return f"{indent}found = accelerations(mode, {', '.join(states)}, p, ax, ay)"

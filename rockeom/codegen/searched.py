@@ -72,8 +72,8 @@ class Written:
 
     def read(self, mode: DerivedMode, indent: str) -> list[str]:
         """Lines that read the signs of a mode from the tables."""
-        lines = [f"{indent}s = IMAGES[contact]"] if mode.sided else []
-        lines += [f"{indent}sigma_{i} = SIGMAS[contact][{i}]" for i in range(len(mode.slipping))]
+        lines = [f"{indent}s = IMAGES[mode]"] if mode.sided else []
+        lines += [f"{indent}sigma_{i} = SIGMAS[mode][{i}]" for i in range(len(mode.slipping))]
         return lines + self.text.read_switches(indent)
 
     def found_forces(self, pattern: Pattern, indent: str) -> list[str]:
@@ -125,7 +125,7 @@ def _chosen(name: str, table: str, branches: list[list[str]]) -> list[str]:
     """Lines of the branch that a table gives for a mode; of one branch alone, its own."""
     if len(branches) == 1:
         return [line[4:] for line in branches[0]]
-    lines = [f"    {name} = {table}[contact]"]
+    lines = [f"    {name} = {table}[mode]"]
     for i, branch in enumerate(branches):
         test = f"{'elif' if i else 'if'} {name} == {i}"
         lines += [f"    {'else' if i == len(branches) - 1 else test}:", *branch]
@@ -159,24 +159,24 @@ def _motions(written: Written) -> None:
         branches.append([*written.read(mode, " " * 8), f"        return {written.rates[-1]}"])
     n, states = text.n, ", ".join(text.states)
     text.function(
-        f"rates_of_states(contact, {states}, p, ax, ay)",
+        f"rates_of_states(mode, {states}, p, ax, ay)",
         "Rates of all states, in their order.",
         _chosen("equations", "EQUATIONS", branches),
         "@inlined",
     )
     found = ", ".join(f"found[{n + i}]" for i in range(n))
     text.function(
-        f"accelerations(contact, {states}, p, ax, ay)",
+        f"accelerations(mode, {states}, p, ax, ay)",
         "Accelerations of the coordinates under ground accelerations ax, ay [m/s2].",
         [
-            f"    found = rates_of_states(contact, {states}, p, ax, ay)",
+            f"    found = rates_of_states(mode, {states}, p, ax, ay)",
             f"    return ({found},)",
         ],
         "@inlined",
     )
     for i, _ in quick(written.modes):
         text.function(
-            f"accelerations_{i}(contact, {states}, p, ax, ay)",
+            f"accelerations_{i}(mode, {states}, p, ax, ay)",
             f"The same where {_words(derived[i])}.",
             [
                 *written.read(derived[i], "    "),
@@ -187,15 +187,15 @@ def _motions(written: Written) -> None:
         )
     given = ", ".join(f"y[{i}]" for i in range(2 * n))
     text.function(
-        "rates(contact, y, p, ax, ay, dy)",
+        "rates(mode, y, p, ax, ay, dy)",
         "Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,).",
         [
-            f"    found = rates_of_states(contact, {given}, p, ax, ay)",
+            f"    found = rates_of_states(mode, {given}, p, ax, ay)",
             *(f"    dy[{i}] = found[{i}]" for i in range(2 * n)),
         ],
     )
     text.function(
-        "opening_acceleration(contact, y, p, ax, ay)",
+        "opening_acceleration(mode, y, p, ax, ay)",
         "Zero: whether a gap opens is found among the candidates.",
         ["    return 0.0"],
         "@inlined",
@@ -346,7 +346,7 @@ def _guards(written: Written) -> None:
     text, patterns = written.text, written.modes.patterns
     branches = [_guards_of(written, pattern) for pattern in patterns]
     text.function(
-        "guards(contact, y, p, ax, ay, g)",
+        "guards(mode, y, p, ax, ay, g)",
         """Guards of a mode into g: all positive inside it; the first to fall ends it.
 
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
@@ -435,8 +435,8 @@ class _Switches:
             states = of.switching[i].states
             values = {s: self._written(ending_of(of, guard, s)) for s in states}
             *others, last = values.items()
-            tests = [f"{value} if ELEMENT_STATES[contact][{i}] == {s} else" for s, value in others]
-            waits = [f"1.0 if TARGETS[contact][{first + k}] == contact else"] if self.waits else []
+            tests = [f"{value} if ELEMENT_STATES[mode][{i}] == {s} else" for s, value in others]
+            waits = [f"1.0 if TARGETS[mode][{first + k}] == mode else"] if self.waits else []
             found.append(f"g[{first + k}] = {' '.join([*waits, *tests, last[1]])}")
         return found
 
@@ -451,19 +451,19 @@ def _jump(written: Written) -> None:
                 places = {f"out[{text.index(z.symbol)}]": e for z, e in put.items()}
                 lines += [
                     "    if (",
-                    f"        SUBJECTS[contact][guard] == {len(of.contacts) + i}",
-                    f"        and ELEMENT_STATES[contact][{i}] == {state}",
+                    f"        SUBJECTS[mode][guard] == {len(of.contacts) + i}",
+                    f"        and ELEMENT_STATES[mode][{i}] == {state}",
                     "    ):",
                     *text.evaluate("jump", places, " " * 8),
                 ]
     text.function(
-        "jump(contact, guard, law, ratio, y, p, out)",
+        "jump(mode, guard, law, ratio, y, p, out)",
         "The state goes on into out (N,); returns the mode that follows a guard's fall.",
         [
             "    for i in range(N_STATES):",
             "        out[i] = y[i]",
             *lines,
-            "    return TARGETS[contact][guard]",
+            "    return TARGETS[mode][guard]",
         ],
     )
 
@@ -475,7 +475,7 @@ def _free_motion(written: Written) -> None:
     targets = {f"matrix[{n * i + j}]": inertia[i, j] for i in range(n) for j in range(n)}
     targets |= {f"forces[{i}]": e for i, e in enumerate([*forces, *_still(of)])}
     text.function(
-        "free_motion(y, p, ax, ay, contact, matrix, forces)",
+        "free_motion(y, p, ax, ay, mode, matrix, forces)",
         "M (n * n, row by row) and f (n) of M q'' = f + J^T lambda, without forces of contact.",
         written.text.read_switches("    ") + text.evaluate("free_motion", targets, "    "),
     )
@@ -541,7 +541,7 @@ def _reactions(written: Written) -> Columns:
     columns += [f"{c.name}_friction" for c in points]
     states = ", ".join(f"y[{i}]" for i in range(2 * text.n))
     total = total_reaction(of.free)[0]
-    body = [f"    found = accelerations(contact, {states}, p, ax, ay)"]
+    body = [f"    found = accelerations(mode, {states}, p, ax, ay)"]
     body += [
         f"    {text.name(c.acceleration)} = found[{i}]"
         for i, c in enumerate(of.coordinates)
@@ -557,7 +557,7 @@ def _reactions(written: Written) -> Columns:
         ]
         body += _chosen("pattern", "PATTERNS", branches)
     text.function(
-        "reactions(contact, y, p, ax, ay, out)",
+        "reactions(mode, y, p, ax, ay, out)",
         """Forces [N] into out, in the order of REACTIONS: of the ground, and at each point.
 
     Where only the sum of frictions is determined, each has the same part of its largest.""",
@@ -632,7 +632,7 @@ def _tables(written: Written) -> list[str]:
         "TRANSITIONS = ()",
         *column("SIDES = (", dict.fromkeys(modes.names, "0.0")),
         *column("GUARDS = (", {name: str(len(row)) for name, row in guards_in.items()}),
-        *_states_of_contact(of, modes, slips),
+        *_states_of_contacts(of, modes, slips),
         *_of_guards(of, modes, guards_in, longest_row),
         "LOCALISED = False  # whether forces may act in a small part of a step",
         "FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1",
@@ -640,7 +640,7 @@ def _tables(written: Written) -> list[str]:
     ]
 
 
-def _states_of_contact(of: ContactDeclaration, modes: Modes, slips: int) -> list[str]:
+def _states_of_contacts(of: ContactDeclaration, modes: Modes, slips: int) -> list[str]:
     """States of points and elements in each mode, and the equations that serve it."""
     written = {state: modes.patterns[state.pattern] for state in modes.states}
     smooth = any(FRICTIONLESS in state.points for state in written)

@@ -31,7 +31,7 @@ def tables(
         *_falls(text),
         *of_transitions,
         f"RATIO, IMPULSIVE = {RATIO}, {IMPULSIVE}",
-        *(f"{name} = {i}" for i, name in enumerate(text.contacts.values())),
+        *(f"{name} = {i}" for i, name in enumerate(text.mode_constants.values())),
     ]
 
 
@@ -98,7 +98,7 @@ def _rate_unit(unit: str) -> str:
 
 def column(first: str, values: Mapping[str, str]) -> list[str]:
     """A table with a number for each mode."""
-    return [first, *(f"    {value},  # {contact}" for contact, value in values.items()), ")"]
+    return [first, *(f"    {value},  # {mode}" for mode, value in values.items()), ")"]
 
 
 def rows(
@@ -107,9 +107,9 @@ def rows(
     """A table with a row for each mode, all of one length."""
     length = max(length, *map(len, of.values()))
     lines = []
-    for contact, numbers in of.items():
+    for mode, numbers in of.items():
         row = [*numbers, *[filler] * (length - len(numbers))]
-        lines.append(f"    ({''.join(f'{i}, ' for i in row).strip()}),  # {contact}")
+        lines.append(f"    ({''.join(f'{i}, ' for i in row).strip()}),  # {mode}")
     return [first, *lines, ")"]
 
 

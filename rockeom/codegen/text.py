@@ -66,7 +66,7 @@ class Text:
 
     model : what is written; n, its number of coordinates, the integrals of internal variables
         among them, behind the others.
-    contacts, states, parameters : their Python names, contacts by the model's.
+    mode_constants, states, parameters : their Python names; of modes, by the names of the model.
     lines : the functions so far. operations : (before, after) common subexpressions were shared,
         by function.
     """
@@ -76,7 +76,7 @@ class Text:
         coordinates = model.integrated
         self.n = len(coordinates)
         given = Names()
-        self.contacts = {c: given.of_contact(c) for c in model.mode_names}
+        self.mode_constants = {m: given.of_mode(m) for m in model.mode_names}
         self.states = [given.of(name) for name in model.states]
         self.parameters = [given.of(p.name) for p in model.parameters]
         self.given = given.given
@@ -131,10 +131,10 @@ class Text:
 
     def test(self, *modes: Mode) -> str:
         """The condition that a mode is one of these modes'."""
-        names = [self.contacts[c] for mode in modes for c in mode.sides]
+        names = [self.mode_constants[c] for mode in modes for c in mode.sides]
         if len(modes) > 1:
-            return f"contact in ({', '.join(names)})"
-        return " or ".join(f"contact == {name}" for name in names)
+            return f"mode in ({', '.join(names)})"
+        return " or ".join(f"mode == {name}" for name in names)
 
     def side(self, indent: str, *modes: Mode) -> list[str]:
         """Lines that assign the side of a mode of these modes, if they have any."""
@@ -142,9 +142,9 @@ class Text:
             return []
         sides = [(side, c) for mode in modes for c, side in mode.sides.items()]
         if sorted(side for side, _ in sides) != [-1, 1]:
-            return [f"{indent}s = SIDES[contact]"]
+            return [f"{indent}s = SIDES[mode]"]
         right = next(c for side, c in sides if side == 1)
-        return [f"{indent}s = 1.0 if contact == {self.contacts[right]} else -1.0"]
+        return [f"{indent}s = 1.0 if mode == {self.mode_constants[right]} else -1.0"]
 
     def _signs(self, lines: Iterable[str], modes: Sequence[Mode]) -> list[str]:
         """Lines that read the side and the states of elements, where lines of a branch use them."""
@@ -155,7 +155,7 @@ class Text:
     def read_switches(self, indent: str) -> list[str]:
         """Lines that read the states of all elements of a mode."""
         return [
-            f"{indent}{name} = 1.0 * ELEMENT_STATES[contact][{i}]"
+            f"{indent}{name} = 1.0 * ELEMENT_STATES[mode][{i}]"
             for i, name in enumerate(self.switches)
         ]
 

@@ -104,12 +104,12 @@ class Animation:
 
     times (n,) : of the frames [s]; `frames_per_second` of the viewer.
     ground (n, 2) : displacement of the ground at those times [m].
-    states (n, N), contacts (n,) : of the structure at those times.
+    states (n, N), modes (n,) : of the structure at those times.
     """
 
     def __init__(self, run: Run, times: np.ndarray, speed: float, ground: bool) -> None:
         self.run, self.times, self.speed = run, times, speed
-        self.states, self.contacts = run.steps.at(times, "right")
+        self.states, self.modes = run.steps.at(times, "right")
         self.ground = np.zeros((len(times), 2))
         if ground and not style.is_dimensionless(run):
             for i, motion in enumerate((run.motion, run.vertical)):
@@ -137,7 +137,7 @@ class Animation:
 
     def draw(self, i: int, ax: Axes) -> None:
         """Draw a frame into empty axes of equal scales."""
-        sketch = Sketch(self.run.structure, self.states[i], int(self.contacts[i]))
+        sketch = Sketch(self.run.structure, self.states[i], int(self.modes[i]))
         sketch.draw(ax)
         for foot in sketch.touching:
             for at in sketch.feet_at(foot):
@@ -182,7 +182,7 @@ class Animation:
     def limits(self) -> np.ndarray:
         """(2, 2) least and largest x and y of all that is drawn, where the ground stood at rest."""
         structure = self.run.structure
-        found = places(structure.module, self.contacts, self.states, structure.vector)
+        found = places(structure.module, self.modes, self.states, structure.vector)
         points = all_points(structure, found) + self.ground[:, None]
         low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
         size = float((high - low).max()) or 1.0

@@ -48,11 +48,11 @@ class Shapes(NamedTuple):
     copies: dict[str, Copies]
 
 
-def places(module: Any, contacts: np.ndarray, states: np.ndarray, p: np.ndarray) -> np.ndarray:
+def places(module: Any, modes: np.ndarray, states: np.ndarray, p: np.ndarray) -> np.ndarray:
     """(n, m, 3) places and rotations of POSITIONS, in states (n, N) of modes (n,)."""
     out = np.empty((len(states), 3 * len(module.POSITIONS)))
-    for contact, y, row in zip(contacts.tolist(), states.tolist(), out, strict=True):
-        module.positions(contact, y, p, row)
+    for mode, y, row in zip(modes.tolist(), states.tolist(), out, strict=True):
+        module.positions(mode, y, p, row)
     return out.reshape(len(states), -1, 3)
 
 

@@ -39,7 +39,7 @@ def draw_structure(
     if ax is None:
         ax = style.new_figure(2.6, 3.4).add_subplot()
     y = structure.state(named | dict(state or {}))
-    Sketch(structure, y, structure.contact(y)).draw(ax)
+    Sketch(structure, y, structure.mode_number(y)).draw(ax)
     ax.set_aspect("equal", adjustable="datalim")
     ax.axis("off")
     return style.parent_figure(ax)
@@ -83,16 +83,16 @@ class Sketch:
     supports : places along the ground, and its level there.
     """
 
-    def __init__(self, structure: Structure, y: np.ndarray, contact: int) -> None:
+    def __init__(self, structure: Structure, y: np.ndarray, mode: int) -> None:
         m = structure.module
         self.shapes = structure.shapes
         self.kinds = dict(zip(m.POSITIONS, m.POSITION_KINDS, strict=True))
         self.feet = [n for n, kind in self.kinds.items() if kind not in ("load", *BODIES)]
         upright = structure.state({})
         moved = y + 0.01 * np.arange(1, len(y) + 1)
-        self.now, self.moved = _pose(structure, contact, y), _pose(structure, contact, moved)
-        self.rest = _pose(structure, structure.contact(upright), upright)
-        self.gaps = _gaps(structure, contact, y)
+        self.now, self.moved = _pose(structure, mode, y), _pose(structure, mode, moved)
+        self.rest = _pose(structure, structure.mode_number(upright), upright)
+        self.gaps = _gaps(structure, mode, y)
         drawn = [self.rest.at(name, outline) for name, outline in self.shapes.outlines.items()]
         self.extent = np.vstack([*self.rest.places.values(), *drawn])
         self.size = float(np.ptp(self.extent, axis=0).max()) or 1.0
@@ -264,17 +264,17 @@ def all_points(structure: Structure, found: np.ndarray) -> np.ndarray:
     return np.concatenate(points, axis=1)
 
 
-def _pose(structure: Structure, contact: int, y: np.ndarray) -> _Pose:
+def _pose(structure: Structure, mode: int, y: np.ndarray) -> _Pose:
     m = structure.module
-    (found,) = places(m, np.array([contact]), y[None], structure.vector)
+    (found,) = places(m, np.array([mode]), y[None], structure.vector)
     angles = {name: float(angle) for name, angle in rotations_of(m, found).items()}
     return _Pose(positions_of(m, found), angles)
 
 
-def _gaps(structure: Structure, contact: int, y: np.ndarray) -> dict[str, float]:
+def _gaps(structure: Structure, mode: int, y: np.ndarray) -> dict[str, float]:
     """Distances of feet from what they touch, by name [m]."""
     m = structure.module
     found = np.zeros(len(m.KINEMATICS))
-    m.kinematics(contact, y, structure.vector, found)
+    m.kinematics(mode, y, structure.vector, found)
     told = dict(zip(m.KINEMATICS, found.tolist(), strict=True))
     return {name: told[f"{name}_uplift"] for name in m.POSITIONS if f"{name}_uplift" in told}

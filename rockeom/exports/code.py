@@ -25,13 +25,13 @@ from rockeom.modelling.declared import class_of_model
 from rockeom.numbers.checks import described, near
 from rockeom.renamed import VERSION
 
-WHOLE = ("contact", "guard", "law", "number")
+WHOLE = ("mode", "guard", "law", "number")
 ARRAYS = ("y", "p", "parameters", "out", "dy", "g", "matrix", "forces")
 """Arguments of what is called from outside that are whole numbers, and that are arrays."""
 FILLED = ("out", "dy", "g", "matrix", "forces")
 
 MEANINGS = {
-    "contact": "number of the mode, see above",
+    "mode": "number of the mode, see above",
     "guard": "number of the guard that fell, from 0",
     "law": "0: the rate of rotation is multiplied by `ratio`; 1: the impulsive form of\n"
     "Lagrange's equations",
@@ -49,7 +49,7 @@ _LEFT_OUT = ("shapes", "sizes", "full_contact_guards", "opening_acceleration")
 """Functions that only a sketch, a check of parameters or the integrator needs."""
 
 _OF_POINTS = '''
-def impact(contact, guard, y, p, ax, ay, out):
+def impact(mode, guard, y, p, ax, ay, out):
     """Pass through what a guard that fell leads to: state after into out (N,).
 
     At a landing all points that touch meet by their restitution and friction at once; the mode
@@ -58,7 +58,7 @@ def impact(contact, guard, y, p, ax, ay, out):
     """
     known, ground = np.empty(N_KNOWN), np.empty(5)
     same_ground(ax, ay, 1e-9, ground)
-    follows, _ = pass_on(contact, guard, 1e-3, y, p, ground, 0.0, known, out)
+    follows, _ = pass_on(mode, guard, 1e-3, y, p, ground, 0.0, known, out)
     return follows
 '''
 
@@ -99,16 +99,16 @@ class Described:
         return "impact" if "impact" in self.entries else "jump"
 
     @property
-    def contact_names(self) -> dict[str, str]:
+    def mode_constants(self) -> dict[str, str]:
         """The name of the constant that is the number of each mode."""
         found = {}
-        for i, contact in enumerate(self.module.MODES):
-            name = unicodedata.normalize("NFKC", contact.upper())
+        for i, mode in enumerate(self.module.MODES):
+            name = unicodedata.normalize("NFKC", mode.upper())
             while self.functions.constants.get(name) is not i:
                 name += "_"
-                if len(name) > 2 * len(contact) + 40:
-                    raise AssertionError(f"no constant is the number of {contact}")
-            found[contact] = name
+                if len(name) > 2 * len(mode) + 40:
+                    raise AssertionError(f"no constant is the number of {mode}")
+            found[mode] = name
         return found
 
     def size(self, function: Function, argument: str) -> int:
@@ -338,10 +338,10 @@ def _c(described: Described) -> str:
         bodies += ["", *_comment(description), *writer.write("" if entry else "static ")]
         used += [name for name in writer.constants if name not in used]
     tables = []
-    numbers = described.contact_names
-    for contact, name in numbers.items():
+    numbers = described.mode_constants
+    for mode, name in numbers.items():
         tables += c.table(
-            f"{prefix.upper()}{names.of(name)}", described.module.MODES.index(contact)
+            f"{prefix.upper()}{names.of(name)}", described.module.MODES.index(mode)
         )
     sizes = {
         "N_STATES": described.module.N_STATES,
@@ -405,7 +405,7 @@ def _matlab(described: Described) -> str:
     head = [
         *described.head(),
         "",
-        f"    m = {called}();  p = m.prepare(parameters);  dy = m.rates(contact, y, p, ax, ay);",
+        f"    m = {called}();  p = m.prepare(parameters);  dy = m.rates(mode, y, p, ax, ay);",
         "",
         "Arrays that a function fills are what it gives, behind a value of its own, as in",
         f"[follows, y] = m.{described.transition}(...).",
@@ -415,11 +415,11 @@ def _matlab(described: Described) -> str:
     for field, words in (
         ("states", m.STATES),
         ("parameters", m.PARAMETERS),
-        ("contacts", m.MODES),
+        ("modes", m.MODES),
     ):
         lines += _cells(f"    m.{field} = ", words)
-    for contact, name in described.contact_names.items():
-        lines.append(f"    m.{names.of(name)} = {m.MODES.index(contact)};")
+    for mode, name in described.mode_constants.items():
+        lines.append(f"    m.{names.of(name)} = {m.MODES.index(mode)};")
     text = "\n".join([*lines, *handles, "end", *bodies, ""])
     return text + _EITHER if "either(" in text else text
 

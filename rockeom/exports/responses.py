@@ -226,27 +226,27 @@ class _File:
             segments, about["name"], about["source"], about["dt"], samples, is_vertical
         )
 
-    def record(self, n: int, contacts: int, quantities: list[str] | None) -> Steps | Samples:
+    def record(self, n: int, n_modes: int, quantities: list[str] | None) -> Steps | Samples:
         if quantities is None:
             span = self.array("step_span", None, 2)
-            contact = self.array("step_contact", len(span))
-            self.check_below("step_contact", contact, contacts)
-            return Steps(span, contact, self.array("step_powers", len(span), 8, n))
+            modes = self.array("step_contact", len(span))
+            self.check_below("step_contact", modes, n_modes)
+            return Steps(span, modes, self.array("step_powers", len(span), 8, n))
         t = self.array("sample_time", None)
-        contact = self.array("sample_contact", len(t))
-        self.check_below("sample_contact", contact, contacts)
+        modes = self.array("sample_contact", len(t))
+        self.check_below("sample_contact", modes, n_modes)
         rows = self.array("extremes", len(quantities), 4).tolist()
         extremes = {name: Extremes(*row) for name, row in zip(quantities, rows, strict=True)}
-        return Samples(t, self.array("sample_state", len(t), n), contact, extremes)
+        return Samples(t, self.array("sample_state", len(t), n), modes, extremes)
 
     def response(self) -> Response:
         definition = json.loads(self.definition_text)
         structure = self.structure(definition)
-        n, contacts = len(structure.states), len(structure.module.MODES)
+        n, n_modes = len(structure.states), len(structure.module.MODES)
         times = self.array("passage_time", None)
         kinds = self.array("passage_kind", len(times), 4)
         self.check_below("passage_kind", kinds[:, 0], len(KINDS))
-        self.check_below("passage_kind", kinds[:, 1:3], contacts)
+        self.check_below("passage_kind", kinds[:, 1:3], n_modes)
         states = self.array("passage_state", len(times), 2, n)
         motion = self.motion("motion", definition["motion"])
         if motion is None:
@@ -260,7 +260,7 @@ class _File:
             outcome=Outcome(definition["outcome"]),
             duration=definition["duration"],
             statistics=definition["statistics"],
-            record=self.record(n, contacts, definition["quantities"]),
+            record=self.record(n, n_modes, definition["quantities"]),
             events=Events(structure, EventColumns(times, kinds, states)),
             end=self.array("end", n),
         )

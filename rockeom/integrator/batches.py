@@ -207,7 +207,7 @@ def add_gain(before, after, arriving, leaving, p, energy, gains):
 
 @entry
 def evaluate(
-    contacts: Ints, t: Floats, states: Floats2, horizontal: Floats2, vertical: Floats2, p: Floats,
+    modes: Ints, t: Floats, states: Floats2, horizontal: Floats2, vertical: Floats2, p: Floats,
     energy: Floats2, force: Floats2, motion: Floats2,
 ):  # fmt: skip
     """Energies, reactions and kinematics (columns of the last three) at every sample."""
@@ -216,6 +216,6 @@ def evaluate(
         nx, gx = segment_for(horizontal, nx, t[n])
         ny, gy = segment_for(vertical, ny, t[n])
         ax, ay = ground_acceleration(gx, t[n]), ground_acceleration(gy, t[n])
-        energies(contacts[n], states[n], p, energy[n])
-        reactions(contacts[n], states[n], p, ax, ay, force[n])
-        kinematics(contacts[n], states[n], p, motion[n])
+        energies(modes[n], states[n], p, energy[n])
+        reactions(modes[n], states[n], p, ax, ay, force[n])
+        kinematics(modes[n], states[n], p, motion[n])

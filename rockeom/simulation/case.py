@@ -236,7 +236,7 @@ class Case:
         if abs(quiet - end) <= 1e-12 * abs(end):
             quiet = end  # a duration that is a difference of others is so but for rounding
         return Problem(
-            mode=structure.contact(y0, self.mode, partial(self._about_to_turn, y0)),
+            mode=structure.mode_number(y0, self.mode, partial(self._about_to_turn, y0)),
             y0=y0,
             vector=structure.vector,
             table=structure.impact_table(self.impact),
@@ -263,8 +263,8 @@ class Case:
         first = next((push for push in _pushes(self.motion) if push != 0.0), 0.0)
         turn, rate = 0.0, np.zeros(len(y0), np.result_type(y0, p))
         for side in (-1.0, 1.0):
-            contact = structure.contact(y0, None, partial(float, side))
-            m.rates(contact, y0, p, next(_pushes(self.motion)), lift, rate)
+            mode = structure.mode_number(y0, None, partial(float, side))
+            m.rates(mode, y0, p, next(_pushes(self.motion)), lift, rate)
             turn += rate[m.ROTATION_RATE]
         return np.sign(turn) or -np.sign(first)
 

@@ -31,11 +31,11 @@ def generated_module(name: str) -> GeneratedModule:
     return cast(GeneratedModule, importlib.import_module(f"rockeom.generated.{name}"))
 
 
-@renamed.attributes(stands_on_points="has_landings")
+@renamed.attributes(stands_on_points="has_landings", contact="mode_number")
 class Structure:
     """A rocking structure with its parameters.
 
-    Methods take a state as a mapping of state names; what is not named is zero. The contact mode
+    Methods take a state as a mapping of state names; what is not named is zero. The mode
     follows from the state, or is named by `mode`.
     """
 
@@ -177,7 +177,7 @@ class Structure:
         return modes_of(self.module).completed(self.module, np.array(y), self.vector, values)
 
     @renamed.arguments(phase="mode")
-    def contact(
+    def mode_number(
         self, y: np.ndarray, mode: str | None = None, towards: Callable[[], float] = float
     ) -> int:
         """Number of the mode of a state vector, or of the mode named.
@@ -193,7 +193,7 @@ class Structure:
 
     def _under(self, ground: tuple[float, float], y: np.ndarray, mode: str | None) -> int:
         """Number of the mode; where contacts may slide and open, forces decide, too."""
-        m, number = self.module, self.contact(y, mode)
+        m, number = self.module, self.mode_number(y, mode)
         if mode is not None:
             return number
         return modes_of(m).mode_under_forces(m, number, y, self.vector, ground)
@@ -271,7 +271,7 @@ class Structure:
                 "hold the states before and after each landing"
             )
         y = self.state(state)
-        number = self.contact(y, mode)
+        number = self.mode_number(y, mode)
         if m.KINDS[number][0] != IMPACT or m.GUARDS[number] == 0:
             raise ValueError(f"no impact ends the mode {mode!r} of {self.model}")
         law, ratio = self.law(impact)
@@ -420,7 +420,7 @@ class Structure:
         y = np.array([self.state(dict(zip(state, row, strict=False))) for row in rows])
         shakes = [row[len(state) :] for row in rows]
         modes = [
-            self._under(shake, one, mode) if ground else self.contact(one, mode)
+            self._under(shake, one, mode) if ground else self.mode_number(one, mode)
             for one, shake in zip(y, shakes, strict=True)
         ]
         across = np.array(shakes, dtype=float).reshape(len(y), len(shaken)).T
@@ -600,7 +600,7 @@ class FixedBase(Structure):
         return self
 
     @renamed.arguments(phase="mode")
-    def contact(
+    def mode_number(
         self, y: np.ndarray, mode: str | None = None, towards: Callable[[], float] = float
     ) -> int:
         """Full contact; raises ValueError for a state that is turned, or for another mode."""

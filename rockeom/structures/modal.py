@@ -176,8 +176,8 @@ def held(rocking: GeneratedModule) -> GeneratedModule:
     """The module with no guard in full contact."""
     name = f"{rocking.NAME}_fixed_base"
     guards = tuple(
-        0 if contact == FULL_CONTACT else count
-        for contact, count in zip(rocking.MODES, rocking.GUARDS, strict=True)
+        0 if mode == FULL_CONTACT else count
+        for mode, count in zip(rocking.MODES, rocking.GUARDS, strict=True)
     )
     text = _with(source(rocking), "NAME", repr(name).replace("'", '"'))
     return cast(GeneratedModule, load_text(name, _with(text, "GUARDS", repr(guards))))

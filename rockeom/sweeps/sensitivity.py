@@ -343,10 +343,10 @@ class _Moving:
         self.module = self.run.structure.module
         self.m = found.end.shape[-1]
 
-    def of(self, name: str, contact: int, y: np.ndarray, along: np.ndarray) -> Dual:
+    def of(self, name: str, mode: int, y: np.ndarray, along: np.ndarray) -> Dual:
         """A quantity of a state (N,) with derivatives (N, m)."""
         return _dual(
-            quantity_of(self.module, name, contact, with_tangent(y, along), self.p), self.m
+            quantity_of(self.module, name, mode, with_tangent(y, along), self.p), self.m
         )
 
     def at_event(self, name: str, k: int, after: bool) -> Dual:
@@ -355,15 +355,15 @@ class _Moving:
         return self.of(name, int(kinds[k, 2 if after else 1]), states[k, int(after)], along)
 
     def at_time(self, name: str, t: float) -> Dual:
-        y, contact = self.run.steps.at(np.array([t]), "right")
-        return self.of(name, int(contact[0]), y[0], self.found.at([t])[0])
+        y, modes = self.run.steps.at(np.array([t]), "right")
+        return self.of(name, int(modes[0]), y[0], self.found.at([t])[0])
 
     def at_corner(self, name: str, corner: Dual) -> Dual:
         """The value at a corner of the ground motion, a time that moves."""
         t = float(np.nextafter(value_of(corner), 0.0))
-        y, contact = self.run.steps.at(np.array([t]), "left")
+        y, modes = self.run.steps.at(np.array([t]), "left")
         along = self.found.at([t])[0] + np.outer(self.path.rates(t), tangent_of(corner, self.m))
-        return self.of(name, int(contact[0]), y[0], along)
+        return self.of(name, int(modes[0]), y[0], along)
 
     def at_end(self, name: str) -> Dual:
         run = self.run
@@ -371,14 +371,14 @@ class _Moving:
         last = self.path.last_time
         if self.path.falls:
             along = along + np.outer(self.path.rates(last), self.found.end_time)
-        contact = run.steps.at(np.array([last]), "left")[1]
-        return self.of(name, int(contact[0]), run.end, along)
+        modes = run.steps.at(np.array([last]), "left")[1]
+        return self.of(name, int(modes[0]), run.end, along)
 
     def rate(self, name: str, t: float) -> float:
         """Rate of a quantity up to a time."""
-        y, contact = self.run.steps.at(np.array([t]), "left")
+        y, modes = self.run.steps.at(np.array([t]), "left")
         moving = with_tangent(y[0], self.path.rates(t)[:, None])
-        x = quantity_of(self.module, name, int(contact[0]), moving, self.run.structure.vector)
+        x = quantity_of(self.module, name, int(modes[0]), moving, self.run.structure.vector)
         return float(_dual(x, 1).tangent[0])
 
     def corner(self, t: float, tolerance: float) -> Dual | None:
@@ -406,7 +406,7 @@ def _dual(x: Any, m: int) -> Dual:
     return Dual(float(value_of(x)), tangent_of(x, m))
 
 
-def quantity_of(module: Any, name: str, contact: int, y: np.ndarray, p: np.ndarray) -> Any:
+def quantity_of(module: Any, name: str, mode: int, y: np.ndarray, p: np.ndarray) -> Any:
     """A quantity of a state y (N,) of duals, with the parameters p, by the equations; a number.
 
     name : of a state, a displacement, an energy, or of what an element does. Raises ValueError for
@@ -416,7 +416,7 @@ def quantity_of(module: Any, name: str, contact: int, y: np.ndarray, p: np.ndarr
     if not function:
         return y[first]
     out = np.zeros(_SIZES[function](module), dtype=object)
-    getattr(of_compounds(module), function)(contact, y, p, out)
+    getattr(of_compounds(module), function)(mode, y, p, out)
     return sum(out[first:last])
 
 

@@ -184,12 +184,12 @@ class Motion:
 
     def rates(self, t: float) -> np.ndarray:
         """(N,) rates of the states up to a time."""
-        r, (y, contact) = self.response, self.response.steps.at(np.array([t]), "left")
+        r, (y, modes) = self.response, self.response.steps.at(np.array([t]), "left")
         before = float(np.nextafter(t, 0.0))  # at a corner a motion tells what is behind it
         ground = [0.0 if g is None else g.acceleration(before) for g in (r.motion, r.vertical)]
         rates = np.empty(len(r.states))
         across, up = map(float, ground)
-        r.structure.module.rates(int(contact[0]), y[0], r.structure.vector, across, up, rates)
+        r.structure.module.rates(int(modes[0]), y[0], r.structure.vector, across, up, rates)
         return rates
 
     @cached_property

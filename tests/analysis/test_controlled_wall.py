@@ -196,7 +196,7 @@ def test_forms_of_the_thesis_are_those_of_the_derived_geometry(d):
         held = rk.ControlledWallOscillator.from_wall(wall, 1.0)
         y = held.state({"u": d, "permanent_extension": 0.0})
         out = np.empty(len(oscillator.KINEMATICS))
-        oscillator.kinematics(held.contact(y), y, held.vector, out)
+        oscillator.kinematics(held.mode_number(y), y, held.vector, out)
         _, centre, extension = out
         assert WALL.rotation_centre.distance(d) == pytest.approx(centre, rel=1e-12)
         along = extension * math.cos(WALL.rotation(d))

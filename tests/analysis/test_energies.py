@@ -40,7 +40,7 @@ def free(peaks, speed=0.3):
 
 
 def place_of(structure, y, name="displacement"):
-    contact = np.array([structure.contact(state) for state in y])
+    contact = np.array([structure.mode_number(state) for state in y])
     return at_states(structure.module, structure.vector, "kinematics", contact, y)[name]
 
 

@@ -102,7 +102,7 @@ def test_static_energy_is_the_work_of_the_load_that_holds_it(structure):
     m, place = structure.module, np.empty(len(structure.module.KINEMATICS))
     displacement = []
     for _, y in held:
-        m.kinematics(structure.contact(y), y, structure.vector, place)
+        m.kinematics(structure.mode_number(y), y, structure.vector, place)
         displacement.append(place[m.KINEMATICS.index("displacement")])
     force = np.array([f for f, _ in held])
     work = np.sum((force[1:] + force[:-1]) / 2 * np.diff(displacement))

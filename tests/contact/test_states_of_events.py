@@ -83,7 +83,7 @@ def test_a_motion_goes_on_from_its_events_as_it_did(name):
 
 def test_slow_motion_of_a_structure_at_rest_is_its_whole_motion():
     slides = block()
-    contact = slides.contact(slides.state({"x_dot": 1e-6}))
+    contact = slides.mode_number(slides.state({"x_dot": 1e-6}))
     assert slides.module.MODES[contact] == "both_slides_right"
 
 

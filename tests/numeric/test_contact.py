@@ -198,7 +198,7 @@ def test_wall_beyond_yield_on_its_way_back_has_drawn_its_tendon_out(wall, side):
     far = 0.05 if q == "theta" else 0.12
     state = {q: side * far, f"{q}_dot": -side * 0.1}
     assert wall.reactions(state)["tendon_force"] == pytest.approx(wall.yield_force, rel=1e-12)
-    phase = wall.module.MODES[wall.contact(wall.state(state))]
+    phase = wall.module.MODES[wall.mode_number(wall.state(state))]
     assert phase.startswith("right" if side > 0 else "left")
     mirrored = {name: -value for name, value in state.items()}
     assert wall.accelerations(state)[q] == -wall.accelerations(mirrored)[q]
@@ -207,7 +207,7 @@ def test_wall_beyond_yield_on_its_way_back_has_drawn_its_tendon_out(wall, side):
         wall.accelerations(state | {"permanent_extension": 0.0})
     # outwards it still yields
     outwards = {q: side * far, f"{q}_dot": side * 0.1}
-    assert wall.module.MODES[wall.contact(wall.state(outwards))].endswith("yield")
+    assert wall.module.MODES[wall.mode_number(wall.state(outwards))].endswith("yield")
 
 
 @pytest.mark.parametrize(

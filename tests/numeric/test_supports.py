@@ -86,7 +86,7 @@ def test_a_bed_of_two_springs_is_the_two_springs():
 def settled_modes(structure):
     """Circular frequencies of small motion about the settled state [rad/s]."""
     m, p, n = structure.module, structure.vector, structure.module.N_STATES // 2
-    contact = structure.contact(np.zeros(2 * n))
+    contact = structure.mode_number(np.zeros(2 * n))
 
     def accelerations(q):
         dy = np.zeros(2 * n)
@@ -286,7 +286,7 @@ def test_on_a_foot_that_sticks_it_moves_as_on_pinned_feet(storeys, side):
         state["theta"] = side * abs(state["theta"])
         expected = pinned.accelerations(state, 1.5, 0.5, mode=phase)
         y = sliding.state(state)
-        assert sliding.module.MODES[sliding.contact(y)] == phase
+        assert sliding.module.MODES[sliding.mode_number(y)] == phase
         found = sliding.accelerations(state, 1.5, 0.5, mode=phase)  # whether or not it can stick
         for name, value in expected.items():
             assert found[name] == pytest.approx(value, rel=1e-9, abs=1e-9)

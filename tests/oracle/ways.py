@@ -161,7 +161,7 @@ def run(integrate: Callable[..., int], structure, scratch: int, duration: float,
     record = (np.zeros((4000, 2)), np.zeros(4000, np.int64), np.zeros((4000, 8, n)))
     y[structure.module.ROTATION] = 0.01 * structure.overturning_rotation
     events = np.zeros(99), np.zeros((99, 4), np.int64), np.zeros((99, 2, n))
-    status = np.array([structure.contact(y), -1, 0, 0, 0, 1, 1, 0, 0, 0])
+    status = np.array([structure.mode_number(y), -1, 0, 0, 0, 1, 1, 0, 0, 0])
     table = np.array([[0.0, duration, 1.0, 3.0, 2 * math.pi / duration, 0.0, 0.0]])
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

@@ -323,7 +323,7 @@ def test_sketch_puts_the_highest_mass_where_the_generated_module_has_it(structur
     highest = max(masses, key=lambda line: line.get_ydata()[0])
     y = structure.state(state)
     out = np.zeros(len(structure.module.KINEMATICS))
-    structure.module.kinematics(structure.contact(y), y, structure.vector, out)
+    structure.module.kinematics(structure.mode_number(y), y, structure.vector, out)
     moved = out[structure.module.KINEMATICS.index("displacement")]
     assert highest.get_xdata()[0] == pytest.approx(moved, rel=1e-12)
 

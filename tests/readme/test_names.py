@@ -140,7 +140,7 @@ def numbers(model: RockingModel, names: dict[str, str]) -> dict[str, np.ndarray]
         m = frame.module
         for name, size in (("kinematics", len(m.KINEMATICS)), ("guards", m.N_GUARDS)):
             out, more = np.zeros(size), (1.2, 0.3) if name == "guards" else ()
-            getattr(m, name)(frame.contact(y, contact), y, frame.vector, *more, out)
+            getattr(m, name)(frame.mode_number(y, contact), y, frame.vector, *more, out)
             found[f"{name}, {contact}"] = out
         if side:
             for law in (rk.AngularMomentum(), rk.Impulsive()):

@@ -16,7 +16,7 @@ import sympy as sp
 
 from rockeom.symbolic import RockingModel
 from rockeom.thesis.chapter_5 import VELOCITY_RATIO
-from rockeom.thesis.checks.engine import CONTACT, shipped
+from rockeom.thesis.checks.engine import MODE, shipped
 from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
 
 M_E, M_B = PIER["mass"], PIER["base_mass"]
@@ -38,7 +38,7 @@ def closed_form(side: int) -> tuple[sp.Expr, sp.Expr]:
 
 
 def impact(side: int):
-    return shipped("flexible_structure").impulse_map(CONTACT[side], CONTACT[-side]).at_side(side)
+    return shipped("flexible_structure").impulse_map(MODE[side], MODE[-side]).at_side(side)
 
 
 @SIDES
@@ -147,7 +147,7 @@ def test_rigid_column_recovers_5_14(side):
     model = shipped("flexible_structure")
     assert minus_5_14(model.velocity_ratio, side) == 0
 
-    held = rigid_column(model).impulse_map(CONTACT[side], CONTACT[-side]).at_side(side)
+    held = rigid_column(model).impulse_map(MODE[side], MODE[-side]).at_side(side)
     assert minus_5_14(held.velocities()[0] / THETA_D, side) == 0
 
     full, after, impulse = impact(side), sp.Dummy("theta_d_after"), sp.Dummy("impulse")

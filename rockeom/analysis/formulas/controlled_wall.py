@@ -604,23 +604,23 @@ class _Held:
         self._y = np.zeros((d.size, m.N_STATES))
         self._y[:, m.ROTATION] = d
 
-        def contact(tendon: str) -> np.ndarray:
+        def modes(tendon: str) -> np.ndarray:
             left, right = (m.MODES.index(f"{side}{tendon}") for side in ("left", "right"))
             return np.where(d < 0, left, right)
 
-        self._contact = contact("")
+        self._modes = modes("")
         if cut:
-            self._contact = contact("_slack")
+            self._modes = modes("_slack")
             return
         # the elastic force of the tendon shows whether it yields or is slack
         elastic = wall.initial_force + wall.tendon_stiffness * self.extension.ravel()
         self._beyond = np.maximum(elastic - wall.yield_force, 0.0)
-        self._contact = np.where(elastic < 0, contact("_slack"), self._contact)
-        self._contact = np.where(self._beyond > 0, contact("_yield"), self._contact)
+        self._modes = np.where(elastic < 0, modes("_slack"), self._modes)
+        self._modes = np.where(self._beyond > 0, modes("_yield"), self._modes)
 
     def _named(self, function: str, *arguments: float) -> dict[str, np.ndarray]:
         m, p = self._wall.module, self._wall.vector
-        values = at_states(m, p, function, self._contact, self._y, *arguments)
+        values = at_states(m, p, function, self._modes, self._y, *arguments)
         return {name: value.reshape(self._shape) for name, value in values.items()}
 
     @property

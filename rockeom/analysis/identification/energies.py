@@ -57,19 +57,19 @@ def static_energy(
 
 
 def energies_of_states(
-    structure: Structure, y: np.ndarray, contact: np.ndarray | None = None
+    structure: Structure, y: np.ndarray, modes: np.ndarray | None = None
 ) -> Energies:
     """Energies of a structure in states, above those upright and at rest, (n,) each [J].
 
-    y (n, N) : the states; contact (n,) : numbers of their modes, which follow from the states if
+    y (n, N) : the states; modes (n,) : numbers of their modes, which follow from the states if
     not given.
     """
-    if contact is None:
-        contact = np.array([structure.contact(state) for state in y], dtype=int)
+    if modes is None:
+        modes = np.array([structure.mode_number(state) for state in y], dtype=int)
     upright = np.zeros((1, structure.module.N_STATES))
     m, p = structure.module, structure.vector
-    still = at_states(m, p, "energies", np.array([structure.contact(upright[0])]), upright)
-    energies = at_states(m, p, "energies", contact, y)
+    still = at_states(m, p, "energies", np.array([structure.mode_number(upright[0])]), upright)
+    energies = at_states(m, p, "energies", modes, y)
     kinetic, gravity, elastic = (energies[name] - still[name] for name in structure.module.ENERGIES)
     return Energies(gravity, elastic, kinetic)
 
@@ -150,5 +150,5 @@ class _Path:
         if self._quantity in m.STATES:
             return float(y[m.STATES.index(self._quantity)])
         out = np.empty(len(m.KINEMATICS))
-        m.kinematics(self._structure.contact(y), y, self._structure.vector, out)
+        m.kinematics(self._structure.mode_number(y), y, self._structure.vector, out)
         return float(out[m.KINEMATICS.index(self._quantity)])

@@ -278,8 +278,8 @@ def _energies_of(
     # the states of equilibrium determine the mode of a tendon; upright, the direction of motion
     turned = y[:, structure.module.ROTATION] != 0
     states = np.where(turned[:, None], y, moving)
-    contact = np.array([structure.contact(state) for state in states], dtype=int)
-    return energies_of_states(structure, moving, contact)
+    modes = np.array([structure.mode_number(state) for state in states], dtype=int)
+    return energies_of_states(structure, moving, modes)
 
 
 def resolved_floor(time: ArrayLike, displacement: ArrayLike, noise: float | None = None) -> float:

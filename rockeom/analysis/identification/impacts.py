@@ -44,8 +44,8 @@ def _speed(structure: Structure, y: np.ndarray, energy: float) -> float:
     """Rate of rotation upright, before the impact, of a structure released at a peak."""
     m = structure.module
     moving = structure.state({m.STATES[m.ROTATION_RATE]: 1.0})[None]
-    contact = np.array([structure.contact(y)])
-    energies = at_states(m, structure.vector, "energies", contact, moving)
+    mode = np.array([structure.mode_number(y)])
+    energies = at_states(m, structure.vector, "energies", mode, moving)
     kinetic = float(energies["kinetic_energy"][0])
     return float(-np.sign(y[m.ROTATION]) * np.sqrt(energy / kinetic))
 
@@ -403,7 +403,7 @@ def record_energies(record: MeasuredRecord, structure: Structure) -> Energies:
         if name in record.channels:
             y[:, i] = record[name]
     small = 1e-3 * structure.overturning_rotation
-    left, right = (structure.contact(structure.equilibrium(x)[1]) for x in (-small, small))
+    left, right = (structure.mode_number(structure.equilibrium(x)[1]) for x in (-small, small))
     return energies_of_states(structure, y, np.where(y[:, m.ROTATION] >= 0, right, left))
 
 

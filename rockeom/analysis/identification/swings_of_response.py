@@ -148,16 +148,16 @@ def _along(carried: Tangents, quantity: str, times: np.ndarray) -> np.ndarray:
     module, p = run.structure.module, run.structure.vector
     still = np.zeros((len(p), 1))  # by time
     moving = with_tangent(p, np.append(carried.parameters, still, axis=1))
-    y, contact = run.steps.at(times, "right")
+    y, modes = run.steps.at(times, "right")
     ground = [
         np.zeros(len(times)) if motion is None else motion.acceleration(times)
         for motion in (run.motion, run.vertical)
     ]
-    rates = filled(module, run.structure.vector, "rates", module.N_STATES, contact, y, *ground)
+    rates = filled(module, run.structure.vector, "rates", module.N_STATES, modes, y, *ground)
     by = np.append(carried.at(times), rates.T[..., None], axis=2)
     values = [
         quantity_of(module, quantity, int(of), with_tangent(*row), moving)
-        for of, *row in zip(contact, y, by, strict=True)
+        for of, *row in zip(modes, y, by, strict=True)
     ]
     return tangent_of(np.array(values, dtype=object), m + 1)
 

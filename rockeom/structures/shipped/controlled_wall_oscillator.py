@@ -108,7 +108,7 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
             m = self.module_for(y, self.vector)
             energy = np.empty((2, len(m.ENERGIES)), np.result_type(y, self.vector))
             for at, row in zip((y, upright), energy, strict=True):
-                m.energies(self.contact(at), at, self.vector, row)
+                m.energies(self.mode_number(at), at, self.vector, row)
             kinetic = max(number("energy", energy[0].sum() - energy[1].sum()), 0.0)
             y[m.STATES.index("passage_speed")] = mathematics.sqrt(
                 2 * kinetic / self.parameters()["effective_mass"]

@@ -149,11 +149,11 @@ def two_spring_cart() -> RockingModel:
     def mode(contacts: dict[str, int], energy: sp.Expr) -> Mode:
         return Mode(contacts, (u,), (cart,), GRAVITY.symbol, energy, load_point=cart.position)
 
-    def lifts(side: int, contact: str, lifted: str) -> tuple[Transition, Transition]:
+    def lifts(side: int, pressed: str, lifted: str) -> tuple[Transition, Transition]:
         inside = ul - side * x
         return (
-            Transition(contact, lifted, "switch", inside),
-            Transition(lifted, contact, "switch", -inside),
+            Transition(pressed, lifted, "switch", inside),
+            Transition(lifted, pressed, "switch", -inside),
         )
 
     return RockingModel(

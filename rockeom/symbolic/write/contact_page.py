@@ -166,7 +166,7 @@ def _mode(search: Search, mode: DerivedMode, notation: Notation) -> list[Block]:
         for d in mode.dependent
     ]
     if held:
-        blocks += ["The contact prescribes", Display(tuple(held))]
+        blocks += ["The closed contacts prescribe", Display(tuple(held))]
     if not _is_short(of):
         return [*blocks, *_ends(mode, notation)]
     blocks.append(Heading(3, "Equations of motion"))

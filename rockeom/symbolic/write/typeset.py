@@ -209,12 +209,12 @@ def _transition(model: HybridModel, alike: list[Transition], guard: sp.Expr | No
     if first.kind == "uplift":
         blocks.append(
             f"The foot opposite to the new pivot lifts when $s {acceleration} > 0$, with "
-            f"${acceleration}$ from the equations of the contact that would follow at "
+            f"${acceleration}$ from the equations of the mode that would follow at "
             f"${theta} = 0$, ${rate} = 0$, and {_sides(model.mode(first.target))}. "
             "That is when its vertical reaction falls to zero."
         )
         return blocks
-    ends = "The gap closes" if first.kind == "impact" else "The contact changes"
+    ends = "The gap closes" if first.kind == "impact" else "The mode changes"
     short, *lines = _guard_lines(notation, sp.sympify(guard))
     stays = "" if first.kind == "impact" else "; velocities stay as they are"
     blocks.append(f"{ends} when ${short}$ falls through zero{stays}{':' if lines else '.'}")

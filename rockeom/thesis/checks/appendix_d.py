@@ -12,7 +12,7 @@ from rockeom.symbolic.model import GROUND_X, GROUND_Y, turned
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks.check import Check, Finding, Means, close, vanishes
-from rockeom.thesis.checks.engine import CONTACT, residual, shipped
+from rockeom.thesis.checks.engine import MODE, residual, shipped
 from rockeom.thesis.comparison import PIER, at_side, in_engine_notation, normal_form
 from rockeom.thesis.equation import Equation, Relations
 
@@ -111,7 +111,7 @@ def _rows(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 def _coefficients(equation: Equation, relations: Relations) -> Iterator[Finding]:
     for side in equation.sides:
-        inertia = shipped(MODEL_C).equations(CONTACT[side]).mass_matrix
+        inertia = shipped(MODEL_C).equations(MODE[side]).mass_matrix
         for relation, exact in zip(relations, (inertia[0, 1], inertia[0, 0]), strict=True):
             rest = in_engine_notation(relation.rhs, side, STATES) - exact
             yield vanishes(f"{relation.lhs} minus the engine's inertia", rest, normal_form)
@@ -129,7 +129,7 @@ def _first_order(equation: Equation, relations: Relations) -> Iterator[Finding]:
     rng = np.random.default_rng(27)
     for side in equation.sides:
         model, known = shipped(MODEL_C), {**STATES, **coefficients(side)}
-        exact = model.equations(CONTACT[side])
+        exact = model.equations(MODE[side])
         systems = [
             sp.Matrix(matrix.applyfunc(lambda e, s=side, k=known: in_engine_notation(e, s, k))),
             sp.Matrix(right.applyfunc(lambda e, s=side, k=known: in_engine_notation(e, s, k))),

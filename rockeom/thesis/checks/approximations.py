@@ -141,9 +141,9 @@ def stiff(expr: sp.Expr) -> sp.Expr:
     return sp.expand(expr).subs(STIFFNESS, of_rotation)
 
 
-def on_lifting(contact: str) -> sp.Expr:
+def on_lifting(mode: str) -> sp.Expr:
     """Exact pushover force at the rotation at which the left spring lifts."""
-    return pushover(springs(), contact).subs(THETA, sp.asin(lift_off_sine(springs())))
+    return pushover(springs(), mode).subs(THETA, sp.asin(lift_off_sine(springs())))
 
 
 def start(side: int) -> sp.Expr:

@@ -25,7 +25,7 @@ from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks.approximations import taylor
 from rockeom.thesis.checks.check import Check, Finding, Means, close, positive, vanishes
 from rockeom.thesis.checks.engine import (
-    CONTACT,
+    MODE,
     THETA,
     THETA_D,
     acceleration,
@@ -69,7 +69,7 @@ def _kinetic_energies(equation: Equation, relations: Relations) -> Iterator[Find
     block = shipped("rigid_block")
     for side in equation.sides:
         before, after = (
-            block.equations(CONTACT[about]).kinetic_energy.subs({THETA: 0, THETA_D: rate})
+            block.equations(MODE[about]).kinetic_energy.subs({THETA: 0, THETA_D: rate})
             for about, rate in ((side, th.theta_d1), (-side, th.theta_d2))
         )
         yield vanishes("kinetic energies' ratio minus r", after / before - relation.rhs, sp.cancel)
@@ -172,7 +172,7 @@ FIGURE_2_6 = {
 
 def deformation(side: int) -> sp.Expr:
     """Second derivative of u of the engine's oscillator."""
-    equations = shipped("uplifting_oscillator").equations(CONTACT[side])
+    equations = shipped("uplifting_oscillator").equations(MODE[side])
     solved = equations.mass_matrix.LUsolve(equations.forcing)[1]
     return sp.expand(sp.cancel(solved.subs(GROUND_Y, 0)))
 
@@ -226,7 +226,7 @@ def stiff_column(side: int) -> sp.Expr:
 
     Displacements are small of first order, and the column so stiff that its force is not.
     """
-    equations = shipped("flexible_structure").equations(CONTACT[side])
+    equations = shipped("flexible_structure").equations(MODE[side])
     light = dict.fromkeys((PIER["base_mass"], PIER["base_inertia"], PIER["inertia"], GROUND_Y), 0)
     mass_matrix, forcing = equations.mass_matrix.subs(light), equations.forcing.subs(light)
     exact = sp.cancel(mass_matrix.LUsolve(forcing)[1])

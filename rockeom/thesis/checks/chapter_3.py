@@ -14,7 +14,7 @@ from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks.check import Check, Finding, Means, close, positive, vanishes
 from rockeom.thesis.checks.engine import (
-    CONTACT,
+    MODE,
     THETA,
     THETA_D,
     acceleration,
@@ -36,12 +36,12 @@ def in_thesis_lengths(name: str, expr: sp.Expr) -> sp.Expr:
 
 
 def kinetic(side: int, name: str = "rigid_block") -> sp.Expr:
-    return in_thesis_lengths(name, shipped(name).equations(CONTACT[side]).kinetic_energy)
+    return in_thesis_lengths(name, shipped(name).equations(MODE[side]).kinetic_energy)
 
 
 def potential(side: int, theta: sp.Expr = THETA, name: str = "rigid_block") -> sp.Expr:
     """Gravitational energy at a rotation, above that of the upright structure."""
-    energy = in_thesis_lengths(name, shipped(name).equations(CONTACT[side]).gravitational_energy)
+    energy = in_thesis_lengths(name, shipped(name).equations(MODE[side]).gravitational_energy)
     return energy.subs(THETA, theta) - energy.subs(THETA, 0)
 
 

@@ -18,7 +18,7 @@ from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks.approximations import taylor
 from rockeom.thesis.checks.chapter_3 import equals, potential, ratio_of_peaks
 from rockeom.thesis.checks.check import Check, Finding, Means, close, derived, vanishes
-from rockeom.thesis.checks.engine import CONTACT, THETA, B, residual, shipped
+from rockeom.thesis.checks.engine import MODE, THETA, B, residual, shipped
 from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
 from rockeom.thesis.equation import Equation, Relations
 from rockeom.thesis.printed import COLUMN, FIGURE_5_6
@@ -115,7 +115,7 @@ def _about_pivot(relation: sp.Eq, sides: tuple[int, ...]) -> Iterator[Finding]:
     }
     upright = {sp.sin(angle): B / radius, sp.cos(angle): PIER["height"] / radius}
     for side in sides:
-        x = shipped(MODEL_A).mode(CONTACT[side]).bodies[0].position[0]
+        x = shipped(MODEL_A).mode(MODE[side]).bodies[0].position[0]
         x = x.subs(SIDE, side)
         displacement = x - x.subs(THETA, 0)
         stated = branch(relation, side).xreplace(known)

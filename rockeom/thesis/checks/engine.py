@@ -36,7 +36,7 @@ from rockeom.thesis.comparison import (
 )
 from rockeom.thesis.equation import Equation, Relations
 
-CONTACT = {1: "right", -1: "left"}
+MODE = {1: "right", -1: "left"}
 THETA, THETA_D, THETA_DD = PIER["theta"], PIER["theta_d"], PIER["theta_dd"]
 G, B = PIER["gravity"], PIER["half_width"]
 
@@ -93,14 +93,14 @@ def compared(
 
 def residual(model: RockingModel, side: int, row: int = 0) -> sp.Expr:
     """Left minus right side of an equation of motion; the thesis has no vertical shaking."""
-    contact = CONTACT[side]
-    coordinates = model.mode(contact).coordinates
-    return model.equations(contact).residual(coordinates)[row].subs(GROUND_Y, 0)
+    mode = MODE[side]
+    coordinates = model.mode(mode).coordinates
+    return model.equations(mode).residual(coordinates)[row].subs(GROUND_Y, 0)
 
 
 def acceleration(model: RockingModel, side: int) -> sp.Expr:
     """Forcing over mass of a structure with one coordinate."""
-    equations = model.equations(CONTACT[side])
+    equations = model.equations(MODE[side])
     return (equations.forcing[0] / equations.mass_matrix[0, 0]).subs(GROUND_Y, 0)
 
 
@@ -127,7 +127,7 @@ def scaled(expr: sp.Expr, inertia: sp.Expr, radius: sp.Expr) -> sp.Expr:
 
 
 def slender_scaled(model: RockingModel, side: int) -> sp.Expr:
-    inertia = model.equations(CONTACT[side]).mass_matrix[0, 0]
+    inertia = model.equations(MODE[side]).mass_matrix[0, 0]
     return scaled(residual(model, side), inertia, R) / ALPHA
 
 
@@ -135,13 +135,13 @@ def slender_scaled(model: RockingModel, side: int) -> sp.Expr:
 
 
 def centroid_acceleration(model: RockingModel, side: int, axis: int) -> sp.Expr:
-    mode = model.mode(CONTACT[side])
+    mode = model.mode(MODE[side])
     relative = rate(rate(mode.bodies[0].position[axis], mode.coordinates), mode.coordinates)
     return in_polar(relative.subs(SIDE, side)) + (GROUND_X, sp.Integer(0))[axis]
 
 
 def force(model: RockingModel, side: int, axis: int) -> sp.Expr:
-    total = total_reaction(model.mode(CONTACT[side]))[axis]
+    total = total_reaction(model.mode(MODE[side]))[axis]
     return in_polar(total.subs({SIDE: side, GROUND_Y: 0}))
 
 
@@ -168,7 +168,7 @@ def resting_force(model: RockingModel, side: int, axis: int) -> sp.Expr:
 
 
 def impulse(model: RockingModel, side: int):
-    return model.impulse_map(CONTACT[side], CONTACT[-side]).at_side(side)
+    return model.impulse_map(MODE[side], MODE[-side]).at_side(side)
 
 
 def momentum_before(model: RockingModel, side: int) -> sp.Expr:
@@ -262,9 +262,9 @@ def falling_branch(model: RockingModel, side: int) -> list[sp.Expr]:
 
 
 def cart_forces(model: RockingModel, side: int) -> dict:
-    mass = sum(b.mass for b in model.mode(CONTACT[side]).bodies)
+    mass = sum(b.mass for b in model.mode(MODE[side]).bodies)
     return {
-        th.k_u: model.equations(CONTACT[side]).stiffness[0],
+        th.k_u: model.equations(MODE[side]).stiffness[0],
         th.P_t: -mass * GROUND_X,
     }
 
@@ -273,28 +273,28 @@ def cart_forces(model: RockingModel, side: int) -> dict:
 
 
 def from_pivot(model: RockingModel, side: int, body: int) -> sp.Matrix:
-    x, y = model.mode(CONTACT[side]).bodies[body].position
+    x, y = model.mode(MODE[side]).bodies[body].position
     return sp.Matrix([x - SIDE * B, y]).subs(SIDE, side)
 
 
 def velocity(model: RockingModel, side: int, body: int) -> sp.Matrix:
-    mode = model.mode(CONTACT[side])
+    mode = model.mode(MODE[side])
     x, y, _ = body_velocity(mode.bodies[body], mode.coordinates)
     return sp.Matrix([x, y]).subs(SIDE, side)
 
 
 def kinetic(model: RockingModel, side: int, body: int) -> sp.Expr:
-    mode = model.mode(CONTACT[side])
+    mode = model.mode(MODE[side])
     return kinetic_energy(replace(mode, bodies=(mode.bodies[body],))).subs(SIDE, side)
 
 
 def potential(model: RockingModel, side: int) -> sp.Expr:
-    equations = model.equations(CONTACT[side])
+    equations = model.equations(MODE[side])
     return equations.gravitational_energy + equations.elastic_energy
 
 
 def lagrangian(model: RockingModel, side: int) -> sp.Expr:
-    return model.equations(CONTACT[side]).kinetic_energy - potential(model, side)
+    return model.equations(MODE[side]).kinetic_energy - potential(model, side)
 
 
 def energies(model: RockingModel, side: int) -> dict:
@@ -307,7 +307,7 @@ def energies(model: RockingModel, side: int) -> dict:
 
 
 def excitation(model: RockingModel, side: int) -> sp.Matrix:
-    return model.equations(CONTACT[side]).excitation.subs(GROUND_Y, 0)
+    return model.equations(MODE[side]).excitation.subs(GROUND_Y, 0)
 
 
 def moved(model: RockingModel, side: int) -> sp.Matrix:
@@ -339,7 +339,7 @@ DERIVED: dict[str, Derived] = {
     "3-12": _of(BLOCK_MODEL, force_at_impact, 1),
     "3-14": _of(BLOCK_MODEL, resting_force, 0),
     "3-15": _of(BLOCK_MODEL, resting_force, 1),
-    "5-8": Derived(MODEL_A, lambda m, s: m.equations(CONTACT[s]).mass_matrix[0, 0]),
+    "5-8": Derived(MODEL_A, lambda m, s: m.equations(MODE[s]).mass_matrix[0, 0]),
     "5-9": _of(MODEL_A, acceleration),
     "5-10": _of(MODEL_A, acceleration),
     "5-11": _of(MODEL_A, acceleration),
@@ -359,7 +359,7 @@ DERIVED: dict[str, Derived] = {
     "5-28": Derived(SPRINGS, lambda m, s: first_stiffness(m) * THETA),
     "5-29": _of(SPRINGS, linear_lift_off_force),
     "5-30": _of(MODEL_A, centroid),
-    "5-31": Derived(MODEL_A, lambda m, s: pushover(m, CONTACT[s])),
+    "5-31": Derived(MODEL_A, lambda m, s: pushover(m, MODE[s])),
     "5-32": Derived(
         MODEL_A,
         lambda m, s: pushover(m, "right").subs(THETA, lift_off_sine(shipped(SPRINGS))),
@@ -373,13 +373,13 @@ DERIVED: dict[str, Derived] = {
     "D-3": _of(MODEL_C, velocity, 0),
     "D-4": _of(MODEL_C, velocity, 1),
     "D-6": Derived(MODEL_C, lagrangian, energies),
-    "D-7": Derived(MODEL_C, lambda m, s: m.equations(CONTACT[s]).kinetic_energy, energies),
+    "D-7": Derived(MODEL_C, lambda m, s: m.equations(MODE[s]).kinetic_energy, energies),
     "D-8": _of(MODEL_C, kinetic, 0),
     "D-11": _of(MODEL_C, kinetic, 0),
     "D-12": _of(MODEL_C, kinetic, 1),
     "D-13": _of(MODEL_C, potential),
     "D-14": _of(MODEL_C, lagrangian),
-    "D-15": Derived(MODEL_C, lambda m, s: m.mode(CONTACT[s]).dissipation_function),
+    "D-15": Derived(MODEL_C, lambda m, s: m.mode(MODE[s]).dissipation_function),
     "D-16": Derived(MODEL_C, lambda m, s: list(excitation(m, s))),
     "D-17": Derived(MODEL_C, lambda m, s: excitation(m, s)[0]),
     "D-18": Derived(MODEL_C, lambda m, s: excitation(m, s)[1]),

@@ -338,18 +338,18 @@ def figure_5_14() -> Drawn:
     )
 
 
-def frequencies(contact: str) -> list[float]:
+def frequencies(mode: str) -> list[float]:
     """Frequencies of vibration of the flexible column in a mode [Hz], if they are real.
 
     Those of its equations linearised about upright, without damping.
     """
-    free = ("theta", "u") if contact != "both" else ("u",)
+    free = ("theta", "u") if mode != "both" else ("u",)
     still = rk.FlexibleStructure(**COLUMN_VALUES, stiffness=571.8e3, damping=0.0)
-    start, h = {"theta": 1e-6 if contact != "both" else 0.0}, 1e-7
+    start, h = {"theta": 1e-6 if mode != "both" else 0.0}, 1e-7
     rows = []
     for name in free:
         above, below = (
-            still.accelerations({**start, name: start.get(name, 0.0) + s * h}, mode=contact)
+            still.accelerations({**start, name: start.get(name, 0.0) + s * h}, mode=mode)
             for s in (1, -1)
         )
         rows.append([(above[n] - below[n]) / (2 * h) for n in free])
@@ -387,11 +387,11 @@ def figure_5_15() -> Drawn:
             part, "x_ddot", window=0.95 * span, frequencies=(0.0, 80.0)
         )
         spectrum.plot(windows.frequency, windows.amplitude[0], color=color, label=label)
-    contact, foot = frequencies("both")[0], frequencies("right")[-1]
-    for mode in (contact, foot):
+    both, foot = frequencies("both")[0], frequencies("right")[-1]
+    for mode in (both, foot):
         spectrum.axvline(mode, color=style.INK, ls="--", lw=0.8)
     spectrum.axvline(56, color=style.INK, ls=":", lw=0.9)
-    for mode, name in ((contact, f"{contact:.1f} Hz"), (foot, f"{foot:.1f} Hz"),
+    for mode, name in ((both, f"{both:.1f} Hz"), (foot, f"{foot:.1f} Hz"),
                        (56, "56 Hz, measured")):  # fmt: skip
         spectrum.annotate(name, (mode, 1.07), (3, 0), textcoords="offset points", fontsize=8)
     spectrum.set_ylim(0, 1.18)
@@ -406,7 +406,7 @@ def figure_5_15() -> Drawn:
                 "section 5.2.2",
                 "the elastic mode had approximately 56 Hz, much higher than the expected flexural "
                 "frequency: a higher mode",
-                f"the model with one mass has {contact:.1f} Hz with both feet down and "
+                f"the model with one mass has {both:.1f} Hz with both feet down and "
                 f"{foot:.1f} Hz on one foot, so that 56 Hz is neither",
                 bool(2 * foot < 56),
             ),
