@@ -134,7 +134,7 @@ def equations_differ(structure: rk.Structure, states: int = 50) -> float:
     parameters, n = vector(structure), module.N_STATES // 2
     random = np.random.default_rng(7)
     worst = 0.0
-    for phase, side in (("left", -1.0), ("both", 0.0), ("right", 1.0)):
+    for mode, side in (("left", -1.0), ("both", 0.0), ("right", 1.0)):
         rows = []
         for _ in range(states):
             y, ground = random.uniform(-0.5, 0.5, 2 * n), random.uniform(-5.0, 5.0)
@@ -146,14 +146,14 @@ def equations_differ(structure: rk.Structure, states: int = 50) -> float:
                 y[module.ROTATION] = side * abs(y[module.ROTATION])
 
             def derived(
-                state_at: np.ndarray, phase: str = phase, ground: float = ground
+                state_at: np.ndarray, mode: str = mode, ground: float = ground
             ) -> list[float]:
                 state = dict(zip(module.STATES, state_at.tolist(), strict=True))
-                return list(structure.accelerations(state, ground, mode=phase).values())
+                return list(structure.accelerations(state, ground, mode=mode).values())
 
             found = np.empty(n)
             c.accelerate(
-                ctypes.c_int(module.MODES.index(phase)), at(y), at(parameters),
+                ctypes.c_int(module.MODES.index(mode)), at(y), at(parameters),
                 ctypes.c_double(ground), at(found),
             )  # fmt: skip
             opens = c.opens(
@@ -185,7 +185,7 @@ class Problem(Prepared):
 
     def __init__(self, case: w.Case, options: Options) -> None:
         q = case.problem()
-        self.y0, self.side, self.end = q.y0, float(q.contact - 1), q.end
+        self.y0, self.side, self.end = q.y0, float(q.mode - 1), q.end
         self.segments = np.ascontiguousarray(q.horizontal)
         self.parameters = vector(case.structure)
         _checked(case.structure)

@@ -122,7 +122,7 @@ def _state_type(n: int) -> type[ctypes.Structure]:
             ("y", ctypes.c_double * n),
             *(
                 (name, ctypes.c_long)
-                for name in ("contact", "touching", "impacts", "taken", "accepted", "n_events")
+                for name in ("mode", "closed", "impacts", "taken", "accepted", "n_events")
             ),
         ]
 
@@ -170,7 +170,7 @@ class Problem(Prepared):
     ) -> None:
         module, q = case.structure.module, case.problem()
         self.rate_at = module.ROTATION_RATE
-        self.y0, self.contact, self.end = q.y0, q.contact, q.end
+        self.y0, self.mode, self.end = q.y0, q.mode, q.end
         self.segments = np.ascontiguousarray(q.horizontal)
         self.parameters = vector(case.structure)
         self.library = library(case.structure.model, variant, flags)
@@ -191,7 +191,7 @@ class Problem(Prepared):
 
     def run(self) -> tuple[int, np.ndarray, np.ndarray, int]:
         """(outcome, state at the end (N,), events, steps)."""
-        state = self.state_type(contact=self.contact, touching=-1)
+        state = self.state_type(mode=self.mode, closed=-1)
         state.y[:] = self.y0.tolist()
         chunks = []
         outcome = FULL
@@ -216,7 +216,7 @@ class Problem(Prepared):
         """Times (m, n) of the first n impacts from each start (m, N), nan where there are fewer."""
         times = np.full((len(starts), n), np.nan)
         self.library.many(
-            ctypes.c_long(len(starts)), at(starts), ctypes.c_long(self.contact),
+            ctypes.c_long(len(starts)), at(starts), ctypes.c_long(self.mode),
             ctypes.c_double(self.end), at(self.segments), ctypes.c_long(len(self.segments)),
             at(self.parameters), ctypes.byref(self.options), at(times), ctypes.c_long(n),
         )  # fmt: skip

@@ -316,8 +316,8 @@ names = {
 }  # fmt: skip
 back = {in_engine[name]: symbol for symbol, name in names.items()}
 back |= {GROUND_X: a_g, GROUND_Y: 0}
-for side, contact in [(1, "right"), (-1, "left")]:
-    rows = model.equations(contact).residual(model.coordinates).subs(back)
+for side, mode in [(1, "right"), (-1, "left")]:
+    rows = model.equations(mode).residual(model.coordinates).subs(back)
     for row, ours in zip(rows, (equation_of_theta, equation_of_u), strict=True):
         assert sp.simplify(row - ours.subs(s, side)) == 0
 
@@ -466,12 +466,10 @@ print(f"e = {float(e.subs(numbers)):.3f}, threshold of (8): {threshold:.3f} m")
 print(f"ratio of (6) with u = 0: {float(ratio.subs(u, 0).subs(numbers)):.3f}")
 
 
-def energy_change(law, state, phase):
+def energy_change(law, state, mode):
     """Energy after an impact minus before it [J]."""
-    then, follows = column.after_impact(state, mode=phase, impact=law)
-    energy = [
-        sum(column.energies(y, mode=p).values()) for y, p in [(state, phase), (then, follows)]
-    ]
+    then, follows = column.after_impact(state, mode=mode, impact=law)
+    energy = [sum(column.energies(y, mode=m).values()) for y, m in [(state, mode), (then, follows)]]
     return energy[1] - energy[0]
 
 

@@ -272,8 +272,8 @@ levers = {
 }  # fmt: skip
 radii = {R_e: sp.sqrt(B**2 + H_e**2), R_b: sp.sqrt(B**2 + H_b**2)}
 
-for contact, residual in [("right", about_O), ("left", about_O_dash)]:
-    (engine,) = model.equations(contact).residual(model.coordinates)
+for mode, residual in [("right", about_O), ("left", about_O_dash)]:
+    (engine,) = model.equations(mode).residual(model.coordinates)
     ours = sp.expand_trig(-residual).subs(levers).subs(radii)
     assert sp.simplify(engine.subs(back) - ours) == 0
 

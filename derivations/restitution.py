@@ -307,8 +307,8 @@ for run in runs:
 for width_to_height, follows in [(1.40, "left"), (1.43, "both")]:
     shape = rk.RigidBlock(half_width=width_to_height, half_height=1.0)
     landing = {"theta": 0.0, "theta_dot": -0.5}
-    state, phase = shape.after_impact(landing, mode="right", impact=rk.Impulsive())
-    assert phase == follows
+    state, mode = shape.after_impact(landing, mode="right", impact=rk.Impulsive())
+    assert mode == follows
     assert (state["theta_dot"] == 0.0) == (follows == "both")
 
 # %% [markdown]

@@ -419,8 +419,8 @@ model = rk.derive("two_spring_structure")
 in_engine = {p.name: p.symbol for p in model.parameters}
 back = {in_engine[name]: symbol for symbol, name in names.items()}
 back |= {in_engine["foundation_stiffness"]: k_f, LOAD: P}
-for state, contact in [("pressed", "both"), ("lifted", "right")]:
-    assert vanishes(pushover(model, contact).subs(back) - curve["centre", state])
+for state, mode in [("pressed", "both"), ("lifted", "right")]:
+    assert vanishes(pushover(model, mode).subs(back) - curve["centre", state])
 
 structure = rk.TwoSpringStructure(**COLUMN, foundation_stiffness=K_F, foundation_damping=0.0)
 np.testing.assert_allclose(
@@ -487,17 +487,17 @@ assert sp.simplify(sp.expand(turning + rows[0])) == 0
 assert sp.simplify(sp.expand(rising + rows[1])) == 0
 
 # %% [markdown]
-# What distinguishes the states of contact is only the forces of the springs. In flight both are
+# Only the forces of the springs distinguish the modes. In flight both are
 # zero. The engine's springs have dampers $c_f$ beside them, which we let vanish here.
 
 # %%
 back |= {GROUND_X: a_g, GROUND_Y: 0, in_engine["foundation_damping"]: 0}
 springs = {foot: value.subs(W, weight) for foot, value in force.items()}
-contacts = {"both": ("left", "right"), "right": ("right",), "left": ("left",), "flight": ()}
-for contact, feet in contacts.items():
+feet_of = {"both": ("left", "right"), "right": ("right",), "left": ("left",), "flight": ()}
+for mode, feet in feet_of.items():
     pressing = {f_L: springs["left"] if "left" in feet else 0}
     pressing |= {f_R: springs["right"] if "right" in feet else 0}
-    engine = model.equations(contact).residual(model.coordinates).subs(back)
+    engine = model.equations(mode).residual(model.coordinates).subs(back)
     for row, ours in zip(engine, rows, strict=True):
         assert sp.simplify(row - ours.subs(pressing)) == 0
 

@@ -341,8 +341,8 @@ for first, last in zip(run.events[:-1], run.events[1:], strict=True):
     assert math.isclose(change, work, rel_tol=1e-3, abs_tol=1e-6 * energy[0])
 for impact in run.impacts:
     after, before = (
-        sum(slippery.energies(state, mode=phase).values())
-        for state, phase in (
+        sum(slippery.energies(state, mode=mode).values())
+        for state, mode in (
             (impact.after, impact.mode_after),
             (impact.before, impact.mode_before),
         )

@@ -42,4 +42,4 @@ def stands_on_points(name: str) -> bool:
 
 
 PINNED = tuple(name for name in SHIPPED if not stands_on_points(name))
-"""Those that were declared phase by phase: their feet do not slip, nor bounce."""
+"""Those that were declared mode by mode: their feet do not slip, nor bounce."""

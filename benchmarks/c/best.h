@@ -374,7 +374,7 @@ static int integrate(motion *st, double end, const law *laws, long n_laws, const
     double t = st->t, side = st->side, peak = st->peak, h_next = 0.0, last_error = 1.0;
     const double rtol = o->rtol, atol = o->atol, held = hold(c);
     long i_law = 0;
-    int fresh = 1, touching = 0, outcome = COMPLETED;
+    int fresh = 1, closed = 0, outcome = COMPLETED;
     const law *g = law_at(laws, n_laws, &i_law, t);
     for (int i = 0; i < N; ++i)
         y[i] = side < 0.0 ? -st->y[i] : st->y[i];
@@ -403,7 +403,7 @@ static int integrate(motion *st, double end, const law *laws, long n_laws, const
                 side = pulled > 0.0 ? 1.0 : -1.0;
                 for (int i = 0; i < N; ++i)
                     y[i] *= side;
-                fresh = touching = 1;
+                fresh = closed = 1;
                 h_next = 0.0;
             }
         }
@@ -421,7 +421,7 @@ static int integrate(motion *st, double end, const law *laws, long n_laws, const
         if (cut)
             h = last - t;
         /* a hop so short that its parabola tells where it ends */
-        const double flight = rocking && touching && a0[0] < 0.0 ? -2.0 * y[M] / a0[0] : 0.0;
+        const double flight = rocking && closed && a0[0] < 0.0 ? -2.0 * y[M] / a0[0] : 0.0;
         int hops = flight > 0.0 && flight < 0.9 * h;
         if (hops) {
             h = flight;
@@ -455,7 +455,7 @@ static int integrate(motion *st, double end, const law *laws, long n_laws, const
             int changes;
             if (rocking) {
                 quintic(h, y[0], y[M], a0[0], y1[0], y1[M], a1[0], b);
-                changes = falls(b, touching ? (y[M] > 0.0 ? 1 : 3) : 0);
+                changes = falls(b, closed ? (y[M] > 0.0 ? 1 : 3) : 0);
                 hops = hops && fabs(y1[0]) < -0.1 * h * y1[M] && changes == (b[5] <= 0.0);
             } else {
                 lifts = full_contact(h, t, g, y, a0, y1, a1, c, b);
@@ -502,7 +502,7 @@ static int integrate(motion *st, double end, const law *laws, long n_laws, const
         t = cut ? last : t + h;
         memcpy(y, y1, sizeof y);
         memcpy(a0, a1, sizeof a0);
-        touching = 0;
+        closed = 0;
         if (outcome != COMPLETED)
             break;
         if (!lands)
@@ -512,7 +512,7 @@ static int integrate(motion *st, double end, const law *laws, long n_laws, const
             for (int i = 0; i < N; ++i)
                 y[i] *= side;
             y[0] = y[M] = 0.0;
-            fresh = touching = 1;
+            fresh = closed = 1;
             h_next = 0.0;
             continue;
         }
@@ -527,7 +527,7 @@ static int integrate(motion *st, double end, const law *laws, long n_laws, const
             y[i] = -after[i];
         y[0] = 0.0;
         side = -side;
-        touching = 1;
+        closed = 1;
         if (st->impacts > o->max_impacts) {
             outcome = TOO_MANY_IMPACTS;
             break;
@@ -549,7 +549,7 @@ static int integrate(motion *st, double end, const law *laws, long n_laws, const
             t += rest;
             side = 0.0;
             fresh = 1;
-            touching = 0;
+            closed = 0;
             h_next = 0.0;
         }
     }
@@ -564,10 +564,10 @@ static int integrate(motion *st, double end, const law *laws, long n_laws, const
 /* -- what is called from outside --------------------------------------------------------------- */
 
 /* Accelerations of the equations, for comparison with those that rockeom derives. */
-void accelerate(int contact, const double *y, const double *parameters, double ground, double *out)
+void accelerate(int mode, const double *y, const double *parameters, double ground, double *out)
 {
     constants c = prepare(parameters);
-    double side = contact - 1.0, w[N];
+    double side = mode - 1.0, w[N];
     for (int i = 0; i < N; ++i)
         w[i] = side < 0.0 ? -y[i] : y[i];
     accelerations(side != 0.0, w, &c, side < 0.0 ? -ground : ground, out);

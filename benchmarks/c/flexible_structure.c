@@ -66,14 +66,14 @@ static inline double opening(double s, const double *y, const constants *c, doub
     return (s * pull(y, c, a) - hold(c)) / (c->J + c->m * w * w);
 }
 
-static inline int rebound(int contact, const double *y, double ratio, double *out)
+static inline int rebound(int mode, const double *y, double ratio, double *out)
 {
     out[0] = 0.0;
     out[1] = y[1];
     out[2] = ratio * y[2];
     out[3] = y[3];
-    if ((1 - contact) * out[2] > 0.0)
-        return 2 - contact;
+    if ((1 - mode) * out[2] > 0.0)
+        return 2 - mode;
     out[2] = 0.0;
     return 1;
 }

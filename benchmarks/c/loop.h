@@ -22,29 +22,29 @@ enum { IMPACT, UPLIFT, SWITCH, REST };
 
 #define EPS 2.220446049250313e-16
 #define NEVER 2.0
-#define UPRIGHT 1 /* contact states are 0 left, 1 both, 2 right: the side is contact - 1 */
+#define UPRIGHT 1 /* modes are 0 left, 1 both, 2 right: the side is mode - 1 */
 #define STAGES 12
 #define ALL_STAGES 16
 
 /* -- one step --------------------------------------------------------------------------------- */
 
-static inline void rate(int contact, const double *y, const constants *c, const law *g, double t,
+static inline void rate(int mode, const double *y, const constants *c, const law *g, double t,
                         double *dy)
 {
     double a = ground_at(g, t);
-    if (contact == UPRIGHT)
+    if (mode == UPRIGHT)
         rates_upright(y, c, a, dy);
     else
-        rates(contact - 1.0, y, c, a, dy);
+        rates(mode - 1.0, y, c, a, dy);
 }
 
 #define STAGE(j)                                                                                   \
     for (int i = 0; i < N; ++i)                                                                    \
         w[i] = y[i] + h * SUM_##j(i);                                                              \
-    rate(contact, w, c, g, t + C_##j * h, k[j])
+    rate(mode, w, c, g, t + C_##j * h, k[j])
 
 /* k[0] is the rate at y and k[STAGES] that at the new state; returns the error, 1 at tolerance. */
-static inline double take_step(int contact, double t, double h, const double *restrict y,
+static inline double take_step(int mode, double t, double h, const double *restrict y,
                                const constants *restrict c, const law *restrict g, double rtol,
                                double atol, double (*restrict k)[N], double *restrict y_new)
 {
@@ -62,7 +62,7 @@ static inline double take_step(int contact, double t, double h, const double *re
     STAGE(11);
     for (int i = 0; i < N; ++i)
         y_new[i] = y[i] + h * SUM_12(i);
-    rate(contact, y_new, c, g, t + h, k[STAGES]);
+    rate(mode, y_new, c, g, t + h, k[STAGES]);
     double s5 = 0.0, s3 = 0.0;
     for (int i = 0; i < N; ++i) {
         double scale = 1.0 / (atol + rtol * fmax(fabs(y[i]), fabs(y_new[i])));
@@ -75,7 +75,7 @@ static inline double take_step(int contact, double t, double h, const double *re
     return fabs(h) * s5 / sqrt((s5 + 0.01 * s3) * N);
 }
 
-static void dense_output(int contact, double t, double h, const double *restrict y,
+static void dense_output(int mode, double t, double h, const double *restrict y,
                          const constants *restrict c, const law *restrict g,
                          double (*restrict k)[N], double (*restrict poly)[N])
 {
@@ -151,7 +151,7 @@ static double fall(const double *b)
 
 /* Smallest x in (0, 1] at which the polynomial falls through zero, or NEVER: parts are halved until
  * the changes of sign of their coefficients leave no doubt. */
-static double first_fall(const double *b, int touching, double noise)
+static double first_fall(const double *b, int closed, double noise)
 {
     struct {
         double b[8], start, width;
@@ -161,7 +161,7 @@ static double first_fall(const double *b, int touching, double noise)
         return NEVER;
     noise = fmax(8.0 * EPS * scale, noise);
     memcpy(stack[0].b, b, sizeof stack[0].b);
-    if (touching)
+    if (closed)
         stack[0].b[0] = 0.0;
     stack[0].start = 0.0;
     stack[0].width = 1.0;
@@ -180,13 +180,13 @@ static double first_fall(const double *b, int touching, double noise)
                 sign = now;
             }
         if (changes == 0) {
-            if (first < 0 && (start > 0.0 || touching || depth == 0))
+            if (first < 0 && (start > 0.0 || closed || depth == 0))
                 return start;
             --depth;
         } else if (changes == 1 || width < 1e-13) {
             if (first > 0)
                 return start + width * fall(part);
-            if (touching && start == 0.0)
+            if (closed && start == 0.0)
                 return 0.0;
             --depth;
         } else {
@@ -206,13 +206,13 @@ static double first_fall(const double *b, int touching, double noise)
 
 /* Whether the gap clearly stays open: the quintic through both ends, in Bernstein form. */
 static inline int stays_open(double s, double h, const double *y, const double *y_new,
-                             double (*k)[N], int touching)
+                             double (*k)[N], int closed)
 {
     double q0 = s * y[ROTATION], q1 = s * y_new[ROTATION];
     double v0 = s * h * y[RATE] / 5.0, v1 = s * h * y_new[RATE] / 5.0;
     double a0 = s * h * h * k[0][RATE] / 20.0, a1 = s * h * h * k[STAGES][RATE] / 20.0;
     double least = 1e-3 * fmax(q0, q1);
-    return (q0 > least || touching) && q0 + v0 > least && q0 + 2.0 * v0 + a0 > least &&
+    return (q0 > least || closed) && q0 + v0 > least && q0 + 2.0 * v0 + a0 > least &&
            q1 - 2.0 * v1 + a1 > least && q1 - v1 > least && q1 > least;
 }
 
@@ -262,12 +262,12 @@ static int stays_held(double t, double h, const double *y, const double *y_new, 
     return 1;
 }
 
-/* Bernstein coefficients of the guards of a contact state over a step; returns their number. */
-static int guard_polynomials(int contact, double t, double h, const constants *c, const law *g,
+/* Bernstein coefficients of the guards of a mode over a step; returns their number. */
+static int guard_polynomials(int mode, double t, double h, const constants *c, const law *g,
                              double (*poly)[N], double (*b)[8])
 {
-    if (contact != UPRIGHT) {
-        double s = contact - 1.0;
+    if (mode != UPRIGHT) {
+        double s = mode - 1.0;
         for (int i = 0; i < 8; ++i) {
             b[0][i] = 0.0;
             for (int j = 0; j <= i; ++j)
@@ -290,10 +290,10 @@ static int guard_polynomials(int contact, double t, double h, const constants *c
     return 2;
 }
 
-static double rounding(int contact, double h, const double *y, const constants *c, const law *g,
+static double rounding(int mode, double h, const double *y, const constants *c, const law *g,
                        double t, const double *b)
 {
-    if (contact == UPRIGHT)
+    if (mode == UPRIGHT)
         return 1e-8 * size(b);
     double a = ground_at(g, t);
     double acceleration = fabs(opening(-1.0, y, c, a)) + fabs(opening(1.0, y, c, a));
@@ -340,14 +340,14 @@ static double crest(double (*poly)[N])
 
 /* -- infinitely many impacts ------------------------------------------------------------------- */
 
-static double time_to_rest(int contact, const double *y, const constants *c, double ratio,
+static double time_to_rest(int mode, const double *y, const constants *c, double ratio,
                            const law *g, double t, double tolerance, double *out, int *follows)
 {
     double w[N], total = 0.0, start = fabs(y[RATE]), a = ground_at(g, t);
     memcpy(w, y, sizeof w);
     for (;;) {
-        rates(contact - 1.0, w, c, a, out);
-        double closing = (1.0 - contact) * out[RATE];
+        rates(mode - 1.0, w, c, a, out);
+        double closing = (1.0 - mode) * out[RATE];
         if (!(closing > 0.0))
             return INFINITY;
         double v = fabs(w[RATE]), flight = 2.0 * v / closing;
@@ -359,9 +359,9 @@ static double time_to_rest(int contact, const double *y, const constants *c, dou
         w[ROTATION] = 0.0;
         if (v <= EPS * start)
             w[RATE] = 0.0;
-        contact = rebound(contact, w, ratio, out);
-        if (contact == UPRIGHT) {
-            *follows = contact;
+        mode = rebound(mode, w, ratio, out);
+        if (mode == UPRIGHT) {
+            *follows = mode;
             return total;
         }
         if (!(fabs(out[RATE]) < v))
@@ -385,7 +385,7 @@ typedef struct {
 
 typedef struct {
     double t, h_next, peak, y[N];
-    long contact, touching, impacts, taken, accepted, n_events;
+    long mode, closed, impacts, taken, accepted, n_events;
 } state;
 
 static inline void record(event *e, double t, long kind, long before, long after, const double *y,
@@ -412,11 +412,11 @@ static double first_step(const double *y, const double *dy, double rtol, double 
 
 /* The foot that lifts at once and stays lifted, 0 or 1, from both feet on the ground; or -1. */
 static int settle(double t, double h, const double *y, const constants *c, const law *g,
-                  int touching)
+                  int closed)
 {
     double a = ground_at(g, t);
-    int left = touching != 0 && opening(-1.0, y, c, a) > 0.0;
-    int right = touching != 1 && opening(1.0, y, c, a) > 0.0;
+    int left = closed != 0 && opening(-1.0, y, c, a) > 0.0;
+    int right = closed != 1 && opening(1.0, y, c, a) > 0.0;
     if (!left && !right)
         return -1;
     double dy[N], w[N], tau = 64.0 * EPS * fmax(t, h);
@@ -436,7 +436,7 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
                             const int with_peak)
 {
     double k[ALL_STAGES][N], y[N], y_new[N], after[N], poly[8][N], b[2][8];
-    int contact = st->contact, touching = st->touching, fresh = 1, idle = 0, outcome = COMPLETED;
+    int mode = st->mode, closed = st->closed, fresh = 1, idle = 0, outcome = COMPLETED;
     long taken = st->taken, accepted = st->accepted, impacts = st->impacts;
     long n_events = st->n_events, i_law = 0;
     double t = st->t, h_next = st->h_next, peak = st->peak, last_error = 0.0;
@@ -460,10 +460,10 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
         double last = fmin(g->end, t_end);
         int landed = -1;
         if (fresh) {
-            if (contact == UPRIGHT)
-                landed = settle(t, h_next, y, c, g, touching);
+            if (mode == UPRIGHT)
+                landed = settle(t, h_next, y, c, g, closed);
             if (landed < 0) {
-                rate(contact, y, c, g, t, k[0]);
+                rate(mode, y, c, g, t, k[0]);
                 fresh = 0;
                 if (h_next == 0.0)
                     h_next = first_step(y, k[0], rtol, atol);
@@ -472,14 +472,14 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
 
         if (landed < 0) {
             double h = h_next, slope = 0.0;
-            if (contact == UPRIGHT && g->kind != 0.0)
+            if (mode == UPRIGHT && g->kind != 0.0)
                 h = fmin(h, 1.0 / fabs(g->c1)); /* eight samples of a guard follow the sine */
             int cut = t + 1.1 * h >= last, target = -1, corrections = 0, crested = 0;
             if (cut)
                 h = last - t;
             for (;;) {
                 ++taken;
-                double error = take_step(contact, t, h, y, c, g, rtol, atol, k, y_new);
+                double error = take_step(mode, t, h, y, c, g, rtol, atol, k, y_new);
                 if (target < 0 && !(error <= 1.0)) {
                     cut = 0;
                     h *= fmax(0.1, isfinite(error) ? 0.9 * pow(error, -0.125) : 0.1);
@@ -492,10 +492,10 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
                 }
                 if (target >= 0) {
                     double left;
-                    if (contact == UPRIGHT)
+                    if (mode == UPRIGHT)
                         left = -opening(target ? 1.0 : -1.0, y_new, c, ground_at(g, t + h));
                     else
-                        left = (contact - 1.0) * y_new[ROTATION];
+                        left = (mode - 1.0) * y_new[ROTATION];
                     double move = slope < 0.0 ? -left / slope : 0.0;
                     double least = fmax(2.0 * EPS * (t + h), 1e-5 * rtol * h);
                     if (corrections < 3 && least < fabs(move) && fabs(move) < 0.01 * h) {
@@ -512,20 +512,20 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
                     h_next = h * fmin(5.0, fmax(0.2, factor));
                 }
                 int open = landed < 0 &&
-                           (contact != UPRIGHT
-                                ? stays_open(contact - 1.0, h, y, y_new, k, touching == 0)
-                                : touching < 0 && stays_held(t, h, y, y_new, k, c, g));
+                           (mode != UPRIGHT
+                                ? stays_open(mode - 1.0, h, y, y_new, k, closed == 0)
+                                : closed < 0 && stays_held(t, h, y, y_new, k, c, g));
                 crested = with_peak && may_crest(h, y, y_new, k, peak);
                 if ((!open && landed < 0) || crested || fabs(y_new[ROTATION]) >= o->fallen)
-                    dense_output(contact, t, h, y, c, g, k, poly);
+                    dense_output(mode, t, h, y, c, g, k, poly);
                 if (landed >= 0 || open)
                     break;
                 double place = NEVER;
-                int guards = guard_polynomials(contact, t, h, c, g, poly, b);
+                int guards = guard_polynomials(mode, t, h, c, g, poly, b);
                 for (int i = 0; i < guards; ++i) {
                     double noise =
-                        touching == i ? rounding(contact, h, y, c, g, t, b[i]) : 0.0;
-                    double x = first_fall(b[i], touching == i, noise);
+                        closed == i ? rounding(mode, h, y, c, g, t, b[i]) : 0.0;
+                    double x = first_fall(b[i], closed == i, noise);
                     if (x < place) {
                         place = x;
                         target = i;
@@ -536,7 +536,7 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
                 if (target < 0)
                     break;
                 if (place * h <= 4.0 * EPS * fmax(t, h)) {
-                    if (touching == target && y[RATE] == 0.0 && h > 1e-6 * h_next) {
+                    if (closed == target && y[RATE] == 0.0 && h > 1e-6 * h_next) {
                         /* an uplift so short that rounding hides it in a step of this length */
                         h *= 0.1;
                         cut = 0;
@@ -579,7 +579,7 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
                 t = cut || t + h > last ? last : t + h;
                 memcpy(y, y_new, sizeof y);
                 memcpy(k[0], k[STAGES], sizeof y);
-                touching = -1;
+                closed = -1;
                 idle = 0;
                 ++accepted;
             }
@@ -597,36 +597,36 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
             outcome = CHATTER;
             break;
         }
-        int before = contact;
+        int before = mode;
         fresh = 1;
         if (before == UPRIGHT) {
-            contact = landed ? 2 : 0;
-            record(&events[n_events++], t, UPLIFT, before, contact, y, y);
-            touching = 0;
+            mode = landed ? 2 : 0;
+            record(&events[n_events++], t, UPLIFT, before, mode, y, y);
+            closed = 0;
             h_next = 0.0; /* the gap opens slowly: its first moments want a short step */
             continue;
         }
-        contact = rebound(before, y, o->ratio, after);
-        record(&events[n_events++], t, IMPACT, before, contact, y, after);
+        mode = rebound(before, y, o->ratio, after);
+        record(&events[n_events++], t, IMPACT, before, mode, y, after);
         memcpy(y, after, sizeof y);
-        touching = contact == UPRIGHT ? -1 : 0;
-        if (idle > 1 && contact == UPRIGHT) /* opened and closed in no time: that uplift was none */
-            touching = before == 2;
+        closed = mode == UPRIGHT ? -1 : 0;
+        if (idle > 1 && mode == UPRIGHT) /* opened and closed in no time: that uplift was none */
+            closed = before == 2;
         if (++impacts > o->max_impacts) {
             outcome = TOO_MANY_IMPACTS;
             break;
         }
-        if (contact == UPRIGHT)
+        if (mode == UPRIGHT)
             continue;
         int follows;
-        double rests = time_to_rest(contact, y, c, o->ratio, g, t, o->rest_tolerance, after,
+        double rests = time_to_rest(mode, y, c, o->ratio, g, t, o->rest_tolerance, after,
                                     &follows);
         if (t + rests < last || rests < 16.0 * EPS * t) {
             t += rests;
-            record(&events[n_events++], t, REST, contact, follows, y, after);
+            record(&events[n_events++], t, REST, mode, follows, y, after);
             memcpy(y, after, sizeof y);
-            contact = follows;
-            touching = -1;
+            mode = follows;
+            closed = -1;
             h_next = 0.0;
         }
     }
@@ -634,8 +634,8 @@ static inline int integrate(state *st, double t_end, const law *motion, long n_l
     st->h_next = h_next;
     st->peak = peak;
     memcpy(st->y, y, sizeof y);
-    st->contact = contact;
-    st->touching = touching;
+    st->mode = mode;
+    st->closed = closed;
     st->impacts = impacts;
     st->taken = taken;
     st->accepted = accepted;
@@ -663,7 +663,7 @@ void map(long n, double t_end, const law *motions, long n_laws, const double *pa
     until_impact.max_impacts = 0;
     event events[64];
     for (long m = 0; m < n; ++m) {
-        state st = {.contact = UPRIGHT, .touching = -1};
+        state st = {.mode = UPRIGHT, .closed = -1};
         const law *motion = motions + m * n_laws;
         int outcome;
         do {
@@ -671,9 +671,9 @@ void map(long n, double t_end, const law *motions, long n_laws, const double *pa
             outcome = integrate(&st, t_end, motion, n_laws, &c, o, events, 64, 1);
         } while (outcome == FULL);
         peaks[m] = st.peak;
-        if (outcome == COMPLETED && st.contact != UPRIGHT) {
+        if (outcome == COMPLETED && st.mode != UPRIGHT) {
             st.t = st.h_next = 0.0;
-            st.touching = -1;
+            st.closed = -1;
             st.impacts = st.n_events = 0;
             if (integrate(&st, 1e3 * t_end, NULL, 0, &c, &until_impact, events, 64, 0) ==
                 OVERTURNED)
@@ -685,13 +685,13 @@ void map(long n, double t_end, const law *motions, long n_laws, const double *pa
 
 /* Many starts under the same motion: times of the first n_times impacts of each. Peaks are followed
  * as in a map. */
-void many(long n, const double *starts, long contact, double t_end, const law *motion, long n_laws,
+void many(long n, const double *starts, long mode, double t_end, const law *motion, long n_laws,
           const double *parameters, const options *o, double *times, long n_times)
 {
     constants c = prepare(parameters);
     event events[64];
     for (long m = 0; m < n; ++m) {
-        state st = {.contact = contact, .touching = -1};
+        state st = {.mode = mode, .closed = -1};
         memcpy(st.y, starts + m * N, sizeof st.y);
         long found = 0;
         int outcome;

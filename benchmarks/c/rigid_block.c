@@ -45,12 +45,12 @@ static inline double opening(double s, const double *y, const constants *c, doub
     return s * pull(y, c, a) - hold(c);
 }
 
-static inline int rebound(int contact, const double *y, double ratio, double *out)
+static inline int rebound(int mode, const double *y, double ratio, double *out)
 {
     out[0] = 0.0;
     out[1] = ratio * y[1];
-    if ((1 - contact) * out[1] > 0.0)
-        return 2 - contact;
+    if ((1 - mode) * out[1] > 0.0)
+        return 2 - mode;
     out[1] = 0.0;
     return 1;
 }

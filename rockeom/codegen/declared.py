@@ -180,8 +180,7 @@ def _on_both_sides(model: HybridModel, mode: str) -> dict[int, sp.Expr]:
     """Guards of a mode and of its image, with s, by their place in g."""
     closing = SIDE * model.rotation.position
     return {
-        i: closing if t.kind == "impact" else t.guard
-        for i, t in enumerate(_outgoing(model, mode))
+        i: closing if t.kind == "impact" else t.guard for i, t in enumerate(_outgoing(model, mode))
     }
 
 

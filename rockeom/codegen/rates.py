@@ -39,7 +39,11 @@ def _accelerations_of(text: Text, number: int, mode: Mode) -> str:
     several = mode.has_side and len(mode.sides) > 2
     own = "" if several else "_".join(["accelerations", *mode.sides])
     name = text.function_name(own, f"accelerations_{number}")
-    which = f"of mode {number}" if several else f"in mode{'s' * (len(mode.sides) > 1)} {' or '.join(mode.sides)}"
+    which = (
+        f"of mode {number}"
+        if several
+        else f"in mode{'s' * (len(mode.sides) > 1)} {' or '.join(mode.sides)}"
+    )
     out = [text.name(c.acceleration) for c in mode.coordinates]
     body = []
     if out:

@@ -340,9 +340,7 @@ def _c(described: Described) -> str:
     tables = []
     numbers = described.mode_constants
     for mode, name in numbers.items():
-        tables += c.table(
-            f"{prefix.upper()}{names.of(name)}", described.module.MODES.index(mode)
-        )
+        tables += c.table(f"{prefix.upper()}{names.of(name)}", described.module.MODES.index(mode))
     sizes = {
         "N_STATES": described.module.N_STATES,
         "N_PARAMETERS": len(described.module.PARAMETERS),

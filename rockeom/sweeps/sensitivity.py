@@ -345,9 +345,7 @@ class _Moving:
 
     def of(self, name: str, mode: int, y: np.ndarray, along: np.ndarray) -> Dual:
         """A quantity of a state (N,) with derivatives (N, m)."""
-        return _dual(
-            quantity_of(self.module, name, mode, with_tangent(y, along), self.p), self.m
-        )
+        return _dual(quantity_of(self.module, name, mode, with_tangent(y, along), self.p), self.m)
 
     def at_event(self, name: str, k: int, after: bool) -> Dual:
         _, kinds, states = self.run.events.columns

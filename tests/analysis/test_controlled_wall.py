@@ -178,9 +178,9 @@ def test_forces_and_energies_are_those_of_the_generated_functions(
     before = float(getattr(WALL, method)(0.02))
     written = getattr(oscillator, function)
 
-    def more(contact, y, p, *given):
-        written(contact, y, p, *given)
-        if method != "elastic_energy" or not oscillator.MODES[contact].endswith("slack"):
+    def more(mode, y, p, *given):
+        written(mode, y, p, *given)
+        if method != "elastic_energy" or not oscillator.MODES[mode].endswith("slack"):
             given[-1][column] += 7.0
 
     monkeypatch.setattr(oscillator, function, more)

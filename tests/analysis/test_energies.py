@@ -40,8 +40,8 @@ def free(peaks, speed=0.3):
 
 
 def place_of(structure, y, name="displacement"):
-    contact = np.array([structure.mode_number(state) for state in y])
-    return at_states(structure.module, structure.vector, "kinematics", contact, y)[name]
+    modes = np.array([structure.mode_number(state) for state in y])
+    return at_states(structure.module, structure.vector, "kinematics", modes, y)[name]
 
 
 def module_of(kind):
@@ -170,15 +170,15 @@ def test_what_a_structure_does_not_have_or_reach_is_refused():
 
 @pytest.mark.parametrize("name", SHIPPED)
 def test_many_states_at_once_give_what_each_gives(name):
-    """To the last bit, though states of one contact state may go several ways in a function."""
+    """To the last bit, though states of one mode may go several ways in a function."""
     structure = SHIPPED[name](**plain(name))
     m, rng = structure.module, np.random.default_rng(5)
     y = rng.uniform(-0.1, 0.1, (12, m.N_STATES))
-    contact = rng.integers(0, len(m.MODES), 12)
+    modes = rng.integers(0, len(m.MODES), 12)
     given = {"energies": (), "kinematics": (), "reactions": (0.3, -0.1), "statics": (2.0,)}
     for function, more in given.items():
-        found = at_states(structure.module, structure.vector, function, contact, y, *more)
+        found = at_states(structure.module, structure.vector, function, modes, y, *more)
         for i, state in enumerate(y):
             out = np.empty(len(found))
-            getattr(m, function)(int(contact[i]), state, structure.vector, *more, out)
+            getattr(m, function)(int(modes[i]), state, structure.vector, *more, out)
             np.testing.assert_array_equal([row[i] for row in found.values()], out)

@@ -31,19 +31,19 @@ TOLERANCE = 1e-11
 
 ENTRIES = """
 @entry
-def carried_rates(contact: int, y: Duals, p: Duals, a: Duals, dy: Duals):
-    rates(contact, y, p, a[0], a[1], dy)
+def carried_rates(mode: int, y: Duals, p: Duals, a: Duals, dy: Duals):
+    rates(mode, y, p, a[0], a[1], dy)
 
 @entry
-def carried_guards(contact: int, y: Duals, p: Duals, a: Duals, g: Duals):
-    guards(contact, y, p, a[0], a[1], g)
+def carried_guards(mode: int, y: Duals, p: Duals, a: Duals, g: Duals):
+    guards(mode, y, p, a[0], a[1], g)
 """
 JUMP = """
 @entry
 def carried_jump(
-    contact: int, guard: int, law: int, ratio: Duals, y: Duals, p: Duals, after: Duals
+    mode: int, guard: int, law: int, ratio: Duals, y: Duals, p: Duals, after: Duals
 ) -> int:
-    return jump(contact, guard, law, ratio[0], y, p, after)
+    return jump(mode, guard, law, ratio[0], y, p, after)
 """
 
 
@@ -54,11 +54,11 @@ def compiled(name):
 
 
 class Carried:
-    """Random states of a contact state, each with a direction in which all of it changes."""
+    """Random states of a mode, each with a direction in which all of it changes."""
 
-    def __init__(self, name, contact, at=None):
-        self.name, self.contact = name, contact
-        self.at = at = at or Sample(name, contact, STATES)
+    def __init__(self, name, mode_name, at=None):
+        self.name, self.mode_name = name, mode_name
+        self.at = at = at or Sample(name, mode_name, STATES)
         rng = np.random.default_rng(7)
         self.dy = np.where(at.y.any(axis=1, keepdims=True), rng.normal(size=at.y.shape), 0.0)
         self.da = rng.normal(size=(2, STATES))
@@ -80,7 +80,7 @@ class Carried:
 
     def accelerations(self):
         """(d, n) q'', its derivative, and of what size the terms are that the latter is made of."""
-        equations, d = self.at.model.equations(self.contact), len(self.at.phase.coordinates)
+        equations, d = self.at.model.equations(self.mode_name), len(self.at.mode.coordinates)
         found = self.moved.values(*equations.mass_matrix, *equations.forcing)
         matrix = np.moveaxis(found[: d * d].reshape(d, d, STATES), -1, 0)
         force = found[d * d :].T
@@ -108,7 +108,7 @@ class Carried:
 
     def carried(self, function, length):
         """(length, n) derivatives of a generated function: in Python, and in machine code."""
-        number = module(self.name).MODES.index(self.contact)
+        number = module(self.name).MODES.index(self.mode_name)
         plain = getattr(of_compounds(module(self.name)), function)
         machine = compiled(self.name)[f"carried_{function}"]
         found = np.empty((2, length, STATES))
@@ -148,7 +148,7 @@ def assert_carried(what, found, expected, size):
 
 @functools.cache
 def cases(name):
-    return [Carried(name, contact) for contact in model(name).mode_names]
+    return [Carried(name, mode_name) for mode_name in model(name).mode_names]
 
 
 @STRUCTURES
@@ -157,11 +157,13 @@ def test_accelerations(name):
         coordinates = case.at.model.coordinates
         found = case.carried("rates", 2 * len(coordinates))
         _, slope, size = case.accelerations()
-        for c, expected, scale in zip(case.at.phase.coordinates, slope, size, strict=True):
+        for c, expected, scale in zip(case.at.mode.coordinates, slope, size, strict=True):
             row = coordinates.index(c)
             half = len(coordinates)
-            assert_carried(f"{c.name}'' in {case.contact}", found[:, half + row], expected, scale)
-            assert_carried(f"{c.name}' in {case.contact}", found[:, row], case.dy[half + row], 1.0)
+            assert_carried(f"{c.name}'' in {case.mode_name}", found[:, half + row], expected, scale)
+            assert_carried(
+                f"{c.name}' in {case.mode_name}", found[:, row], case.dy[half + row], 1.0
+            )
 
 
 @STRUCTURES
@@ -169,7 +171,7 @@ def test_guards(name):
     m = module(name)
     for case in cases(name):
         found = case.carried("guards", m.N_GUARDS + m.N_PARTS)
-        leaving = [t for t in case.at.model.transitions if t.source == case.contact]
+        leaving = [t for t in case.at.model.transitions if t.source == case.mode_name]
         for row, t in enumerate(leaving):
             if t.kind == "uplift":  # how it would open in the state that follows
                 opened = Sample(name, t.target, STATES)
@@ -177,17 +179,17 @@ def test_guards(name):
                 opened.ax, opened.ay = case.at.ax, case.at.ay
                 follows = Carried(name, t.target, opened)
                 _, slopes, sizes = follows.accelerations()
-                place = [c.name for c in opened.phase.coordinates].index(opened.model.rotation.name)
+                place = [c.name for c in opened.mode.coordinates].index(opened.model.rotation.name)
                 expected, size = -opened.side * slopes[place], sizes[place]
             else:
                 (expected,) = case.slopes(t.guard)
                 size = np.abs(expected).max()
-            assert_carried(f"{case.contact} to {t.target}", found[:, row], expected, size)
+            assert_carried(f"{case.mode_name} to {t.target}", found[:, row], expected, size)
 
 
-def landing(name, contact):
+def landing(name, mode_name):
     """States at an impact, of structures from slender to squat, where the old foot cannot lift."""
-    m, sample = module(name), Sample(name, contact, STATES)
+    m, sample = module(name), Sample(name, mode_name, STATES)
     width = "alpha" if "alpha" in sample.parameters else "half_width"
     sample.parameters[width] *= np.linspace(1, 4, STATES)
     sample.y[m.ROTATION] = 0.0
@@ -214,9 +216,9 @@ def test_jump(name, law):
                 slopes[m.ROTATION_RATE] = by * rates[0] + ratio * rates[1]
             slopes[m.ROTATION] = 0.0
         for i, (y, p, _) in enumerate(case.duals):
-            out, contact = np.zeros((m.N_STATES, 1 + WIDTH)), m.MODES.index(t.source)
+            out, mode = np.zeros((m.N_STATES, 1 + WIDTH)), m.MODES.index(t.source)
             given = map(in_memory, (with_slopes([ratio], [by]), y, p))
-            follows = compiled(name)["carried_jump"](contact, 0, law, *given, out)
+            follows = compiled(name)["carried_jump"](mode, 0, law, *given, out)
             slopes = expected[m.MODES[follows]][:, i]
             np.testing.assert_allclose(
                 out[:, 1], slopes, rtol=0, atol=TOLERANCE * np.abs(slopes).max()

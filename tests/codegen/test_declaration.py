@@ -30,7 +30,7 @@ def changed(value, **fields):
 def test_every_part_of_a_declaration_counts():
     """Expressions, what symbols are assumed to be, texts, the order, and what is left out."""
     model = flexible_structure()
-    phase, parameter, transition = model.modes[0], model.parameters[0], model.transitions[0]
+    mode, parameter, transition = model.modes[0], model.parameters[0], model.transitions[0]
     of_any_sign = sp.Symbol(parameter.symbol.name)
     others = [
         changed(model, title="Another"),
@@ -40,8 +40,8 @@ def test_every_part_of_a_declaration_counts():
         changed(model, parameters=(changed(parameter, unit="t"), *model.parameters[1:])),
         changed(model, parameters=(changed(parameter, symbol=of_any_sign), *model.parameters[1:])),
         changed(model, parameters=model.parameters[::-1]),
-        changed(model, modes=(changed(phase, gravity=2 * phase.gravity), *model.modes[1:])),
-        changed(model, modes=(changed(phase, small=(sp.Symbol("x"),)), *model.modes[1:])),
+        changed(model, modes=(changed(mode, gravity=2 * mode.gravity), *model.modes[1:])),
+        changed(model, modes=(changed(mode, small=(sp.Symbol("x"),)), *model.modes[1:])),
         changed(model, transitions=(changed(transition, kind="x"), *model.transitions[1:])),
         changed(model, transitions=model.transitions[:-1]),
     ]

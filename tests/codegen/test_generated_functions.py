@@ -1,4 +1,4 @@
-"""Generated functions against lambdified expressions, at 1,000 random states a contact state.
+"""Generated functions against lambdified expressions, at 1,000 random states a mode.
 
 Both sides start from the same derived expressions, but nothing else is shared: the generated
 text has its common subexpressions, constants and solution of M q'' = f written out; here NumPy
@@ -115,18 +115,18 @@ def module(name):
 
 
 @functools.cache
-def phases(name):
+def modes(name):
     return model(name).lambdify()
 
 
 class Sample:
-    """n random states of one contact state with as many random structures and accelerations."""
+    """n random states of one mode with as many random structures and accelerations."""
 
-    def __init__(self, name, contact, n=N):
-        self.name, self.contact, self.model, self.n = name, contact, model(name), n
-        self.phase = self.model.mode(contact)
-        self.side = self.phase.side_of(contact)
-        rng = np.random.default_rng(zlib.crc32(f"{name} {contact}".encode()))
+    def __init__(self, name, mode_name, n=N):
+        self.name, self.mode_name, self.model, self.n = name, mode_name, model(name), n
+        self.mode = self.model.mode(mode_name)
+        self.side = self.mode.side_of(mode_name)
+        rng = np.random.default_rng(zlib.crc32(f"{name} {mode_name}".encode()))
         self.parameters = {
             k: value * rng.uniform(0.8, 1.25, self.n) for k, value in TYPICAL[name].items()
         }
@@ -137,7 +137,7 @@ class Sample:
         if self.side:  # on its own side
             row = self.model.states.index(self.model.rotation.name)
             self.y[row] = self.side * np.abs(self.y[row])
-        held = set(range(half)) - {self.model.coordinates.index(c) for c in self.phase.coordinates}
+        held = set(range(half)) - {self.model.coordinates.index(c) for c in self.mode.coordinates}
         for row in held:
             self.y[row] = self.y[half + row] = 0.0
         self.ax, self.ay, self.load = rng.uniform(-10, 10, (3, self.n))
@@ -145,11 +145,11 @@ class Sample:
     def values(self, *expressions, accelerations=()):
         """(k, n): expressions of the model at the sample."""
         m, half = self.model, len(self.model.coordinates)
-        known = Exact(m, self.contact, {p.symbol: self.parameters[p.name] for p in m.parameters})
+        known = Exact(m, self.mode_name, {p.symbol: self.parameters[p.name] for p in m.parameters})
         for i, c in enumerate(m.coordinates):
             known |= {c.position: self.y[i], c.velocity: self.y[half + i]}
         known |= {SIDE: self.side, GROUND_X: self.ax, GROUND_Y: self.ay, LOAD: self.load}
-        free = [c.acceleration for c in self.phase.coordinates]
+        free = [c.acceleration for c in self.mode.coordinates]
         known |= dict(zip(free, accelerations, strict=False))
         return np.array([np.broadcast_to(known[sp.sympify(e)], (self.n,)) for e in expressions])
 
@@ -164,16 +164,16 @@ class Sample:
 
     def sizes_written_out(self, *expressions):
         """The same with the terms of the laws, where these are differences of larger numbers."""
-        return self.sizes(*(self.model.in_mode(e, self.contact) for e in expressions))
+        return self.sizes(*(self.model.in_mode(e, self.mode_name) for e in expressions))
 
     def solution_size(self):
         """(d, n): the scale of rounding errors of q'' = M^-1 f."""
-        equations = self.model.equations(self.contact)
-        d = len(self.phase.coordinates)
+        equations = self.model.equations(self.mode_name)
+        d = len(self.mode.coordinates)
         mass = self.values(*equations.mass_matrix).reshape(d, d, self.n)
         mass_size = self.sizes(*equations.mass_matrix).reshape(d, d, self.n)
         right_size = self.sizes(*equations.forcing).reshape(d, self.n)
-        found = phases(self.name)[self.contact].accelerations(
+        found = modes(self.name)[self.mode_name].accelerations(
             self.y, self.parameters, self.ax, self.ay
         )
         inverse = np.abs(np.linalg.inv(np.moveaxis(mass, -1, 0)))
@@ -188,7 +188,7 @@ class Sample:
 
     def generated(self, function, length, *arguments):
         """(length, n): a function of the generated module at each state."""
-        number = module(self.name).MODES.index(self.contact)
+        number = module(self.name).MODES.index(self.mode_name)
         out = np.empty((self.n, length))
         compiled = getattr(module(self.name), function)
         states, structures = np.ascontiguousarray(self.y.T), self.prepared
@@ -198,18 +198,18 @@ class Sample:
 
 
 class Exact(Values):
-    """Values in a contact state, of its laws and derived constants by what they stand for."""
+    """Values in a mode, of its laws and derived constants by what they stand for."""
 
-    def __init__(self, model, contact, given):
+    def __init__(self, model, mode_name, given):
         super().__init__(given)
-        self.model, self.contact = model, contact
+        self.model, self.mode_name = model, mode_name
         self.named = {law.symbol for law in model.functions}
 
     def _of(self, expr):
         if expr in self.model.constants:
             return self[self.model.constants[expr]]
         if expr in self.named or isinstance(expr, AppliedUndef | sp.Derivative | sp.Subs):
-            return self[self.model.in_mode(expr, self.contact)]
+            return self[self.model.in_mode(expr, self.mode_name)]
         return super()._of(expr)
 
 
@@ -233,80 +233,80 @@ STRUCTURES = pytest.mark.parametrize("name", PINNED)
 
 @functools.cache
 def samples(name):
-    """Of each contact state; tests do not change them."""
-    return [Sample(name, contact) for contact in model(name).mode_names]
+    """Of each mode; tests do not change them."""
+    return [Sample(name, mode_name) for mode_name in model(name).mode_names]
 
 
 @STRUCTURES
 def test_rates(name):
     for sample in samples(name):
         found = sample.generated("rates", len(sample.model.states), sample.ax, sample.ay)
-        expected = phases(name)[sample.contact].rates(
+        expected = modes(name)[sample.mode_name].rates(
             sample.y, sample.parameters, sample.ax, sample.ay
         )
         size = np.abs(expected)
         half = len(found) // 2
-        for coordinate, scale in zip(sample.phase.coordinates, sample.solution_size(), strict=True):
+        for coordinate, scale in zip(sample.mode.coordinates, sample.solution_size(), strict=True):
             size[half + sample.model.coordinates.index(coordinate)] = scale
-        assert_agree(f"rates in {sample.contact}", found, expected, size)
+        assert_agree(f"rates in {sample.mode_name}", found, expected, size)
 
 
 @STRUCTURES
 def test_energies(name):
     for sample in samples(name):
-        expected = phases(name)[sample.contact].energies(sample.y, sample.parameters)
-        eq = sample.phase.equations
+        expected = modes(name)[sample.mode_name].energies(sample.y, sample.parameters)
+        eq = sample.mode.equations
         size = sample.sizes_written_out(
             eq.kinetic_energy, eq.gravitational_energy, eq.elastic_energy
         )
         found = sample.generated("energies", len(expected))
         assert tuple(expected) == module(name).ENERGIES
-        assert_agree(f"energies in {sample.contact}", found, list(expected.values()), size)
+        assert_agree(f"energies in {sample.mode_name}", found, list(expected.values()), size)
 
 
 @STRUCTURES
 def test_reactions(name):
     for sample in samples(name):
-        expected = phases(name)[sample.contact].reactions(
+        expected = modes(name)[sample.mode_name].reactions(
             sample.y, sample.parameters, sample.ax, sample.ay
         )
         assert tuple(expected) == module(name).REACTIONS
-        told = reactions(sample.model, sample.phase) | sample.phase.quantities_in("N")
+        told = reactions(sample.model, sample.mode) | sample.mode.quantities_in("N")
         size = sample.sizes(
             *told.values(),
             accelerations=sample.solution_size(),
         )
         found = sample.generated("reactions", len(expected), sample.ax, sample.ay)
-        assert_agree(f"reactions in {sample.contact}", found, list(expected.values()), size)
+        assert_agree(f"reactions in {sample.mode_name}", found, list(expected.values()), size)
 
 
 @STRUCTURES
 def test_kinematics(name):
     """Displacement and uplifts against the positions of the bodies, from rest."""
     for sample in samples(name):
-        phase = phases(name)[sample.contact]
-        now = phase.positions(sample.y, sample.parameters)
-        rest = phase.positions(np.zeros_like(sample.y), sample.parameters)
+        mode = modes(name)[sample.mode_name]
+        now = mode.positions(sample.y, sample.parameters)
+        rest = mode.positions(np.zeros_like(sample.y), sample.parameters)
         size = {k: np.abs(v) + np.abs(rest[k]) for k, v in now.items()}
-        loaded = [b.name for b in sample.phase.bodies if b.position == sample.phase.load_point]
+        loaded = [b.name for b in sample.mode.bodies if b.position == sample.mode.load_point]
         columns = {"displacement": (loaded[0] if loaded else "load point", 0)}
-        load = sample.values(*sample.phase.load_point)  # x is zero upright
+        load = sample.values(*sample.mode.load_point)  # x is zero upright
         now["load point"], rest["load point"] = load, np.zeros_like(load)
-        size["load point"] = np.abs(load) + sample.sizes(*sample.phase.load_point)
-        columns |= {f"{foot}_uplift": (f"{foot}_foot", 1) for foot in sample.phase.feet}
-        told = sample.phase.quantities_in("m")
+        size["load point"] = np.abs(load) + sample.sizes(*sample.mode.load_point)
+        columns |= {f"{foot}_uplift": (f"{foot}_foot", 1) for foot in sample.mode.feet}
+        told = sample.mode.quantities_in("m")
         found = sample.generated("kinematics", len(columns) + len(told))
         assert (*columns, *told) == module(name).KINEMATICS
         if told:
             values, sizes = sample.values(*told.values()), sample.sizes(*told.values())
             lengths = 10.0  # in m: what extensions and distances are differences of
             assert_agree(
-                f"lengths in {sample.contact}", found[len(columns) :], values, sizes + lengths
+                f"lengths in {sample.mode_name}", found[len(columns) :], values, sizes + lengths
             )
         for name_of_column, row in zip(columns, found, strict=False):
             body, axis = columns[name_of_column]
             assert_agree(
-                f"{name_of_column} in {sample.contact}",
+                f"{name_of_column} in {sample.mode_name}",
                 row,
                 now[body][axis] - rest[body][axis],
                 size[body].sum(axis=0),
@@ -317,36 +317,36 @@ def test_kinematics(name):
 def test_guards(name):
     m = module(name)
     for sample in samples(name):
-        expected = phases(name)[sample.contact].guards(
+        expected = modes(name)[sample.mode_name].guards(
             sample.y, sample.parameters, sample.ax, sample.ay
         )
         found = sample.generated("guards", m.N_GUARDS + m.N_PARTS, sample.ax, sample.ay)
-        leaving = [t for t in sample.model.transitions if t.source == sample.contact]
+        leaving = [t for t in sample.model.transitions if t.source == sample.mode_name]
         assert [t.target for t in leaving] == [
-            b for a, b, _ in m.TRANSITIONS if a == sample.contact
+            b for a, b, _ in m.TRANSITIONS if a == sample.mode_name
         ]
         for t, row in zip(leaving, found, strict=False):
             if t.kind == "uplift":
-                # q'' of the structure closed and at rest: the size is that of its own phase
+                # q'' of the structure closed and at rest: the size is that of its own mode
                 opened = Sample(name, t.target)
                 opened.y, opened.parameters = sample.y, sample.parameters
                 opened.ax, opened.ay = sample.ax, sample.ay
-                place = [c.name for c in opened.phase.coordinates].index(sample.model.rotation.name)
+                place = [c.name for c in opened.mode.coordinates].index(sample.model.rotation.name)
                 size = opened.solution_size()[place]
             else:
                 (size,) = sample.sizes_written_out(t.guard)
-            assert_agree(f"{sample.contact} to {t.target}", row, expected[t.target], size)
+            assert_agree(f"{sample.mode_name} to {t.target}", row, expected[t.target], size)
 
 
 @STRUCTURES
 def test_statics(name):
     for sample in samples(name):
-        rows = equilibrium(sample.phase)
-        free = {c.name: e for c, e in zip(sample.phase.coordinates, rows, strict=True)}
+        rows = equilibrium(sample.mode)
+        free = {c.name: e for c, e in zip(sample.mode.coordinates, rows, strict=True)}
         every = [free.get(c.name, sp.Integer(0)) for c in sample.model.coordinates]
         found = sample.generated("statics", len(every), sample.load)
         assert_agree(
-            f"statics in {sample.contact}", found, sample.values(*every), sample.sizes(*every)
+            f"statics in {sample.mode_name}", found, sample.values(*every), sample.sizes(*every)
         )
 
 

@@ -78,8 +78,8 @@ def bound_in(text):
 @STRUCTURES
 def test_all_that_a_module_binds_is_kept_from_users_names(name):
     """Its header and its sine and cosine, too, which stand outside the text that is checked."""
-    contacts = importlib.import_module(f"rockeom.generated.{name}").MODES
-    numbers = {Names().of_contact(contact) for contact in contacts}
+    modes = importlib.import_module(f"rockeom.generated.{name}").MODES
+    numbers = {Names().of_mode(mode) for mode in modes}
     bound = bound_in(text_of(name))
     assert {"SOURCE_HASH", "ROUNDER", "sine_cosine", "inlined", "STATES", "rates"} <= bound
     assert [word for word in bound - numbers if not is_own(word)] == []

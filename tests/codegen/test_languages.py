@@ -117,33 +117,33 @@ def size(m, function, argument):
 
 @cache
 def calls(name):
-    """Two random states in each of some contact states, and all that may be asked of them."""
+    """Two random states in each of some modes, and all that may be asked of them."""
     m = module(name)
     rng = np.random.default_rng(zlib.crc32(name.encode()))
     p = m.prepare(parameters(name))
     found = []
-    contacts = range(len(m.MODES))
-    if len(contacts) > 8:
-        contacts = sorted(rng.choice(contacts, 8, replace=False).tolist())
-    for contact in [*contacts, *contacts]:
+    modes = range(len(m.MODES))
+    if len(modes) > 8:
+        modes = sorted(rng.choice(modes, 8, replace=False).tolist())
+    for mode in [*modes, *modes]:
         y = rng.uniform(-0.6, 0.6, m.N_STATES)
-        if m.SIDES[contact] != 0.0:
-            y[m.ROTATION] = m.SIDES[contact] * abs(y[m.ROTATION])
+        if m.SIDES[mode] != 0.0:
+            y[m.ROTATION] = m.SIDES[mode] * abs(y[m.ROTATION])
         ground = dict(zip(("ax", "ay", "load"), rng.uniform(-5, 5, 3).tolist(), strict=True))
-        given = ground | {"contact": contact, "y": y, "p": p}
+        given = ground | {"mode": mode, "y": y, "p": p}
         for function, arguments, _ in functions_of(name):
             if function in ("prepare", "impact"):
                 continue
-            if "contact" not in arguments and contact != contacts[0]:
+            if "mode" not in arguments and mode != modes[0]:
                 continue
-            for more in choices(m, contact, arguments):
+            for more in choices(m, mode, arguments):
                 found.append(Call(name, function, arguments, given | more))
     return found
 
 
-def choices(m, contact, arguments):
+def choices(m, mode, arguments):
     if "guard" in arguments:
-        for guard in range(m.GUARDS[contact]):
+        for guard in range(m.GUARDS[mode]):
             for law in range(1 + m.HAS_IMPULSIVE):
                 yield {"guard": guard, "law": law, "ratio": 0.8}
     elif "number" in arguments:
@@ -188,7 +188,7 @@ def call_c(library, name, function, arguments, returns, given, outs):
         value = outs.get(a, given.get(a))
         if isinstance(value, np.ndarray):
             values.append(value.ctypes.data_as(ctypes.c_void_p))
-        elif a in ("contact", "guard", "law", "number"):
+        elif a in ("mode", "guard", "law", "number"):
             values.append(ctypes.c_int(value))
         else:
             values.append(ctypes.c_double(value))
@@ -218,7 +218,7 @@ def test_c_gives_the_numbers_of_the_generated_module(name, library):
 
 @cache
 def landings():
-    """Of a block that slides and bounces: (contact, guard, before, after, contact after)."""
+    """Of a block that slides and bounces: (mode, guard, before, after, mode after)."""
     block = rk.SlidingBlock(half_width=0.2, half_height=0.5, friction=0.3, restitution=0.4)
     run = rk.simulate(block, rk.GroundMotion.none(1.2), initial={"theta": 0.1, "x_dot": 0.3})
     found = []
@@ -233,10 +233,10 @@ def landings():
 def test_c_finds_what_follows_the_landings_of_a_simulated_block(library):
     block, found = landings()
     p = block.vector
-    for contact, guard, before, after, follows in found:
+    for mode, guard, before, after, follows in found:
         out = np.zeros(len(before))
-        given = {"contact": contact, "guard": guard, "y": before, "p": p, "ax": 0.0, "ay": 0.0}
-        arguments = ["contact", "guard", "y", "p", "ax", "ay", "out"]
+        given = {"mode": mode, "guard": guard, "y": before, "p": p, "ax": 0.0, "ay": 0.0}
+        arguments = ["mode", "guard", "y", "p", "ax", "ay", "out"]
         value = call_c(library, "sliding_block", "impact", arguments, "int", given, {"out": out})
         assert value == follows
         np.testing.assert_allclose(out, after, rtol=0, atol=1e-12 * np.abs(before).max())
@@ -272,9 +272,9 @@ def octave(tmp_path_factory):
     told = "for i = 1:numel(varargin) fprintf('%.17g ', varargin{i}); end; fprintf('\\n');"
     p = literal(landings()[0].vector)
     lines.append("m = sliding_block();")
-    for contact, guard, before, _, _ in landings()[1]:
+    for mode, guard, before, _, _ in landings()[1]:
         lines.append(
-            f"[o1, o2] = m.impact({contact}, {guard}, {literal(before)}, {p}, 0, 0); told(o1, o2);"
+            f"[o1, o2] = m.impact({mode}, {guard}, {literal(before)}, {p}, 0, 0); told(o1, o2);"
         )
     (folder / "told.m").write_text(f"function told(varargin)\n  {told}\nend\n", encoding="utf-8")
     (folder / "every_structure.m").write_text("\n".join(lines), encoding="utf-8")

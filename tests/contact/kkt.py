@@ -36,12 +36,12 @@ def points(module: ModuleType, y: np.ndarray, p: np.ndarray) -> Points:
     return Points(*rows[:, :5].T, rows[:, 5 : 5 + n], rows[:, 5 + n :])
 
 
-def groups(module: ModuleType, contact: int) -> dict[int, list[int]]:
+def groups(module: ModuleType, mode: int) -> dict[int, list[int]]:
     """Closed points that share friction, by the first of them."""
     found: dict[int, list[int]] = {}
-    for i, state in enumerate(module.POINT_STATES[contact]):
+    for i, state in enumerate(module.POINT_STATES[mode]):
         if state != OPEN:
-            found.setdefault(module.SHARED[contact][i], []).append(i)
+            found.setdefault(module.SHARED[mode][i], []).append(i)
     return found
 
 
@@ -49,10 +49,10 @@ def sign(state: int) -> float:
     return {SLIP_RIGHT: 1.0, SLIP_LEFT: -1.0}.get(state, 0.0)
 
 
-def put_on(module: ModuleType, contact: int, y: np.ndarray, p: np.ndarray) -> np.ndarray:
+def put_on(module: ModuleType, mode: int, y: np.ndarray, p: np.ndarray) -> np.ndarray:
     """The state nearest to y in which the closed gaps are closed, and what sticks does not slip."""
     y, n = y.copy(), module.N_STATES // 2
-    states = np.array(module.POINT_STATES[contact])
+    states = np.array(module.POINT_STATES[mode])
     closed, stuck = np.flatnonzero(states != OPEN), np.flatnonzero(states == STICK)
     if len(closed) == 0:
         return y
@@ -75,30 +75,30 @@ class Solved(NamedTuple):
 
 
 def solve(
-    module: ModuleType, contact: int, y: np.ndarray, p: np.ndarray, ax: float, ay: float
+    module: ModuleType, mode: int, y: np.ndarray, p: np.ndarray, ax: float, ay: float
 ) -> Solved:
     """Points of a group at different heights: their friction stands in one ratio to their N."""
     kappa: dict[int, float] = {}
-    found = _solve(module, contact, y, p, ax, ay, kappa)
+    found = _solve(module, mode, y, p, ax, ay, kappa)
     for _ in range(200):  # where what they share moves the normal forces
-        shared = {g: many for g, many in groups(module, contact).items() if len(many) > 1}
+        shared = {g: many for g, many in groups(module, mode).items() if len(many) > 1}
         new = {g: found.friction[g] / found.normal[many].sum() for g, many in shared.items()}
         if all(abs(new[g] - kappa.get(g, np.inf)) < 1e-15 for g in new):
             break
         kappa = new
-        found = _solve(module, contact, y, p, ax, ay, kappa)
+        found = _solve(module, mode, y, p, ax, ay, kappa)
     return found
 
 
-def _solve(module, contact, y, p, ax, ay, kappa) -> Solved:
+def _solve(module, mode, y, p, ax, ay, kappa) -> Solved:
     n, at = module.N_STATES // 2, points(module, y, p)
     matrix, forces = np.zeros(n * n), np.zeros(n)
-    module.free_motion(y, p, ax, ay, contact, matrix, forces)
+    module.free_motion(y, p, ax, ay, mode, matrix, forces)
     laws = np.zeros(2 * module.N_POINTS)
     module.point_laws(p, laws)
-    states = module.POINT_STATES[contact]
+    states = module.POINT_STATES[mode]
     closed = [i for i, state in enumerate(states) if state != OPEN]
-    stuck = [g for g, many in groups(module, contact).items() if states[many[0]] == STICK]
+    stuck = [g for g, many in groups(module, mode).items() if states[many[0]] == STICK]
     rows = [at.normal[i] for i in closed] + [at.along[i] for i in stuck]
     right = [-at.gap_bias[i] for i in closed] + [-at.slip_bias[i] for i in stuck]
     pushes = [at.normal[i] - laws[2 * i + 1] * sign(states[i]) * at.along[i]
@@ -106,7 +106,7 @@ def _solve(module, contact, y, p, ax, ay, kappa) -> Solved:
     pushes += [at.along[i] for i in stuck]
     # friction at its own height, less as much at that of the first
     for g in stuck:
-        for i in groups(module, contact)[g]:
+        for i in groups(module, mode)[g]:
             pushes[closed.index(i)] = pushes[closed.index(i)] + kappa.get(g, 0.0) * (
                 at.along[i] - at.along[g]
             )
@@ -119,7 +119,7 @@ def _solve(module, contact, y, p, ax, ay, kappa) -> Solved:
     normal = np.zeros(module.N_POINTS)
     normal[closed] = found[n : n + len(closed)]
     friction = dict(zip(stuck, found[n + len(closed) :], strict=True))
-    for g, many in groups(module, contact).items():
+    for g, many in groups(module, mode).items():
         if g not in stuck:
             friction[g] = sum(-sign(states[i]) * laws[2 * i + 1] * normal[i] for i in many)
     return Solved(found[:n], normal, friction, float(np.linalg.cond(system)))

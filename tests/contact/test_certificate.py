@@ -23,7 +23,7 @@ def at(cubic, t):
     return cubic[0] + t * (cubic[1] + t * (cubic[2] + t * cubic[3]))
 
 
-def said(cubics, touching, contact=0, hop=-1):
+def said(cubics, touching, mode=0, hop=-1):
     """Of guards that are cubics of time, in a step from 0 to 1."""
 
     def guards_at(_mode, t, _y, _p, _ground, g):
@@ -32,7 +32,7 @@ def said(cubics, touching, contact=0, hop=-1):
 
     TEXT["guards_at"] = guards_at
     still = np.zeros(2)
-    motion = SimpleNamespace(mode=contact, t=0.0, touching=touching)
+    motion = SimpleNamespace(mode=mode, t=0.0, touching=touching)
     arrays = SimpleNamespace(y=still, y_new=still, k=np.zeros(4), w=np.zeros(2), b=np.zeros(4 * N))
     step, case = SimpleNamespace(h=1.0), SimpleNamespace(p=None)
     return TEXT["fall_within"](motion, None, step, False, hop, case, arrays)
@@ -79,11 +79,11 @@ def test_a_landing_is_told_only_where_nothing_else_ends_the_state():
     assert said([opens], 1, hop=0) == (0, 1.0)
     assert said([falls], -1) == (0, pytest.approx(0.3))
     away = (1.0, 0.1, 0.0, 0.0)
-    assert said([opens, away], 1, contact=1, hop=0) == (0, 1.0)
-    for contact in (0, 1):  # another gap closes, or a force vanishes
+    assert said([opens, away], 1, mode=1, hop=0) == (0, 1.0)
+    for mode in (0, 1):  # another gap closes, or a force vanishes
         TEXT["GUARDS"] = (2, 2)
-        assert said([opens, falls], 1, contact, hop=0)[0] == UNCLEAR
-        assert said([falls, (0.6, -1.0, 0.0, 0.0)], -1, contact)[0] == UNCLEAR
+        assert said([opens, falls], 1, mode, hop=0)[0] == UNCLEAR
+        assert said([falls, (0.6, -1.0, 0.0, 0.0)], -1, mode)[0] == UNCLEAR
     TEXT["GUARDS"] = (1, 2)
 
 

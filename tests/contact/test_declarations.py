@@ -177,7 +177,7 @@ def test_a_law_is_refused(law, told):
         Rigid(**law)
 
 
-def test_a_contact_state_that_is_none_is_refused():
+def test_a_mode_that_is_none_is_refused():
     with pytest.raises(ValueError, match="did you mean 'right_slides_left'"):
         rk.derive("sliding_block").mode("right_slide_left")
 

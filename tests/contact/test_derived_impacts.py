@@ -27,8 +27,8 @@ def simple(expr) -> sp.Expr:
     return sp.simplify(sp.cancel(sp.trigsimp(sp.together(expr))))
 
 
-def landing(contact: str, before):
-    return MODEL.mode(contact).landing(before, MODEL.modes.standing)
+def landing(mode: str, before):
+    return MODEL.mode(mode).landing(before, MODEL.modes.standing)
 
 
 def test_a_corner_that_sticks():

@@ -41,15 +41,15 @@ def parameters(rng):
     )
 
 
-def test_two_springs_have_the_contact_states_of_the_shipped_structure():
+def test_two_springs_have_the_modes_of_the_shipped_structure():
     assert sorted(on_two_springs().MODES) == sorted(SHIPPED.MODES)
 
 
-@pytest.mark.parametrize("contact", SHIPPED.MODES)
-def test_two_springs_move_as_the_shipped_structure(contact):
-    """Rates, energies, reactions and guards, at random states: one was declared phase by phase."""
+@pytest.mark.parametrize("mode", SHIPPED.MODES)
+def test_two_springs_move_as_the_shipped_structure(mode):
+    """Rates, energies, reactions and guards, at random states: one was declared mode by mode."""
     rng, mine = np.random.default_rng(1), on_two_springs()
-    here, there = mine.MODES.index(contact), SHIPPED.MODES.index(contact)
+    here, there = mine.MODES.index(mode), SHIPPED.MODES.index(mode)
     for _ in range(20):
         p, q = parameters(rng)
         y, ground = rng.normal(0, 0.3, 4), rng.normal(0, 1, 2)
@@ -65,9 +65,9 @@ def test_two_springs_move_as_the_shipped_structure(contact):
             assert found == pytest.approx(wanted, rel=1e-12, abs=1e-12), name
 
 
-def _led_to(m, contact, y, p, ground):
-    """Each guard's value and parts by the contact state to which it leads."""
-    g, number = np.zeros(m.N_GUARDS + m.N_PARTS), m.MODES.index(contact)
+def _led_to(m, mode, y, p, ground):
+    """Each guard's value and parts by the mode to which it leads."""
+    g, number = np.zeros(m.N_GUARDS + m.N_PARTS), m.MODES.index(mode)
     m.guards(number, y, p, *ground, g)
     found = {}
     for k in range(m.GUARDS[number]):
@@ -78,14 +78,14 @@ def _led_to(m, contact, y, p, ground):
     return found
 
 
-@pytest.mark.parametrize("contact", SHIPPED.MODES)
-def test_two_springs_switch_as_the_shipped_structure(contact):
+@pytest.mark.parametrize("mode", SHIPPED.MODES)
+def test_two_springs_switch_as_the_shipped_structure(mode):
     rng, mine = np.random.default_rng(2), on_two_springs()
     for _ in range(20):
         p, q = parameters(rng)
         y, ground = rng.normal(0, 0.3, 4), rng.normal(0, 1, 2)
-        found = _led_to(mine, contact, y, p, ground)
-        wanted = _led_to(SHIPPED, contact, y, q, ground)
+        found = _led_to(mine, mode, y, p, ground)
+        wanted = _led_to(SHIPPED, mode, y, q, ground)
         assert found.keys() == wanted.keys()
         for target, values in wanted.items():
             assert found[target] == pytest.approx(values, rel=1e-12, abs=1e-12)
@@ -93,11 +93,11 @@ def test_two_springs_switch_as_the_shipped_structure(contact):
 
 def test_the_guard_that_leads_back_is_that_of_the_same_element():
     m = on_two_springs()
-    for contact, targets in enumerate(m.TARGETS):
+    for mode, targets in enumerate(m.TARGETS):
         for k, target in enumerate(targets):
-            back = m.REVERSE[contact][k]
-            assert m.TARGETS[target][back] == contact
-            assert m.SUBJECTS[target][back] == m.SUBJECTS[contact][k]
+            back = m.REVERSE[mode][k]
+            assert m.TARGETS[target][back] == mode
+            assert m.SUBJECTS[target][back] == m.SUBJECTS[mode][k]
 
 
 def bed(springs: int, uneven: tuple[int, ...] = (), bent: tuple[int, ...] = ()) -> Model:
@@ -162,16 +162,16 @@ def test_each_guard_leads_to_the_set_with_one_neighbour_more_or_less():
     m = load_text("bed", module_text(bed(5)))
     rng = np.random.default_rng(3)
     p = m.prepare(rng.uniform(0.5, 2.0, len(m.PARAMETERS)))
-    for contact, states in enumerate(m.ELEMENT_STATES):
+    for mode, states in enumerate(m.ELEMENT_STATES):
         g = np.zeros(m.N_GUARDS + m.N_PARTS)
-        m.guards(contact, rng.normal(0.0, 0.3, 4), p, 0.0, 0.0, g)
-        leads = {m.ELEMENT_STATES[t] for t in m.TARGETS[contact]} - {states}
+        m.guards(mode, rng.normal(0.0, 0.3, 4), p, 0.0, 0.0, g)
+        leads = {m.ELEMENT_STATES[t] for t in m.TARGETS[mode]} - {states}
         turned = {(*states[:i], 1 - states[i], *states[i + 1 :]) for i in range(5)}
         assert leads == turned & set(m.ELEMENT_STATES)
-        for k, target in enumerate(m.TARGETS[contact]):
-            if target == contact:
+        for k, target in enumerate(m.TARGETS[mode]):
+            if target == mode:
                 assert g[k] > 0.0
-                assert m.PARTS[contact][k] == m.REVERSE[contact][k] == -1
+                assert m.PARTS[mode][k] == m.REVERSE[mode][k] == -1
 
 
 def test_too_many_elements_are_refused_when_they_are_declared():

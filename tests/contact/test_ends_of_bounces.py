@@ -1,4 +1,4 @@
-"""Bounces that end, and what must not end with them: chatter, rests and missing contact states.
+"""Bounces that end, and what must not end with them: chatter, rests and missing modes.
 
 The motions are held against Newton-Euler mechanics by hand (`tests.soak.newton`), which knows no
 generated module.
@@ -103,7 +103,7 @@ def test_foot_that_begins_to_slip_goes_on_at_a_coarse_tolerance(tilt):
 
 
 def test_coarse_map_of_a_sliding_block_has_the_outcomes_of_a_fine_one():
-    """Of 400 pulses 193 had no contact state that fitted at the tolerance of maps."""
+    """Of 400 pulses 193 had no mode that fitted at the tolerance of maps."""
     rng = np.random.default_rng(4)
     pulses = {"a": rng.uniform(1.0, 9.0, 60), "t": rng.uniform(0.3, 1.5, 60)}
     block = rk.SlidingBlock(half_width=0.3, half_height=1.0, friction=0.5, restitution=0.0)

@@ -37,7 +37,7 @@ def of_rectangle(expr) -> sp.Expr:
 
 @cache
 def start(name: str):
-    """Accelerations, normal forces and friction with which a contact state begins from rest."""
+    """Accelerations, normal forces and friction with which a mode begins from rest."""
     found = MODEL.mode(name).from_rest(MODEL.modes.standing)
     return type(found)(*({k: of_rectangle(e) for k, e in part.items()} for part in found))
 

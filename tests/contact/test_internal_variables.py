@@ -67,7 +67,7 @@ def test_a_mass_in_flight_moves_as_the_matrix_exponential_of_a_maxwell_element_s
 
 
 def test_a_sweep_of_a_block_on_one_point_is_its_single_motions():
-    """Of four contact states: so few that lanes would pay, if they could follow points."""
+    """Of four modes: so few that lanes would pay, if they could follow points."""
     values = {"mass": MASS, "height": HEIGHT, "inertia": INERTIA, "gravity": GRAVITY}
     values |= {"friction": 0.4, "restitution": 0.2, "stiffness": 50.0, "relaxation": 0.8}
     block, still = rk.structure(declared.pulled_block(), **values), rk.GroundMotion.none(0.5)
@@ -219,24 +219,24 @@ def test_a_maxwell_element_is_one_by_its_force_and_by_the_place_of_its_damper():
     assert (*energy.STATE_UNITS[3::4], *force.STATE_UNITS[3::4]) == ("m s", "m", "N s", "N")
     rng, symbols = np.random.default_rng(5), [c.position for c in COORDINATES]
     at = sp.lambdify([*symbols, *(p.symbol for p in by_energy.parameters)], LIFT)
-    for contact in range(len(force.MODES)):
+    for mode in range(len(force.MODES)):
         values = rng.uniform(0.5, 1.5, len(force.PARAMETERS))
         y, ground = rng.normal(0.0, 0.4, 8), rng.normal(0.0, 1.0, 2)
-        if force.POINT_STATES[contact][0] != OPEN:
+        if force.POINT_STATES[mode][0] != OPEN:
             y[1] = y[5] = 0.0
-        if force.POINT_STATES[contact][0] == STICK:
+        if force.POINT_STATES[mode][0] == STICK:
             y[4] = 0.0
         pulled = y.copy()
         pulled[7] = values[-2] * (at(*y[:3], *values) - y[7])
         one, other, told = np.zeros(8), np.zeros(8), np.zeros(3)
-        energy.rates(contact, y, energy.prepare(values), *ground, one)
-        force.rates(contact, pulled, force.prepare(values), *ground, other)
+        energy.rates(mode, y, energy.prepare(values), *ground, one)
+        force.rates(mode, pulled, force.prepare(values), *ground, other)
         assert other[:3] == pytest.approx(one[:3], rel=1e-12)
         assert other[4:7] == pytest.approx(one[4:7], rel=1e-9, abs=1e-12)
         assert (one[3], other[3]) == (y[7], pulled[7])
         speed = (pulled[7] + other[7] * values[-1]) / (values[-2] * values[-1])
         assert values[-2] * (speed - one[7]) == pytest.approx(other[7], rel=1e-12)
-        energy.energies(contact, y, energy.prepare(values), told)
+        energy.energies(mode, y, energy.prepare(values), told)
         assert told[2] == pytest.approx(pulled[7] ** 2 / (2 * values[-2]), rel=1e-12)
 
 

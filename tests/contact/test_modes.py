@@ -1,6 +1,6 @@
-"""Which contact states follow from a declaration, and how each moves.
+"""Which modes follow from a declaration, and how each moves.
 
-Accelerations, normal forces and friction of every contact state against one system of equations
+Accelerations, normal forces and friction of every mode against one system of equations
 solved by numpy (`tests.contact.kkt`), at random states that fit it and random parameters.
 """
 
@@ -44,14 +44,14 @@ def module(name: str):
 
 
 def cases(name: str, seed: int):
-    """(module, contact, state that fits it, parameters, ground) of each contact state."""
+    """(module, mode, state that fits it, parameters, ground) of each mode."""
     m, rng = module(name), np.random.default_rng(seed)
-    for contact in range(len(m.MODES)):
+    for mode in range(len(m.MODES)):
         values = dict(zip(m.PARAMETERS, rng.uniform(0.5, 1.5, len(m.PARAMETERS)), strict=True))
         values["friction"] = 0.3 * values.get("friction", 0.0)
         p = m.prepare(np.array([values[name] for name in m.PARAMETERS]))
-        y = kkt.put_on(m, contact, rng.normal(0, 0.3, m.N_STATES), p)
-        yield m, contact, y, p, rng.normal(0, 1, 2)
+        y = kkt.put_on(m, mode, rng.normal(0, 0.3, m.N_STATES), p)
+        yield m, mode, y, p, rng.normal(0, 1, 2)
 
 
 def small(difference, *of) -> bool:
@@ -62,20 +62,20 @@ def small(difference, *of) -> bool:
 @EACH
 @pytest.mark.parametrize("seed", range(3))
 def test_accelerations_and_forces_fulfil_all_equations_at_once(name, seed):
-    for m, contact, y, p, ground in cases(name, seed):
-        found = kkt.solve(m, contact, y, p, *ground)
+    for m, mode, y, p, ground in cases(name, seed):
+        found = kkt.solve(m, mode, y, p, *ground)
         rates, forces = np.zeros(m.N_STATES), np.zeros(len(m.REACTIONS))
-        m.rates(contact, y, p, *ground, rates)
-        m.reactions(contact, y, p, *ground, forces)
+        m.rates(mode, y, p, *ground, rates)
+        m.reactions(mode, y, p, *ground, forces)
         n = m.N_STATES // 2
         told = dict(zip(m.REACTIONS, forces, strict=True))
         normal = np.array([told[f"{point}_reaction"] for point in m.POINTS])
-        assert small(rates[n:] - found.accelerations, found.accelerations), m.MODES[contact]
+        assert small(rates[n:] - found.accelerations, found.accelerations), m.MODES[mode]
         assert small(rates[:n] - y[n:], y)
-        assert small(normal - found.normal, found.normal), m.MODES[contact]
-        for first, many in kkt.groups(m, contact).items():
+        assert small(normal - found.normal, found.normal), m.MODES[mode]
+        for first, many in kkt.groups(m, mode).items():
             total = sum(told[f"{m.POINTS[i]}_friction"] for i in many)
-            assert small(total - found.friction[first], found.normal), m.MODES[contact]
+            assert small(total - found.friction[first], found.normal), m.MODES[mode]
 
 
 @EACH
@@ -117,37 +117,37 @@ def test_points_of_many_states_have_the_bits_of_each_by_itself(name):
 
 @EACH
 def test_guards_are_gaps_forces_and_slip_rates(name):
-    for m, contact, y, p, ground in cases(name, 7):
-        found, at = kkt.solve(m, contact, y, p, *ground), kkt.points(m, y, p)
+    for m, mode, y, p, ground in cases(name, 7):
+        found, at = kkt.solve(m, mode, y, p, *ground), kkt.points(m, y, p)
         laws, g = np.zeros(2 * m.N_POINTS), np.zeros(m.N_GUARDS + m.N_PARTS)
         m.point_laws(p, laws)
-        m.guards(contact, y, p, *ground, g)
-        states = m.POINT_STATES[contact]
+        m.guards(mode, y, p, *ground, g)
+        states = m.POINT_STATES[mode]
         wanted = []
         for i, state in enumerate(states):
             if state == kkt.OPEN:
                 wanted.append((LANDING, i, at.gap[i]))
                 continue
             wanted.append((LIFTING, i, found.normal[i]))
-            many = kkt.groups(m, contact).get(i)  # of those that share, once
+            many = kkt.groups(m, mode).get(i)  # of those that share, once
             if many and kkt.sign(state):
                 wanted.append((STICKING, i, kkt.sign(state) * at.slip_rate[i]))
             elif many and laws[2 * i + 1] < 1e300:
                 cone = sum(laws[2 * j + 1] * found.normal[j] for j in many)
                 wanted += [(SLIPPING, i, cone - way * found.friction[i]) for way in (1, -1)]
         parts = []
-        for e, on in enumerate(m.ELEMENT_STATES[contact]):
+        for e, on in enumerate(m.ELEMENT_STATES[mode]):
             compression, press = pressed(m, e, y, p)
             two = [-p[m.PARAMETERS.index("stiffness")] * compression, -press]
             wanted.append((SWITCH, m.N_POINTS + e, press if on else max(two)))
             parts += two
         assert g[m.N_GUARDS :] == pytest.approx(parts, rel=1e-6, abs=1e-6)
-        count = m.GUARDS[contact]
+        count = m.GUARDS[mode]
         assert [(kind, i) for kind, i, _ in wanted] == [
-            (m.KINDS[contact][k], m.SUBJECTS[contact][k]) for k in range(count)
+            (m.KINDS[mode][k], m.SUBJECTS[mode][k]) for k in range(count)
         ]
         differences = g[:count] - np.array([value for *_, value in wanted])
-        differences[m.GUARDS[contact] - m.N_ELEMENTS :] *= 1e-3  # by differences, see above
+        differences[m.GUARDS[mode] - m.N_ELEMENTS :] *= 1e-3  # by differences, see above
         assert small(differences, found.normal, y)
 
 

@@ -1,6 +1,6 @@
 """What a page says of a structure on points holds in numbers: each equation read from its LaTeX.
 
-The values stand for a random state of a contact state, its accelerations and forces solved by numpy
+The values stand for a random state of a mode, its accelerations and forces solved by numpy
 (`tests.contact.kkt`), and rates after an impact by the same equations in impulses.
 """
 
@@ -26,7 +26,7 @@ MODULE = rk.SlidingBlock(half_width=1.0, half_height=1.0, friction=0.1, restitut
 
 @cache
 def displays():
-    """(heading of the contact states, heading within, lines) of each display of equations."""
+    """(heading of the modes, heading within, lines) of each display of equations."""
     found, states, part = [], "", ""
     for block in content(MODEL, "width"):
         if isinstance(block, Heading):
@@ -36,18 +36,18 @@ def displays():
     return found
 
 
-def shown(contact: str, part: str) -> tuple[str, ...]:
+def shown(mode: str, part: str) -> tuple[str, ...]:
     (lines,) = (
-        lines for states, where, lines in displays() if f"`{contact}`" in states and where == part
+        lines for states, where, lines in displays() if f"`{mode}`" in states and where == part
     )
     return lines
 
 
-def values_in(contact: str, at_rest: bool):
-    """(reader of what stands for this contact state, its module's arguments)."""
+def values_in(mode: str, at_rest: bool):
+    """(reader of what stands for this mode, its module's arguments)."""
     rng, m = np.random.default_rng(11), MODULE
     parameters = rng.uniform(0.5, 1.5, len(m.PARAMETERS))
-    p, number = m.prepare(parameters), m.MODES.index(contact)
+    p, number = m.prepare(parameters), m.MODES.index(mode)
     y = np.zeros(6) if at_rest else kkt.put_on(m, number, rng.normal(0, 0.4, 6), p)
     ground = rng.normal(0, 1, 2)
     found = kkt.solve(m, number, y, p, *ground)
@@ -55,7 +55,7 @@ def values_in(contact: str, at_rest: bool):
     values |= {GROUND_X: ground[0], GROUND_Y: ground[1]}
     for i, c in enumerate(MODEL.coordinates):
         values |= {c.position: y[i], c.velocity: y[3 + i], c.acceleration: found.accelerations[i]}
-    state = next(s for s in MODEL.modes.states if s.name == contact)
+    state = next(s for s in MODEL.modes.states if s.name == mode)
     values |= MODEL.modes.signs(state)
     before = rng.normal(0, 1, 3)
     after = impact(number, y, p, before)
@@ -73,20 +73,20 @@ def values_in(contact: str, at_rest: bool):
     return reader
 
 
-def impact(contact: int, y, p, before):
+def impact(mode: int, y, p, before):
     """Rates after, of M (q'+ - q'-) = W P, closed gaps opening e times as they closed."""
     m, n = MODULE, 3
     matrix, _, laws = np.zeros(n * n), np.zeros(n), np.zeros(2 * m.N_POINTS)
-    m.free_motion(y, p, 0.0, 0.0, contact, matrix, np.zeros(n))
+    m.free_motion(y, p, 0.0, 0.0, mode, matrix, np.zeros(n))
     m.point_laws(p, laws)
-    at, states = kkt.points(m, y, p), m.POINT_STATES[contact]
+    at, states = kkt.points(m, y, p), m.POINT_STATES[mode]
     rows, right, pushes = [], [], []
     for i, state in enumerate(states):
         if state != kkt.OPEN:
             rows.append(at.normal[i])
             right.append(-laws[2 * i] * at.normal[i] @ before)
             pushes.append(at.normal[i] - laws[2 * i + 1] * kkt.sign(state) * at.along[i])
-    for first, many in kkt.groups(m, contact).items():
+    for first, many in kkt.groups(m, mode).items():
         if states[many[0]] == kkt.STICK:
             rows.append(at.along[first])
             right.append(0.0)
@@ -103,23 +103,23 @@ def impact(contact: int, y, p, before):
 PARTS = ("", "Equations of motion", "Forces of contact", "Impact")
 
 
-@pytest.mark.parametrize("contact", MODULE.MODES)
+@pytest.mark.parametrize("mode", MODULE.MODES)
 @pytest.mark.parametrize("part", PARTS)
-def test_each_equation_holds(contact, part):
-    if contact == "flight" and part != "Equations of motion":
+def test_each_equation_holds(mode, part):
+    if mode == "flight" and part != "Equations of motion":
         return  # nothing is prescribed, nothing presses
-    if contact == "both" and part == "Equations of motion":
+    if mode == "both" and part == "Equations of motion":
         return  # it stands still
-    read = values_in(contact, at_rest=False)
-    for line in shown(contact, part):
+    read = values_in(mode, at_rest=False)
+    for line in shown(mode, part):
         left, right = map(read, line.split(" = "))
         assert left == pytest.approx(right, rel=1e-9, abs=1e-9), line
 
 
-@pytest.mark.parametrize("contact", [c for c in MODULE.MODES if c not in ("both", "flight")])
-def test_each_beginning_from_rest_holds(contact):
-    read = values_in(contact, at_rest=True)
-    lines = shown(contact, "From rest")
+@pytest.mark.parametrize("mode", [c for c in MODULE.MODES if c not in ("both", "flight")])
+def test_each_beginning_from_rest_holds(mode):
+    read = values_in(mode, at_rest=True)
+    lines = shown(mode, "From rest")
     assert any(line.startswith("N") for line in lines)
     for line in lines:
         left, right = line.split(" = ")
@@ -133,5 +133,5 @@ def test_each_beginning_from_rest_holds(contact):
 def test_a_page_of_many_coordinates_tells_the_free_structure_and_what_each_mode_prescribes():
     page = rk.derive("stacked_blocks").markdown()
     assert len(page) < 20_000
-    for contact in rk.derive("stacked_blocks").modes.names:
-        assert f"`{contact}`" in page
+    for mode in rk.derive("stacked_blocks").modes.names:
+        assert f"`{mode}`" in page

@@ -145,24 +145,24 @@ def test_the_block_moves_as_the_shipped_one():
 
 
 def test_the_column_computes_what_the_shipped_one_does():
-    """Its module, at random states in each contact state and over both impacts."""
+    """Its module, at random states in each mode and over both impacts."""
     mine, theirs = load_text("free_column", module_text(column())), flexible_structure_module
     assert (mine.MODES, mine.KINDS, mine.TARGETS) == (
         theirs.MODES, theirs.KINDS, theirs.TARGETS,
     )  # fmt: skip
     rng = np.random.default_rng(1)
     p = theirs.prepare(rng.uniform(0.5, 2.0, len(theirs.PARAMETERS)))
-    for contact, side in enumerate(theirs.SIDES):
+    for mode, side in enumerate(theirs.SIDES):
         y = rng.uniform(-0.3, 0.3, theirs.N_STATES)
         y[0] = side * abs(y[0])
 
-        def found(module, y=y, contact=contact, side=side):
+        def found(module, y=y, mode=mode, side=side):
             out = np.zeros((7, 4))
-            module.rates(contact, y, p, 0.3, 0.1, out[0])
-            module.guards(contact, y, p, 0.3, 0.1, out[1])
-            module.energies(contact, y, p, out[2])
-            module.reactions(contact, y, p, 0.3, 0.1, out[3])
-            module.kinematics(contact, y, p, out[4])
+            module.rates(mode, y, p, 0.3, 0.1, out[0])
+            module.guards(mode, y, p, 0.3, 0.1, out[1])
+            module.energies(mode, y, p, out[2])
+            module.reactions(mode, y, p, 0.3, 0.1, out[3])
+            module.kinematics(mode, y, p, out[4])
             if side:
                 closed = np.array([0.0, *y[1:]])
                 module.impulse_to_opposite(side, closed, p, out[5])
@@ -187,10 +187,8 @@ def test_a_spring_to_the_ground_takes_its_part(foot, side):
         dissipation=c.symbol * (X.velocity**2 + 2 * Y.velocity**2) / 2,
     )
     found = tied.reduced
-    phase = found.mode(foot)
-    forces = {
-        k: e.subs(sp.Symbol("s", real=True), side) for k, e in reactions(found, phase).items()
-    }
+    mode = found.mode(foot)
+    forces = {k: e.subs(sp.Symbol("s", real=True), side) for k, e in reactions(found, mode).items()}
     # where the base goes while it turns about the foot, by a drawing
     theta = THETA.position
     moved = (side * B * (1 - sp.cos(theta)), side * B * sp.sin(theta))
@@ -206,7 +204,7 @@ def test_a_spring_to_the_ground_takes_its_part(foot, side):
     # what is left is the moment of these two about the base's centre
     across, up = (-e + (side * B if i == 0 else 0) for i, e in enumerate(moved))
     moment = forces["horizontal_reaction"] * up - forces[f"{foot}_reaction"] * across
-    equation = found.equations(foot).residual(phase.coordinates)[0]
+    equation = found.equations(foot).residual(mode.coordinates)[0]
     assert tidy(lacking[2] - moment - equation) == 0
     assert {GROUND_X, GROUND_Y} <= equation.free_symbols
 
@@ -318,7 +316,7 @@ def test_masses_off_the_middle_are_refused_where_it_is_derived():
         module_text(block(**MORE, bodies=(aside,)))
 
 
-def test_contact_states_of_feet_that_slide_are_not_those_of_pinned_ones():
+def test_modes_of_feet_that_slide_are_not_those_of_pinned_ones():
     with pytest.raises(ValueError, match=r"left, both, right: see `model\.reduced`"):
         block().mode("flight")
 

@@ -36,14 +36,14 @@ def times(run: rk.Response, kind: str) -> list[float]:
 
 
 def started(block: Block, across: float, up: float) -> tuple[str, dict[str, float]]:
-    """The contact state that follows at once, and the accelerations there."""
+    """The mode that follows at once, and the accelerations there."""
     run = rk.simulate(
         structure(block),
         rk.GroundMotion.constant(across, 1e-6),
         vertical=rk.GroundMotion.constant(up, 1e-6),
     )
-    phase = run.mode[-1]
-    return phase, structure(block).accelerations({}, across, up, mode=phase)
+    mode = run.mode[-1]
+    return mode, structure(block).accelerations({}, across, up, mode=mode)
 
 
 def assert_starts_as_by_hand(b, h, mu, a, up):
@@ -101,8 +101,8 @@ def test_a_slide_rock_presses_with_what_was_found_by_hand():
     block = Block(b, h, mu, mass=3.0)
     by_hand = exact.start(a, G, b, h, mu)
     assert by_hand.motion == "slide-rock"
-    phase, _ = started(block, a, 0.0)
-    forces = structure(block).reactions({}, a, mode=phase)
+    mode, _ = started(block, a, 0.0)
+    forces = structure(block).reactions({}, a, mode=mode)
     assert forces["left_reaction"] == pytest.approx(3.0 * by_hand.normal, rel=1e-12)
     assert forces["left_friction"] == pytest.approx(3.0 * by_hand.friction, rel=1e-12)
     assert forces["right_reaction"] == pytest.approx(0.0, abs=1e-12)

@@ -32,8 +32,8 @@ def named_column():
 def test_a_spring_is_the_energies_that_it_stands_for():
     """On pinned feet, too, where nothing that switches may stand."""
     by_name, by_energies, shipped = named_column().reduced, column().reduced, COLUMN
-    for contact in shipped.mode_names:
-        one, other = by_name.equations(contact), by_energies.equations(contact)
+    for mode in shipped.mode_names:
+        one, other = by_name.equations(mode), by_energies.equations(mode)
         for what in ("stiffness", "damping", "mass_matrix"):
             assert all(tidy(e) == 0 for e in getattr(one, what) - getattr(other, what)), what
         assert one.elastic_energy == other.elastic_energy
@@ -42,7 +42,7 @@ def test_a_spring_is_the_energies_that_it_stands_for():
     assert named_column().springs == (SPRING,)
 
 
-def test_a_spring_beside_springs_that_press_adds_no_contact_state():
+def test_a_spring_beside_springs_that_press_adds_no_mode():
     plainly = declared.two_springs()
     theta = plainly.rotation
     k, c = sp.Integer(3), sp.Rational(1, 2)
@@ -55,10 +55,10 @@ def test_a_spring_beside_springs_that_press_adds_no_contact_state():
     rng = np.random.default_rng(1)
     n = module.N_STATES // 2
     rotation, rate = module.ROTATION, module.ROTATION_RATE
-    for contact, states in enumerate(module.ELEMENT_STATES):
+    for mode, states in enumerate(module.ELEMENT_STATES):
         p = module.prepare(rng.uniform(0.5, 2.0, len(module.PARAMETERS)))
         y, out = rng.normal(0.0, 0.3, 2 * n), np.zeros(12)
-        module.elements(contact, y, p, out)
+        module.elements(mode, y, p, out)
         told = out.reshape(3, 4)
         force = 5 + 3 * 2 * y[rotation] + 0.5 * 2 * y[rate]
         still = 5 + 3 * 2 * y[rotation]
@@ -66,14 +66,14 @@ def test_a_spring_beside_springs_that_press_adds_no_contact_state():
             [2 * y[rotation], force, still**2 / 6, 0.5 * (2 * y[rate]) ** 2]
         )
         forces = np.zeros(len(module.REACTIONS))
-        module.reactions(contact, y, p, 0.0, 0.0, forces)
+        module.reactions(mode, y, p, 0.0, 0.0, forces)
         for i, name in enumerate(module.ELEMENTS):
             assert told[1 + i, 1] == pytest.approx(
                 forces[module.REACTIONS.index(f"{name}_reaction")]
             )
             assert bool(told[1 + i, 2]) == bool(states[i])
         energies = np.zeros(3)
-        module.energies(contact, y, p, energies)
+        module.energies(mode, y, p, energies)
         assert told[:, 2].sum() == pytest.approx(energies[2])
 
 
@@ -84,17 +84,17 @@ WITH_ELEMENTS = [
 
 @pytest.mark.parametrize("name", WITH_ELEMENTS)
 def test_elements_of_a_structure_store_its_energy_and_lose_its_power(name):
-    """In each contact state, at random states; the oscillator's elastic energy has its weight."""
+    """In each mode, at random states; the oscillator's elastic energy has its weight."""
     structure = SHIPPED[name](**plain(name))
     m, p = structure.module, structure.vector
     rng = np.random.default_rng(2)
-    for contact in range(len(m.MODES)):
+    for mode in range(len(m.MODES)):
         for _ in range(3):
             y = rng.normal(0.0, 0.05, m.N_STATES)
             told, energies, powers = np.zeros(4 * len(m.ELEMENT_NAMES)), np.zeros(3), np.zeros(3)
-            m.elements(contact, y, p, told)
-            m.energies(contact, y, p, energies)
-            m.powers(contact, y, p, 1.3, 0.4, powers)
+            m.elements(mode, y, p, told)
+            m.energies(mode, y, p, energies)
+            m.powers(mode, y, p, 1.3, 0.4, powers)
             _, _, stored, lost = told.reshape(-1, 4).T
             if name != "controlled_wall_oscillator":
                 assert stored.sum() == pytest.approx(energies[2], rel=1e-9)
@@ -105,14 +105,14 @@ def test_springs_under_feet_have_the_names_of_their_feet_on_both_sides():
     structure = SHIPPED["two_spring_structure"](**plain("two_spring_structure"))
     m, p = structure.module, structure.vector
     y = np.array([0.2, -0.3, 0.1, -0.4])
-    for contact in range(len(m.MODES)):
+    for mode in range(len(m.MODES)):
         told, forces, moved = np.zeros(8), np.zeros(3), np.zeros(3)
-        m.elements(contact, y, p, told)
-        m.reactions(contact, y, p, 0.0, 0.0, forces)
-        m.kinematics(contact, y, p, moved)
+        m.elements(mode, y, p, told)
+        m.reactions(mode, y, p, 0.0, 0.0, forces)
+        m.kinematics(mode, y, p, moved)
         settled = np.zeros(3)
         m.elements(m.MODES.index("both"), np.zeros(4), p, told_at_rest := np.zeros(8))
-        m.kinematics(contact, np.zeros(4), p, settled)
+        m.kinematics(mode, np.zeros(4), p, settled)
         assert told[[1, 5]] == pytest.approx(forces[1:])
         assert told[[0, 4]] - told_at_rest[[0, 4]] == pytest.approx(settled[1:] - moved[1:])
 

@@ -7,7 +7,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.codes import IMPOSSIBLE
-from rockeom.structures import searched_modes as contact_states
+from rockeom.structures import searched_modes
 
 from .declared import four_feet
 
@@ -83,8 +83,8 @@ def test_a_motion_goes_on_from_its_events_as_it_did(name):
 
 def test_slow_motion_of_a_structure_at_rest_is_its_whole_motion():
     slides = block()
-    contact = slides.mode_number(slides.state({"x_dot": 1e-6}))
-    assert slides.module.MODES[contact] == "both_slides_right"
+    mode = slides.mode_number(slides.state({"x_dot": 1e-6}))
+    assert slides.module.MODES[mode] == "both_slides_right"
 
 
 @pytest.mark.parametrize("state", [{"y": -1e-4}, {"x_dot": 1.0, "y": 0.0}])
@@ -112,5 +112,5 @@ def by_forces_that_fit_none(structure):
     """As if none fitted: no state is known in which a structure of plausible friction has none."""
     module, y = structure.module, structure.state({})
     with pytest.MonkeyPatch.context() as patch:
-        patch.setitem(contact_states._searching(module), "fits_by_forces", lambda *_: IMPOSSIBLE)
-        contact_states.mode_under_forces(module, 0, y, structure.vector, (0.0, 0.0))
+        patch.setitem(searched_modes._searching(module), "fits_by_forces", lambda *_: IMPOSSIBLE)
+        searched_modes.mode_under_forces(module, 0, y, structure.vector, (0.0, 0.0))

@@ -145,7 +145,7 @@ def test_every_impact_is_that_of_the_reference(initial):
 
 
 def test_the_bounces_of_the_lower_block_end_under_the_rocking_upper_one():
-    """One contact state follows at the end of infinitely many landings of the lower block."""
+    """One mode follows at the end of infinitely many landings of the lower block."""
     run = released(theta=0.0, phi=0.1)
     assert run.outcome is rk.Outcome.CAME_TO_REST
     assert len(run.events) < 400

@@ -79,7 +79,7 @@ def test_a_product_of_too_many_terms_is_not_expanded_and_is_still_found_to_vanis
     assert brief(sums[0] * sums[1]) == sp.expand(sums[0] * sums[1])
 
 
-def test_the_derivation_of_many_contact_states_is_announced_before_it_begins(monkeypatch, capsys):
+def test_the_derivation_of_many_modes_is_announced_before_it_begins(monkeypatch, capsys):
     monkeypatch.setattr(of_declarations, "kept", lambda name, digest, made: made())
     monkeypatch.setattr(of_declarations, "MANY_MODES", 3)
     begun = []

@@ -195,7 +195,7 @@ def test_a_wall_with_yielding_bars_has_the_loop_of_a_flag_and_comes_back_upright
     landing = next(e for e in run.events if e.kind == "landing")
     assert landing.mode_before == "right_bar_left_yields_back"
     swing = slice(0, int(np.searchsorted(run.t, landing.time)))
-    theta, phase = run["theta"][swing], np.array(run.mode[swing])
+    theta, mode = run["theta"][swing], np.array(run.mode[swing])
     m, h, b = WALL["mass"], WALL["height"], WALL["half_width"]
     corner = b * np.array([1.0 - np.cos(theta), np.sin(theta)])  # of the base's centre
     top = corner + 2.0 * h * np.array([np.sin(theta), np.cos(theta)])
@@ -207,12 +207,12 @@ def test_a_wall_with_yielding_bars_has_the_loop_of_a_flag_and_comes_back_upright
     about_foot = WALL["inertia"] + m * (b**2 + h**2)
     angular = np.array(
         [
-            wall.accelerations({name: run[name][i] for name in run.states}, mode=phase[i])["theta"]
+            wall.accelerations({name: run[name][i] for name in run.states}, mode=mode[i])["theta"]
             for i in range(len(theta))
         ]
     )
     moment = -about_foot * angular
-    up, down = phase == "right_bar_left_yields", phase == "right_bar_left_yields_back"
+    up, down = mode == "right_bar_left_yields", mode == "right_bar_left_yields_back"
     assert min(up.sum(), down.sum()) > 100
     assert moment[up] == pytest.approx((weight + pull * lever + bar)[up], rel=1e-9)
     assert moment[down] == pytest.approx((weight + pull * lever - bar)[down], rel=1e-9)

@@ -20,7 +20,7 @@ CHAIN = ("one", "two", "three", "four", "five", "six")
 def clock() -> RockingModel:
     """A point thrown upwards, x = x_0 + v t - g t^2/2: every event is a root of a polynomial.
 
-    Contact states only mark what has happened; the motion goes on through all of them.
+    Modes only mark what has happened; the motion goes on through all of them.
 
     - "outside"/"inside": the wave (x - a)(x - b)(x - c) has fallen through zero, and rises again;
     - "neither", "first", "second", "both_flags": x has passed a, b, or both, in any order, the
@@ -68,28 +68,28 @@ def clock() -> RockingModel:
         Transition("ping", "pong", "switch", -1 - x**2),
         Transition("pong", "ping", "switch", -1 - x**2),
     ]
-    contacts = [
+    names = [
         "left",
         "right",
         *dict.fromkeys(n for t in transitions for n in (t.source, t.target)),
     ]
-    phases = (
+    modes = (
         Mode(
-            {contact: 0},
+            {name: 0},
             (HEIGHT,),
             (Body("point", m.symbol, (sp.Integer(0), x)),),
             g.symbol,
             load_point=(sp.Integer(0), x),
             elastic_energy=-m.symbol * sp.sqrt(1 - edge.symbol * x),
         )
-        for contact in contacts
+        for name in names
     )
     return RockingModel(
         name="clock",
         title="A thrown point that passes marks",
         parameters=tuple(parameters),
         coordinates=(HEIGHT,),
-        modes=tuple(phases),
+        modes=tuple(modes),
         transitions=tuple(transitions),
         rotation=HEIGHT,
         overturning=sp.Integer(10) ** 9,
@@ -111,12 +111,12 @@ def point(**parameters):
     return class_of(_module())(**defaults | parameters)
 
 
-def thrown(phase, *, speed=1.0, start=0.0, duration=1000.0, options=None, **parameters):
+def thrown(mode, *, speed=1.0, start=0.0, duration=1000.0, options=None, **parameters):
     """Response of the clock; with gravity zero x = start + speed t."""
     return rk.simulate(
         point(**parameters),
         rk.GroundMotion.none(duration),
         initial={"x": start, "x_dot": speed},
-        mode=phase,
+        mode=mode,
         options=options,
     )

@@ -96,9 +96,9 @@ def generate(package, model):
 
 
 def twice_as_heavy(model):
-    """The model with gravity counted twice in every phase."""
-    phases = (dataclasses.replace(phase, gravity=2 * phase.gravity) for phase in model.modes)
-    return dataclasses.replace(model, modes=tuple(phases))
+    """The model with gravity counted twice in every mode."""
+    modes = (dataclasses.replace(mode, gravity=2 * mode.gravity) for mode in model.modes)
+    return dataclasses.replace(model, modes=tuple(modes))
 
 
 def test_processes_share_programs_race_for_them_and_see_every_change(tmp_path):

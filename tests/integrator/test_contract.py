@@ -26,7 +26,7 @@ OF_POINTS = {
     "N_ELEMENTS", "POINT_STATES", "ELEMENT_STATES", "SHARED", "SUBJECTS", "ANGLES", "free_motion",
     "points", "point_laws",
 }  # fmt: skip
-"""What only modules have whose contact states are found; the loop asks no other for them."""
+"""What only modules have whose modes are found; the loop asks no other for them."""
 OF_TABLES = {"jump", "full_contact_guards"}
 """What they do not have, in turn."""
 OF_FALLS = {"FALLS", "overturns_at"}
@@ -95,8 +95,8 @@ def test_kinds_and_laws_are_those_of_the_generated_modules():
     for name in rk.models():
         m = importlib.import_module(f"rockeom.generated.{name}")
         assert (m.RATIO, m.IMPULSIVE) == (codes.RATIO, codes.IMPULSIVE)
-        for contact, kinds in zip(m.MODES, m.KINDS, strict=True):
-            leaving = [codes.KIND_OF[k] for source, _, k in m.TRANSITIONS if source == contact]
+        for mode, kinds in zip(m.MODES, m.KINDS, strict=True):
+            leaving = [codes.KIND_OF[k] for source, _, k in m.TRANSITIONS if source == mode]
             assert [*kinds[: len(leaving)]] == leaving
 
 

@@ -132,22 +132,22 @@ def test_labels_and_what_is_kept(reference):
 def test_things_and_words_label_cases():
     """Words label themselves, motions go by their names."""
     motions = [rk.GroundMotion.none(1.0), rk.GroundMotion.constant(2 * THRESHOLD, 1.0)]
-    phases = ["right", "left"]
+    modes = ["right", "left"]
     result = rk.simulate_many(
         lambda motion, side: rk.Case(
             BLOCK, motion, initial={"theta": 0.1 if side == "right" else -0.1}
         ),
-        over={"motion": motions, "side": phases},
+        over={"motion": motions, "side": modes},
     )
     assert result.motion.values.tolist() == [motion.name for motion in motions]
-    assert result.side.values.tolist() == phases
+    assert result.side.values.tolist() == modes
     theta = result.minimum.sel(state="theta")
     assert theta.sel(motion="no shaking", side="left") == -0.1
     assert theta.sel(motion=motions[1].name, side="right") < -0.01
 
 
 def test_every_argument_of_a_case_reaches_the_motion():
-    """Vertical motion, duration, start, phase and law, each changes the result as in simulate."""
+    """Vertical motion, duration, start, mode and law, each changes the result as in simulate."""
     full = {
         "impact": rk.VelocityRatio(0.8),
         "initial": {"theta": 0.05, "theta_dot": 0.1},
@@ -165,7 +165,7 @@ def test_every_argument_of_a_case_reaches_the_motion():
         found = result.sel(left_out=name)
         assert found.final.values.tolist() == [*run.final.values()]
         ends.append(tuple(found.final.values))
-    assert len(set(ends)) == len(kept) - 1  # the phase follows from the state
+    assert len(set(ends)) == len(kept) - 1  # the mode follows from the state
 
 
 @pytest.mark.parametrize("threads", [1, 2])

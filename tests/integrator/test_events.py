@@ -20,7 +20,7 @@ def times(run):
 
 
 def passed(run):
-    """Names of the contact states in order."""
+    """Names of the modes in order."""
     return [event.mode_after for event in run.events]
 
 
@@ -110,9 +110,9 @@ def test_five_events_within_fifty_rounding_errors(options, ulps, place):
 # -- grazing and tangent: x = x_0 + 2 t - t^2 turns back at x_0 + 1
 
 
-def turning(phase, mark, start=0.5, **marks):
+def turning(mode, mark, start=0.5, **marks):
     return thrown(
-        phase, start=start, speed=2.0, gravity=2.0, duration=2.0, a=mark, spacing=9.0, **marks
+        mode, start=start, speed=2.0, gravity=2.0, duration=2.0, a=mark, spacing=9.0, **marks
     )
 
 

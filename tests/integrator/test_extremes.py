@@ -36,9 +36,9 @@ def pulse(start, length, acceleration, duration):
 # -- how a motion begins
 
 
-def steps_in(run, phase):
-    """(n, 2) start and length of the steps in a contact phase."""
-    return run.steps.span[run.steps.mode == BLOCK.module.MODES.index(phase)]
+def steps_in(run, mode):
+    """(n, 2) start and length of the steps in a mode."""
+    return run.steps.span[run.steps.mode == BLOCK.module.MODES.index(mode)]
 
 
 def test_block_that_stands_under_a_sine_lifts_where_the_push_reaches_its_weight():
@@ -82,8 +82,8 @@ def test_elastic_bounces_for_ten_thousand_seconds():
     flights = np.diff(times)
     np.testing.assert_allclose(flights[1:], 2 * flights[0], rtol=1e-9)
     assert len(flights) == int((1e4 + flights[0]) / (2 * flights[0]))
-    phases = [impact.mode_after for impact in run.impacts]
-    assert phases == ["left" if n % 2 == 0 else "right" for n in range(len(phases))]
+    modes = [impact.mode_after for impact in run.impacts]
+    assert modes == ["left" if n % 2 == 0 else "right" for n in range(len(modes))]
 
 
 # -- infinitely many impacts
@@ -177,10 +177,10 @@ def test_dead_impact_onto_the_threshold(sign, ulps, lifts):
 
 
 def test_zero_velocity_impact_is_rest():
-    """Upright in a rocking phase, without speed: full contact at once, and nothing more."""
-    for phase in ("left", "right"):
+    """Upright in a rocking mode, without speed: full contact at once, and nothing more."""
+    for mode in ("left", "right"):
         for rate in (0.0, -0.0):
-            run = rk.simulate(BLOCK, QUIET, initial={"theta_dot": rate}, mode=phase)
+            run = rk.simulate(BLOCK, QUIET, initial={"theta_dot": rate}, mode=mode)
             assert run.outcome is rk.Outcome.CAME_TO_REST
             assert len(run.events) <= 2
             assert not run.y.any()
@@ -361,8 +361,8 @@ def test_exactly_antisymmetric_pulse_mirrored(amplitude):
     np.testing.assert_array_equal(runs[0]["theta"], -runs[1]["theta"])
     times = [[event.time for event in run.events] for run in runs]
     assert times[0] == times[1]
-    phases = [[event.mode_after for event in run.events] for run in runs]
-    assert phases[0] == [OTHER[name] for name in phases[1]]
+    modes = [[event.mode_after for event in run.events] for run in runs]
+    assert modes[0] == [OTHER[name] for name in modes[1]]
     # it crosses the threshold on the straight line from 0 to the peak
     assert times[0][0] == pytest.approx(0.25 / amplitude, rel=1e-14)
 
@@ -457,7 +457,7 @@ def test_overflow_is_not_finite_and_keeps_what_was_done():
     assert np.isfinite(run.y).all()
 
 
-def test_contact_states_that_chase_one_another_are_chatter():
+def test_modes_that_chase_one_another_are_chatter():
     run = thrown("ping", start=1.0, duration=10.0)
     assert run.outcome is rk.Outcome.CHATTER
     assert {event.time for event in run.events} == {0.0}

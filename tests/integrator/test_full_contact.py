@@ -111,7 +111,7 @@ def test_ground_that_lifts_within_a_step_is_seen_whatever_its_law():
 
 @STRUCTURES
 @pytest.mark.parametrize("law", [(0.0, 1.0, 0.0, 0.7, 30.0, 0.0, 0.0), (0.0, 1.0, 1.0, 2, 9, 0, 0)])
-def test_step_on_both_feet_is_the_step_of_every_contact_state(structure, law):
+def test_step_on_both_feet_is_the_step_of_every_mode(structure, law):
     f = dict(loop(structure))
     random = np.random.default_rng(5)
     names = f["take_step"].__globals__
@@ -152,16 +152,16 @@ def test_time_to_rest_is_that_of_all_flights_one_by_one(ratio):
     assert finite > 5
 
 
-def flights(m, p, contact, y, ratio, ax):
+def flights(m, p, mode, y, ratio, ax):
     """Time of the flights between impacts, each a parabola, until their speeds are nothing."""
     total, y, rate, after = 0.0, y.copy(), np.zeros(4), np.zeros(4)
     start = abs(y[2])
     while abs(y[2]) > 1e-18 * start:
-        m.rates(contact, y, p, ax, 0.0, rate)
+        m.rates(mode, y, p, ax, 0.0, rate)
         flight = -2.0 * y[2] / rate[2]
         total += flight
         y += flight * rate
         y[0] = 0.0
-        contact = m.jump(contact, 0, m.RATIO, ratio, y, p, after)
+        mode = m.jump(mode, 0, m.RATIO, ratio, y, p, after)
         y[:] = after
     return total

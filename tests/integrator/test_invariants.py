@@ -277,17 +277,17 @@ def test_response_cut_at_its_own_impacts_is_the_whole():
     block, motion = STRUCTURES["rigid_block"], rk.GroundMotion.none(5.0)
     whole = rk.simulate(block, motion, initial={"theta": 0.1}, impact=rk.VelocityRatio(0.9))
     for n, impact in enumerate(whole.impacts[:4]):
-        for state, phase, first in (
+        for state, mode, first in (
             (impact.before, impact.mode_before, n),
             (impact.after, impact.mode_after, n + 1),
         ):
-            side = 1 if phase == "right" else -1
+            side = 1 if mode == "right" else -1
             state = state | {"theta": side * abs(state["theta"])}
             rest = rk.simulate(
                 block,
                 rk.GroundMotion.none(5.0 - impact.time),
                 initial=state,
-                mode=phase,
+                mode=mode,
                 impact=rk.VelocityRatio(0.9),
             )
             times = [impact.time + later.time for later in rest.impacts[:3]]

@@ -177,7 +177,7 @@ def test_flexible_structures(impact):
 
 
 def test_every_argument_of_a_case():
-    """Vertical record, durations on both sides of the record's, start, phase and law."""
+    """Vertical record, durations on both sides of the record's, start, mode and law."""
     full = {
         "impact": rk.VelocityRatio(0.85),
         "initial": {"theta": 0.05, "theta_dot": 0.1},
@@ -192,7 +192,7 @@ def test_every_argument_of_a_case():
         lambda which: rk.Case(block(0.6, 0.2), weak, **cases[which]), {"which": list(cases)}
     )
     assert_same(lanes, scalar, 1e-9)
-    # each argument but the phase, which the state tells, has changed something
+    # each argument but the mode, which the state tells, has changed something
     parts = (lanes.final_time.values[:, None], lanes.final.values, lanes.impact_time.values)
     assert len({row.tobytes() for row in np.hstack(parts)}) == len(cases) - 1
 
@@ -258,7 +258,7 @@ def test_every_law_of_the_ground_and_both_ways_of_stepping(make, steps):
 
 @pytest.mark.parametrize("steps", [0, 2], ids=["controlled", "equal"])
 def test_structures_on_springs(steps):
-    """They change their contact state where a spring presses no more; some fall, some fly."""
+    """They change their mode where a spring presses no more; some fall, some fly."""
     motions = MOTIONS | {"strong": RECORD.scaled(1.2), "far": MOTIONS["sine"].scaled(2.2)}
     over = {"motion": list(motions), "width": [0.2, 0.26, 0.3], "damping": [0.0, 3e3]}
 

@@ -151,11 +151,9 @@ def missing_energy(run):
     nodes, weights = np.polynomial.legendre.leggauss(6)
     x, weights = (nodes + 1) / 2, weights / 2
     work = damping = 0.0
-    for (t, h), contact, powers in zip(
-        run.steps.span, run.steps.mode, run.steps.powers, strict=True
-    ):
+    for (t, h), mode, powers in zip(run.steps.span, run.steps.mode, run.steps.powers, strict=True):
         theta, u, theta_dot, u_dot = np.polynomial.polynomial.polyval(x, powers)
-        b = run.structure.module.SIDES[contact] * s.half_width
+        b = run.structure.module.SIDES[mode] * s.half_width
         top = u_dot * np.cos(theta) - (u - b) * np.sin(theta) * theta_dot
         top += s.height * np.cos(theta) * theta_dot
         base = b * np.sin(theta) * theta_dot + s.base_height * np.cos(theta) * theta_dot
@@ -163,8 +161,8 @@ def missing_energy(run):
         work -= h * weights @ pushed
         damping += h * weights @ (s.damping * u_dot**2)
 
-    def energy(values, phase):
-        return sum(s.energies(dict(zip(s.states, values, strict=True)), phase).values())
+    def energy(values, mode):
+        return sum(s.energies(dict(zip(s.states, values, strict=True)), mode).values())
 
     lost = sum(
         energy(e.before.values(), e.mode_before) - energy(e.after.values(), e.mode_after)

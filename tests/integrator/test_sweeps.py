@@ -118,7 +118,7 @@ def scaled(name, x):
 
 
 KNOWN = {make(1.0).model for make in STRUCTURES.values()}
-ON_POINTS = {"sliding_block", "stacked_blocks"}  # whose contact states are searched one by one
+ON_POINTS = {"sliding_block", "stacked_blocks"}  # whose modes are searched one by one
 for model in SHIPPED:
     if model not in KNOWN | ON_POINTS:
         STRUCTURES[model] = lambda x, name=model: scaled(name, x)
@@ -126,7 +126,7 @@ for model in SHIPPED:
 
 @pytest.mark.parametrize("name", STRUCTURES)
 def test_structures_at_rest_and_released(name):
-    """Parameters, ratio of an impact, bound of the rotation, contact state at the start."""
+    """Parameters, ratio of an impact, bound of the rotation, mode at the start."""
     make = STRUCTURES[name]
     structure = make(1.0)
     first = structure.states[structure.module.ROTATION]
@@ -306,7 +306,7 @@ WRONG = {
     "too short": (lambda x: Case(BLOCK, sine(1.0, 1.0, duration=1.0 + x)), "longer"),
     "ratio": (lambda x: Case(BLOCK, STILL, rk.EnergyRatio(0.4 + x)), "between 0"),
     "state": (lambda x: Case(BLOCK, STILL, initial={"tehta": x}), "unknown state"),
-    "phase": (lambda x: Case(BLOCK, STILL, initial={"theta": x}, mode="right"), "contradicts"),
+    "mode": (lambda x: Case(BLOCK, STILL, initial={"theta": x}, mode="right"), "contradicts"),
     "model": (
         lambda x: Case(BLOCK if x > 0 else rk.NondimensionalBlock(alpha=0.2), STILL),
         "each model",

@@ -178,7 +178,7 @@ def test_no_decay_or_vibration_is_wrong_unseen(name, angle):
     """
     tolerance, h, z = 1e-9, 0.01, 0j
 
-    def accelerations(contact, q0, q1, v0, v1, p, ax, ay):
+    def accelerations(mode, q0, q1, v0, v1, p, ax, ay):
         """Of the mode in two real coordinates: its real and its imaginary part."""
         rate = z / h
         return rate.real * v0 - rate.imag * v1, rate.imag * v0 + rate.real * v1

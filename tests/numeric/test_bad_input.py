@@ -88,12 +88,12 @@ def test_impulsive_law_for_the_cart():
         rk.simulate(cart, QUIET, impact=rk.Impulsive())
 
 
-def test_after_impact_in_a_phase_without_impact():
+def test_after_impact_in_a_mode_without_impact():
     with raises(ValueError, "no impact", "both"):
         BLOCK.after_impact({}, mode="both")
 
 
-# -- states and phases
+# -- states and modes
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf])
@@ -107,19 +107,19 @@ def test_unknown_state():
         rk.simulate(BLOCK, QUIET, initial={"phi": 0.1})
 
 
-def test_unknown_phase():
+def test_unknown_mode():
     with raises(ValueError, "mode", "rihgt", "left, both, right"):
         rk.simulate(BLOCK, QUIET, initial={"theta": 0.1}, mode="rihgt")
 
 
 @pytest.mark.parametrize(
-    ("initial", "phase"),
+    ("initial", "mode"),
     [({"theta": 0.1}, "left"), ({"theta": 0.1}, "both"), ({"theta_dot": 0.1}, "both")],
 )
-def test_phase_that_contradicts_the_state(initial, phase):
+def test_mode_that_contradicts_the_state(initial, mode):
     """A structure turned to the right does not stand on its left edge."""
-    with raises(ValueError, phase, "theta"):
-        rk.simulate(BLOCK, QUIET, initial=initial, mode=phase)
+    with raises(ValueError, mode, "theta"):
+        rk.simulate(BLOCK, QUIET, initial=initial, mode=mode)
 
 
 @pytest.mark.parametrize("theta", [math.pi / 2 + 1e-6, -2.0])
@@ -243,9 +243,7 @@ def test_argument_of_another_kind_is_named(ask, argument):
     if ask is swept and argument == "options":
         return  # it is none of a case
     for kind in set(OTHERS) - ARGUMENTS[argument]:
-        with pytest.raises(
-            TypeError, match=rf"^(\w+ and )?{argument.replace('mode', '(mode|phase)')} (is|are) "
-        ) as caught:
+        with pytest.raises(TypeError, match=rf"^(\w+ and )?{argument} (is|are) ") as caught:
             ask(**{argument: OTHERS[kind]})
         text = str(caught.value)
         assert any(remedy in text for remedy in (": give ", ": name ", "comes first"))
@@ -472,14 +470,12 @@ def test_times_outside_a_response():
 
 
 def test_wrong_states_and_parameters_of_lambdified_functions():
-    phase = rk.derive("rigid_block").lambdify()["right"]
+    mode = rk.derive("rigid_block").lambdify()["right"]
     values = {"mass": 1.0, "half_width": 0.1, "height": 0.4, "inertia": 0.1, "gravity": 9.81}
     with raises(ValueError, "3 rows", "theta, theta_dot"):
-        phase.energies([0.1, 0.0, 0.0], values)
+        mode.energies([0.1, 0.0, 0.0], values)
     with raises(ValueError, "missing: height", "unknown: hight"):
-        phase.energies(
-            [0.1, 0.0], {("hight" if k == "height" else k): v for k, v in values.items()}
-        )
+        mode.energies([0.1, 0.0], {("hight" if k == "height" else k): v for k, v in values.items()})
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")

@@ -1,4 +1,4 @@
-"""Passages between contact states: uplift, rest, re-uplift, and their order in time."""
+"""Passages between modes: uplift, rest, re-uplift, and their order in time."""
 
 import itertools
 import math
@@ -158,7 +158,7 @@ def test_uplift_of_a_flexible_structure_is_where_a_foot_ceases_to_press(stiffnes
     flexible=st.booleans(),
 )
 def test_events_follow_one_another_in_order(amplitude, period, e, flexible):
-    """Each event starts in the contact state in which the one before it ended."""
+    """Each event starts in the mode in which the one before it ended."""
     structure = column() if flexible else BLOCK
     motion = rk.GroundMotion.single_sine(amplitude, period=period, duration=6.0)
     run = rk.simulate(structure, motion, impact=rk.VelocityRatio(e))
@@ -179,7 +179,7 @@ def test_events_follow_one_another_in_order(amplitude, period, e, flexible):
         assert event.before["theta_dot"] * side[event.mode_before] <= 0
 
 
-# -- states that fit no contact state, or another than is named
+# -- states that fit no mode, or another than is named
 
 WALLS = [
     rk.ControlledWall.thesis(),
@@ -198,8 +198,8 @@ def test_wall_beyond_yield_on_its_way_back_has_drawn_its_tendon_out(wall, side):
     far = 0.05 if q == "theta" else 0.12
     state = {q: side * far, f"{q}_dot": -side * 0.1}
     assert wall.reactions(state)["tendon_force"] == pytest.approx(wall.yield_force, rel=1e-12)
-    phase = wall.module.MODES[wall.mode_number(wall.state(state))]
-    assert phase.startswith("right" if side > 0 else "left")
+    mode = wall.module.MODES[wall.mode_number(wall.state(state))]
+    assert mode.startswith("right" if side > 0 else "left")
     mirrored = {name: -value for name, value in state.items()}
     assert wall.accelerations(state)[q] == -wall.accelerations(mirrored)[q]
     assert sum(wall.energies(state).values()) == sum(wall.energies(mirrored).values())
@@ -211,7 +211,7 @@ def test_wall_beyond_yield_on_its_way_back_has_drawn_its_tendon_out(wall, side):
 
 
 @pytest.mark.parametrize(
-    ("structure", "state", "phase"),
+    ("structure", "state", "mode"),
     [
         (WALLS[0], {"theta": -0.02}, "right"),
         (WALLS[0], {"theta": -0.02}, "right_slack"),
@@ -219,9 +219,9 @@ def test_wall_beyond_yield_on_its_way_back_has_drawn_its_tendon_out(wall, side):
     ],
     ids=lambda value: value if isinstance(value, str) else None,
 )
-def test_phase_whose_impact_is_over_is_refused(structure, state, phase):
-    with pytest.raises(ValueError, match=f"the mode '{phase}' of {structure.model} contradicts"):
-        rk.simulate(structure, rk.GroundMotion.none(1.0), initial=state, mode=phase)
+def test_mode_whose_impact_is_over_is_refused(structure, state, mode):
+    with pytest.raises(ValueError, match=f"the mode '{mode}' of {structure.model} contradicts"):
+        rk.simulate(structure, rk.GroundMotion.none(1.0), initial=state, mode=mode)
 
 
 def test_upright_structure_begins_on_the_side_to_which_it_will_go():

@@ -96,10 +96,10 @@ def test_two_eccentric_tendons_push_as_the_closed_form_says_and_unlike_to_both_s
     built = rk.structure(controlled_wall_oscillator(2), **values)
     m = built.module
 
-    def force(displacement: float, contact: str) -> float:
+    def force(displacement: float, mode: str) -> float:
         y, out = np.zeros(m.N_STATES), np.empty(m.N_STATES // 2)
         y[0] = displacement
-        m.statics(m.MODES.index(contact), y, built.vector, 0.0, out)
+        m.statics(m.MODES.index(mode), y, built.vector, 0.0, out)
         return out[0]
 
     for d in (0.004, 0.012):

@@ -35,20 +35,20 @@ def shaken(law):
     return rk.simulate(PIER, pacoima(), impact=law)
 
 
-def jacobian(pier, phase, u):
+def jacobian(pier, mode, u):
     """(5, n) of both velocities of the mass and of the base, and of the rotation, upright."""
-    b = {"left": -1, "right": 1, "both": 0}[phase] * pier.half_width
+    b = {"left": -1, "right": 1, "both": 0}[mode] * pier.half_width
     turning = np.array([pier.height, b - u, pier.base_height, b, 1.0])
     bending = np.array([1.0, 0.0, 0.0, 0.0, 0.0])
-    return np.column_stack([turning * (phase != "both"), bending])
+    return np.column_stack([turning * (mode != "both"), bending])
 
 
 WEIGHTS = np.diag([PIER.mass] * 2 + [PIER.base_mass] * 2 + [PIER.inertia + PIER.base_inertia])
 
 
-def kinetic(phase, state):
+def kinetic(mode, state):
     """Of the pier upright, by the velocities of its masses."""
-    v = jacobian(PIER, phase, state["u"]) @ [state["theta_dot"], state["u_dot"]]
+    v = jacobian(PIER, mode, state["u"]) @ [state["theta_dot"], state["u_dot"]]
     return 0.5 * v @ WEIGHTS @ v
 
 
@@ -122,23 +122,23 @@ def test_no_landing_of_a_structure_that_bends_gains_energy_by_default(name, valu
     }
     turning = 0.05 + abs(values[0])
     state |= {"theta": 0.0, "theta_dot": -turning if right else turning}
-    phase = "right" if right else "left"
-    after, follows = structure.after_impact(state, phase)
-    before = structure.energies(state, mode=phase)["kinetic_energy"]
+    mode = "right" if right else "left"
+    after, follows = structure.after_impact(state, mode)
+    before = structure.energies(state, mode=mode)["kinetic_energy"]
     left = structure.energies(after, mode=follows)["kinetic_energy"]
     assert left <= before * (1 + 1e-12)
 
 
-@pytest.mark.parametrize(("half_width", "phase"), [(3.0, "both"), (1.0, "left")])
-def test_landing_projects_the_velocities_on_the_motions_that_follow(half_width, phase):
+@pytest.mark.parametrize(("half_width", "mode"), [(3.0, "both"), (1.0, "left")])
+def test_landing_projects_the_velocities_on_the_motions_that_follow(half_width, mode):
     """M q'+ = J+' m v-, of both masses by hand: a stocky pier stands on both feet then."""
     pier = dataclasses.replace(PIER, half_width=half_width)
     u, start = 0.03, np.array([-0.12, 0.2])  # theta_dot, u_dot
-    new = jacobian(pier, phase, u)
+    new = jacobian(pier, mode, u)
     arriving = jacobian(pier, "right", u) @ start
     expected = np.linalg.lstsq(WEIGHTS**0.5 @ new, WEIGHTS**0.5 @ arriving, rcond=None)[0]
     after, follows = pier.after_impact({"u": u, "theta_dot": start[0], "u_dot": start[1]}, "right")
-    assert follows == phase
+    assert follows == mode
     np.testing.assert_allclose([after["theta_dot"], after["u_dot"]], expected, rtol=1e-10)
 
 

@@ -24,8 +24,8 @@ STRUCTURES = pytest.mark.parametrize("structure", every_structure(), ids=by_mode
 def excess_energy(run):
     """Energy above that of the structure standing still, and the largest of it."""
     s = run.structure
-    phase = "both" if "both" in s.module.MODES else "both_right"
-    rest = sum(s.energies({}, mode=phase).values())
+    mode = "both" if "both" in s.module.MODES else "both_right"
+    rest = sum(s.energies({}, mode=mode).values())
     energy = run["total_energy"] - rest
     return energy, np.abs(energy).max()
 
@@ -77,16 +77,16 @@ NUMBERS = st.floats(-5, 5).map(lambda x: x if abs(x) > 1e-140 else 0.0)
 def change_at_impact(structure, side, state, law):
     """Kinetic energies before and after the impact that closes a side."""
     m = structure.module
-    phase = next(
+    mode = next(
         c
         for c, s, kinds, n in zip(m.MODES, m.SIDES, m.KINDS, m.GUARDS, strict=True)
         if s == side and n and kinds[0] == 0
     )
     rotation, rate = m.STATES[m.ROTATION], m.STATES[m.ROTATION_RATE]
     state = state | {rotation: 0.0, rate: -side * abs(state[rate])}
-    after, follows = structure.after_impact(state, phase, impact=law)
+    after, follows = structure.after_impact(state, mode, impact=law)
     return (
-        structure.energies(state, mode=phase)["kinetic_energy"],
+        structure.energies(state, mode=mode)["kinetic_energy"],
         structure.energies(after, mode=follows)["kinetic_energy"],
     )
 
@@ -125,7 +125,7 @@ def test_impact_of_a_rigid_structure_takes_the_prescribed_share(structure, law, 
     values=st.lists(NUMBERS, min_size=4, max_size=4),
 )
 def test_impulsive_law_never_makes_energy(inertia, half_width, side, values):
-    """Slender or squat, deformed and vibrating anyhow, whichever phase follows."""
+    """Slender or squat, deformed and vibrating anyhow, whichever mode follows."""
     structure = column(inertia=inertia, half_width=half_width)
     before, after = change_at_impact(structure, side, a_state(structure, values), rk.Impulsive())
     assert after <= before * (1 + 1e-12)

@@ -1,4 +1,4 @@
-"""The flexible structure (Model C): full contact, impulsive impacts, one phase against SciPy."""
+"""The flexible structure (Model C): full contact, impulsive impacts, one mode against SciPy."""
 
 import functools
 import math
@@ -82,8 +82,8 @@ def test_impulsive_law_against_the_closed_form(side):
         ratio = (i_e + i_b + m_b * (h_b**2 - b**2) - m_e * (b**2 - u**2)) / (
             i_e + i_b + m_b * (h_b**2 + b**2) + m_e * (b + u) ** 2
         )
-        phase, other = ("right", "left") if side == 1 else ("left", "right")
-        after, follows = column().after_impact(state, phase, impact=rk.Impulsive())
+        mode, other = ("right", "left") if side == 1 else ("left", "right")
+        after, follows = column().after_impact(state, mode, impact=rk.Impulsive())
         assert follows == other
         assert after["theta"] == 0.0
         assert after["u"] == state["u"]
@@ -97,8 +97,8 @@ def test_old_foot_that_cannot_lift_stays_down(side):
     """A squat structure: the closed form's ratio is negative, so full contact follows."""
     squat = column(half_width=0.9, inertia=5.0)
     state = {"u": 0.003, "theta_dot": -side * 0.2, "u_dot": 0.1}
-    phase = "right" if side == 1 else "left"
-    after, follows = squat.after_impact(state, phase, impact=rk.Impulsive())
+    mode = "right" if side == 1 else "left"
+    after, follows = squat.after_impact(state, mode, impact=rk.Impulsive())
     assert follows == "both"
     assert after["theta_dot"] == 0.0
     assert after["u"] == state["u"]
@@ -122,16 +122,16 @@ def test_rigid_column_recovers_the_restitution_of_the_rigid_structure():
     assert e == pytest.approx(1 - lost / PIVOT_INERTIA, rel=1e-14)
 
 
-# -- the motion of one rocking phase
+# -- the motion of one rocking mode
 
 
 @functools.cache
-def numpy_phases():
+def numpy_modes():
     return rk.derive("flexible_structure").lambdify()
 
 
 @pytest.mark.parametrize("vertical", [False, True])
-def test_rocking_phase_against_another_integrator(vertical):
+def test_rocking_mode_against_another_integrator(vertical):
     """DOP853 of SciPy on the lambdified equations, up to just before the first impact."""
     structure = column()
     initial = {"theta": 0.05, "u": 0.002, "theta_dot": 0.1, "u_dot": -0.05}
@@ -140,11 +140,11 @@ def test_rocking_phase_against_another_integrator(vertical):
     run = rk.simulate(structure, horizontal, vertical=lifting, initial=initial)
     end = run.impacts[0].time * 0.999
     assert end > 0.2
-    phase, parameters = numpy_phases()["right"], structure.parameters()
+    mode, parameters = numpy_modes()["right"], structure.parameters()
 
     def rates(t, y):
         ay = lifting.acceleration(t) if vertical else 0.0
-        return phase.rates(y, parameters, horizontal.acceleration(t), ay)
+        return mode.rates(y, parameters, horizontal.acceleration(t), ay)
 
     t = np.linspace(0, end, 60)
     reference = solve_ivp(

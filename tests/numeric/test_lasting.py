@@ -92,12 +92,12 @@ def structure_of(name: str) -> rk.Structure:
 def made_up(structure, samples=None) -> Response:
     """A response that nobody simulated, each number of which is another."""
     rng = np.random.default_rng(3)
-    n, contacts, k = len(structure.states), len(structure.module.MODES), 7
+    n, n_modes, k = len(structure.states), len(structure.module.MODES), 7
     powers = rng.standard_normal((k, 8, n))
     powers[0, 0, 0], powers[1, 1, 0] = -0.0, 5e-324
     span = np.column_stack([0.1 * np.arange(k), np.full(k, 0.1)])
-    steps = Steps(span, rng.integers(0, contacts, k), powers)
-    kinds = rng.integers(0, (len(KINDS), contacts, contacts, 2), (3, 4))
+    steps = Steps(span, rng.integers(0, n_modes, k), powers)
+    kinds = rng.integers(0, (len(KINDS), n_modes, n_modes, 2), (3, 4))
     end, times = rng.standard_normal(n), rng.uniform(size=3)
     return Response(
         structure, PULSE, rk.GroundMotion.from_array([0.0, 1 / 3, -0.1], 0.01), LAW,
@@ -414,7 +414,7 @@ def test_a_file_makes_nothing_but_what_is_known(file, change, name):
     ids=lambda arrays: next(iter(arrays)),
 )
 def test_numbers_that_compiled_code_would_stumble_over_are_refused(file, change, arrays):
-    """Of contact states that there are not, and of other sizes than the structure has."""
+    """Of modes that there are not, and of other sizes than the structure has."""
     change(arrays=arrays)
     refused(file, next(iter(arrays)))
 

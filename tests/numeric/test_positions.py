@@ -192,15 +192,15 @@ def test_masses_move_as_the_kinetic_energy_says(name, data):
     m, p, n = structure.module, structure.vector, structure.module.N_STATES // 2
     numbers = st.floats(-0.15, 0.15)
     y = np.array(data.draw(st.lists(numbers, min_size=2 * n, max_size=2 * n)))
-    contact = data.draw(st.integers(0, len(m.MODES) - 1))
-    if m.SIDES[contact]:
-        y[m.ROTATION] = m.SIDES[contact] * abs(y[m.ROTATION])
+    mode = data.draw(st.integers(0, len(m.MODES) - 1))
+    if m.SIDES[mode]:
+        y[m.ROTATION] = m.SIDES[mode] * abs(y[m.ROTATION])
     energies = np.zeros(3)
-    m.energies(contact, y, p, energies)
+    m.energies(mode, y, p, energies)
     step = 1e-4
     moved = np.array([y, y])
     moved[:, :n] += step * np.array([[-1.0], [1.0]]) * y[n:]
-    before, after = places(m, np.array([contact, contact]), moved, p)[:, : len(masses)]
+    before, after = places(m, np.array([mode, mode]), moved, p)[:, : len(masses)]
     speeds = (after - before) / (2 * step)
     squares = np.column_stack([(speeds[:, :2] ** 2).sum(axis=1), speeds[:, 2] ** 2])
     kinetic = (masses * squares).sum() / 2
@@ -219,9 +219,9 @@ def test_load_point_and_feet_are_displaced_as_the_response_says(name):
     m, p = structure.module, structure.vector
     y = np.linspace(0.02, 0.1, m.N_STATES)
     told = np.zeros(len(m.KINEMATICS))
-    for contact in range(len(m.MODES)):
-        m.kinematics(contact, y, p, told)
-        here, rest = places(m, np.array([contact, contact]), np.array([y, 0.0 * y]), p)
+    for mode in range(len(m.MODES)):
+        m.kinematics(mode, y, p, told)
+        here, rest = places(m, np.array([mode, mode]), np.array([y, 0.0 * y]), p)
         moved = dict(zip(m.POSITIONS, here - rest, strict=True))
         value = dict(zip(m.KINEMATICS, told, strict=True))
         assert moved["load"][0] == pytest.approx(value["displacement"], abs=1e-12)

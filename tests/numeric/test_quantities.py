@@ -62,7 +62,7 @@ def bouncing():
 
 @pytest.mark.parametrize("make", [rocking, sliding], ids=["rocks", "slides"])
 def test_velocities_and_accelerations_are_the_slopes_of_places(make):
-    """By differences of the dense record, in all contact states that are met for a while."""
+    """By differences of the dense record, in all modes that are met for a while."""
     run = make()
     module, p = run.structure.module, run.structure.vector
     start, length = run.steps.span.T
@@ -80,14 +80,14 @@ def test_velocities_and_accelerations_are_the_slopes_of_places(make):
     slope = (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h)
     bend = (16 * (at(h) + at(-h)) - (at(2 * h) + at(-2 * h)) - 30 * at(0.0)) / (12 * h**2)
     ground = np.column_stack([run.motion.acceleration(t), run.vertical.acceleration(t)])
-    for contact in np.unique(rows[0]):
-        of = rows[0] == contact
-        phase = module.MODES[contact]
+    for number in np.unique(rows[0]):
+        of = rows[0] == number
+        mode = module.MODES[number]
         here = {name: value[of] for name, value in states.items()}
-        if run.structure.rocks_on_rigid_ground and phase == "both":
+        if run.structure.rocks_on_rigid_ground and mode == "both":
             here = {name: value for name, value in here.items() if "theta" not in name}
-        moved = run.structure.velocities(here, phase)
-        felt = run.structure.absolute_accelerations(here, *ground[of].T, phase)
+        moved = run.structure.velocities(here, mode)
+        felt = run.structure.absolute_accelerations(here, *ground[of].T, mode)
         for i, name in enumerate(module.POSITIONS):
             np.testing.assert_allclose(moved[name], slope[of, i], atol=1e-8)
             expected = bend[of, i] + ground[of]

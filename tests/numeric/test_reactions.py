@@ -126,9 +126,9 @@ def test_reactions_follow_from_the_motion_of_the_centroid():
     structure = column()
     motion = rk.GroundMotion.harmonic(3.0, period=0.4, duration=1.0)
     run = rk.simulate(structure, motion, initial={"theta": 0.06})
-    phase = rk.derive("flexible_structure").lambdify()["right"]
+    mode = rk.derive("flexible_structure").lambdify()["right"]
     t, h = run.impacts[0].time / 2, 1e-4
-    places = phase.positions(
+    places = mode.positions(
         np.array(list(run.at([t - h, t, t + h]).values())), structure.parameters()
     )
     masses = {"superstructure": S1["mass"], "base": S1["base_mass"]}

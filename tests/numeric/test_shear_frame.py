@@ -82,15 +82,15 @@ def test_one_storey_is_the_flexible_structure():
     rng = np.random.default_rng(3)
     for _ in range(50):
         side = rng.choice([-1.0, 1.0])
-        phase, ground = "right" if side > 0 else "left", rng.uniform(-5, 5, 2)
+        mode, ground = "right" if side > 0 else "left", rng.uniform(-5, 5, 2)
         theta, u, theta_dot, u_dot = side * rng.uniform(0, 0.3), *rng.uniform(-0.1, 0.1, 3)
         state = {"theta": theta, "u": u, "theta_dot": theta_dot, "u_dot": u_dot}
         of_frame = {n.replace("u", "u_1", 1): v for n, v in state.items()}
         asked = [
             [
-                s.accelerations(y, *ground, mode=phase),
-                s.energies(y, mode=phase),
-                s.reactions(y, *ground, mode=phase),
+                s.accelerations(y, *ground, mode=mode),
+                s.energies(y, mode=mode),
+                s.reactions(y, *ground, mode=mode),
             ]
             for s, y in ((one_storey(), of_frame), (column(), state))
         ]
@@ -101,8 +101,8 @@ def test_one_storey_is_the_flexible_structure():
         landing = {"theta_dot": -side * abs(theta_dot), "u": u, "u_dot": u_dot}
         of_frame = {n.replace("u", "u_1", 1): v for n, v in landing.items()}
         for law in (rk.Impulsive(), rk.AngularMomentum()):
-            expected, follows = column().after_impact(landing, phase, law)
-            found, same = one_storey().after_impact(of_frame, phase, law)
+            expected, follows = column().after_impact(landing, mode, law)
+            found, same = one_storey().after_impact(of_frame, mode, law)
             assert same == follows
             np.testing.assert_allclose(
                 list(found.values()), list(expected.values()), rtol=1e-13, atol=1e-15

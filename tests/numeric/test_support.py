@@ -184,12 +184,12 @@ def test_impulses_of_two_masses_on_a_column(law):
     largest, seen = 0.0, set()
     for impact in run.impacts:
         momentum = []
-        for phase, state in (
+        for mode, state in (
             (impact.mode_before, impact.before), (impact.mode_after, impact.after)
         ):  # fmt: skip
             turning, sliding, u = state["theta_dot"], state["u_dot"], state["u"]
-            pivot = {"left": -1, "both": 0, "right": 1}[phase] * S1["half_width"]
-            seen.add(phase)
+            pivot = {"left": -1, "both": 0, "right": 1}[mode] * S1["half_width"]
+            seen.add(mode)
             x = S1["mass"] * (turning * S1["height"] + sliding)
             x += S1["base_mass"] * turning * S1["base_height"]
             y = S1["mass"] * turning * (pivot - u) + S1["base_mass"] * turning * pivot

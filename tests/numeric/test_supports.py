@@ -46,16 +46,16 @@ def two_storeys(support, **changes):
 
 
 def test_the_rigid_structure_on_two_springs_is_the_two_spring_structure():
-    """The same contact states, accelerations and forces: one derived of phases, one of elements."""
+    """The same modes, accelerations and forces: one derived of modes, one of elements."""
     composed, shipped = lumped(rk.TwoSprings(**SPRINGS)), on_springs()
     assert sorted(composed.module.MODES) == sorted(shipped.module.MODES)
     rng = np.random.default_rng(5)
-    for phase in shipped.module.MODES:
+    for mode in shipped.module.MODES:
         for _ in range(10):
             state = dict(zip(shipped.states, rng.uniform(-0.05, 0.05, 4), strict=True))
             for ask in ("accelerations", "reactions"):
                 expected, found = (
-                    getattr(s, ask)(state, 1.3, -0.7, mode=phase) for s in (shipped, composed)
+                    getattr(s, ask)(state, 1.3, -0.7, mode=mode) for s in (shipped, composed)
                 )
                 assert found == pytest.approx(expected, rel=1e-11, abs=1e-9)
 
@@ -86,11 +86,11 @@ def test_a_bed_of_two_springs_is_the_two_springs():
 def settled_modes(structure):
     """Circular frequencies of small motion about the settled state [rad/s]."""
     m, p, n = structure.module, structure.vector, structure.module.N_STATES // 2
-    contact = structure.mode_number(np.zeros(2 * n))
+    mode = structure.mode_number(np.zeros(2 * n))
 
     def accelerations(q):
         dy = np.zeros(2 * n)
-        m.rates(contact, np.array([*q, *np.zeros(n)]), p, 0.0, 0.0, dy)
+        m.rates(mode, np.array([*q, *np.zeros(n)]), p, 0.0, 0.0, dy)
         return dy[n:]
 
     matrix = np.transpose([(accelerations(h) - accelerations(-h)) / 2e-7 for h in 1e-7 * np.eye(n)])
@@ -280,17 +280,17 @@ def test_on_a_foot_that_sticks_it_moves_as_on_pinned_feet(storeys, side):
     make = two_storeys if storeys else lambda support: column(support=support)
     sliding, pinned = make(slides), make(rk.Pinned())
     rng = np.random.default_rng(9)
-    phase = "right" if side > 0 else "left"
+    mode = "right" if side > 0 else "left"
     for _ in range(20):
         state = dict(zip(pinned.states, 0.1 * rng.standard_normal(len(pinned.states)), strict=True))
         state["theta"] = side * abs(state["theta"])
-        expected = pinned.accelerations(state, 1.5, 0.5, mode=phase)
+        expected = pinned.accelerations(state, 1.5, 0.5, mode=mode)
         y = sliding.state(state)
-        assert sliding.module.MODES[sliding.mode_number(y)] == phase
-        found = sliding.accelerations(state, 1.5, 0.5, mode=phase)  # whether or not it can stick
+        assert sliding.module.MODES[sliding.mode_number(y)] == mode
+        found = sliding.accelerations(state, 1.5, 0.5, mode=mode)  # whether or not it can stick
         for name, value in expected.items():
             assert found[name] == pytest.approx(value, rel=1e-9, abs=1e-9)
-        forces, same = (s.reactions(state, 1.5, 0.5, mode=phase) for s in (pinned, sliding))
+        forces, same = (s.reactions(state, 1.5, 0.5, mode=mode) for s in (pinned, sliding))
         for name, value in forces.items():
             assert same[name] == pytest.approx(value, rel=1e-9, abs=1e-6)
 

@@ -188,13 +188,13 @@ def test_what_impacts_leave_of_a_volume_of_the_space_of_states():
     impacts = found.response.impacts
     assert len(impacts) >= 3
 
-    def inertia(contact, state):
+    def inertia(mode, state):
         """Determinant of M, by the kinetic energy at rates of one coordinate and of both."""
         y, energy = np.array([state[n] for n in structure.states]), np.empty(3)
 
         def kinetic(theta_dot, u_dot):
             y[2:] = theta_dot, u_dot
-            number = structure.module.MODES.index(contact)
+            number = structure.module.MODES.index(mode)
             structure.module.energies(number, y, structure.vector, energy)
             return energy[0]
 
@@ -203,10 +203,10 @@ def test_what_impacts_leave_of_a_volume_of_the_space_of_states():
 
     end = dict(zip(structure.states, found.response.end, strict=True))
     flights = [start, *(i.after for i in impacts)], [*(i.before for i in impacts), end]
-    phases = [impacts[0].mode_before, *(i.mode_after for i in impacts)]
+    modes = [impacts[0].mode_before, *(i.mode_after for i in impacts)]
     expected = e ** (2 * len(impacts))
-    for leaves, lands, phase in zip(*flights, phases, strict=True):
-        expected *= inertia(phase, leaves) / inertia(phase, lands)
+    for leaves, lands, mode in zip(*flights, modes, strict=True):
+        expected *= inertia(mode, leaves) / inertia(mode, lands)
     assert np.linalg.det(found.end) == pytest.approx(expected, rel=1e-9)
 
 

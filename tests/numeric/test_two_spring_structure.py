@@ -86,8 +86,8 @@ def test_cart_follows_the_printed_pushover():
     stiffness = (springs - GRAVITY * FIRST_MOMENT) / HEIGHT**2
 
     def restoring(u):
-        phase = "both_right" if u < u_crit else "right"
-        return -TOTAL_MASS * cart.accelerations({"u": u}, mode=phase)["u"]
+        mode = "both_right" if u < u_crit else "right"
+        return -TOTAL_MASS * cart.accelerations({"u": u}, mode=mode)["u"]
 
     u_crit = HEIGHT * WEIGHT / (2 * FOUNDATION_STIFFNESS * HALF_WIDTH)
     assert restoring(0.5 * u_crit) == pytest.approx(0.5 * stiffness * u_crit, rel=1e-12)

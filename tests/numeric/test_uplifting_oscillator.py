@@ -44,8 +44,8 @@ def test_flexural_equation_while_uplifted_is_that_of_the_thesis(side):
     model = rk.derive("uplifting_oscillator")
     theta, u = model.coordinates
     m, h, b, k, c, g = (p.symbol for p in model.parameters)
-    phase = "right" if side == 1 else "left"
-    equations = model.equations(phase)
+    mode = "right" if side == 1 else "left"
+    equations = model.equations(mode)
     _, found = equations.mass_matrix.LUsolve(equations.forcing.subs(GROUND_Y, 0))
 
     omega, xi = sp.sqrt(k / m), c / (2 * sp.sqrt(k * m))
@@ -61,8 +61,8 @@ def test_mode_of_the_uplifted_column_has_the_frequency_and_damping_of_the_thesis
     """2-8 by the eigenvalues of the generated equations; the rotation itself has no stiffness."""
     structure = oscillator()
 
-    def rates(state, phase="right"):
-        found = structure.accelerations(state, mode=phase)
+    def rates(state, mode="right"):
+        found = structure.accelerations(state, mode=mode)
         return np.array([found["theta"], found["u"]])
 
     base = {"theta": 0.01, "u": 0.0}
@@ -139,18 +139,18 @@ def test_rocking_on_one_foot_against_the_closed_form():
     np.testing.assert_allclose(found["theta"], rotation(t), atol=1e-9 * theta_0)
 
 
-@pytest.mark.parametrize("phase", ["left", "right"])
-def test_impulsive_impact_ends_in_full_contact(phase):
+@pytest.mark.parametrize("mode", ["left", "right"])
+def test_impulsive_impact_ends_in_full_contact(mode):
     """The mass keeps its horizontal velocity; the vertical one is lost with its energy."""
-    side = 1 if phase == "right" else -1
+    side = 1 if mode == "right" else -1
     before = {"u": 0.4 * U_C, "theta_dot": -0.2 * side, "u_dot": 0.03}
     structure = oscillator()
-    after, follows = structure.after_impact(before, phase, impact=rk.Impulsive())
+    after, follows = structure.after_impact(before, mode, impact=rk.Impulsive())
     assert follows == "both"
     assert after["theta_dot"] == 0.0
     assert after["u_dot"] == pytest.approx(0.03 + H * before["theta_dot"], rel=1e-14)
     lost = (
-        structure.energies(before, phase)["kinetic_energy"]
+        structure.energies(before, mode)["kinetic_energy"]
         - structure.energies(after, follows)["kinetic_energy"]
     )
     assert lost == pytest.approx(structure.mass * (B * 0.2) ** 2 / 2, rel=1e-12)

@@ -75,11 +75,11 @@ def modes(structure, rotation):
     """Circular frequencies of small motion about the equilibrium under a held push [rad/s]."""
     m, p = structure.module, structure.vector
     force, y = structure.equilibrium(rotation)
-    contact = m.MODES.index("right")
+    mode = m.MODES.index("right")
 
     def lacking(q):
         out = np.zeros(2)
-        m.statics(contact, np.array([*q, 0.0, 0.0]), p, force, out)
+        m.statics(mode, np.array([*q, 0.0, 0.0]), p, force, out)
         return out
 
     steps = 1e-5 * np.eye(2)

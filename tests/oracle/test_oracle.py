@@ -50,8 +50,8 @@ def test_a_wrong_number_is_noticed():
     assert "ask_rates" in plain
     right = plain["ask_rates"]
 
-    def wrong(contact, y, p, ax, ay, out):
-        right(contact, y, p, ax, ay, out)
+    def wrong(mode, y, p, ax, ay, out):
+        right(mode, y, p, ax, ay, out)
         out[1] = np.nextafter(out[1], np.inf)
 
     found = differences(module, structure.vector, {**plain, "ask_rates": wrong}, printed(module), 2)

@@ -22,22 +22,22 @@ from tests.machine_code import HEAD, functions
 Ways = dict[str, Callable[..., Any]]
 
 ASKED = {
-    "rates": ("ax: float, ay: float, out: Floats", "contact, y, p, ax, ay, out"),
-    "guards": ("ax: float, ay: float, out: Floats", "contact, y, p, ax, ay, out"),
-    "reactions": ("ax: float, ay: float, out: Floats", "contact, y, p, ax, ay, out"),
-    "statics": ("ax: float, ay: float, out: Floats", "contact, y, p, ax, out"),
-    "energies": ("ax: float, ay: float, out: Floats", "contact, y, p, out"),
-    "kinematics": ("ax: float, ay: float, out: Floats", "contact, y, p, out"),
-    "momentum": ("ax: float, ay: float, out: Floats", "contact, y, p, out"),
+    "rates": ("ax: float, ay: float, out: Floats", "mode, y, p, ax, ay, out"),
+    "guards": ("ax: float, ay: float, out: Floats", "mode, y, p, ax, ay, out"),
+    "reactions": ("ax: float, ay: float, out: Floats", "mode, y, p, ax, ay, out"),
+    "statics": ("ax: float, ay: float, out: Floats", "mode, y, p, ax, out"),
+    "energies": ("ax: float, ay: float, out: Floats", "mode, y, p, out"),
+    "kinematics": ("ax: float, ay: float, out: Floats", "mode, y, p, out"),
+    "momentum": ("ax: float, ay: float, out: Floats", "mode, y, p, out"),
 }
 """Functions of a generated module that fill `out`, and how each is called."""
 FRAME = """
 @entry
-def ask_jump(contact: int, y: Floats, p: Floats, ax: float, ay: float, out: Floats):
-    for guard in range(GUARDS[contact]):
+def ask_jump(mode: int, y: Floats, p: Floats, ax: float, ay: float, out: Floats):
+    for guard in range(GUARDS[mode]):
         for law in range(2 if HAS_IMPULSIVE else 1):
             at = N_STATES * (2 * guard + law)
-            out[at] = jump(contact, guard, law, 0.8, y, p, out[at : at + N_STATES])
+            out[at] = jump(mode, guard, law, 0.8, y, p, out[at : at + N_STATES])
 """
 
 
@@ -45,7 +45,7 @@ def questions(module: ModuleType) -> str:
     text = HEAD + FRAME
     for name, (arguments, call) in ASKED.items():
         if hasattr(module, name):
-            text += f"\n@entry\ndef ask_{name}(contact: int, y: Floats, p: Floats, {arguments}):\n"
+            text += f"\n@entry\ndef ask_{name}(mode: int, y: Floats, p: Floats, {arguments}):\n"
             text += f"    {name}({call})\n"
     return text
 
@@ -118,15 +118,15 @@ def printed(module: ModuleType, contract: bool = False) -> Ways:
 
 
 def asked(module: ModuleType, vector: np.ndarray, seed: int) -> Iterator[tuple[str, tuple]]:
-    """Names of functions, with random arguments for each contact state."""
+    """Names of functions, with random arguments for each mode."""
     rng = np.random.default_rng(seed)
-    for contact in range(len(module.MODES)):
+    for mode in range(len(module.MODES)):
         y = rng.normal(size=module.N_STATES) * 10.0 ** rng.uniform(-6, 0)
         ax, ay = rng.normal(size=2) * 5.0
         for name in ("jump", *ASKED):
             if hasattr(module, name):
                 size = 2 * module.N_STATES * max(module.N_GUARDS, 1) + 64
-                yield f"ask_{name}", (contact, y, vector, ax, ay, np.zeros(size))
+                yield f"ask_{name}", (mode, y, vector, ax, ay, np.zeros(size))
 
 
 def differences(

@@ -50,11 +50,11 @@ def marks(ax, **look):
     return np.array(chosen).reshape(-1, 2)
 
 
-def positions(structure, contact, y):
+def positions(structure, mode, y):
     """Places by name, of the generated function itself."""
     m = structure.module
     out = np.empty(3 * len(m.POSITIONS))
-    m.positions(contact, y.tolist(), structure.vector, out)
+    m.positions(mode, y.tolist(), structure.vector, out)
     return dict(zip(m.POSITIONS, out.reshape(-1, 3)[:, :2], strict=True))
 
 
@@ -63,16 +63,16 @@ def positions(structure, contact, y):
 
 @pytest.mark.parametrize("run", [rocking, of_a_declared_structure])
 def test_frames_at_random_states_show_what_the_generated_module_says(run):
-    """Every mass and every foot, in any state and contact state."""
+    """Every mass and every foot, in any state and mode."""
     run = run()
     structure, rng = run.structure, np.random.default_rng(8)
     animation = run.animate(end=0.2)
     animation.states = rng.normal(scale=0.2, size=animation.states.shape)
-    animation.contacts = rng.integers(len(structure.module.MODES), size=len(animation))
-    for i, (contact, y) in enumerate(zip(animation.contacts, animation.states, strict=True)):
+    animation.modes = rng.integers(len(structure.module.MODES), size=len(animation))
+    for i, (mode, y) in enumerate(zip(animation.modes, animation.states, strict=True)):
         shown = marks(frame(animation, i))
         kinds = structure.module.POSITION_KINDS
-        for at, kind in zip(positions(structure, contact, y).values(), kinds, strict=True):
+        for at, kind in zip(positions(structure, mode, y).values(), kinds, strict=True):
             if kind not in ("load", "massless"):
                 assert np.abs(shown - at).max(axis=1).min() < 1e-12
 
@@ -84,8 +84,8 @@ def test_frame_shows_the_response_at_its_time(run):
     np.testing.assert_allclose(animation.times, np.arange(0.1, 0.7001, 0.1))
     for i, t in enumerate(animation.times):
         state = np.array([*run.at(t).values()])
-        _, contact = run.steps.at(np.array([t]), "right")
-        expected = positions(run.structure, int(contact[0]), state)["block"]
+        _, modes = run.steps.at(np.array([t]), "right")
+        expected = positions(run.structure, int(modes[0]), state)["block"]
         assert np.abs(marks(frame(animation, i)) - expected).max(axis=1).min() < 1e-12
         assert f"t = {t:.2f} s" in animation.title(i)
 
@@ -176,9 +176,9 @@ def test_point_that_lands_is_marked_by_its_name():
     run = of_a_declared_structure()
     hit = next(impact for impact in run.impacts if impact.contact in ("left", "right"))
     animation = run.animate(start=hit.time, end=min(hit.time + 0.1, run.t[-1]))
-    state, contact = animation.states[0], int(animation.contacts[0])
+    state, mode = animation.states[0], int(animation.modes[0])
     (star,) = marks(frame(animation, 0), marker="*")
-    np.testing.assert_allclose(star, positions(run.structure, contact, state)[hit.contact])
+    np.testing.assert_allclose(star, positions(run.structure, mode, state)[hit.contact])
 
 
 # --- files and notebooks

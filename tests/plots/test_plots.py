@@ -156,17 +156,17 @@ def test_free_rocking_wastes_no_row_on_a_ground_that_stands_still(run_of):
 
 
 @pytest.mark.parametrize("name", RUNS)
-def test_contact_phases_follow_one_another_without_gap(name, run_of):
+def test_modes_follow_one_another_without_gap(name, run_of):
     run = run_of(name)
     spans, names = contact_spans(run)
     assert spans[0, 0] == run.t[0]
     assert spans[-1, 1] == run.t[-1]
     np.testing.assert_array_equal(spans[1:, 0], spans[:-1, 1])
     assert all(a != b for a, b in pairwise(names))
-    # each sample well inside a span has the phase of that span
+    # each sample well inside a span has the mode of that span
     for (start, end), name_of_span in zip(spans, names, strict=True):
         inside = (run.t > start) & (run.t < end)
-        assert {phase.split("_")[0] for phase in run.mode[inside]} <= {name_of_span}
+        assert {mode.split("_")[0] for mode in run.mode[inside]} <= {name_of_span}
 
 
 # Fails: the right foot is blue where it lifts and orange where it stands.
@@ -177,7 +177,7 @@ def test_each_foot_has_one_colour_and_nothing_else_has_it(name, run_of):
     for foot, color in FEET.items():
         (line,) = (line for line in feet.lines if foot in line.get_label())
         assert line.get_color() == color
-        # the band of the contact state is a light shade of it
+        # the band of the mode is a light shade of it
         hue, _, _ = mpl.colors.rgb_to_hsv(mpl.colors.to_rgb(color))
         light, _, _ = mpl.colors.rgb_to_hsv(mpl.colors.to_rgb(FEET_OF_MODES[foot]))
         assert abs(hue - light) < 0.05

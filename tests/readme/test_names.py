@@ -1,4 +1,4 @@
-"""Whatever users call their parameters, coordinates and contact states, the numbers are the same.
+"""Whatever users call their parameters, coordinates and modes, the numbers are the same.
 
 The generated text is executed by Python itself, so that nothing needs to be compiled.
 """
@@ -50,7 +50,7 @@ NAMES = (
     *("share_10", "share_20", "angle_0", "sin_theta", "cos_theta", "sin_c0_", "cos_s"),
     *("u1_ddot", "u1_ddot_alone", "theta_dot_after", "u2_dot_after_alone", "total_gravity"),
     # arguments, functions and tables
-    *("g", "dy", "i", "found", "value", "guard", "law", "ratio", "contact", "parameters"),
+    *("g", "dy", "i", "found", "value", "guard", "law", "ratio", "number", "parameters"),
     *("accelerations", "accelerations_left_right", "guards", "jump", "rates", "prepare", "np"),
     *("energies", "reactions", "kinematics", "statics", "overturning", "velocity_ratio"),
     *(
@@ -75,9 +75,9 @@ def renamed(model: RockingModel, names: dict[str, str]) -> RockingModel:
     def other(c: Coordinate) -> Coordinate:
         return replace(c, name=names.get(c.name, c.name))
 
-    def phase_of(phase: Mode) -> Mode:
-        new = replace(phase, coordinates=tuple(map(other, phase.coordinates)))
-        vars(new)["equations"] = phase.equations  # the same, and derived once
+    def other_mode(mode: Mode) -> Mode:
+        new = replace(mode, coordinates=tuple(map(other, mode.coordinates)))
+        vars(new)["equations"] = mode.equations  # the same, and derived once
         return new
 
     return replace(
@@ -85,12 +85,12 @@ def renamed(model: RockingModel, names: dict[str, str]) -> RockingModel:
         parameters=tuple(replace(p, name=names.get(p.name, p.name)) for p in model.parameters),
         coordinates=tuple(map(other, model.coordinates)),
         rotation=other(model.rotation),
-        modes=tuple(map(phase_of, model.modes)),
+        modes=tuple(map(other_mode, model.modes)),
     )
 
 
-def with_contacts(model: RockingModel, names: dict[str, str]) -> RockingModel:
-    """The model with other names of contact states."""
+def with_modes(model: RockingModel, names: dict[str, str]) -> RockingModel:
+    """The model with other names of modes."""
 
     def other(t: Transition) -> Transition:
         return replace(
@@ -103,8 +103,8 @@ def with_contacts(model: RockingModel, names: dict[str, str]) -> RockingModel:
     return replace(
         model,
         modes=tuple(
-            replace(phase, sides={names.get(c, c): s for c, s in phase.sides.items()})
-            for phase in model.modes
+            replace(mode, sides={names.get(c, c): s for c, s in mode.sides.items()})
+            for mode in model.modes
         ),
         transitions=tuple(map(other, model.transitions)),
     )
@@ -117,7 +117,7 @@ def uncompiled(model: RockingModel) -> types.ModuleType:
 
 
 def numbers(model: RockingModel, names: dict[str, str]) -> dict[str, np.ndarray]:
-    """All that a structure tells without a simulation, at some states of each contact state."""
+    """All that a structure tells without a simulation, at some states of each mode."""
     values = {names.get(k, k): v for k, v in VALUES.items()}
     frame = class_of(uncompiled(model))(**values)
     theta, u1, u2 = (names.get(c, c) for c in COORDINATES)
@@ -127,26 +127,26 @@ def numbers(model: RockingModel, names: dict[str, str]) -> dict[str, np.ndarray]
         "pushover": frame.pushover([0.0, 0.01, -0.05]),
     }
     state = {theta: 0.0, u1: 0.01, u2: -0.02, f"{u1}_dot": 0.3, f"{u2}_dot": 0.2}
-    for side, contact in ((-1, "left"), (0, "both"), (1, "right")):
+    for side, mode in ((-1, "left"), (0, "both"), (1, "right")):
         here = state | {theta: 0.03 * side, f"{theta}_dot": 0.4 * side}
         y = frame.state(here)
         ground = {"ground_acceleration": 1.2, "vertical_ground_acceleration": 0.3}
         tables = {
-            "accelerations": frame.accelerations(here, mode=contact, **ground),
-            "energies": frame.energies(here, mode=contact),
-            "reactions": frame.reactions(here, mode=contact, **ground),
+            "accelerations": frame.accelerations(here, mode=mode, **ground),
+            "energies": frame.energies(here, mode=mode),
+            "reactions": frame.reactions(here, mode=mode, **ground),
         }
-        found |= {f"{k}, {contact}": np.array([*t.values()]) for k, t in tables.items()}
+        found |= {f"{k}, {mode}": np.array([*t.values()]) for k, t in tables.items()}
         m = frame.module
         for name, size in (("kinematics", len(m.KINEMATICS)), ("guards", m.N_GUARDS)):
             out, more = np.zeros(size), (1.2, 0.3) if name == "guards" else ()
-            getattr(m, name)(frame.mode_number(y, contact), y, frame.vector, *more, out)
-            found[f"{name}, {contact}"] = out
+            getattr(m, name)(frame.mode_number(y, mode), y, frame.vector, *more, out)
+            found[f"{name}, {mode}"] = out
         if side:
             for law in (rk.AngularMomentum(), rk.Impulsive()):
                 landing = state | {f"{theta}_dot": -0.4 * side}
-                after, follows = frame.after_impact(landing, contact, law)
-                found[f"{law}, {contact} to {follows}"] = np.array([*after.values()])
+                after, follows = frame.after_impact(landing, mode, law)
+                found[f"{law}, {mode} to {follows}"] = np.array([*after.values()])
     return found
 
 
@@ -188,10 +188,10 @@ def test_names_that_dampers_and_springs_are_given():
     assert_same(numbers(model, names))
     values = {names.get(k, k): v for k, v in VALUES.items()}
     y, ground = [0.02, 0.01, -0.02, 0.1, 0.3, 0.2], {"ax": 1.2, "ay": 0.3}
-    phase, usual_phase = NumpyMode(model, "right"), NumpyMode(MODEL, "right")
+    mode, usual_mode = NumpyMode(model, "right"), NumpyMode(MODEL, "right")
     for of, more in (("rates", ground), ("energies", {}), ("reactions", ground)):
-        found = getattr(phase, of)(y, values, **more)
-        expected = getattr(usual_phase, of)(y, VALUES, **more)
+        found = getattr(mode, of)(y, values, **more)
+        expected = getattr(usual_mode, of)(y, VALUES, **more)
         if of != "rates":
             found, expected = ([*d.values()] for d in (found, expected))
         np.testing.assert_allclose(found, expected, rtol=1e-12)
@@ -200,7 +200,7 @@ def test_names_that_dampers_and_springs_are_given():
 @given(st.lists(st.from_regex(r"[a-z_]\w{0,3}", fullmatch=True) | st.sampled_from(NAMES)))
 def test_given_names_are_different_and_none_is_the_program_s(words):
     names = Names()
-    given_names = [names.of_contact(w) for w in words] + [names.of(w) for w in words]
+    given_names = [names.of_mode(w) for w in words] + [names.of(w) for w in words]
     assert len(set(given_names)) == len(given_names)
     assert not any(map(is_own, given_names))
 
@@ -220,32 +220,32 @@ def bound_by(text: str) -> set[str]:
 
 
 @pytest.mark.parametrize("method", ["DOP853", "RK45"])
-def test_no_contact_state_can_meet_what_is_joined_to_the_module(method):
-    """In the joined program numbers of contact states are global, as all of the loop's names."""
+def test_no_mode_can_meet_what_is_joined_to_the_module(method):
+    """In the joined program numbers of modes are global, as all of the loop's names."""
     frame = importlib.import_module("rockeom.generated.flexible_structure")
     joined = [text_of(name) for name in JOINED]
     joined += [step_text(tableau(method), 2), lanes_text(tableau(method), frame)]
     names = set().union(*map(bound_by, joined))
     assert {"REST", "IMPACT", "EPS"} <= names
     for name in names:
-        assert Names().of_contact(name.lower()) not in names
+        assert Names().of_mode(name.lower()) not in names
         assert not name.endswith("_")
     assert not {"LEFT", "BOTH", "RIGHT", "FLIGHT"} & names
 
 
-def test_contact_states_of_any_name():
-    """Of a block whose contact states are marks on the way."""
+def test_modes_of_any_name():
+    """Of a block whose modes are marks on the way."""
     model = rk.derive("dirac_delta_block")
     nasty = ("rest", "Impact", "states", "ratio", "EPS", "lambda")
     names = dict(zip(model.mode_names, nasty, strict=True))
-    module, usual_module = uncompiled(with_contacts(model, names)), uncompiled(model)
+    module, usual_module = uncompiled(with_modes(model, names)), uncompiled(model)
     for table in ("STATES", "NAME", "PARAMETERS", "RATIO", "IMPULSIVE"):
         assert getattr(module, table) == getattr(usual_module, table)
     parameters = np.array([0.2, 0.8, 0.01])
     for y in np.array([[0.02, 1.0], [0.7, -1.0], [-0.1, 0.0]]):
-        for contact, name in names.items():
+        for mode, name in names.items():
             found = []
-            for m, called in ((usual_module, contact), (module, name)):
+            for m, called in ((usual_module, mode), (module, name)):
                 number, p = m.MODES.index(called), m.prepare(parameters)
                 g, dy, after = np.zeros(m.N_GUARDS), np.zeros(2), np.zeros(2)
                 m.guards(number, y, p, 0.0, 0.0, g)

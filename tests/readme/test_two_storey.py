@@ -160,7 +160,7 @@ def test_impulsive_impact_conserves_the_momenta_and_makes_no_energy(side, u, rat
         "u2_dot": rates[1],
     }
     before = "right" if side > 0 else "left"
-    after, phase = structure.after_impact(state, mode=before, impact=rk.Impulsive())
+    after, mode = structure.after_impact(state, mode=before, impact=rk.Impulsive())
     new_pivot = -side * HALF_WIDTH
 
     def horizontal(s):
@@ -178,13 +178,13 @@ def test_impulsive_impact_conserves_the_momenta_and_makes_no_energy(side, u, rat
 
     scale = MASS @ HEIGHT**2
     np.testing.assert_allclose(horizontal(after), horizontal(state), rtol=0, atol=1e-9)
-    if phase == "both":
+    if mode == "both":
         assert after["theta_dot"] == 0.0
     else:
         assert angular(after, new_pivot) == pytest.approx(
             angular(state, -new_pivot), abs=1e-9 * scale
         )
-    assert kinetic(after, phase) <= kinetic(state, before) * (1 + 1e-12)
+    assert kinetic(after, mode) <= kinetic(state, before) * (1 + 1e-12)
 
 
 @pytest.fixture(scope="module")
@@ -209,8 +209,8 @@ def test_record_brings_rocking_impacts_and_full_contact(shaken):
 def test_impacts_under_a_record_never_make_energy(shaken):
     for impact in shaken.impacts:
         before, after = (
-            shaken.structure.energies(state | {"theta": 0.0}, mode=phase)["kinetic_energy"]
-            for state, phase in (
+            shaken.structure.energies(state | {"theta": 0.0}, mode=mode)["kinetic_energy"]
+            for state, mode in (
                 (impact.before, impact.mode_before),
                 (impact.after, impact.mode_after),
             )

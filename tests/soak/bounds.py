@@ -169,7 +169,7 @@ def faults(name: str, seed: int) -> Iterator[str]:
         case = case_of(name, dice)
         run = rk.simulate(
             case.structure, case.motion, impact=case.impact, initial=case.initial,
-            vertical=case.vertical, mode=case.phase, options=options,
+            vertical=case.vertical, mode=case.mode, options=options,
         )  # fmt: skip
         for quantity in run.names:
             _ = run[quantity]

@@ -48,7 +48,7 @@ class Motion:
     vertical: rk.GroundMotion | None
     impact: Any
     initial: dict[str, float]
-    phase: str | None
+    mode: str | None
     options: rk.SolverOptions
 
     def run(self) -> rk.Response:
@@ -62,7 +62,7 @@ class Motion:
             "impact": self.impact,
             "initial": self.initial,
             "vertical": self.vertical,
-            "mode": self.phase,
+            "mode": self.mode,
         }
 
     def mirrored(self) -> Motion:
@@ -75,7 +75,7 @@ class Motion:
             structure=structure,
             motion=-self.motion,
             initial={k: v if is_even(k) else -v for k, v in self.initial.items()},
-            phase=None if self.phase is None else other_side(self.phase),
+            mode=None if self.mode is None else other_side(self.mode),
         )
 
     def __str__(self) -> str:
@@ -84,7 +84,7 @@ class Motion:
         return (
             f"{self.structure}\n  under {self.motion.name!r}, vertical "
             f"{self.vertical and self.vertical.name!r}, {self.motion.duration:.6g} s\n  impact "
-            f"{self.impact}, initial {{{initial}}}, phase {self.phase!r}\n  {o}"
+            f"{self.impact}, initial {{{initial}}}, mode {self.mode!r}\n  {o}"
         )
 
 
@@ -92,10 +92,10 @@ def is_even(state: str) -> bool:
     return state.removesuffix("_dot") in EVEN
 
 
-def other_side(phase: str) -> str:
-    if "left" in phase:
-        return phase.replace("left", "right")
-    return phase.replace("right", "left")
+def other_side(mode: str) -> str:
+    if "left" in mode:
+        return mode.replace("left", "right")
+    return mode.replace("right", "left")
 
 
 class Dice:
@@ -150,8 +150,8 @@ def draw(seed: int, sibling: int = 0, linear: bool = False) -> Motion:
     if dice.chance(0.25):
         size = dice.over(0.02, 1.5) * scales.gravity
         vertical = _motion(dice, replace(scales, lift=size), length, linear)
-    initial, phase = _start(dice, structure, scales)
-    return Motion(seed, structure, motion, vertical, _law(dice, structure), initial, phase, options)
+    initial, mode = _start(dice, structure, scales)
+    return Motion(seed, structure, motion, vertical, _law(dice, structure), initial, mode, options)
 
 
 # -- options
@@ -253,13 +253,13 @@ def _start(dice: Dice, structure: Structure, scales: Scales) -> tuple[dict[str, 
     bound = structure.overturning_rotation
     if abs(initial.get(states[rotation], 0.0)) >= bound:
         initial[states[rotation]] *= 0.99 * bound / abs(initial[states[rotation]])
-    phase = None
+    mode = None
     # what is less is taken for a rounding error of an impact, and any side may be named
     if dice.chance(0.08) and not 0.0 < abs(initial.get(states[rotation], 0.0)) < 2e-6 * bound:
-        phase = dice.one_of(*structure.module.MODES)
-        if "yield" in phase and not initial.get(states[rotation]):
-            phase = None  # upright a tendon yields neither out nor in: a tie of both
-    return initial, phase
+        mode = dice.one_of(*structure.module.MODES)
+        if "yield" in mode and not initial.get(states[rotation]):
+            mode = None  # upright a tendon yields neither out nor in: a tie of both
+    return initial, mode
 
 
 # -- laws of impact

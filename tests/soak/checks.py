@@ -49,7 +49,7 @@ Found = Iterator[str]
 class Record:
     """A response as arrays: n steps, m passages, N states.
 
-    contact (n,), times (m,), kinds (m,), sources and targets (m,), before and after (m, N).
+    mode (n,), times (m,), kinds (m,), sources and targets (m,), before and after (m, N).
     """
 
     motion: Motion
@@ -81,7 +81,7 @@ class Record:
         return self.start + self.length
 
     @property
-    def contact(self) -> np.ndarray:
+    def mode(self) -> np.ndarray:
         return self.run.steps.mode
 
     @property
@@ -154,23 +154,23 @@ class Record:
         coarser = max(1.0, COARSE[o.method] / o.rtol) if o.steps_per_segment else 1.0
         return self.slack * coarser * (o.atol + max(o.rtol, FINEST) * size)
 
-    def energies(self, contact: np.ndarray, y: np.ndarray) -> np.ndarray:
-        """(3, n) of states (n, N) in contact states (n,)."""
+    def energies(self, mode: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """(3, n) of states (n, N) in modes (n,)."""
         out = np.empty((3, len(y)))
-        for c in np.unique(contact):
-            at = contact == c
+        for c in np.unique(mode):
+            at = mode == c
             out[:, at] = self.physics.energies(c, y[at].T, self.p)
         return out
 
-    def energy_error(self, contact: np.ndarray, y: np.ndarray) -> np.ndarray:
+    def energy_error(self, mode: np.ndarray, y: np.ndarray) -> np.ndarray:
         """(n,) what the energy may be wrong by, for states that are."""
-        total = self.energies(contact, y)
+        total = self.energies(mode, y)
         error = 2000 * EPS * np.abs(total).sum(axis=0)
         total = total.sum(axis=0)
         for i, step in enumerate(self.error(y).T):
             moved = y.copy()
             moved[:, i] += step
-            error += np.abs(self.energies(contact, moved).sum(axis=0) - total)
+            error += np.abs(self.energies(mode, moved).sum(axis=0) - total)
         return error
 
 
@@ -202,7 +202,7 @@ def finite(r: Record) -> Found:
 
 
 def ordered(r: Record) -> Found:
-    """Time goes on without gaps, and each contact state follows from the one before."""
+    """Time goes on without gaps, and each mode follows from the one before."""
     grain = 8 * EPS * max(float(r.stop[-1]), 0.0) + 1e-300
     if abs(r.start[0]) > 0.0:
         yield f"time: the first step begins at {r.start[0]}"
@@ -218,7 +218,7 @@ def ordered(r: Record) -> Found:
         i = wrong[0] + 1
         names = r.program.MODES
         yield (
-            f"phases: the event at {r.times[i]:.9g} s leaves {names[r.sources[i]]}, the one before "
+            f"modes: the event at {r.times[i]:.9g} s leaves {names[r.sources[i]]}, the one before "
             f"leads to {names[r.targets[i - 1]]}"
         )
 
@@ -234,26 +234,26 @@ def joined(r: Record) -> Found:
     tied = (r.start[1:] == r.start[:-1]) | (r.start[1:] == np.append(r.start[2:], -1.0))
     plain = (at == until) & ~r.rests[1:] & ~tied
     rounding = 2000 * EPS * np.abs(r.run.steps.powers).max(axis=1)[:-1]
-    for kind, these, state, contact, target_state, target in (
-        ("the step", plain, r.last[out_of], r.contact[out_of], r.first[into], r.contact[into]),
+    for kind, these, state, mode, target_state, target in (
+        ("the step", plain, r.last[out_of], r.mode[out_of], r.first[into], r.mode[into]),
         *(() if not len(r.times) else (
-            ("the event", (at < until) & ~r.rests[:-1] & ~tied, r.last[out_of], r.contact[out_of],
+            ("the event", (at < until) & ~r.rests[:-1] & ~tied, r.last[out_of], r.mode[out_of],
              r.before[np.minimum(at, len(r.times) - 1)],
              r.sources[np.minimum(at, len(r.times) - 1)]),
             ("the step after the event", (at < until) & ~r.rests[1:] & ~tied, r.after[until - 1],
-             r.targets[until - 1], r.first[into], r.contact[into]),
+             r.targets[until - 1], r.first[into], r.mode[into]),
         )),
     ):  # fmt: skip
         room = r.error(state) / r.slack + 1e-9 * np.abs(state) + rounding
         off = these & (np.abs(target_state - state) > room).any(axis=1)
         if off.any():
             yield f"joined: {kind} at {r.start[into[off][0]]:.9g} s begins from another state"
-        off = these & (contact != target)
+        off = these & (mode != target)
         if off.any():
             i = int(np.flatnonzero(off)[0])
             yield (
                 f"joined: {kind} at {r.start[into[i]]:.9g} s begins in {names[target[i]]}, "
-                f"what is before it ends in {names[contact[i]]}"
+                f"what is before it ends in {names[mode[i]]}"
             )
 
 
@@ -310,18 +310,18 @@ def passages(r: Record) -> Found:
             yield f"impact {told(i)}: the energy grows by {gained[i]:.3g} from {old[:, i]}"
     if r.motion.structure.model != "two_spring_structure":
         floor = 1e-11 * np.abs(old).sum(axis=0) + r.energy_error(r.sources, r.before)
-        # a phase that is named, and is over, is left at once: its energy was that of the name
-        named = (r.times == 0.0) & (r.motion.phase is not None)
+        # a mode that is named, and is over, is left at once: its energy was that of the name
+        named = (r.times == 0.0) & (r.motion.mode is not None)
         for i in np.flatnonzero(switch & ~named & (np.abs(gained) > floor))[:1]:
             yield f"event {told(i)}: the energy changes by {gained[i]:.3g} J of {old[:, i]}"
 
 
 def guarded(r: Record) -> Found:
-    """Every guard of the contact state is positive inside each step: nothing is penetrated."""
+    """Every guard of the mode is positive inside each step: nothing is penetrated."""
     ax, ay = r.ground
     names = r.program.MODES
-    for c in np.unique(r.contact):
-        steps = np.flatnonzero((r.contact == c) & ~r.rests)
+    for c in np.unique(r.mode):
+        steps = np.flatnonzero((r.mode == c) & ~r.rests)
         y = r.inside[steps].reshape(-1, r.program.N_STATES)
         if not len(y):
             continue
@@ -359,15 +359,15 @@ def balanced(r: Record) -> Found:
     ax, ay = r.ground
     n = len(r.start)
     work = np.empty((2, n, len(NODES)))
-    for c in np.unique(r.contact):
-        steps = np.flatnonzero(r.contact == c)
+    for c in np.unique(r.mode):
+        steps = np.flatnonzero(r.mode == c)
         y = r.inside[steps].reshape(-1, r.program.N_STATES).T
         found = r.physics.power(c, y, r.p, ax[steps].ravel(), ay[steps].ravel())
         work[:, steps] = found.reshape(2, len(steps), -1)
     work = work @ WEIGHTS * r.length
-    old, new = r.energies(r.contact, r.first), r.energies(r.contact, r.last)
+    old, new = r.energies(r.mode, r.first), r.energies(r.mode, r.last)
     lacks = (new - old).sum(axis=0) - work.sum(axis=0)
-    room = np.maximum(r.energy_error(r.contact, r.first), r.energy_error(r.contact, r.last))
+    room = np.maximum(r.energy_error(r.mode, r.first), r.energy_error(r.mode, r.last))
     room += 1e-13 * np.abs(work).sum(axis=0)
     if "substitute" in r.motion.structure.model:
         # forces that no energy belongs to: their work follows from the dense output
@@ -381,7 +381,7 @@ def balanced(r: Record) -> Found:
         i = int(ratio.argmax())
         yield (
             f"energy: {lacks[i]:.3g} J from nothing in the step from {r.start[i]:.9g} s, "
-            f"{r.length[i]:.3g} s, in {r.program.MODES[r.contact[i]]}: {ratio[i]:.3g} of what "
+            f"{r.length[i]:.3g} s, in {r.program.MODES[r.mode[i]]}: {ratio[i]:.3g} of what "
             f"may be, {abs(lacks[i]) / max(np.abs(new[:, i]).max(), 1e-300):.3g} of the energy"
         )
     yield from _rests(r)
@@ -394,7 +394,7 @@ def _work_in_parts(r: Record, step: int, parts: int = 64) -> float:
     t = r.start[step] + r.length[step] * x
     vertical = r.motion.vertical
     ay = np.zeros(t.shape) if vertical is None else vertical.acceleration(t)
-    power = r.physics.power(r.contact[step], y.T, r.p, r.motion.motion.acceleration(t), ay)
+    power = r.physics.power(r.mode[step], y.T, r.p, r.motion.motion.acceleration(t), ay)
     return float(power.sum(axis=0) @ np.tile(WEIGHTS, parts) / parts * r.length[step])
 
 
@@ -417,26 +417,26 @@ def _rests(r: Record) -> Found:
         work = doubt = 0.0
         if len(steps):
             i = int(steps[0])
-            power = r.physics.power(r.contact[i], r.inside[i].T, r.p, ax[i], ay[i])
+            power = r.physics.power(r.mode[i], r.inside[i].T, r.p, ax[i], ay[i])
             work = float((power.sum(axis=0) @ WEIGHTS) * r.length[i])
             # the rates change in this time, and the step has them all changed from its beginning
             both = np.array([start, r.first[i]])
-            power = r.physics.power(r.contact[i], both.T, r.p, ax[i, [0, 0]], ay[i, [0, 0]])
+            power = r.physics.power(r.mode[i], both.T, r.p, ax[i, [0, 0]], ay[i, [0, 0]])
             doubt = abs(np.diff(power.sum(axis=0))[0]) * r.length[i]
-            contacts = np.array([r.sources[e], r.targets[e]])
-            early = -np.diff(r.energies(contacts, both).sum(axis=0))[0]
+            modes = np.array([r.sources[e], r.targets[e]])
+            early = -np.diff(r.energies(modes, both).sum(axis=0))[0]
             upright = start.copy()
             upright[half + rotation] = 0.0
             both[0] = upright
-            given = np.diff(r.energies(contacts[[1, 1]], both).sum(axis=0))[0]
+            given = np.diff(r.energies(modes[[1, 1]], both).sum(axis=0))[0]
             jump = np.abs(r.first[i] - start)[:half]
             jump[rotation] = 0.0
             room = r.error(start[None])[0, :half] / r.slack + 1e-12 * np.abs(start[:half])
             if (jump > room).any():
                 yield f"rest at {r.times[e]:.9g} s: a position jumps by {jump.max():.3g}"
-        contacts = r.sources[e], r.targets[e], r.sources[e], r.targets[e]
+        modes = r.sources[e], r.targets[e], r.sources[e], r.targets[e]
         states = np.array([start, r.after[e], r.before[e], r.after[e]])
-        total = r.energies(np.array(contacts), states).sum(axis=0)
+        total = r.energies(np.array(modes), states).sum(axis=0)
         lost, told = total[0] + work - total[1], total[2] - total[3]
         error = r.energy_error(r.targets[[e]], r.after[[e]])[0] + 0.03 * abs(lost) + 2 * doubt
         if len(steps):  # what the impacts give to the other rates, and take again
@@ -455,23 +455,23 @@ def _rests(r: Record) -> Found:
             yield f"{where}, but impacts take {least:.9g} to {most:.9g}; {error:.3g} may be"
 
 
-def _taken(r: Record, start: np.ndarray, contact: int, ratio: float, rotation: int, rate: int):
+def _taken(r: Record, start: np.ndarray, mode: int, ratio: float, rotation: int, rate: int):
     """What a series of impacts takes, the rates of the other coordinates as they are [J]."""
     m = r.program
     n = 1 if ratio == 0.0 else min(math.ceil(-40.0 / math.log(ratio)), 100_000)
     speed = abs(start[rate]) * ratio ** np.arange(n + 1.0)
     other = next(
         c for c, side in enumerate(m.SIDES)
-        if side == -m.SIDES[contact] and m.MODES[c] == other_side(m.MODES[contact])
+        if side == -m.SIDES[mode] and m.MODES[c] == other_side(m.MODES[mode])
     )  # fmt: skip
-    sides = m.SIDES[contact] * (-1.0) ** np.arange(n)
-    contacts = np.where(sides == m.SIDES[contact], contact, other)
+    sides = m.SIDES[mode] * (-1.0) ** np.arange(n)
+    modes = np.where(sides == m.SIDES[mode], mode, other)
     states = np.repeat(start[None], n, axis=0)
     states[:, rotation] = 0.0
     states[:, rate] = -sides * speed[:-1]
-    before = r.energies(contacts, states).sum(axis=0)
+    before = r.energies(modes, states).sum(axis=0)
     states[:, rate] = -sides * speed[1:]
-    after = r.energies(np.where(contacts == contact, other, contact), states).sum(axis=0)
+    after = r.energies(np.where(modes == mode, other, mode), states).sum(axis=0)
     return float((before - after).sum())
 
 
@@ -539,7 +539,7 @@ def mirrored(r: Record) -> Found:
     vertical = r.motion.vertical
     rigid_ground = r.motion.structure.rocks_on_rigid_ground
     if vertical is not None and rigid_ground and vertical.peak >= _gravity(r.motion.structure):
-        return  # both feet would lift at once, which no contact state describes
+        return  # both feet would lift at once, which no mode describes
     twin = r.motion.mirrored()
     image = Record(twin, twin.run())
     names = m.MODES
@@ -591,7 +591,7 @@ def _gravity(structure) -> float:
 
 
 def cut(r: Record) -> Found:
-    """Cut in two and continued from the final state and phase: the whole motion.
+    """Cut in two and continued from the final state and mode: the whole motion.
 
     How much a small error grows is measured by a third motion, which continues from a state moved
     by what a step is allowed (or under ground scaled by as much, where nothing moves at the cut):
@@ -634,9 +634,9 @@ def _apart(r: Record) -> tuple[str, np.ndarray | None]:
             return f"cut: {first.outcome} at {first.steps.span[-1].sum():.9g} s of {at:.9g} s", None
         return "", None
     events = first.events.columns[0]
-    contact = first.steps.mode[-1]
+    mode = first.steps.mode[-1]
     if len(events) and events[-1] >= first.steps.span[-1].sum():
-        contact = first.events.columns[1][-1, 2]
+        mode = first.events.columns[1][-1, 2]
 
     def rest(state: np.ndarray, scale: float = 1.0) -> rk.Response:
         vertical = r.motion.vertical
@@ -647,7 +647,7 @@ def _apart(r: Record) -> tuple[str, np.ndarray | None]:
             initial=dict(zip(m.STATES, state.tolist(), strict=True)),
             vertical=None if vertical is None else later(vertical, at, run.duration),
             duration=run.duration - at,
-            mode=m.MODES[contact],
+            mode=m.MODES[mode],
             options=r.motion.options,
         )
 
@@ -656,7 +656,7 @@ def _apart(r: Record) -> tuple[str, np.ndarray | None]:
     largest = np.abs(r.first).max(axis=0)
     grown = np.zeros(len(largest))
     turned = (
-        m.ROTATION if m.SIDES[contact] == 0.0 and r.motion.structure.rocks_on_rigid_ground else None
+        m.ROTATION if m.SIDES[mode] == 0.0 and r.motion.structure.rocks_on_rigid_ground else None
     )
     for sign in (1.0, -1.0):
         moved = first.end + sign * (o.atol + o.rtol * np.abs(first.end)) * np.where(

@@ -21,7 +21,7 @@ from tests.soak.physics import physics
 
 AWKWARD = (
     "c0", "c1", "c2", "c3", "s", "ax", "ay", "load", "p", "y", "out", "math", "np", "fused", "g",
-    "RIGHT", "LEFT", "BOTH", "contact", "guard", "law", "ratio", "dy", "theta_ddot", "x0", "x1",
+    "RIGHT", "LEFT", "BOTH", "number", "guard", "law", "ratio", "dy", "theta_ddot", "x0", "x1",
     "m00", "f0", "r0", "sin_theta", "cos_theta", "total_gravity", "rates", "jump", "lambda",
     "found", "N_STATES", "sine_cosine", "None", "gravity", "i", "kinetic_energy", "prepare",
 )  # fmt: skip

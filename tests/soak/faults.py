@@ -63,7 +63,7 @@ _NONE_FITS = """\
 _EQUAL = ("bound=most_error(case.rtol) if equal", "bound=np.inf if equal")
 
 FAULTS = {
-    "contact": Fault(
+    "unfit": Fault(
         "a state that fits no mode is taken for the first",
         MODES,
         ((_NONE_FITS, f"    return 0\n{_NONE_FITS}"),),
@@ -71,7 +71,7 @@ FAULTS = {
         ("impact", "event", "energy", "gave up"),
         runs=40_000,
     ),
-    "phase": Fault(
+    "named": Fault(
         "a mode named against the state is taken",
         MODES,
         (("all(m.SIDES) and -side", "False and -side"),),

@@ -113,19 +113,19 @@ class Told(Record):
             found[self.step_of_rest(event)] = True
         return found
 
-    def pattern(self, contact: int) -> tuple[int, ...]:
+    def pattern(self, mode: int) -> tuple[int, ...]:
         """The states of the points."""
-        return tuple(self.program.POINT_STATES[contact]) if self.by_hand.has_points else ()
+        return tuple(self.program.POINT_STATES[mode]) if self.by_hand.has_points else ()
 
-    def elements(self, contact: int) -> tuple[int, ...]:
+    def elements(self, mode: int) -> tuple[int, ...]:
         """The states of struts or bars; of two springs that are no elements the name says it."""
         if hasattr(self.program, "ELEMENT_STATES"):
-            return tuple(self.program.ELEMENT_STATES[contact])
-        pressed = self.name(contact).partition("_")[0]
+            return tuple(self.program.ELEMENT_STATES[mode])
+        pressed = self.name(mode).partition("_")[0]
         return tuple(int(pressed in (foot, "both")) for foot in ("left", "right"))
 
-    def name(self, contact: int) -> str:
-        return self.program.MODES[contact]
+    def name(self, mode: int) -> str:
+        return self.program.MODES[mode]
 
 
 def on_contacts(r: Told) -> Found:
@@ -152,12 +152,12 @@ def followed(r: Told) -> Found:
     if len(steps) > STEPS:
         rng = np.random.default_rng([r.motion.seed % 2**32, 1])
         steps = np.sort(rng.choice(steps, STEPS, replace=False))
-    for contact in np.unique(r.contact[steps]):
-        these = steps[r.contact[steps] == contact]
-        yield from _followed(r, int(contact), these)
+    for mode in np.unique(r.mode[steps]):
+        these = steps[r.mode[steps] == mode]
+        yield from _followed(r, int(mode), these)
 
 
-def _followed(r: Told, contact: int, steps: np.ndarray) -> Found:
+def _followed(r: Told, mode: int, steps: np.ndarray) -> Found:
     powers = r.run.steps.powers[steps]
     inside = np.einsum("xj,nji->nxi", _POWERS, powers)
     k, samples = len(steps), len(NODES)
@@ -165,11 +165,11 @@ def _followed(r: Told, contact: int, steps: np.ndarray) -> Found:
     t = r.start[steps][:, None] + h[:, None] * NODES
     ax, ay = (a.ravel() for a in r.shaking(t))
     at = r.at(inside.reshape(k * samples, -1))
-    pattern = r.pattern(contact)
-    elements = r.elements(contact)
+    pattern = r.pattern(mode)
+    elements = r.elements(mode)
     force = at.forces(ax, ay, elements)
     solved = at.solve(pattern, force)
-    name = r.name(contact)
+    name = r.name(mode)
 
     def where(sample: int) -> str:
         return f"in {name} at {t.ravel()[sample]:.9g} s"
@@ -721,7 +721,7 @@ def _undecided(r: Told, word: str, last: float) -> Found:
     ax, ay = (float(a[0]) for a in r.shaking(np.array([last])))
     margin = max(1e-6, 1e-2 * r.loose)
     everywhere: list[Fit] = []
-    last_mode = r.targets[-1] if len(r.times) and r.times[-1] >= last else r.contact[-1]
+    last_mode = r.targets[-1] if len(r.times) and r.times[-1] >= last else r.mode[-1]
     closed = np.array(r.pattern(last_mode)) != OPEN
     # whether a point touches that is as near as rounding, or has just left, is not decided
     beside = np.flatnonzero(~closed & (at.gaps[0] <= 1e-7 * r.by_hand.size))

@@ -1,6 +1,6 @@
 """What the invariants need of a structure, from its declaration and not from generated code.
 
-Energies, powers and guards of each contact state as NumPy functions of arrays. SymPy derives them
+Energies, powers and guards of each mode as NumPy functions of arrays. SymPy derives them
 once for a model; the text is kept beside the compiled programs, where later processes find it.
 """
 
@@ -29,28 +29,28 @@ from rockeom.symbolic.rocking import RockingModel
 
 @dataclass(frozen=True)
 class Physics:
-    """The functions of one model; `contact` is the number of a contact state.
+    """The functions of one model; `mode` is the number of a mode.
 
     y (N, n) : one column a sample. p : the parameters in their order. ax, ay : numbers or (n,).
     """
 
     module: ModuleType
 
-    def energies(self, contact: int, y, p) -> np.ndarray:
+    def energies(self, mode: int, y, p) -> np.ndarray:
         """(3, n) kinetic, gravitational and elastic."""
-        return self._call("energies", contact, y, p, 0.0, 0.0)
+        return self._call("energies", mode, y, p, 0.0, 0.0)
 
-    def power(self, contact: int, y, p, ax, ay) -> np.ndarray:
+    def power(self, mode: int, y, p, ax, ay) -> np.ndarray:
         """(2, n) of the ground's accelerations, and of dampers and all other forces."""
-        return self._call("power", contact, y, p, ax, ay)
+        return self._call("power", mode, y, p, ax, ay)
 
-    def guards(self, contact: int, y, p, ax, ay) -> np.ndarray:
-        """(g, n) in the order of the generated module, positive inside the contact state."""
-        return self._call("guards", contact, y, p, ax, ay)
+    def guards(self, mode: int, y, p, ax, ay) -> np.ndarray:
+        """(g, n) in the order of the generated module, positive inside the mode."""
+        return self._call("guards", mode, y, p, ax, ay)
 
-    def _call(self, part: str, contact: int, y, p, ax, ay) -> np.ndarray:
+    def _call(self, part: str, mode: int, y, p, ax, ay) -> np.ndarray:
         with np.errstate(all="ignore"):
-            found = getattr(self.module, f"{part}_{contact}")(*y, ax, ay, *p)
+            found = getattr(self.module, f"{part}_{mode}")(*y, ax, ay, *p)
         out = np.empty((len(found), y.shape[1]))
         for row, value in zip(out, found, strict=True):
             row[:] = value
@@ -87,11 +87,11 @@ def _text(model: RockingModel) -> str:
     # plain names: `dummify` would go through the expressions for each argument again
     plain = {symbol: sp.Symbol(f"a{i:03}") for i, symbol in enumerate(arguments)}
     parts = ["from functools import reduce\n\nfrom numpy import *\n"]
-    for number, contact in enumerate(model.mode_names):
+    for number, mode in enumerate(model.mode_names):
         for part, expressions in (
-            ("energies", _energies(model, contact)),
-            ("power", _power(model, contact)),
-            ("guards", _guards(model, contact)),
+            ("energies", _energies(model, mode)),
+            ("power", _power(model, mode)),
+            ("guards", _guards(model, mode)),
         ):
             exact = [_plain(model, e).xreplace(plain) for e in expressions]
             compiled = sp.lambdify(list(plain.values()), exact, modules="numpy", cse=True)
@@ -107,10 +107,10 @@ def _plain(model: RockingModel, expr: sp.Expr) -> sp.Expr:
     return expr
 
 
-def _energies(model: RockingModel, contact: str) -> list[sp.Expr]:
-    equations = model.equations(contact)
+def _energies(model: RockingModel, mode: str) -> list[sp.Expr]:
+    equations = model.equations(mode)
     return [
-        model.in_mode(e, contact)
+        model.in_mode(e, mode)
         for e in (
             equations.kinetic_energy,
             equations.gravitational_energy,
@@ -119,44 +119,44 @@ def _energies(model: RockingModel, contact: str) -> list[sp.Expr]:
     ]
 
 
-def _power(model: RockingModel, contact: str) -> list[sp.Expr]:
+def _power(model: RockingModel, mode: str) -> list[sp.Expr]:
     """d/dt of the energies: that the ground gives, and that other forces give and dampers take."""
-    equations, phase = model.equations(contact), model.mode(contact)
-    rates = [c.velocity for c in phase.coordinates]
+    equations, declared = model.equations(mode), model.mode(mode)
+    rates = [c.velocity for c in declared.coordinates]
     total = equations.kinetic_energy + equations.gravitational_energy + equations.elastic_energy
     ground = sp.Add(*(v * e for v, e in zip(rates, equations.excitation, strict=True)))
     given = equations.force - equations.damping
     other = sp.Add(*(v * e for v, e in zip(rates, given, strict=True)))
-    ground, other = (model.in_mode(e, contact) for e in (ground, other))
+    ground, other = (model.in_mode(e, mode) for e in (ground, other))
     if total.free_symbols & {law.symbol for law in model.functions}:
         # the equations take such a law as a constant, the energies change with it
-        for c in phase.coordinates:
-            held = model.in_mode(sp.diff(total, c.position), contact)
-            moving = sp.diff(model.in_mode(total, contact), c.position)
+        for c in declared.coordinates:
+            held = model.in_mode(sp.diff(total, c.position), mode)
+            moving = sp.diff(model.in_mode(total, mode), c.position)
             other += c.velocity * (moving - held)
     return [ground, other]
 
 
-def _guards(model: RockingModel, contact: str) -> list[sp.Expr]:
-    leaving = [t for t in model.transitions if t.source == contact]
+def _guards(model: RockingModel, mode: str) -> list[sp.Expr]:
+    leaving = [t for t in model.transitions if t.source == mode]
     return [
-        -_opening(model, t.target) if t.kind == "uplift" else model.in_mode(t.guard, contact)
+        -_opening(model, t.target) if t.kind == "uplift" else model.in_mode(t.guard, mode)
         for t in leaving
     ]
 
 
 def _opening(model: RockingModel, target: str) -> sp.Expr:
     """Acceleration with which the gap of `target` would open from closed and at rest."""
-    phase, equations = model.mode(target), model.equations(target)
+    mode, equations = model.mode(target), model.equations(target)
     closed = {model.rotation.position: 0, model.rotation.velocity: 0}
 
     def still(m: sp.Matrix) -> sp.Matrix:
         return m.applyfunc(lambda e: model.in_mode(e, target).subs(closed))
 
     found = still(equations.mass_matrix).LUsolve(still(equations.forcing))
-    return phase.side_of(target) * found[list(phase.coordinates).index(model.rotation)]
+    return mode.side_of(target) * found[list(mode.coordinates).index(model.rotation)]
 
 
 def order_agrees(names: Iterable[str], model: RockingModel) -> bool:
-    """Whether contact states are numbered as in a generated module."""
+    """Whether modes are numbered as in a generated module."""
     return tuple(names) == model.mode_names

@@ -47,7 +47,7 @@ def moved(motion: Motion, s: Any) -> rk.Case:
     return rk.Case(
         dataclasses.replace(structure, **sizes), shaking(motion.motion), law,
         {name: times(float(value)) for name, value in motion.initial.items()},
-        SHARE * motion.motion.duration, motion.vertical and shaking(motion.vertical), motion.phase,
+        SHARE * motion.motion.duration, motion.vertical and shaking(motion.vertical), motion.mode,
     )  # fmt: skip
 
 

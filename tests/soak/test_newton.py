@@ -198,7 +198,7 @@ def test_rest_that_swallows_a_motion_is_noticed():
     events[np.flatnonzero(r.kinds == REST)[-1]] = True
     states = r.run.events.columns[2][events].copy()
     states[-1, 0] = powers[first, 0]
-    kept = {"powers": powers, "span": span, "mode": r.contact[: first + 1]}
+    kept = {"powers": powers, "span": span, "mode": r.mode[: first + 1]}
     kept = {k: np.concatenate([v, getattr(r.run.steps, k)[last:]]) for k, v in kept.items()}
     found = kinds(
         altered(
@@ -247,11 +247,11 @@ def test_tension_is_noticed():
     """A foot that has left the ground is said to stick: it holds the block down."""
     r = rocked()
     names = r.program.MODES
-    contact = r.contact.copy()
-    contact[contact == names.index("right")] = names.index("both")
-    found = kinds(altered(r, mode=contact))
+    modes = r.mode.copy()
+    modes[modes == names.index("right")] = names.index("both")
+    found = kinds(altered(r, mode=modes))
     assert {"gap", "constraint"} <= found
-    hung = altered(r, mode=np.full_like(contact, names.index("left")))
+    hung = altered(r, mode=np.full_like(modes, names.index("left")))
     assert {"tension", "friction", "gap"} & kinds(hung)
 
 
@@ -335,5 +335,5 @@ def test_spring_that_presses_before_it_is_touched_is_noticed():
     motion = replace(motion, options=rk.SolverOptions())
     r = Told(motion, motion.run(), by_hand)
     every = next(i for i, on in enumerate(r.program.ELEMENT_STATES) if all(on))
-    found = kinds(altered(r, mode=np.full_like(r.contact, every)))
+    found = kinds(altered(r, mode=np.full_like(r.mode, every)))
     assert "spring" in found

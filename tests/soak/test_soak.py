@@ -77,7 +77,7 @@ def test_seed_that_once_found_something_is_right(seed):
     assert not result.violations, result
 
 
-def test_phase_of_the_other_side_is_refused():
+def test_mode_of_the_other_side_is_refused():
     """A wall that yields leaning right, named for one that leans left."""
     assert checked(540999, Checks(drawn=())).outcome.startswith("refused: the mode 'right_yield'")
 
@@ -99,7 +99,7 @@ def a_record(model: str, wanted) -> Record:
             continue
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            motion = replace(draw(seed), phase=None)
+            motion = replace(draw(seed), mode=None)
             motion = replace(motion, options=rk.SolverOptions())
             try:
                 run = motion.run()
@@ -157,16 +157,16 @@ def test_gap_in_time_is_noticed():
 
 def test_fall_through_the_ground_is_noticed():
     """An impact left out: the motion goes on on the same side."""
-    contact = block().contact.copy()
-    contact[contact == 0] = 2
-    assert "guard" in words(tampered(block(), mode=contact))
+    modes = block().mode.copy()
+    modes[modes == 0] = 2
+    assert "guard" in words(tampered(block(), mode=modes))
 
 
 def test_event_left_out_is_noticed():
     times, kinds, states = block().run.events.columns
     keep = np.arange(len(times)) != 1
     found = words(tampered(block(), times=times[keep], kinds=kinds[keep], states=states[keep]))
-    assert {"joined", "phases"} <= found
+    assert {"joined", "modes"} <= found
 
 
 def test_energy_from_nothing_is_noticed():
@@ -195,7 +195,7 @@ def test_success_short_of_the_end_is_noticed():
 def test_state_that_is_not_overturned_is_noticed():
     span = block().run.steps.span[:5]
     early = tampered(
-        block(), span=span, mode=block().contact[:5], powers=block().run.steps.powers[:5],
+        block(), span=span, mode=block().mode[:5], powers=block().run.steps.powers[:5],
         times=np.empty(0), kinds=np.empty((0, 4), int), states=np.empty((0, 2, 2)),
         end=block().last[4], outcome=Outcome.OVERTURNED,
     )  # fmt: skip
@@ -213,16 +213,16 @@ def test_load_of_a_pushover_that_is_wrong_is_noticed(monkeypatch):
     assert list(pushed(5, structure))
 
 
-# -- planted: the contact state of a start
+# -- planted: the mode of a start
 
 
 def test_contact_that_falls_back_to_the_first_is_noticed(monkeypatch):
-    """Whatever the state: the first contact state, "left"."""
+    """Whatever the state: the first mode, "left"."""
     wall = rk.ControlledWall.thesis()
     motion = replace(
         draw(MODELS.index("controlled_wall")), structure=wall, motion=rk.GroundMotion.none(0.5),
-        vertical=None, impact=None, initial={"theta": 0.05, "theta_dot": -0.1}, phase=None,
+        vertical=None, impact=None, initial={"theta": 0.05, "theta_dot": -0.1}, mode=None,
         options=rk.SolverOptions(),
     )  # fmt: skip
-    monkeypatch.setattr(type(wall), "contact", lambda self, y, phase=None, towards=0.0: 0)
+    monkeypatch.setattr(type(wall), "mode_number", lambda self, y, mode=None, towards=0.0: 0)
     assert {"impact", "event"} & words(Record(motion, motion.run()))

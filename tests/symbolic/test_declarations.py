@@ -77,12 +77,12 @@ LEFT, RIGHT, *UPLIFTS = TOWER.transitions
 
 
 def rocking(**changes) -> RockingModel:
-    """The tower, its rocking phase changed."""
+    """The tower, its rocking mode changed."""
     return replace(TOWER, modes=(replace(ROCKING, **changes), FULL))
 
 
-def phases(**changes) -> RockingModel:
-    """The tower, both phases changed."""
+def modes(**changes) -> RockingModel:
+    """The tower, both modes changed."""
     return replace(TOWER, modes=tuple(replace(p, **changes) for p in TOWER.modes))
 
 
@@ -114,7 +114,7 @@ def guard_of(source: str, target: str) -> sp.Expr:
 def on_feet(left: sp.Expr, right: sp.Expr) -> RockingModel:
     """A rigid block whose feet stand at -left and right of its centre; s picks the pivot."""
 
-    def phase(pivot, contacts, free, angle):
+    def mode(pivot, contacts, free, angle):
         place = turned((0, h), pivot, angle)
         feet = {"left": (-left, sp.S.Zero), "right": (right, sp.S.Zero)}
         return Mode(
@@ -132,9 +132,9 @@ def on_feet(left: sp.Expr, right: sp.Expr) -> RockingModel:
         parameters=(*PARAMETERS, *(Parameter(x, str(x), "m", "") for x in (STRANGE,))),
         coordinates=(THETA,),
         modes=(
-            phase((-left, sp.S.Zero), {"left": -1}, (THETA,), theta),
-            phase((right, sp.S.Zero), {"right": 1}, (THETA,), theta),
-            phase((sp.S.Zero, sp.S.Zero), {"both": 0}, (), sp.S.Zero),
+            mode((-left, sp.S.Zero), {"left": -1}, (THETA,), theta),
+            mode((right, sp.S.Zero), {"right": 1}, (THETA,), theta),
+            mode((sp.S.Zero, sp.S.Zero), {"both": 0}, (), sp.S.Zero),
         ),
     )
 
@@ -160,7 +160,7 @@ def called(**names) -> RockingModel:
     )
 
 
-def contact(new: str) -> RockingModel:
+def with_flight_called(new: str) -> RockingModel:
     """The structure on two springs, its state of flight called otherwise."""
     put = {"flight": new}
     return replace(
@@ -274,7 +274,7 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
         ("tower", "load point", "symbols q"),
     ),
     "undeclared in a quantity": (
-        lambda: phases(quantities={"lean": ("m", STRANGE * u)}),
+        lambda: modes(quantities={"lean": ("m", STRANGE * u)}),
         ("tower", "'lean'", "symbols q"),
     ),
     "undeclared in overturning": (
@@ -359,7 +359,7 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
         ("tower", "'theta'", "`coordinates`"),
     ),
     "no bodies": (lambda: tower(bodies=lambda pivot: []), ("tower", "no bodies")),
-    "a phase without bodies": (lambda: phases(bodies=()), ("tower", "no bodies")),
+    "a mode without bodies": (lambda: modes(bodies=()), ("tower", "no bodies")),
     "one contact": (
         lambda: replace(
             TOWER, modes=(replace(ROCKING, sides={"right": 1}),), transitions=(UPLIFTS[0],)
@@ -367,7 +367,7 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
         ("tower", "modes are right", "two or more"),
     ),
     "no transitions": (lambda: replace(TOWER, transitions=()), ("tower", "transitions")),
-    "no phases": (lambda: replace(TOWER, modes=()), ("tower", "none")),
+    "no modes": (lambda: replace(TOWER, modes=()), ("tower", "none")),
     "an unknown load_on": (
         lambda: tower(load_on="tip"),
         ("tower", "load_on", "'tip'", "did you mean 'top'"),
@@ -413,12 +413,12 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
         ("foot", "both"),
     ),
     "a force too few": (lambda: rocking(forces=(u,)), ("1 forces for 2 coordinates",)),
-    "a quantity in one phase": (
+    "a quantity in one mode": (
         lambda: rocking(quantities={"lean": ("m", u)}),
         ("tower", "quantities", "in each"),
     ),
     "a quantity in degrees": (
-        lambda: phases(quantities={"lean": ("deg", u)}),
+        lambda: modes(quantities={"lean": ("deg", u)}),
         ("'lean'", "'deg'", "'m' or 'N'"),
     ),
     "a mode declared twice": (
@@ -464,11 +464,11 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     "a coordinate called t": (lambda: called(u="t"), ("tower", "response", " t")),
     "a coordinate called like a foot's uplift": (lambda: called(u="left_uplift"), ("left_uplift",)),
     "a quantity called like a reaction": (
-        lambda: phases(quantities={"left_reaction": ("N", m * g)}),
+        lambda: modes(quantities={"left_reaction": ("N", m * g)}),
         ("left_reaction",),
     ),
     "a quantity called like a state": (
-        lambda: phases(quantities={"u_dot": ("m", u)}),
+        lambda: modes(quantities={"u_dot": ("m", u)}),
         ("twice: u_dot",),
     ),
     "a parameter without a name": (lambda: called(mass=""), ("tower", "parameter m", "''")),
@@ -487,7 +487,7 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     "a model of two lines": (lambda: tower(name="a\nb"), ("model", "letters")),
     "a model called by 300 letters": (lambda: tower(name="a" * 300), ("100 letters",)),
     "a mode whose name contains code": (
-        lambda: contact("flight = 1; import os"),
+        lambda: with_flight_called("flight = 1; import os"),
         ("two_spring_structure", "mode"),
     ),
     "a title that is no text": (lambda: tower(title=None), ("tower", "title", "text")),
@@ -639,13 +639,13 @@ def test_a_title_with_code_is_shown_by_a_compiled_structure(tmp_path):
 # --- impacts of structures whose sides are declared apart
 
 
-def test_sides_declared_in_phases_of_their_own_have_their_own_impact_maps():
+def test_sides_declared_in_modes_of_their_own_have_their_own_impact_maps():
     """Each with its pivot as a number: the map of one side is not that of the other."""
 
-    def phase(side: int, contact: str) -> Mode:
+    def mode(side: int, name: str) -> Mode:
         return replace(
             ROCKING,
-            sides={contact: side},
+            sides={name: side},
             bodies=tuple(
                 replace(body, position=tuple(e.subs(SIDE, side) for e in body.position))
                 for body in ROCKING.bodies
@@ -657,22 +657,22 @@ def test_sides_declared_in_phases_of_their_own_have_their_own_impact_maps():
             load_point=tuple(e.subs(SIDE, side) for e in ROCKING.load_point),
         )
 
-    apart = replace(TOWER, modes=(phase(-1, "left"), phase(1, "right"), FULL))
+    apart = replace(TOWER, modes=(mode(-1, "left"), mode(1, "right"), FULL))
     values = VALUES | {"gravity": 9.81}
     one = class_of(module_of(TOWER))(**values)
     other = class_of(module_of(apart))(**values)
-    for side, contact in ((-1, "left"), (1, "right")):
+    for side, foot in ((-1, "left"), (1, "right")):
         landing = {"u": 0.02, "theta_dot": -0.3 * side, "u_dot": 0.1}
         for law in (rk.Impulsive(), rk.AngularMomentum()):
-            found = [s.after_impact(landing, contact, law) for s in (one, other)]
+            found = [s.after_impact(landing, foot, law) for s in (one, other)]
             assert found[0][1] == found[1][1]
             assert found[1][0] == pytest.approx(found[0][0], rel=1e-12, abs=1e-14)
         state = {"theta": 0.02 * side, **landing}
         assert other.accelerations(state) == pytest.approx(one.accelerations(state), rel=1e-12)
 
 
-def test_one_phase_alone_rocks_from_foot_to_foot():
-    """Without full contact; the number of phases is no matter of the text."""
+def test_one_mode_alone_rocks_from_foot_to_foot():
+    """Without full contact; the number of modes is no matter of the text."""
     alone = replace(
         TOWER,
         modes=(ROCKING,),
@@ -691,8 +691,8 @@ def test_an_impact_may_stand_behind_a_switch():
     behind = replace(cart, transitions=tuple(reversed(cart.transitions)))
     module = module_of(behind)
     usual = module_of(cart)
-    for contact in usual.MODES:
-        number = usual.MODES.index(contact)
+    for mode in usual.MODES:
+        number = usual.MODES.index(mode)
         assert module.KINDS[number] == usual.KINDS[number]
         assert module.TARGETS[number] == usual.TARGETS[number]
 

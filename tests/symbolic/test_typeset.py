@@ -39,7 +39,7 @@ ROOT = Path(__file__).resolve().parents[2]
 POLAR = ["rigid_block", "lumped_mass_structure", "flexible_structure"]
 # (structure, form) of every document that differs from the others
 DOCUMENTS = [(n, "width") for n in SHIPPED] + [(n, "polar") for n in POLAR]
-BY_PHASES = [(n, form) for n, form in DOCUMENTS if n in PINNED]
+BY_MODES = [(n, form) for n, form in DOCUMENTS if n in PINNED]
 
 
 @cache
@@ -57,24 +57,24 @@ def article(name, form):
     return to_latex(said(name, form))
 
 
-def values_of(phase, seed=0) -> dict[sp.Symbol, float]:
+def values_of(mode, seed=0) -> dict[sp.Symbol, float]:
     """A random state and random parameters, R and alpha in accord with B and H."""
     rng = np.random.default_rng(seed)
     used = {SIDE, GROUND_X, GROUND_Y}
-    for c in phase.coordinates:
+    for c in mode.coordinates:
         used |= {c.position, c.velocity, c.acceleration}
-    for body in phase.bodies:
+    for body in mode.bodies:
         used |= {x for e in (body.mass, body.inertia, *body.position) for x in e.free_symbols}
-    used |= phase.stored_energy.free_symbols | phase.dissipation_function.free_symbols
-    used |= phase.gravity.free_symbols | sp.Tuple(*phase.forces).free_symbols
-    residual = phase.equations.residual(phase.coordinates)
-    for law in residual.atoms(AppliedUndef) | phase.stored_energy.atoms(AppliedUndef):
+    used |= mode.stored_energy.free_symbols | mode.dissipation_function.free_symbols
+    used |= mode.gravity.free_symbols | sp.Tuple(*mode.forces).free_symbols
+    residual = mode.equations.residual(mode.coordinates)
+    for law in residual.atoms(AppliedUndef) | mode.stored_energy.atoms(AppliedUndef):
         used |= {law, law.diff(*law.args), law.diff(*law.args, 2)}
         used |= law.free_symbols
-    used |= sp.Tuple(*(phase.load_point or ())).free_symbols
+    used |= sp.Tuple(*(mode.load_point or ())).free_symbols
     values = {x: rng.uniform(0.2, 1.2) for x in sorted(used, key=str)}
     values[SIDE] = rng.choice([-1.0, 1.0])
-    for body in phase.bodies:
+    for body in mode.bodies:
         if body.polar:
             b, h, radius, alpha = body.polar
             if b in values:
@@ -143,12 +143,12 @@ class Reader:
         return self.values[token] if token in self.values else float(token)
 
 
-def phases(name):
-    """(phase, form) of every way to show a structure."""
-    for phase in structure(name).modes:
-        yield phase, "width"
-        if has_polar_form(phase):
-            yield phase, "polar"
+def modes(name):
+    """(mode, form) of every way to show a structure."""
+    for mode in structure(name).modes:
+        yield mode, "width"
+        if has_polar_form(mode):
+            yield mode, "polar"
 
 
 # --- what the page says
@@ -156,15 +156,15 @@ def phases(name):
 
 @pytest.mark.parametrize("name", SHIPPED)
 def test_reading_the_typeset_equations_gives_the_residual_of_the_derived_ones(name):
-    for phase, form in phases(name):
-        if not phase.coordinates:
+    for mode, form in modes(name):
+        if not mode.coordinates:
             continue
-        values = values_of(phase)
+        values = values_of(mode)
         exact = Values(values)
-        residual = [exact[e] for e in phase.equations.residual(phase.coordinates)]
-        shown = polar_mode(phase) if form == "polar" else phase
+        residual = [exact[e] for e in mode.equations.residual(mode.coordinates)]
+        shown = polar_mode(mode) if form == "polar" else mode
         read = Reader(Notation(shown), values)
-        for line, expected in zip(equation_lines(phase, form), residual, strict=True):
+        for line, expected in zip(equation_lines(mode, form), residual, strict=True):
             left, right = line.split(" = ")
             scale = abs(read(left)) + abs(read(right))
             assert read(left) - read(right) == pytest.approx(expected, abs=1e-12 * scale)
@@ -174,17 +174,17 @@ def test_reading_the_typeset_equations_gives_the_residual_of_the_derived_ones(na
 def test_reading_typeset_energies_reactions_and_velocity_ratio_gives_the_derived_ones(name, form):
     original = structure(name)
     model = polar_model(original) if form == "polar" else original
-    for phase, plain in zip(model.modes, original.modes, strict=True):
-        notation, values = Notation(phase, model), values_of(plain, 1)
+    for mode, plain in zip(model.modes, original.modes, strict=True):
+        notation, values = Notation(mode, model), values_of(plain, 1)
         read = Reader(notation, values)
-        equations, exact = phase.equations, plain.equations
+        equations, exact = mode.equations, plain.equations
         pairs = [
             (notation.write(equations.kinetic_energy), exact.kinetic_energy),
             (notation.write(equations.gravitational_energy), exact.gravitational_energy),
             (notation.plain(equations.elastic_energy), exact.elastic_energy),
-            (notation.plain(phase.dissipation_function), plain.dissipation_function),
+            (notation.plain(mode.dissipation_function), plain.dissipation_function),
         ]
-        shown, expected = total_reaction(phase), total_reaction(plain)
+        shown, expected = total_reaction(mode), total_reaction(plain)
         pairs += [(notation.write(a), b) for a, b in zip(shown, expected, strict=True)]
         for tex, expr in pairs:
             assert read(tex) == pytest.approx(Values(values)[expr], rel=1e-12, abs=1e-12)
@@ -200,7 +200,7 @@ def test_reading_typeset_energies_reactions_and_velocity_ratio_gives_the_derived
     ("name", "form"),
     [
         d
-        for d in BY_PHASES
+        for d in BY_MODES
         if not d[0].startswith(("two_spring", "dirac_delta")) and "wall" not in d[0]
     ],
 )
@@ -235,9 +235,7 @@ def test_reading_typeset_impact_maps_gives_the_derived_velocities(name, form):
     assert read >= len(model.coordinates)
 
 
-@pytest.mark.parametrize(
-    ("name", "form"), [d for d in BY_PHASES if not d[0].startswith("flexible")]
-)
+@pytest.mark.parametrize(("name", "form"), [d for d in BY_MODES if not d[0].startswith("flexible")])
 def test_reading_typeset_pushover_gives_the_derived_force(name, form):
     model = structure(name)
     blocks = said(name, form)
@@ -248,9 +246,9 @@ def test_reading_typeset_pushover_gives_the_derived_force(name, form):
     ]
     assert found
     for title, tex in found:
-        contact = re.fullmatch("In `(.*)`:", title)[1]
-        values = values_of(model.mode(contact), 4)
-        force = Values(values)[pushover(model, contact)]
+        mode = re.fullmatch("In `(.*)`:", title)[1]
+        values = values_of(model.mode(mode), 4)
+        force = Values(values)[pushover(model, mode)]
         read = Reader(Notation(model.modes[0], model), values_of(model.modes[0], 5) | values)
         assert read(tex) == pytest.approx(force, rel=1e-12)
 
@@ -279,10 +277,10 @@ def test_flexible_structure_reads_as_the_thesis_prints_it():
 
 @pytest.mark.parametrize("name", SHIPPED)
 def test_one_line_an_equation_of_motion(name):
-    for phase, form in phases(name):
-        tex = equations_latex(phase, form)
-        assert tex.count(" &= ") == len(phase.coordinates)
-        assert tex.count(r"\\") == max(len(phase.coordinates) - 1, 0)
+    for mode, form in modes(name):
+        tex = equations_latex(mode, form)
+        assert tex.count(" &= ") == len(mode.coordinates)
+        assert tex.count(r"\\") == max(len(mode.coordinates) - 1, 0)
 
 
 # --- the form in R and alpha
@@ -290,30 +288,30 @@ def test_one_line_an_equation_of_motion(name):
 
 @pytest.mark.parametrize("name", POLAR)
 def test_polar_form_is_the_width_form(name):
-    phase = structure(name).modes[0]
-    polar = in_polar_form(phase)
-    geometry = {b.polar[0] for b in phase.bodies} | {b.polar[1] for b in phase.bodies}
+    mode = structure(name).modes[0]
+    polar = in_polar_form(mode)
+    geometry = {b.polar[0] for b in mode.bodies} | {b.polar[1] for b in mode.bodies}
     back = {}
-    for body in phase.bodies:
+    for body in mode.bodies:
         b, h, radius, alpha = body.polar
         back |= {sp.sin(alpha): b / radius, sp.cos(alpha): h / radius}
     for field in dataclasses.fields(polar):
         shown = sp.Matrix([getattr(polar, field.name)])
-        exact = sp.Matrix([getattr(phase.equations, field.name)])
+        exact = sp.Matrix([getattr(mode.equations, field.name)])
         assert not shown.free_symbols & geometry
         for side in (-1, 1):
             for a, b in zip(shown.subs(SIDE, side), exact.subs(SIDE, side), strict=True):
                 difference = sp.expand_trig(a).subs(back) - b
-                for body in phase.bodies:
+                for body in mode.bodies:
                     width, height, radius, _ = body.polar
                     difference = difference.subs(radius, sp.sqrt(width**2 + height**2))
                 assert sp.simplify(difference) == 0
 
 
 def test_structure_without_radius_and_angle_has_no_polar_form():
-    phase = structure("two_spring_structure").mode("both")
+    mode = structure("two_spring_structure").mode("both")
     with pytest.raises(ValueError, match=r'no polar form of mode both.*form="width"'):
-        equations_latex(phase, "polar")
+        equations_latex(mode, "polar")
 
 
 def test_document_of_a_structure_without_polar_form_is_in_width_form():

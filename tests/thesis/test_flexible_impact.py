@@ -123,17 +123,17 @@ def rigid_column(model: RockingModel) -> RockingModel:
     def hold(expr):
         return sp.sympify(expr).subs(held)
 
-    def rigid(phase):
+    def rigid(mode):
         return replace(
-            phase,
-            coordinates=tuple(c for c in phase.coordinates if c.position != U),
-            bodies=tuple(replace(b, position=tuple(map(hold, b.position))) for b in phase.bodies),
+            mode,
+            coordinates=tuple(c for c in mode.coordinates if c.position != U),
+            bodies=tuple(replace(b, position=tuple(map(hold, b.position))) for b in mode.bodies),
             elements=(),
-            load_point=tuple(map(hold, phase.load_point)),
+            load_point=tuple(map(hold, mode.load_point)),
         )
 
-    phases = tuple(rigid(phase) for phase in model.modes)
-    return replace(model, coordinates=(model.rotation,), modes=phases)
+    modes = tuple(rigid(mode) for mode in model.modes)
+    return replace(model, coordinates=(model.rotation,), modes=modes)
 
 
 def minus_5_14(ratio: sp.Expr, side: int) -> sp.Expr:

@@ -31,24 +31,24 @@ def notices(number: str, model: RockingModel) -> bool:
 def bodies(model: RockingModel, change: Callable[[Body], Body], name: str = "") -> RockingModel:
     """The model with `change` made to its bodies, or to the one called `name`."""
 
-    def altered(phase: Mode) -> Mode:
-        new = tuple(change(b) if name in ("", b.name) else b for b in phase.bodies)
-        at = [b.position for b in phase.bodies].index(phase.load_point)
-        return replace(phase, bodies=new, load_point=new[at].position)
+    def altered(mode: Mode) -> Mode:
+        new = tuple(change(b) if name in ("", b.name) else b for b in mode.bodies)
+        at = [b.position for b in mode.bodies].index(mode.load_point)
+        return replace(mode, bodies=new, load_point=new[at].position)
 
-    return replace(model, modes=tuple(altered(phase) for phase in model.modes))
+    return replace(model, modes=tuple(altered(mode) for mode in model.modes))
 
 
-def phases(model: RockingModel, change: Callable[[Mode], Mode]) -> RockingModel:
-    return replace(model, modes=tuple(change(phase) for phase in model.modes))
+def modes(model: RockingModel, change: Callable[[Mode], Mode]) -> RockingModel:
+    return replace(model, modes=tuple(change(mode) for mode in model.modes))
 
 
 def twice(constant: str) -> Callable[[Mode], Mode]:
     """With twice the stiffness or damping of each element."""
 
-    def change(phase: Mode) -> Mode:
-        found = (replace(e, **{constant: 2 * getattr(e, constant)}) for e in phase.elements)
-        return replace(phase, elements=tuple(found))
+    def change(mode: Mode) -> Mode:
+        found = (replace(e, **{constant: 2 * getattr(e, constant)}) for e in mode.elements)
+        return replace(mode, elements=tuple(found))
 
     return change
 
@@ -91,17 +91,17 @@ MUTATIONS = {
     ),
     "gravity upwards": Mutation(
         FLEXIBLE,
-        lambda m: phases(m, lambda p: replace(p, gravity=-p.gravity)),
+        lambda m: modes(m, lambda p: replace(p, gravity=-p.gravity)),
         ("5-34", "5-35", "D-13", "D-23", "D-24"),
     ),
     "elastic energy k u**2": Mutation(
         FLEXIBLE,
-        lambda m: phases(m, twice("stiffness")),
+        lambda m: modes(m, twice("stiffness")),
         ("5-35", "D-13", "D-20", "D-24", "D-26"),
     ),
     "dissipation c u'**2": Mutation(
         FLEXIBLE,
-        lambda m: phases(m, twice("damping")),
+        lambda m: modes(m, twice("damping")),
         ("5-35", "D-15", "D-20"),
     ),
     "deformation along the ground instead of across the column": Mutation(
@@ -133,12 +133,12 @@ MUTATIONS = {
     ),
     "springs twice as stiff": Mutation(
         SPRINGS,
-        lambda m: phases(m, twice("stiffness")),
+        lambda m: modes(m, twice("stiffness")),
         ("5-16", "5-24"),
     ),
     "springs with gravity upwards": Mutation(
         SPRINGS,
-        lambda m: phases(m, lambda p: replace(p, gravity=-p.gravity)),
+        lambda m: modes(m, lambda p: replace(p, gravity=-p.gravity)),
         ("5-17", "5-24"),
     ),
     "cart without the base's mass": Mutation(
@@ -157,7 +157,7 @@ def test_wrong_structure_is_noticed(name):
 
 
 def test_unchanged_copy_raises_no_alarm():
-    copy = phases(bodies(SHIPPED[FLEXIBLE](), lambda body: placed(body, {})), replace)
+    copy = modes(bodies(SHIPPED[FLEXIBLE](), lambda body: placed(body, {})), replace)
     assert [n for n in ("5-34", "5-35", "5-37", "D-1", "D-13", "D-18") if notices(n, copy)] == []
 
 
@@ -165,19 +165,19 @@ def test_unchanged_copy_raises_no_alarm():
 
 
 def _twice_each(constant: str) -> Callable[[RockingModel], RockingModel]:
-    return lambda model: phases(model, twice(constant))
+    return lambda model: modes(model, twice(constant))
 
 
 def _twice_the_force(model: RockingModel) -> RockingModel:
-    return phases(model, lambda p: replace(p, forces=tuple(2 * f for f in p.forces)))
+    return modes(model, lambda p: replace(p, forces=tuple(2 * f for f in p.forces)))
 
 
 def _backwards(model: RockingModel) -> RockingModel:
-    return phases(model, lambda p: replace(p, forces=tuple(-f for f in p.forces)))
+    return modes(model, lambda p: replace(p, forces=tuple(-f for f in p.forces)))
 
 
 def _upwards(model: RockingModel) -> RockingModel:
-    return phases(model, lambda p: replace(p, gravity=-p.gravity))
+    return modes(model, lambda p: replace(p, gravity=-p.gravity))
 
 
 def _heavier(model: RockingModel) -> RockingModel:

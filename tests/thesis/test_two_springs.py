@@ -58,26 +58,26 @@ def foot_guided(model: RockingModel) -> RockingModel:
     def moved(position):
         return position[0] + shift, position[1]
 
-    def move(phase):
+    def move(mode):
         bodies = tuple(
-            Body(b.name, b.mass, moved(b.position), b.inertia, b.rotation) for b in phase.bodies
+            Body(b.name, b.mass, moved(b.position), b.inertia, b.rotation) for b in mode.bodies
         )
-        feet = {name: Foot(moved(f.position), f.force) for name, f in phase.feet.items()}
-        return replace(phase, bodies=bodies, feet=feet, load_point=moved(phase.load_point))
+        feet = {name: Foot(moved(f.position), f.force) for name, f in mode.feet.items()}
+        return replace(mode, bodies=bodies, feet=feet, load_point=moved(mode.load_point))
 
-    return replace(model, modes=tuple(move(phase) for phase in model.modes))
+    return replace(model, modes=tuple(move(mode) for mode in model.modes))
 
 
-@pytest.mark.parametrize("contact", ["both", "right"])
-def test_exact_pushover_with_the_base_centre_guided(contact):
+@pytest.mark.parametrize("mode", ["both", "right"])
+def test_exact_pushover_with_the_base_centre_guided(mode):
     model = shipped("two_spring_structure")
-    assert normal_form(pushover(model, contact) - CENTRE_GUIDED[contact]) == 0
+    assert normal_form(pushover(model, mode) - CENTRE_GUIDED[mode]) == 0
 
 
-@pytest.mark.parametrize("contact", ["both", "right"])
-def test_exact_pushover_with_the_leading_foot_guided(contact):
+@pytest.mark.parametrize("mode", ["both", "right"])
+def test_exact_pushover_with_the_leading_foot_guided(mode):
     model = foot_guided(shipped("two_spring_structure"))
-    assert normal_form(pushover(model, contact) - FOOT_GUIDED[contact]) == 0
+    assert normal_form(pushover(model, mode) - FOOT_GUIDED[mode]) == 0
 
 
 def test_5_31_is_exact_where_the_leading_foot_is_guided_and_only_there():
@@ -123,9 +123,9 @@ def test_5_30_names_the_rotation_at_which_the_force_is_spent():
 def test_moments_about_the_base_centre_balance():
     """At random rotations with numbers: weights, load and both springs, moment by moment."""
     model = shipped("two_spring_structure")
-    phase = model.mode("both")
+    mode = model.mode("both")
     rng = np.random.default_rng(524)
-    forces = {name: foot.force for name, foot in phase.feet.items()}
+    forces = {name: foot.force for name, foot in mode.feet.items()}
     curve = pushover(model, "both")
     for _ in range(10):
         n = {p.symbol: rng.uniform(0.5, 2.0) for p in model.parameters}
