@@ -69,8 +69,8 @@ RATIO, IMPULSIVE, TABULATED, UNEVEN = range(4)
 
 # The status of a motion, with which `integrate` goes on, by columns of `status`
 (
-    CONTACT,
-    TOUCHING,  # the guard that is closed now, or -1
+    MODE,
+    CLOSED,  # the guard that is closed now, or -1
     IMPACTS,  # so far
     STEPS,  # steps so far, with those refused
     IDLE,  # events since time last moved

@@ -139,7 +139,7 @@ class Animation:
         """Draw a frame into empty axes of equal scales."""
         sketch = Sketch(self.run.structure, self.states[i], int(self.modes[i]))
         sketch.draw(ax)
-        for foot in sketch.touching:
+        for foot in sketch.closed_feet:
             for at in sketch.feet_at(foot):
                 free_body.pivot(ax, at)
         for foot in self._landing(i, sketch):
@@ -175,7 +175,7 @@ class Animation:
             impact = self._impacts[k]
             after = style.feet_of(impact.mode_after)
             named = impact.contact.split("+") if impact.contact else [after]
-            landed |= {*named} & {*sketch.feet} or {*sketch.touching}
+            landed |= {*named} & {*sketch.feet} or {*sketch.closed_feet}
         return landed
 
     @cached_property

@@ -103,7 +103,7 @@ class Sketch:
         self.supports: list[tuple[float, float]] = []
 
     @property
-    def touching(self) -> list[str]:
+    def closed_feet(self) -> list[str]:
         """Feet without a gap below them, on rigid ground or on another body."""
         return [
             name

@@ -11,13 +11,13 @@ from rockeom.codes import (
     AT_THE_START,
     CAME_TO_REST,
     COMPLETED,
-    CONTACT,
     ENERGY_ROUNDING,
     EVENTS_KEPT,
     FULL,
     IMPACT,
     IMPACTS,
     LANDING,
+    MODE,
     OVERTURNED,
     STEPS,
     STEPS_KEPT,
@@ -77,7 +77,7 @@ def falls(mode: int, y: Floats, case: Case, reach: float) -> bool:
     status = np.empty(len(AT_THE_START), np.int64)
     for i in range(len(AT_THE_START)):
         status[i] = AT_THE_START[i]
-    status[CONTACT] = mode
+    status[MODE] = mode
     rate, scratch = np.empty(N_STATES), np.zeros(SCRATCH)
     clock = np.zeros(4)
     state = np.empty(N_STATES)
@@ -145,9 +145,9 @@ def integrate_many(first: int, batch: Batch) -> int:
             free = case._replace(
                 horizontal=still, vertical=still, h_max=np.inf, fixed=0, rest_tolerance=1e-6
             )
-            if falls(status[CONTACT], y, free, 0.1 * batch.t_end[n]):
+            if falls(status[MODE], y, free, 0.1 * batch.t_end[n]):
                 code = OVERTURNED
-            elif at_rest(status[CONTACT], y, case.p):
+            elif at_rest(status[MODE], y, case.p):
                 code = CAME_TO_REST
         batch.outcome[n] = code
     return len(batch.states)

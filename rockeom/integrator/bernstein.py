@@ -43,7 +43,7 @@ def bernstein_at(b, at, x):
     return a0 + x * (a1 - a0), 7.0 * (a1 - a0)
 
 
-def first_fall(b, at, grain, touching, noise, stack):
+def first_fall(b, at, grain, closed, noise, stack):
     """Smallest x in (0, 1] at which a polynomial falls through zero, or NEVER.
 
     b[at : at + 8] Bernstein coefficients on [0, 1]. Its coefficients bound a polynomial, and the
@@ -51,7 +51,7 @@ def first_fall(b, at, grain, touching, noise, stack):
     part with one has one, other parts are halved. So no pair of roots is stepped over.
 
     grain : rounding error of a coefficient, relative to the largest.
-    touching : the guard was closed at x = 0 (an event was just there); that root is no other event.
+    closed : the guard was closed at x = 0 (an event was just there); that root is no other event.
     noise : beside x = 0 coefficients below it are rounding errors.
     stack (640,) : scratch; ten places hold the coefficients of a part, its start and its width.
     """
@@ -62,10 +62,10 @@ def first_fall(b, at, grain, touching, noise, stack):
     noise = grain * scale
     for i in range(8):
         stack[i] = b[at + i]
-    if touching:
+    if closed:
         stack[0] = 0.0
     stack[8], stack[9] = 0.0, 1.0
-    before = -1 if b[at] < -noise and not touching else 1  # sign before a part
+    before = -1 if b[at] < -noise and not closed else 1  # sign before a part
     part = 0
     for _ in range(MOST_PARTS):
         if part < 0:
@@ -109,7 +109,7 @@ def first_fall(b, at, grain, touching, noise, stack):
     return NEVER if before > 0 or b[at] >= -noise else 0.0  # 0: below zero all along
 
 
-def larger_falls(b, part, touching, noise, stack):
+def larger_falls(b, part, closed, noise, stack):
     """(place, part): where the larger of two polynomials first falls through zero, and which it is.
 
     b : the Bernstein coefficients of both begin at 8 * part and 8 * (part + 1); its last eight
@@ -119,7 +119,7 @@ def larger_falls(b, part, touching, noise, stack):
     risen = -1.0  # where the guard opens that begins below zero
     open_ = part if b[8 * part] >= b[8 * part + 8] else part + 1
     rest = 8 * (N_GUARDS + N_PARTS)
-    if not touching and not starts_open(b, 8 * open_):
+    if not closed and not starts_open(b, 8 * open_):
         open_ = 2 * part + 1 - open_
         if not starts_open(b, 8 * open_):
             p = NEVER
@@ -134,7 +134,7 @@ def larger_falls(b, part, touching, noise, stack):
             risen = p
     for _ in range(32):  # two polynomials of degree seven cross zero 14 times
         part_from(b, 8 * open_, p, rest)
-        touches = (touching and p == 0.0) or p == risen
+        touches = (closed and p == 0.0) or p == risen
         x = first_fall(b, rest, SAMPLED, touches, noise if p == 0.0 else 0.0, stack)
         if x == NEVER:
             return NEVER, open_

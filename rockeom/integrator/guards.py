@@ -67,7 +67,7 @@ def rocking(mode):
 
 
 @inlined
-def stays_open(gap, touching):
+def stays_open(gap, closed):
     """Whether the gap of a rocking mode clearly stays open in a step, without dense output.
 
     gap : as of `gap_at_ends`. Where all coefficients are positive by a margin far above its error,
@@ -75,12 +75,12 @@ def stays_open(gap, touching):
     """
     b0, b1, b2, b3, b4, b5 = gap
     least, grain = 1e-3 * max(b0, b5), 1e-11 * b5
-    leaves = b1 > least and b2 > least and (b0 > least or touching == 0)
-    leaves = leaves or (touching == 0 and abs(b1) <= grain and b2 >= -grain)
+    leaves = b1 > least and b2 > least and (b0 > least or closed == 0)
+    leaves = leaves or (closed == 0 and abs(b1) <= grain and b2 >= -grain)
     return leaves and b3 > least and b4 > least and b5 > least
 
 
-def closes_once(gap, touching):
+def closes_once(gap, closed):
     """Place in a step at which the gap of a rocking mode clearly closes, once, or NEVER.
 
     Where the coefficients change their sign once, by a margin as in `stays_open`, there is one
@@ -88,7 +88,7 @@ def closes_once(gap, touching):
     """
     b0, b1, b2, b3, b4, b5 = gap
     doubt = 1e-3 * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
-    if (touching != 0 and b0 <= doubt) or (touching == 0 and b1 <= doubt) or b5 >= -doubt:
+    if (closed != 0 and b0 <= doubt) or (closed == 0 and b1 <= doubt) or b5 >= -doubt:
         return NEVER
     # behind the first that is not clearly positive, none is; behind a negative one, all are
     falls = (b2 > doubt or b3 <= doubt) and (b3 > doubt or b4 <= doubt)
@@ -243,7 +243,7 @@ def guard_polynomials(mode, t, h, ground, case, a):
                     b[8 * n + i] += SAMPLES_TO_BERNSTEIN[i, m] * g[n]
 
 
-def first_event(mode, t, h, instant, landed, touching, ground, case, a):
+def first_event(mode, t, h, instant, landed, closed, ground, case, a):
     """Where in a step a guard first falls through zero, which, and what is known of it there.
 
     Returns (place, guard, slope, from_closed, unclear): the place in the step, NEVER if no guard
@@ -257,29 +257,29 @@ def first_event(mode, t, h, instant, landed, touching, ground, case, a):
     b = a.b
     ax, ay = ground_accelerations(ground, t)
     for i in range(GUARDS[mode]):
-        known = is_known(touching, i)
+        known = is_known(closed, i)
         if i == landed or (landed >= 0 and known):
             continue
-        closed = known
+        starts_closed = known
         whole = N_PARTS == 0 or PARTS[mode][i] < 0
-        if b[8 * i] < 0.0 and whole and not rocks and not closed:
+        if b[8 * i] < 0.0 and whole and not rocks and not starts_closed:
             # beside zero but for rounding, by an event before this one, is closed, too
             near = grain_of(mode, i, ax, ay, h, b, 8, case, a)
             if KINDS[mode][i] == IMPACT:
                 near = CLOSED_GAP * case.fallen
-            closed = b[8 * i] >= -near
+            starts_closed = b[8 * i] >= -near
         noise = 0.0
-        if closed:
+        if starts_closed:
             noise = rounding(mode, i, h, a.y, case.p, ax, ay, b)
             noise = max(noise, grain_of(mode, i, ax, ay, h, b, 8, case, a))
         row = i
         if not whole:
-            x, row = larger_falls(b, PARTS[mode][i], closed, noise, a.stack)
+            x, row = larger_falls(b, PARTS[mode][i], starts_closed, noise, a.stack)
         else:
             grain = EXACT if KINDS[mode][i] == IMPACT else SAMPLED
-            x = first_fall(b, 8 * i, grain, closed, noise, a.stack)
+            x = first_fall(b, 8 * i, grain, starts_closed, noise, a.stack)
         doubtful = known and abs(b[8 * row + 1]) <= noise
-        beside = closed and not known and x * h <= instant
+        beside = starts_closed and not known and x * h <= instant
         if beside and rises_first(b, 8 * row, noise):
             continue
         if x < place:
@@ -289,13 +289,13 @@ def first_event(mode, t, h, instant, landed, touching, ground, case, a):
             place = x
             target = i
             unclear = doubtful
-            from_closed = closed or (not rocks and abs(b[8 * row]) <= SAMPLED * hover)
+            from_closed = starts_closed or (not rocks and abs(b[8 * row]) <= SAMPLED * hover)
             from_closed &= not beside  # else it is known to fall
             slope = bernstein_at(b, 8 * row, x)[1] / h
     return place, target, slope, from_closed, unclear
 
 
-def settle(mode, t, h, touching, ground, case, a):
+def settle(mode, t, h, closed, ground, case, a):
     """Index of a guard that is below zero and stays there, the lowest if there are several; or -1.
 
     The acceleration of the ground may jump where a segment begins, and a new mode may be one that
@@ -310,7 +310,7 @@ def settle(mode, t, h, touching, ground, case, a):
     ax, ay = ground_accelerations(ground, t)
     guards(mode, a.y, case.p, ax, ay, g)
     for i in range(GUARDS[mode]):
-        known = is_known(touching, i)
+        known = is_known(closed, i)
         kind = KINDS[mode][i]
         if known or kind in (IMPACT, LANDING) or not g[i] < 0.0:
             continue
@@ -356,7 +356,7 @@ def opens_soon(mode, index, t, h, ground, case, a, noise):
 
 
 @inlined
-def fell_before(mode, target, touching, h, y, g, b):
+def fell_before(mode, target, closed, h, y, g, b):
     """Whether another guard fell before the event that a step ends on, by more than rounding.
 
     An event at which a guard hardly touches zero is corrected by much: it may pass another one.
@@ -368,7 +368,7 @@ def fell_before(mode, target, touching, h, y, g, b):
         if KINDS[mode][i] == IMPACT:
             fell = -g[i] > 1e-9 * h * abs(y[ROTATION_RATE])
         else:
-            fell = -g[i] > 1e-9 * size(b, 8 * i) and b[8 * i] > 0.0 and not is_known(touching, i)
+            fell = -g[i] > 1e-9 * size(b, 8 * i) and b[8 * i] > 0.0 and not is_known(closed, i)
         if fell:
             return True
     return False

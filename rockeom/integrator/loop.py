@@ -23,8 +23,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rockeom.codes import (
+    CLOSED,
     COMPLETED,
-    CONTACT,
     EVENTS_KEPT,
     FULL,
     GUARD_DUE,
@@ -33,6 +33,7 @@ from rockeom.codes import (
     IMPACTS,
     LANDING,
     LAST_ERROR,
+    MODE,
     NEXT_STEP,
     NOT_FINITE,
     OVERTURNED,
@@ -47,7 +48,6 @@ from rockeom.codes import (
     STEPS_KEPT,
     TIME,
     TOO_MANY_IMPACTS,
-    TOUCHING,
 )
 from rockeom.compiler.decorators import Floats, Ints, entry, inlined
 
@@ -249,8 +249,8 @@ def resumed(status, clock):
     """The motion where the last call left it."""
     return Motion(
         t=clock[TIME],
-        mode=status[CONTACT],
-        touching=status[TOUCHING],
+        mode=status[MODE],
+        closed=status[CLOSED],
         h_next=clock[NEXT_STEP],
         last_error=clock[LAST_ERROR] if clock[LAST_ERROR] > 0.0 else 1.0,
         refined_to=clock[REFINED_TO],
@@ -272,7 +272,7 @@ def resumed(status, clock):
 @inlined
 def suspend(motion, status, clock, rate, a):
     """Leave the motion for the next call."""
-    status[CONTACT], status[TOUCHING] = motion.mode, motion.touching
+    status[MODE], status[CLOSED] = motion.mode, motion.closed
     status[IMPACTS], status[STEPS] = motion.impacts, motion.taken
     status[REFINED], status[IDLE] = motion.refined, motion.idle
     status[GUARD_DUE], status[RATE_STALE] = int(motion.guard_due), int(motion.rate_stale)
@@ -307,7 +307,7 @@ def is_full(motion, recorder):
 @inlined
 def may_be_quiet(motion, recorder):
     """Whether steps may be taken in which nothing but the motion itself is looked at."""
-    quiet = not motion.rate_stale and motion.touching < 0 and not records_steps(recorder)
+    quiet = not motion.rate_stale and motion.closed < 0 and not records_steps(recorder)
     return quiet and (rocking(motion.mode) or motion.mode == FULL_CONTACT)
 
 
@@ -382,7 +382,7 @@ def settle_mode(motion, ground, case, a):
     mode, t = motion.mode, motion.t
     if motion.guard_due and not rocking(mode):
         h = min(motion.h_next, end_of_segments(ground, case) - t)  # at rest it may be of any length
-        guard = settle(mode, t, h, motion.touching, ground, case, a)
+        guard = settle(mode, t, h, motion.closed, ground, case, a)
         if guard >= 0:
             return settled, guard, h
     rates(
@@ -415,7 +415,7 @@ def plan(motion, ground, case, a):
     if still:
         stay(a)
     whole = h
-    hop, flight = free_flight(mode, motion.touching, t, a.y, case.p, a.k)
+    hop, flight = free_flight(mode, motion.closed, t, a.y, case.p, a.k)
     hops = flight < 0.9 * h
     if hops:
         h = flight
@@ -424,7 +424,7 @@ def plan(motion, ground, case, a):
         bound=most_error(case.rtol) if equal else 1.0, error=0.0,
         cut=cut, equal=equal, still=still, stands=stands, hops=hops, hop=hop, target=-1, landed=-1,
         lands=False, slope=0.0, more=0.0, corrections=0, overlooked=0,
-        sampled=motion.sampled and motion.touching < 0 and not still, overturns=False, turns=False,
+        sampled=motion.sampled and motion.closed < 0 and not still, overturns=False, turns=False,
         h_next=h_next, last_error=motion.last_error, refined_to=motion.refined_to,
         refined=motion.refined, taken=motion.taken + int(stands), outcome=COMPLETED,
     )  # fmt: skip
@@ -489,7 +489,7 @@ def judge(motion, ground, step, case, a, recorder):
             h = tried.h * place
             return AGAIN, tried._replace(lands=True, target=guard, h=h, cut=False, sampled=False)
         tried = tried._replace(sampled=open_)
-        unsure = not (open_ or closed or rocking(motion.mode) or motion.touching >= 0)
+        unsure = not (open_ or closed or rocking(motion.mode) or motion.closed >= 0)
         open_ = open_ or (unsure and stays_held(motion.mode, motion.t, tried.h, ground, case, a))
     return look_within(motion, ground, tried, gap, open_, case, a, recorder)
 
@@ -542,7 +542,7 @@ def land(motion, ground, step, case, a):
     misplaced = abs(move) >= 0.01 * step.h
     misplaced = misplaced or (
         not certain
-        and fell_before(motion.mode, step.target, motion.touching, step.h, a.y_new, a.g, a.b)
+        and fell_before(motion.mode, step.target, motion.closed, step.h, a.y_new, a.g, a.b)
     )
     if misplaced and KINDS[motion.mode][step.target] == LANDING:
         misplaced = not is_rounding(motion.mode, step.target, a.y_new, case.p)
@@ -560,7 +560,7 @@ def look_within(motion, ground, step, gap, open_, case, a, recorder):
     mode, t = motion.mode, motion.t
     overturns = may_fall(case.fallen, gap, step.h, a.y, a.y_new, a.k, case.p)
     turns = records_extremes(recorder) and widens(recorder.extremes, step.h, a.y, a.y_new, a.k)
-    leaves = acts_beside(mode, motion.touching, a.y, a.y_new)
+    leaves = acts_beside(mode, motion.closed, a.y, a.y_new)
     closes = acts_beside(mode, step.landed, a.y_new, a.y)
     wanted = records_steps(recorder) or turns or overturns or leaves or closes
     if not step.still and (wanted or not (open_ or step.landed >= 0)):
@@ -597,7 +597,7 @@ def first_event_within(motion, ground, step, case, a):
     instant = 4.0 * EPS * max(t, step.h)
     guard_polynomials(mode, t, step.h, ground, case, a)
     place, target, slope, from_closed, unclear = first_event(
-        mode, t, step.h, instant, step.landed, motion.touching, ground, case, a
+        mode, t, step.h, instant, step.landed, motion.closed, ground, case, a
     )
     if place == NEVER:
         return DONE, step._replace(target=target, slope=slope)
@@ -663,7 +663,7 @@ def accept(motion, step, case, a, recorder):
             a.y[i] = a.y_new[i]
             a.k[i] = a.k[END + i]
         t = step.end if step.cut or t + h > step.end else t + h
-        went = went._replace(t=t, touching=-1, idle=0, follows=0)
+        went = went._replace(t=t, closed=-1, idle=0, follows=0)
     if step.outcome == COMPLETED and step.taken >= case.max_steps:
         went = went._replace(outcome=STALLED)
     return went, step.landed, h
@@ -680,7 +680,7 @@ def leave_mode(motion, ground, guard, h, case, a, recorder):
         motion._replace(idle=motion.idle + 1), ground, guard, h, end, case, a, recorder
     )
     if left.outcome != COMPLETED:
-        return left._replace(touching=-1)
+        return left._replace(closed=-1)
     if not rest.stepped:
         if kind != IMPACT and kind != LANDING:
             return left
@@ -711,6 +711,4 @@ def come_to_rest(motion, ground, rest, end, case, a, recorder):
         widen(recorder.extremes, a.y_new)
     for i in range(N_STATES):
         a.y[i] = a.y_new[i]
-    return rested._replace(
-        t=t, mode=rest.mode, touching=-1, h_next=0.0, n_events=motion.n_events + 1
-    )
+    return rested._replace(t=t, mode=rest.mode, closed=-1, h_next=0.0, n_events=motion.n_events + 1)

@@ -35,7 +35,7 @@ def record_event(recorder, row, t, kind, before, after, guard, y, y_after):
 
 
 @inlined
-def enter_mode(motion, guard, mode, touching, a, recorder):
+def enter_mode(motion, guard, mode, closed, a, recorder):
     """Record an event, and go on in the mode that follows, from the state after it."""
     kind = KINDS[motion.mode][guard]
     record_event(recorder, motion.n_events, motion.t, kind, motion.mode, mode, guard, a.y, a.after)
@@ -45,7 +45,7 @@ def enter_mode(motion, guard, mode, touching, a, recorder):
     h_next = 0.0 if kind in (UPLIFT, LIFTING) else motion.h_next
     return motion._replace(
         mode=mode,
-        touching=touching,
+        closed=closed,
         h_next=h_next,
         rate_stale=True,
         guard_due=True,

@@ -129,7 +129,7 @@ class Recorder(NamedTuple):
 class Motion(NamedTuple):
     """Where a motion is between two steps.
 
-    touching : the guards that are known to be closed. rate_stale : the rates at the start of the
+    closed : the guards that are known to be closed. rate_stale : the rates at the start of the
     next step are not known yet. guard_due : a guard may be below zero. sampled : the guards at the
     end of the step before are known. still : nothing moved in it. idle : events at this instant.
     follows : the mode after the impacts that a landing begins, negative where there is none.
@@ -137,7 +137,7 @@ class Motion(NamedTuple):
 
     t: float
     mode: int
-    touching: int
+    closed: int
     h_next: float
     last_error: float
     refined_to: float

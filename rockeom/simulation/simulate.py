@@ -12,9 +12,9 @@ import numpy as np
 from rockeom import renamed
 from rockeom.codes import (
     AT_THE_START,
-    CONTACT,
     EVENTS_KEPT,
     FULL,
+    MODE,
     OUTCOMES,
     REFINED,
     STEPS_KEPT,
@@ -179,7 +179,7 @@ class _Bench:
     def run(self, q: Problem, options: SolverOptions, recorder: Recorder | None) -> Integrated:
         status, p = self.status, q.p()
         status[:], self.clock[:], self.y[:], self.rate[:] = AT_THE_START, 0.0, q.y0, 0.0
-        status[CONTACT], self.atol[:] = q.mode, options.atol
+        status[MODE], self.atol[:] = q.mode, options.atol
         integrate = self.integrate
         integrate["t_end"], integrate["h_max"] = q.end, options.max_step
         integrate["horizontal"], integrate["vertical"] = q.horizontal, q.vertical
@@ -208,7 +208,7 @@ class _Bench:
 
     def _later(self, p: np.ndarray, reach: float) -> Outcome:
         """The outcome of a motion that was followed to its end, the ground at rest."""
-        mode = int(self.status[CONTACT])
+        mode = int(self.status[MODE])
         self.falls["mode"] = self.at_rest["mode"] = mode
         self.falls["reach"], self.at_rest["p"] = reach, p
         if self.falls():

@@ -78,7 +78,7 @@ class Points:
             search, y, p = _searching(self.module), self.y.astype(float), self.p
             known = np.zeros(search["N_KNOWN"])
             search["all_known"](y, p, 0, known)  # its mode matters to forces alone
-            search["touching_points"](y, p, 0, known, contacts.closed, contacts.slides)
+            search["closed_points"](y, p, 0, known, contacts.closed, contacts.slides)
             radius = [search["radius_of"](known, i) for i in range(m)]
             contacts.least_gap[:] = -search["GIVEN"] * np.maximum(self.size, radius)
         return contacts
@@ -159,16 +159,16 @@ def _standing(
     n = len(module.STATES) // 2
     free = np.array([name not in named for name in module.STATES])
     free &= np.tile(np.array(angles(module)) == 0.0, 2)
-    y[:n] = _touching(module, y, p, np.flatnonzero(free[:n]))
+    y[:n] = _lowered(module, y, p, np.flatnonzero(free[:n]))
     points = Points(module, y, p)
     down = points.closed
     if not down.any() or not free[n:].any():
         return y
-    touching = np.flatnonzero(down)
+    closed = np.flatnonzero(down)
     sticky = np.array(
         [any(row[i] == STICK for row in module.POINT_STATES) for i in range(len(down))]
     )
-    choices = [touching, *(touching[i : i + 1] for i in range(len(touching)))]
+    choices = [closed, *(closed[i : i + 1] for i in range(len(closed)))]
     for held in choices:
         rows = np.vstack([points.normal[held], points.tangential[held[sticky[held]]]])
         moved = y.copy()
@@ -183,7 +183,7 @@ def _standing(
     return y
 
 
-def _touching(module: SearchedModes, y: np.ndarray, p: np.ndarray, free: np.ndarray) -> np.ndarray:
+def _lowered(module: SearchedModes, y: np.ndarray, p: np.ndarray, free: np.ndarray) -> np.ndarray:
     """The coordinates (n,) with those of numbers `free` moved until the lowest points touch.
 
     Newton's method for all gaps that were the lowest one: the lower of two bodies moves the gaps

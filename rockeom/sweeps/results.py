@@ -10,9 +10,9 @@ import numpy as np
 
 from rockeom.codes import (
     AT_THE_START,
-    CONTACT,
     FULL,
     IMPACTS,
+    MODE,
     REFINED,
     STEPS,
     TIME,
@@ -135,7 +135,7 @@ class Results:
             m.rates[these], m.impact_times[these], m.gains[these] = 0.0, np.nan, 0.0
             m.clock[these], m.outcome[these] = 0.0, FULL
             m.status[these] = AT_THE_START
-            m.status[these, CONTACT] = q.mode[these]
+            m.status[these, MODE] = q.mode[these]
 
         begin(np.full(n, True))
         in_lanes = ended = 0
@@ -162,7 +162,7 @@ class Results:
             self.final[rows], self.peaks[rows] = m.states, m.extremes
             self.times[there], self.gains[there] = m.impact_times[ran], m.gains[ran]
             self.final_time[there] = m.clock[ran, TIME]
-            self.mode[there] = m.status[ran, CONTACT]
+            self.mode[there] = m.status[ran, MODE]
             self.impacts[there] = m.status[ran, IMPACTS]
             self.refined[there] = m.status[ran, REFINED]
             self.outcome[there] = m.outcome[ran]

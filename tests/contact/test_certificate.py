@@ -23,7 +23,7 @@ def at(cubic, t):
     return cubic[0] + t * (cubic[1] + t * (cubic[2] + t * cubic[3]))
 
 
-def said(cubics, touching, mode=0, hop=-1):
+def said(cubics, closed, mode=0, hop=-1):
     """Of guards that are cubics of time, in a step from 0 to 1."""
 
     def guards_at(_mode, t, _y, _p, _ground, g):
@@ -32,7 +32,7 @@ def said(cubics, touching, mode=0, hop=-1):
 
     TEXT["guards_at"] = guards_at
     still = np.zeros(2)
-    motion = SimpleNamespace(mode=mode, t=0.0, touching=touching)
+    motion = SimpleNamespace(mode=mode, t=0.0, closed=closed)
     arrays = SimpleNamespace(y=still, y_new=still, k=np.zeros(4), w=np.zeros(2), b=np.zeros(4 * N))
     step, case = SimpleNamespace(h=1.0), SimpleNamespace(p=None)
     return TEXT["fall_within"](motion, None, step, False, hop, case, arrays)

@@ -102,7 +102,7 @@ def test_kinds_and_laws_are_those_of_the_generated_modules():
 
 def test_a_motion_begins_without_a_past():
     begins = codes.AT_THE_START
-    assert begins[codes.TOUCHING] == -1
+    assert begins[codes.CLOSED] == -1
     assert begins[codes.GUARD_DUE] == begins[codes.RATE_STALE] == 1
     assert np.count_nonzero(begins) == 3
     with pytest.raises(ValueError, match="read-only"):

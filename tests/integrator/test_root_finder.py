@@ -30,14 +30,14 @@ def at(b: Floats, x: float, out: Floats):
     out[0], out[1] = bernstein_at(b, 0, x)
 
 @entry
-def the_first_fall(b: Floats, touching: bool, noise: float, stack: Floats) -> float:
-    return first_fall(b, 0, EXACT, touching, noise, stack)
+def the_first_fall(b: Floats, closed: bool, noise: float, stack: Floats) -> float:
+    return first_fall(b, 0, EXACT, closed, noise, stack)
 
 @entry
-def of_gap(b: Floats, touching: int, out: Floats):
+def of_gap(b: Floats, closed: int, out: Floats):
     gap = b[0], b[1], b[2], b[3], b[4], b[5]
-    out[0] = 1.0 if stays_open(gap, touching) else 0.0
-    out[1] = closes_once(gap, touching)
+    out[0] = 1.0 if stays_open(gap, closed) else 0.0
+    out[1] = closes_once(gap, closed)
     out[2] = 1.0 if rises_and_falls(gap) else 0.0
 
 @entry
@@ -66,9 +66,9 @@ def at(b, x):
     return found
 
 
-def first_fall(b, touching=False, noise=0.0):
+def first_fall(b, closed=False, noise=0.0):
     stack = np.empty(640)
-    return loop()["the_first_fall"](np.array(b, dtype=float), touching, noise, stack)
+    return loop()["the_first_fall"](np.array(b, dtype=float), closed, noise, stack)
 
 
 def value(b, x):
@@ -119,12 +119,12 @@ def witnesses(b):
     return clear
 
 
-def check_first_fall(b, touching=False):
+def check_first_fall(b, closed=False):
     """The root found lies in the first bracket of a fall, and the guard is zero there."""
     clear = witnesses(b)
     places, signs = [x for x, _ in clear], [v > 0 for _, v in clear]
     falls = [n for n in range(1, len(signs)) if signs[n - 1] and not signs[n]]
-    found = first_fall(b, touching)
+    found = first_fall(b, closed)
     size = np.abs(b).max()
     if falls:
         n = falls[0]
@@ -190,15 +190,15 @@ def test_seven_roots_in_a_step(roots):
 )
 def test_guard_that_is_closed_at_the_start_opens_and_falls_later(residual, rest):
     """What is left at the last event is no event; b[1] > 0: it opens."""
-    check_first_fall([0.0, 1.0, *rest], touching=True)
-    clean = first_fall([0.0, 1.0, *rest], touching=True)
-    assert first_fall([residual, 1.0, *rest], touching=True) == clean
+    check_first_fall([0.0, 1.0, *rest], closed=True)
+    clean = first_fall([0.0, 1.0, *rest], closed=True)
+    assert first_fall([residual, 1.0, *rest], closed=True) == clean
 
 
 def test_guard_that_is_closed_and_does_not_open_falls_at_once():
-    assert first_fall([0, -1, -1, -1, -1, -1, -1, -1], touching=True) == 0.0
-    assert first_fall([0, -1, 3, 3, 3, 3, 3, 3], touching=True) == 0.0
-    assert first_fall([0, 0, 0, 0, 0, 0, 0, -1], touching=True) == 0.0
+    assert first_fall([0, -1, -1, -1, -1, -1, -1, -1], closed=True) == 0.0
+    assert first_fall([0, -1, 3, 3, 3, 3, 3, 3], closed=True) == 0.0
+    assert first_fall([0, 0, 0, 0, 0, 0, 0, -1], closed=True) == 0.0
 
 
 @settings(max_examples=300)
@@ -243,7 +243,7 @@ def test_size_of_a_guard_does_not_matter(scale):
 
 def test_polynomial_of_zeros_never_falls():
     assert first_fall([0.0] * 8) == NEVER
-    assert first_fall([0.0] * 8, touching=True) == NEVER
+    assert first_fall([0.0] * 8, closed=True) == NEVER
 
 
 def test_single_fall_is_found_to_the_last_bits():
@@ -278,10 +278,10 @@ def test_samples_and_powers_give_the_same_bernstein_form(powers):
 # -- the quintic of a gap, which decides most steps
 
 
-def of_gap(b, touching=False):
+def of_gap(b, closed=False):
     """(stays open, place where it closes once or NEVER, closes at the end only)."""
     found = np.empty(3)
-    loop()["of_gap"](np.array(b, dtype=float), 0 if touching else -1, found)
+    loop()["of_gap"](np.array(b, dtype=float), 0 if closed else -1, found)
     return bool(found[0]), found[1], bool(found[2])
 
 
@@ -304,10 +304,10 @@ def roots_of_quintic(b):
 def test_gap_that_clearly_closes_or_stays_open(start, rest):
     """What is certified is so: no root, or one where it was found; and by a margin."""
     b = [start, *rest]
-    touching = start == 0.0
-    stays, place, rises = of_gap(b, touching)
+    closed = start == 0.0
+    stays, place, rises = of_gap(b, closed)
     roots = roots_of_quintic(b)
-    if touching:
+    if closed:
         roots = roots[roots > 1e-9]
     assert not (stays and place < NEVER)
     if stays:
@@ -315,7 +315,7 @@ def test_gap_that_clearly_closes_or_stays_open(start, rest):
     if place < NEVER:
         assert len(roots) == 1
         assert place == pytest.approx(roots[0], abs=1e-9)
-    if rises and touching:
+    if rises and closed:
         # it may close beside the end, if its last coefficient is small
         size = max(abs(c) for c in rest[:4])
         assert abs(rest[4]) > 0.01 * size or all(x > 0.5 for x in roots)
@@ -327,7 +327,7 @@ def test_gap_that_closes_early_in_a_step_is_certain_too(second):
     gap = [0.1, second, -0.2, -0.45, -0.7, -1.0]
     (root,) = roots_of_quintic(gap)
     assert of_gap(gap)[1] == pytest.approx(root, abs=1e-9)
-    closed = of_gap([0.0, *gap[1:]], touching=True)[1]
+    closed = of_gap([0.0, *gap[1:]], closed=True)[1]
     assert (closed < NEVER) == (second > 0.001)  # else it rises in no time, if at all
     assert of_gap([0.1, second, -0.2, -0.0001, -0.7, -1.0])[1] == NEVER  # there may be two more
 
@@ -338,10 +338,10 @@ def test_gap_that_closes_early_in_a_step_is_certain_too(second):
 def test_gap_that_leaves_from_rest(curvature, leaves):
     """Without speed, and with no acceleration but by rounding, the change of that opens it."""
     gap = [0.0, 0.0, curvature, 0.1, 0.4, 1.0]
-    assert of_gap(gap, touching=True)[0] == leaves
+    assert of_gap(gap, closed=True)[0] == leaves
     assert not of_gap(gap)[0]  # a gap that was not closed by an event is not there
-    assert not of_gap([0.0, -1e-6, *gap[2:]], touching=True)[0]  # it closes first
-    assert not of_gap([*gap[:3], 1e-4, 0.4, 1.0], touching=True)[0]
+    assert not of_gap([0.0, -1e-6, *gap[2:]], closed=True)[0]  # it closes first
+    assert not of_gap([*gap[:3], 1e-4, 0.4, 1.0], closed=True)[0]
 
 
 def test_samples_stay_open_where_all_coefficients_of_their_polynomial_do():

@@ -22,14 +22,15 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from rockeom.codes import (
+    CLOSED,
     COMPLETED,
-    CONTACT,
     EVENTS_KEPT,
     FULL,
     GUARD_DUE,
     IDLE,
     IMPACTS,
     LAST_ERROR,
+    MODE,
     NEXT_STEP,
     RATE_STALE,
     STALLED,
@@ -37,7 +38,6 @@ from rockeom.codes import (
     STEPS_KEPT,
     TIME,
     TOO_MANY_IMPACTS,
-    TOUCHING,
     UPLIFT,
 )
 from rockeom.compiler.decorators import Floats, Ints, entry, inlined
@@ -102,7 +102,7 @@ if TYPE_CHECKING:  # joined before this text
     Z_START_Y, Z_END_Y, Z_KIND_Y, Z_Y0, Z_Y1, Z_Y2, Z_Y3,
     Z_LONGEST,  # step in full contact
     Z_EQUAL,  # length of equal steps, 0 where the error is controlled
-    Z_CONTACT, Z_SIDE, Z_TOUCHING,  # as in the loop
+    Z_MODE, Z_SIDE, Z_CLOSED,  # as in the loop
     Z_FALLEN,  # bound of the rotation
     Z_TAKEN,  # steps taken
     Z_LANDING,  # how often the step was repeated to end at an impact
@@ -172,7 +172,7 @@ class Ends(NamedTuple):
 
 
 @inlined
-def judge_gap(t, h, left, side, touching, landing, upright, within, ends):
+def judge_gap(t, h, left, side, closed, landing, upright, within, ends):
     """(verdict, length of the step when repeated) by the quintic through both ends of a step.
 
     Its Bernstein coefficients bound it. If all are positive by a margin far above its error, the
@@ -187,13 +187,13 @@ def judge_gap(t, h, left, side, touching, landing, upright, within, ends):
     b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
     b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
     least = 1e-3 * max(q0, q1)
-    open_ = (q0 > least) | touching
+    open_ = (q0 > least) | closed
     open_ &= (b1 > least) & (b2 > least) & (b3 > least) & (b4 > least) & (q1 > least)
 
     # positive ones, then doubtful ones, then negative ones
     doubt = 1e-3 * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
-    closes = ((q0 > 0.0) | (touching & (b1 > 0.0))) & (q1 < -doubt)
-    closes &= (b1 > doubt) | (b2 <= doubt) | touching
+    closes = ((q0 > 0.0) | (closed & (b1 > 0.0))) & (q1 < -doubt)
+    closes &= (b1 > doubt) | (b2 <= doubt) | closed
     closes &= ((b2 > doubt) | (b3 <= doubt)) & ((b3 > doubt) | (b4 <= doubt))
     closes &= ((b1 >= -doubt) | (b2 < -doubt)) & ((b2 >= -doubt) | (b3 < -doubt))
     closes &= (b3 >= -doubt) | (b4 < -doubt)
@@ -204,9 +204,9 @@ def judge_gap(t, h, left, side, touching, landing, upright, within, ends):
     c5 = 6.0 * (q1 - q0) - 3.0 * (v0 + v1) - 0.5 * a0 + 0.5 * a1
     bend = q1 - q0 - v0
     above, below = 2.0 * q0, math.sqrt(max(v0 * v0 - 4.0 * q0 * bend, 0.0)) - v0
-    x = (-v0 if touching else above) / (bend if touching else below)
-    e0, e1, e2 = v0 if touching else q0, 0.5 * a0 if touching else v0, c3 if touching else 0.5 * a0
-    e3, e4, e5 = c4 if touching else c3, c5 if touching else c4, 0.0 if touching else c5
+    x = (-v0 if closed else above) / (bend if closed else below)
+    e0, e1, e2 = v0 if closed else q0, 0.5 * a0 if closed else v0, c3 if closed else 0.5 * a0
+    e3, e4, e5 = c4 if closed else c3, c5 if closed else c4, 0.0 if closed else c5
     move = 0.0
     for _ in range(3):
         value = e0 + x * (e1 + x * (e2 + x * (e3 + x * (e4 + x * e5))))
@@ -220,7 +220,7 @@ def judge_gap(t, h, left, side, touching, landing, upright, within, ends):
     first, hop = landing <= 0.0, landing == HOP
     miss, speed = abs(h * q1), abs(v1)
     falls = (v1 < 0.0) & (miss < (0.1 if hop else 0.01) * h * speed)
-    falls &= ~touching | ((b1 > doubt) & (b2 > doubt) & (b3 > doubt) & (b4 > doubt))
+    falls &= ~closed | ((b1 > doubt) & (b2 > doubt) & (b3 > doubt) & (b4 > doubt))
     landed = falls & (miss <= max(NEAR * h, 2.0 * EPS * (t + h)) * speed) & upright
     again = falls & (landing < 4.0) & found & (x * h < left)
 
@@ -339,9 +339,9 @@ def take_in(lane, z, w, batch):
     z[Z_T + lane], z[Z_NEXT + lane] = clock[TIME], clock[NEXT_STEP]
     last_error = clock[LAST_ERROR]
     z[Z_DAMP + lane] = last_error**DAMPING if last_error > 0.0 else 1.0
-    z[Z_CONTACT + lane] = status[CONTACT]
-    z[Z_SIDE + lane] = GAP_SIDES[status[CONTACT]]
-    z[Z_TOUCHING + lane] = status[TOUCHING]
+    z[Z_MODE + lane] = status[MODE]
+    z[Z_SIDE + lane] = GAP_SIDES[status[MODE]]
+    z[Z_CLOSED + lane] = status[CLOSED]
     z[Z_TAKEN + lane] = status[STEPS]
     z[Z_FALLEN + lane] = batch.fallen[case]
     z[Z_LANDING + lane] = z[Z_FLIGHT + lane] = 0.0
@@ -363,8 +363,8 @@ def take_out(lane, z, w, batch):
         status[IDLE] = 0
     clock[TIME], clock[NEXT_STEP] = z[Z_T + lane], z[Z_NEXT + lane]
     clock[LAST_ERROR] = z[Z_DAMP + lane] ** (1.0 / DAMPING)
-    status[CONTACT] = int(z[Z_CONTACT + lane])
-    status[TOUCHING] = int(z[Z_TOUCHING + lane])
+    status[MODE] = int(z[Z_MODE + lane])
+    status[CLOSED] = int(z[Z_CLOSED + lane])
     status[STEPS] = int(z[Z_TAKEN + lane])
     for i in range(n):
         y[i] = z[Z_Q + i * LANES + lane]
@@ -435,11 +435,11 @@ def impact(lane, z, w, batch, scratch):
         y[i], y[n + i] = z[Z_Q + i * LANES + lane] + left * (v + 0.5 * left * a), v + left * a
     if status[IMPACTS] < batch.impact_times.shape[1]:
         batch.impact_times[case, status[IMPACTS]] = t
-    before, speed = int(z[Z_CONTACT + lane]), abs(y[ROTATION_RATE])
+    before, speed = int(z[Z_MODE + lane]), abs(y[ROTATION_RATE])
     passed = velocity_ratio_at(law, ratio, status[IMPACTS], y[ROTATION_RATE], p)
     mode = jump(before, 0, law, passed, y, p, after)
     add_gain(before, mode, y, after, p, scratch[_POWERS:_GUARDS], batch.gains[case])
-    touching = -1
+    closed = -1
     status[IMPACTS] += 1
     status[GUARD_DUE] = status[RATE_STALE] = 1
     for i in range(N_STATES):
@@ -447,12 +447,12 @@ def impact(lane, z, w, batch, scratch):
     if status[IMPACTS] > batch.max_impacts:
         batch.outcome[case] = TOO_MANY_IMPACTS
     elif SIDES[mode] != 0.0:
-        touching = REVERSE[before][0]
+        closed = REVERSE[before][0]
         mode, rests = fly_or_rest(lane, z, case, mode, speed, batch, scratch)
         if rests:
-            touching = -1
-    z[Z_CONTACT + lane], z[Z_SIDE + lane] = mode, GAP_SIDES[mode]
-    z[Z_TOUCHING + lane] = touching
+            closed = -1
+    z[Z_MODE + lane], z[Z_SIDE + lane] = mode, GAP_SIDES[mode]
+    z[Z_CLOSED + lane] = closed
     for i in range(n):
         z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane] = y[i], y[n + i]
 
@@ -508,7 +508,7 @@ def fresh_rates(lane, z, case, batch):
     for i in range(n):
         y[i], y[n + i] = z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane]
     ax, ay = ground_acceleration(ground_x(z, lane), t), ground_acceleration(ground_y(z, lane), t)
-    rates(int(z[Z_CONTACT + lane]), y, batch.p[case], ax, ay, rate)
+    rates(int(z[Z_MODE + lane]), y, batch.p[case], ax, ay, rate)
     for i in range(n):
         z[Z_K + (n + i) * LANES + lane] = rate[n + i]
 
@@ -516,7 +516,7 @@ def fresh_rates(lane, z, case, batch):
 def next_step(lane, z, case, batch, scratch):
     """Let a lane's next step be a first one, as the loop chooses it."""
     z[Z_NEXT + lane] = first_step(
-        int(z[Z_CONTACT + lane]), z[Z_T + lane], batch.states[case], batch.rates[case],
+        int(z[Z_MODE + lane]), z[Z_T + lane], batch.states[case], batch.rates[case],
         batch.p[case], ground_of(z, lane), batch.rtol, batch.atol, scratch[_W:_Y_NEW],
         scratch[_AFTER:_POWERS],
     )  # fmt: skip
@@ -584,7 +584,7 @@ def skip_segments(lane, z, w, case, batch, up, down, doubt):
     if n > first:
         w[W_NX + lane] = n - 1
         z[Z_T + lane] = rows[n - 1, 1]
-        z[Z_TOUCHING + lane] = -1.0
+        z[Z_CLOSED + lane] = -1.0
         batch.status[case, GUARD_DUE] = batch.status[case, RATE_STALE] = 1
 
 
@@ -623,7 +623,7 @@ def pass_rest(lane, z, w, case, batch):
             if not opens < -doubt:
                 return
         z[Z_T + lane] = z[Z_LAST + lane]
-        z[Z_TOUCHING + lane] = -1.0
+        z[Z_CLOSED + lane] = -1.0
         batch.status[case, GUARD_DUE] = batch.status[case, RATE_STALE] = 1
 
 
@@ -645,12 +645,12 @@ def ready(lane, z, w, batch, recorder, scratch):
             if z[Z_EQUAL + lane] == 0.0 and z[Z_NEXT + lane] == 0.0:
                 next_step(lane, z, case, batch, scratch)
             return True
-        if N_STATES == 2 and KINDS[int(z[Z_CONTACT + lane])][0] == UPLIFT:
+        if N_STATES == 2 and KINDS[int(z[Z_MODE + lane])][0] == UPLIFT:
             t = z[Z_T + lane]
             pass_rest(lane, z, w, case, batch)
             if z[Z_T + lane] > t:
                 continue
-        elif status[RATE_STALE] == 0 and z[Z_TOUCHING + lane] == -1.0:
+        elif status[RATE_STALE] == 0 and z[Z_CLOSED + lane] == -1.0:
             return True
         elif z[Z_EQUAL + lane] == 0.0:
             if z[Z_NEXT + lane] == 0.0:
@@ -730,7 +730,7 @@ def put_case(case, lane, z, w, batch):
     """Put a case into a lane that is empty."""
     w[W_CASE + lane] = case
     w[W_NX + lane], w[W_NY + lane] = batch.h_rows[case, 0] - 1, batch.v_rows[case, 0] - 1
-    for place in range(Z_LAST, Z_CONTACT, LANES):
+    for place in range(Z_LAST, Z_MODE, LANES):
         z[place + lane] = 0.0
     for i in range(N_PARAMETERS):
         z[Z_P + i * LANES + lane] = batch.p[case, i]

@@ -306,7 +306,7 @@ def step_lanes(z: Floats, rtol: float, tolerances: Floats):
     """One step of all lanes: the states and accelerations at its end, and its estimated error."""
     atol = ({atol},)
     for lane in range(LANES):
-        mode = z[Z_CONTACT + lane]
+        mode = z[Z_MODE + lane]
 {lines.step}        hh = h * h
 {lines.start}{stages}{ends}{errors}        z[Z_ERROR + lane] = error
 '''
@@ -325,10 +325,10 @@ def judge_lanes(z: Floats, coarse: float):
     """
     for lane in range(LANES):
         t, h, side = z[Z_T + lane], z[Z_H + lane], z[Z_SIDE + lane]
-        touching, landing = z[Z_TOUCHING + lane] == 0.0, z[Z_LANDING + lane]
+        closed, landing = z[Z_CLOSED + lane] == 0.0, z[Z_LANDING + lane]
 {lines.start}{lines.end}        upright, within = abs(q1_{r}) < z[Z_FALLEN + lane], True
 {lines.within}        verdict, new_h = judge_gap(
-            t, h, z[Z_LAST + lane] - t, side, touching, landing, upright, within,
+            t, h, z[Z_LAST + lane] - t, side, closed, landing, upright, within,
             Ends(q0_{r}, v0_{r}, a0_{r}, q1_{r}, v1_{r}, a1_{r}),
         )
         error, equal = z[Z_ERROR + lane], z[Z_EQUAL + lane] > 0.0
@@ -341,7 +341,7 @@ def judge_lanes(z: Floats, coarse: float):
 
 def _judge_held(generated: GeneratedModule, lines: _Lines) -> str:
     held, r = _held(generated), generated.ROTATION
-    mode = "z[Z_CONTACT + lane]" if len(held) > 1 else held[0]
+    mode = "z[Z_MODE + lane]" if len(held) > 1 else held[0]
     functions = generated.N_GUARDS + generated.N_PARTS
     return f'''
 
@@ -384,6 +384,6 @@ def accept_lanes(z: Floats):
         landing = z[Z_LANDING + lane]
         kept = landing if z[Z_VERDICT + lane] == TURNS else 0.0
         z[Z_LANDING + lane] = max(landing, 0.0) + 1.0 if repeated else kept
-        z[Z_TOUCHING + lane] = -1.0 if stands else z[Z_TOUCHING + lane]
+        z[Z_CLOSED + lane] = -1.0 if stands else z[Z_CLOSED + lane]
         z[Z_TAKEN + lane] = z[Z_TAKEN + lane] + 1.0
 {moved}'''

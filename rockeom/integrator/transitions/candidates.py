@@ -368,7 +368,7 @@ def squared(known, x):
 
 
 def collide(mode, near, slowest, known, y):
-    """Velocities y[n:] after all touching points have met.
+    """Velocities y[n:] after all closed points have met.
 
     The law is the algebraic one: each closing gap opens at the rate e times that at which it
     closed, or faster where nothing presses; friction opposes the slip after the impact; all points
@@ -401,7 +401,7 @@ def collide(mode, near, slowest, known, y):
 
 
 @rolled
-def touching_points(y, p, mode, known, near, sliding):
+def closed_points(y, p, mode, known, near, sliding):
     """Which points touch in a given state, and the signs of their slips, into near and sliding.
 
     known : of `all_known`. near, sliding (N_POINTS,) : a point touches whose gap is closed, and
@@ -436,7 +436,7 @@ def fits_by_forces(mode, y, p, ax, ay):
     known, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
     near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
     all_known(y, p, mode, known)
-    touching_points(y, p, mode, known, near, sliding)
+    closed_points(y, p, mode, known, near, sliding)
     for i in range(N_POINTS):
         if POINT_STATES[mode][i] != OPEN:
             near[i] = 1
@@ -564,23 +564,23 @@ def pass_on(mode, guard, h, y, p, ground, rtol, known, out):
         out[i] = y[i]
     kind, subject = KINDS[mode][guard], SUBJECTS[mode][guard]
     if kind == SWITCH:
-        follows, touching = mode, -1
+        follows, closed = mode, -1
         if N_ELEMENTS > 0:
             follows = jump(mode, guard, 0, 0.0, y, p, out)
             if REVERSE[mode][guard] >= 0:
-                touching = int(1.0 / HALVES[REVERSE[mode][guard]])
-        return follows, touching
+                closed = int(1.0 / HALVES[REVERSE[mode][guard]])
+        return follows, closed
     near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
     wanted = np.zeros(ROWS)
     all_known(out, p, mode, known)
     # -- which points touch: they are put on what they touch
     for i in range(N_POINTS):
-        closed = POINT_STATES[mode][i] != OPEN or (kind == LANDING and i == subject)
-        if not closed and kind == LANDING:
+        touches = POINT_STATES[mode][i] != OPEN or (kind == LANDING and i == subject)
+        if not touches and kind == LANDING:
             gap, rate = known[i * POINT], known[i * POINT + 1]
             _, size = rate_of(known, 2 * i, out, 0)
-            closed = rate <= 0.0 and gap <= 1e-9 * h * abs(rate) + 1e-13 * size
-        if closed:
+            touches = rate <= 0.0 and gap <= 1e-9 * h * abs(rate) + 1e-13 * size
+        if touches:
             near[i] = 1
             rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
     put_on(rows, wanted, 0, known, out)
@@ -602,19 +602,19 @@ def slow_landing(mode, near, y, p, ax, ay, known):
     return SLOW * SLOW * slowest
 
 
-def still_closed(before, follows, guard, closed, touching):
+def still_closed(before, follows, guard, closed_before, closed):
     """The guards that are closed as a mode begins, with those of other elements.
 
     Two bars on one rotation stop to yield at the same instant, one after the other: the force of
-    the first is still at its strength. closed : the guards closed before, see `is_closed`.
+    the first is still at its strength. closed_before : the guards closed before, see `is_closed`.
     """
     for i in range(min(GUARDS[before], GUARDS[follows])):
         alike = KINDS[before][i] == SWITCH and KINDS[follows][i] == SWITCH
         alike = alike and SUBJECTS[before][i] == SUBJECTS[follows][i]
         alike = alike and SUBJECTS[before][i] != SUBJECTS[before][guard]
-        if alike and is_closed(closed, i) and not is_closed(touching, i):
-            touching = max(touching, 0) + int(1.0 / HALVES[i])
-    return touching
+        if alike and is_closed(closed_before, i) and not is_closed(closed, i):
+            closed = max(closed, 0) + int(1.0 / HALVES[i])
+    return closed
 
 
 def meet(mode, guard, near, y, p, ground, rtol, known, out):
@@ -669,19 +669,19 @@ def meet(mode, guard, near, y, p, ground, rtol, known, out):
 @rolled
 def closed_guards(follows, mode, guard, near, leaving, sliding, g, sizes):
     """Which guards g of a mode are zero as it begins, see `is_closed`; -1 for none."""
-    touching = 0
+    closed = 0
     for i in range(GUARDS[follows]):
         kind, subject = KINDS[follows][i], SUBJECTS[follows][i]
-        closed = follows == mode and i == guard and kind != LANDING
+        zero = follows == mode and i == guard and kind != LANDING
         if kind == LANDING:
-            closed = near[subject] == 1 or leaving[subject] == 1
+            zero = near[subject] == 1 or leaving[subject] == 1
         elif kind == STICKING:
-            closed = sliding[subject] == 0.0
+            zero = sliding[subject] == 0.0
         elif kind in (LIFTING, SLIPPING):
-            closed = closed or abs(g[i]) <= NEARLY * sizes[ROWS + subject]
-        if closed:
-            touching += int(1.0 / HALVES[i])
-    return touching if touching > 0 else -1
+            zero = zero or abs(g[i]) <= NEARLY * sizes[ROWS + subject]
+        if zero:
+            closed += int(1.0 / HALVES[i])
+    return closed if closed > 0 else -1
 
 
 def nothing_moves(mode, y, p):

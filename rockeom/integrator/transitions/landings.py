@@ -52,16 +52,16 @@ def longest_turn(y):
     return 1.0 / fastest
 
 
-def single_hop(mode, touching, y, p, dy):
+def single_hop(mode, closed, y, p, dy):
     """(guard, time): the one gap that opens from closed, and when its parabola closes it again.
 
-    (-1, inf) where none does, or several. dy (N,) : rates. touching : see `is_closed`.
+    (-1, inf) where none does, or several. dy (N,) : rates. closed : see `is_closed`.
     """
     known = np.empty(POINT * N_POINTS)
     points(y, p, known)
     hop, lasts = -1, np.inf
     for i in range(GUARDS[mode]):
-        if KINDS[mode][i] != LANDING or not is_closed(touching, i):
+        if KINDS[mode][i] != LANDING or not is_closed(closed, i):
             continue
         point = SUBJECTS[mode][i]
         rate, a = known[point * POINT + 1], -acceleration_of(known, 2 * point, dy)
@@ -97,7 +97,7 @@ def fall_within(motion, ground, step, sampled, hop, case, a):
     guards_at(mode, t + h, a.y_new, p, ground, at_end)
     falls, place = STAYS_OPEN, 0.0
     for i in range(GUARDS[mode]):
-        opens = motion.touching > 0 and is_closed(motion.touching, i)
+        opens = motion.closed > 0 and is_closed(motion.closed, i)
         if i != hop and stays_open_by(samples, i, opens):
             continue
         if falls != STAYS_OPEN or KINDS[mode][i] != LANDING:

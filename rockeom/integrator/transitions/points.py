@@ -41,10 +41,10 @@ HALVES = 0.5 ** np.arange(1.0 * MOST_DIGITS)
 
 
 @inlined
-def is_closed(touching, i):
-    """Whether guard i is among those that are closed now: `touching` has a binary digit of each."""
-    n = int(touching * HALVES[i])
-    return touching > 0 and n - 2 * int(n * 0.5) == 1
+def is_closed(closed, i):
+    """Whether guard i is among those that are closed now: `closed` has a binary digit of each."""
+    n = int(closed * HALVES[i])
+    return closed > 0 and n - 2 * int(n * 0.5) == 1
 
 
 # -- linear equations ----------------------------------------------------------------------------

@@ -59,11 +59,11 @@ def initial_mode_is_one(mode, y, p, ax, ay):
 
 
 @inlined
-def free_flight(mode, touching, t, y, p, k):
+def free_flight(mode, closed, t, y, p, k):
     """(guard, time): a hop so short that its parabola tells where it ends, or an infinite time."""
-    if not touching > 0:
+    if not closed > 0:
         return 0, np.inf
-    hop, flight = single_hop(mode, touching, y, p, k)
+    hop, flight = single_hop(mode, closed, y, p, k)
     return hop, flight if 1e3 * EPS * t < flight else np.inf
 
 
@@ -120,7 +120,7 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
     later_ax, later_ay = ground_accelerations(ground, motion.t + tau)
     accelerations = np.empty(5)
     ground_now_and_later(ax, ay, later_ax, later_ay, tau, accelerations)
-    mode, touching = pass_on(
+    mode, closed = pass_on(
         motion.mode, guard, length, a.y, case.p, accelerations, case.rtol, a.known, a.after
     )
     kind = KINDS[motion.mode][guard]
@@ -131,8 +131,8 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
             return after_step_over(motion, rest), rest
         return motion._replace(outcome=failure_of(mode)), rest
     if kind == SWITCH:
-        touching = still_closed(motion.mode, mode, guard, motion.touching, touching)
-    return enter_mode(motion, guard, mode, touching, a, recorder), Rest(np.inf, mode, False)
+        closed = still_closed(motion.mode, mode, guard, motion.closed, closed)
+    return enter_mode(motion, guard, mode, closed, a, recorder), Rest(np.inf, mode, False)
 
 
 @inlined
@@ -150,7 +150,7 @@ def failure_of(mode):
 
 @inlined
 def after_step_over(motion, rest):
-    return motion._replace(touching=-1, follows=rest.mode, rate_stale=True, guard_due=True)
+    return motion._replace(closed=-1, follows=rest.mode, rate_stale=True, guard_due=True)
 
 
 @inlined
@@ -185,9 +185,9 @@ def through_rest(motion, ground, rest, case, a, recorder):
 
 
 @inlined
-def is_known(touching, i):
+def is_known(closed, i):
     """Whether a guard is known to be closed: one of several."""
-    return is_closed(touching, i)
+    return is_closed(closed, i)
 
 
 @inlined

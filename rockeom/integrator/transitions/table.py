@@ -69,9 +69,9 @@ def is_rounding(mode, guard, y, p):
 
 
 @inlined
-def free_flight(mode, touching, t, y, p, k):
+def free_flight(mode, closed, t, y, p, k):
     """(guard, time): a hop so short that its parabola tells where it ends, or an infinite time."""
-    if LOCALISED or touching != 0 or not rocking(mode):
+    if LOCALISED or closed != 0 or not rocking(mode):
         return 0, np.inf
     flight = -2.0 * y[ROTATION_RATE] / k[ROTATION_RATE]
     height = SIDES[mode] * y[ROTATION_RATE] * flight  # not lost among the smallest numbers
@@ -99,8 +99,8 @@ def certain_event(motion, ground, step, gap, case, a):
     """
     open_, place = False, NEVER
     if rocking(motion.mode):
-        open_ = stays_open(gap, motion.touching)
-        place = NEVER if open_ or LOCALISED else closes_once(gap, motion.touching)
+        open_ = stays_open(gap, motion.closed)
+        place = NEVER if open_ or LOCALISED else closes_once(gap, motion.closed)
     return 0 if place < NEVER else -1, place, open_, False
 
 
@@ -118,15 +118,15 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
         return motion._replace(outcome=CHATTER), Rest(np.inf, before, False)
     ratio = velocity_ratio_at(case.law, case.ratio, motion.impacts, a.y[ROTATION_RATE], case.p)
     mode = jump(before, guard, case.law, ratio, a.y, case.p, a.after)
-    touching = -1
+    closed = -1
     if kind != IMPACT or SIDES[mode] != 0.0:
-        touching = REVERSE[before][guard]
+        closed = REVERSE[before][guard]
     elif motion.idle > 1:
         # it opened and closed in no time: that uplift was none
         for i in range(GUARDS[mode]):
             if TARGETS[mode][i] == before:
-                touching = i
-    return enter_mode(motion, guard, mode, touching, a, recorder), Rest(np.inf, mode, False)
+                closed = i
+    return enter_mode(motion, guard, mode, closed, a, recorder), Rest(np.inf, mode, False)
 
 
 @inlined
@@ -170,9 +170,9 @@ def through_rest(motion, ground, rest, case, a, recorder):
 
 
 @inlined
-def is_known(touching, i):
-    """Whether a guard is known to be closed: the one that `touching` is."""
-    return touching == i
+def is_known(closed, i):
+    """Whether a guard is known to be closed: its number is `closed`."""
+    return closed == i
 
 
 @inlined
