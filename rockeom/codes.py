@@ -53,7 +53,7 @@ STAYS_OPEN, UNCLEAR = -1, -2
 MOST_DIGITS = 52
 """Digits of a number that says which guards of a mode are closed: as a float it is exact."""
 
-MOST_CONTACT_STATES = 4096
+MOST_MODES = 4096
 """Modes of a structure whose contacts may open, slide and bounce, or whose elements switch."""
 
 NEVER_SLIPS = 1e300

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from rockeom.codes import MOST_CONTACT_STATES
+from rockeom.codes import MOST_MODES
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
 from rockeom.motion.units import STANDARD_GRAVITY
@@ -106,10 +106,10 @@ class Winkler(_Springs):
         super().__post_init__()
         n = whole_number("Winkler: springs", self.springs, 2)
         sets = n * (n + 1) // 2 + 1
-        if sets > MOST_CONTACT_STATES:
+        if sets > MOST_MODES:
             raise ValueError(
                 f"Winkler: springs is {n}, which press in {sets} sets of neighbours, more than the "
-                f"{MOST_CONTACT_STATES} modes of a structure: give 90 or fewer"
+                f"{MOST_MODES} modes of a structure: give 90 or fewer"
             )
         object.__setattr__(self, "springs", n)
 

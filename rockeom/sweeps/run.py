@@ -212,7 +212,7 @@ def _chunks(rows: np.ndarray, size: int) -> list[np.ndarray]:
     return np.split(rows, np.flatnonzero(np.diff(rows // size)) + 1) if len(rows) else []
 
 
-MOST_CONTACTS = 4
+MOST_MODES_IN_LANES = 4
 """Modes of a structure in lanes at most: every step evaluates them all."""
 
 
@@ -230,7 +230,7 @@ def lanes_pay(module: GeneratedModule) -> bool:
         not getattr(module, "POINTS", ())
         and not module.LOCALISED
         and not module.N_FALLS
-        and len(module.MODES) <= MOST_CONTACTS
+        and len(module.MODES) <= MOST_MODES_IN_LANES
         and all(
             kinds[:guards] == (IMPACT,) or IMPACT not in kinds[:guards]
             for guards, kinds in zip(module.GUARDS, module.KINDS, strict=True)

@@ -32,7 +32,7 @@ import sympy as sp
 
 from rockeom.codes import (
     FRICTIONLESS,
-    MOST_CONTACT_STATES,
+    MOST_MODES,
     OPEN,
     SLIP_LEFT,
     SLIP_RIGHT,
@@ -667,7 +667,7 @@ def derive_modes(model: ContactDeclaration) -> Modes:
     """All modes of a model.
 
     Raises ValueError where statics does not tell how closed points share their forces, and where
-    there are more than MOST_CONTACT_STATES.
+    there are more than MOST_MODES.
     """
     patterns: list[Pattern] = []
     derived: list[DerivedMode] = []
@@ -703,11 +703,11 @@ def derive_modes(model: ContactDeclaration) -> Modes:
     return Modes(tuple(states), tuple(patterns), tuple(derived))
 
 
-def _are_few(model: ContactDeclaration, contact_states: int) -> None:
-    if contact_states > MOST_CONTACT_STATES:
+def _are_few(model: ContactDeclaration, number: int) -> None:
+    if number > MOST_MODES:
         raise ValueError(
             f"{model.name}: its {len(model.contacts)} contacts and {len(model.switching)} elements "
-            f"have more than {MOST_CONTACT_STATES} modes: declare fewer of them"
+            f"have more than {MOST_MODES} modes: declare fewer of them"
         )
 
 

@@ -7,7 +7,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from rockeom.codes import MOST_CONTACT_STATES
+from rockeom.codes import MOST_MODES
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.beds import number_of_combinations
@@ -51,16 +51,16 @@ def _rates(of: ContactDeclaration) -> None:
 
 def names_of_contacts(of: ContactDeclaration) -> Names:
     """Names of internal variables, contacts, elements, bodies and forces."""
-    touching = [c.name for c in of.contacts] + [e.name for e in of.elements]
+    named = [c.name for c in of.contacts] + [e.name for e in of.elements]
     items = [(f"internal variable {z.symbol}", z.name) for z in of.internal]
-    items += [("contact or element", name) for name in touching]
+    items += [("contact or element", name) for name in named]
     outputs = outputs_of(of)
     states = of.states
     return Names(
         items,
         [
             [*states, *outputs],
-            touching,
+            named,
             [b.name for b in of.bodies],
             [f.name for f in of.forces],
         ],
@@ -117,7 +117,7 @@ def _reserved_symbols(of: ContactDeclaration) -> None:
 
 def _are_few(of: ContactDeclaration) -> None:
     """Refuse more combinations of states of elements than a structure may have modes."""
-    ways, most = number_of_combinations(of.switching), MOST_CONTACT_STATES
+    ways, most = number_of_combinations(of.switching), MOST_MODES
     if ways > most:
         fail(
             of.name,
