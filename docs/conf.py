@@ -120,4 +120,5 @@ def setup(app) -> None:
     app.connect("doctree-resolved", write_thumbnail)
     app.connect("autodoc-process-signature", docstrings.shorten)
     app.connect("autodoc-process-docstring", docstrings.process)
+    app.connect("autodoc-skip-member", docstrings.skip)
     app.connect("missing-reference", docstrings.resolve)

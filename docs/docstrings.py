@@ -1,15 +1,22 @@
 """Docstrings of this project as reStructuredText.
 
-They are plain text: `name` in single backticks, lines that begin with ``name : `` for arguments,
-fields and results, and examples that are indented. A ``*`` or ``|`` is a sign of arithmetic.
+They are plain text: `name` in single backticks, ``name [unit] : meaning`` for arguments, fields and
+results, and examples that are indented or begin with ``>>>``. A ``*`` or ``|`` is a sign of
+arithmetic. A sentence that begins with the name of an argument describes it, with or without the
+colon, and becomes an item of a list; so does each part of ``alpha [rad]; p [rad/s]``.
 """
 
 import builtins
 import inspect
 import re
+from collections.abc import Collection
+from itertools import accumulate, pairwise
 
-NAME = r"\w+(?: \w+)?(?: \([^)]*\))?(?: \[[^\]]*\])?"  # x, x (n,) [m], stiffness k [N/m]
-ITEM = re.compile(rf"({NAME}(?:, {NAME})*) : (.*)")
+UNIT = r"(?: \([^)]*\))?(?: \[[^\]]*\])?"
+NAME = rf"\w+(?: \w+)?{UNIT}"  # x, x (n,) [m], stiffness k [N/m]
+SYMBOL = r"(?:[A-Za-z]\d?|alpha|beta|eta|gamma|mu|nu|phi|rho|theta|xi)(?:_\w+)?"
+ITEM = re.compile(rf"({NAME}(?:, {NAME})*) : ")
+REMARK = re.compile(r"(Raises|Returns|Sources?:|Any shapes?\b)")  # is about all items
 CODE = re.compile(r"(``.*?``|`[^`]*`)", re.DOTALL)
 FOREIGN = {"pd", "numpy", "np", "sympy", "sp", "xarray", "xr", "matplotlib", "mpl", "collections"}
 FOREIGN |= {"types", "typing", "enum", "pathlib", "os", "ArrayLike"}
@@ -28,7 +35,21 @@ def process(app, what, name, obj, options, lines) -> None:
     if what == "data" and docstring == (inspect.getdoc(type(obj)) or "").strip():
         lines.clear()  # a constant that has none shows that of its type: of dict, of list
     else:
-        lines[:] = rst(docstring).split("\n")
+        lines[:] = rst(docstring, arguments(obj)).split("\n")
+
+
+def skip(app, what, name, obj, skipped, options) -> bool | None:
+    """Leave out the fields of a named tuple, which its docstring describes."""
+    return True if (getattr(obj, "__doc__", "") or "").startswith("Alias for field") else None
+
+
+def arguments(obj) -> set[str]:
+    """Names of the arguments of a function or class, and of the fields of a class."""
+    try:
+        names = set(inspect.signature(obj).parameters)
+    except (TypeError, ValueError):  # a property, a constant
+        return set()
+    return names | set(getattr(obj, "__annotations__", ()))
 
 
 def shorten(app, what, name, obj, options, signature, returned):
@@ -40,8 +61,8 @@ def shorten(app, what, name, obj, options, signature, returned):
     return tuple(text and text.replace(spelt, "ArrayLike") for text in (signature, returned))
 
 
-def rst(docstring: str) -> str:
-    """reStructuredText of a docstring."""
+def rst(docstring: str, names: Collection[str] = ()) -> str:
+    """reStructuredText of a docstring; `names` are those of the arguments."""
     paragraphs = re.split(r"\n\s*\n", inspect.cleandoc(docstring))
     joined: list[str] = []
     for text in paragraphs:
@@ -49,31 +70,80 @@ def rst(docstring: str) -> str:
             joined[-1] += f"\n\n{text}"  # one example with a blank line
         else:
             joined.append(text)
-    return "\n\n".join(_paragraph(text) for text in joined) + "\n"
+    summary, *others = joined
+    parts = [_paragraph(summary, ()), *(_paragraph(text, names) for text in others)]
+    return "\n\n".join(parts) + "\n"
 
 
-def _paragraph(text: str) -> str:
+def _paragraph(text: str, names: Collection[str]) -> str:
     if text.startswith("    "):
         return ".. code-block:: python\n\n" + text
-    lines = text.split("\n")
-    if not any(ITEM.match(line) for line in lines):
+    if text.startswith(">>> "):
+        return text
+    pieces = [piece.strip() for piece in _pieces(text, names)]
+    items = [_item(piece, names) for piece in pieces]
+    if not any(items):
         return escaped(text)
+    last = max(i for i, item in enumerate(items) if item)
     parts: list[str] = []
-    for line in lines:
-        if found := ITEM.match(line):
-            name, meaning = found.groups()
-            parts.append(f"* ``{name}``: {escaped(meaning)}")
-        elif not parts or not (parts[-1].startswith("* ")):
-            parts.append(escaped(line))
-        elif line.startswith(" ") or not _ends(parts[-1]):
-            parts[-1] += f"\n  {escaped(line.strip())}"
-        else:  # a sentence after the last item
-            parts.append(escaped(line))
-    return "\n\n".join(parts)
+    for i, (piece, item) in enumerate(zip(pieces, items, strict=True)):
+        if item:
+            parts.append(f"* {item}")
+        elif not parts or (i > last and parts[-1][:2] != "* ") or REMARK.match(piece):
+            parts.append(escaped(piece))
+        else:
+            parts[-1] += f" {escaped(piece)}"
+    return "\n\n".join(re.sub(r";$", ".", part) for part in parts)
 
 
-def _ends(text: str) -> bool:
-    return text.rstrip().endswith(".")
+def _pieces(text: str, names: Collection[str]) -> list[str]:
+    """The sentences of a paragraph, and the parts of those in which descriptions begin."""
+    lines = [line.strip() for line in text.split("\n")]
+    one_line = " ".join(lines)
+    line_starts = {*accumulate(len(line) + 1 for line in lines)}
+    starts = [
+        here.end()
+        for here in re.finditer(" ", one_line)
+        if _begins(one_line[: here.start()], one_line[here.end() :], names)
+        or (here.end() in line_starts and ITEM.match(one_line, here.end()))
+    ]
+    return [one_line[a:b] for a, b in pairwise([0, *starts, len(one_line)])]
+
+
+def _begins(before: str, rest: str, names: Collection[str]) -> bool:
+    """Whether a sentence, or the description of an argument, begins between two texts."""
+    if before[-1] == ".":
+        return not rest[:1].islower() or bool(ITEM.match(rest) or _run(rest, names))
+    if before[-1] == ";":
+        run = _run(rest, names)
+        return "[" in rest[:run] or bool(run and re.match(r"\s*[\[:;,]|$", rest[run:]))
+    return False
+
+
+def _item(piece: str, names: Collection[str]) -> str:
+    """The piece as an item, its names as code, or nothing where it is none."""
+    head, colon, meaning = piece.partition(" : ")
+    if ITEM.match(piece):
+        return f"``{head}``: {escaped(meaning)}"
+    if not (run := _run(piece, names)):
+        return ""
+    if colon and "." not in head:
+        return f"``{head}``: {escaped(meaning)}"
+    return f"``{piece[:run]}``{escaped(piece[run:])}"
+
+
+def _run(text: str, names: Collection[str]) -> int:
+    """The length of the names of arguments, with units, with which a text begins."""
+    end = 0
+    name = re.compile(rf"(\w+)(?: {SYMBOL}(?=[ ,;.]))?{UNIT}")
+    while (found := name.match(text, end)) and found[1] in names:
+        stop = found.end()
+        between = re.compile(r", | and ").match(text, stop)
+        follows = between and name.match(text, between.end())
+        if not (follows and follows[1] in names):
+            return stop
+        end = between.end()
+    return 0
 
 
 def escaped(text: str) -> str:

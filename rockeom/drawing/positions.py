@@ -30,7 +30,10 @@ class Member(NamedTuple):
 
 
 class Copies(NamedTuple):
-    """How many a body stands for, side by side, and how far apart they are shown [m]."""
+    """How a body that stands for several is drawn.
+
+    number : how many, side by side. apart : distance between them in the sketch [m].
+    """
 
     number: int
     apart: float

@@ -78,7 +78,10 @@ class ResponseSpectrum:
 
 
 class OscillatorHistory(NamedTuple):
-    """Time [s], displacement [m] and velocity [m/s] relative to the ground, (n,) each."""
+    """The motion of an oscillator relative to the ground.
+
+    time (n,) [s]. displacement (n,) [m]. velocity (n,) [m/s].
+    """
 
     time: np.ndarray
     displacement: np.ndarray

@@ -28,9 +28,10 @@ PEAKS = 13
 
 
 class ModelPeaks(NamedTuple):
-    """The peaks of one model: when [s] and how far [m], both (13,), and how far off they are.
+    """The peaks of one model, compared with those measured.
 
     model : name of the class. law : the restitution and what else was chosen.
+    time (13,) [s]. peak (13,) [m].
     rms_time [s], rms_peak [m] : root mean squares, over the 13 peaks, of the differences from
     those measured. The first peak is the start and adds nothing but its place among the 13.
     """

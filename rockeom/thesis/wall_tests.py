@@ -15,7 +15,10 @@ from rockeom.structures.impact_laws import EnergyRatioAtSpeed
 
 
 class EdgeUplifts(NamedTuple):
-    """Uplifts at both edges, and where the base has none, from the left gauge; all [m]."""
+    """Uplifts at both edges of a wall.
+
+    left, right [m]. centre_from_left_gauge : where the base has no uplift [m].
+    """
 
     left: np.ndarray
     right: np.ndarray

@@ -176,10 +176,40 @@ def test_docstring_of_the_house_becomes_a_list_and_only_backticks_are_markup(doc
     assert text == (
         "The product a\\*b of \\|x\\| and I_o, see `simulate`.\n\n"
         '.. code-block:: python\n\n    rk.simulate(block)\n\n    rk.derive("rigid_block")\n\n'
-        "* ``a, b``: factors;\n  of any size.\n\n"
+        "* ``a, b``: factors; of any size.\n\n"
         "* ``x (n,) [m], stiffness k [N/m]``: where.\n\n"
         "Raises ValueError for NaN.\n"
     )
+
+
+def test_arguments_of_one_sentence_each_become_an_item_each(docstrings):
+    def wall(mass, height, p, alpha, tendons=()):
+        """A wall.
+
+        mass m [kg], of all. height of the centroid [m]; p [rad/s]; alpha [rad]; one or several.
+        tendons : of the wall, which may
+        yield. They are slack below zero. Raises ValueError for a mass of
+        zero.
+
+        >>> wall(1.0, 2 * 3)
+        """
+
+    assert docstrings.rst(wall.__doc__, docstrings.arguments(wall)) == (
+        "A wall.\n\n"
+        "* ``mass m [kg]``, of all.\n\n"
+        "* ``height`` of the centroid [m].\n\n"
+        "* ``p [rad/s]``.\n\n"
+        "* ``alpha [rad]``; one or several.\n\n"
+        "* ``tendons``: of the wall, which may yield. They are slack below zero.\n\n"
+        "Raises ValueError for a mass of zero.\n\n"
+        ">>> wall(1.0, 2 * 3)\n"
+    )
+
+
+def test_fields_of_a_named_tuple_are_described_by_its_docstring_alone(docstrings):
+    fitted = importlib.import_module("rockeom.analysis.formulas").DissipationLimit
+    assert docstrings.skip(None, "class", "speed", fitted.speed, False, {})
+    assert docstrings.skip(None, "class", "rk", rockeom.simulate, False, {}) is None
 
 
 # --- by section

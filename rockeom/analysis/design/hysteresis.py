@@ -27,7 +27,10 @@ from rockeom.numbers.arguments import not_negative, numbers, positive, require
 
 
 class HysteresisLoop(NamedTuple):
-    """Displacement [m] and force [N] along a closed loop, (n,) each, straight in between."""
+    """A closed loop of force against displacement, straight between its points.
+
+    displacement (n,) [m]. force (n,) [N].
+    """
 
     displacement: np.ndarray
     force: np.ndarray

@@ -87,7 +87,10 @@ class RotationCentre:
 
 
 class TendonPath(NamedTuple):
-    """Force [N] and permanent extension [m] of a tendon along a path of extensions."""
+    """The answer of a tendon along a path of extensions.
+
+    force [N]. permanent_extension [m].
+    """
 
     force: np.ndarray
     permanent_extension: np.ndarray
@@ -221,7 +224,10 @@ class Tendon:
 
 
 class DissipationLimit(NamedTuple):
-    """Where on its way back to upright a wall begins to lose energy: D [m] and |dD/dt| [m/s]."""
+    """Where on its way back to upright a wall begins to lose energy.
+
+    displacement D [m]. speed : |dD/dt| there [m/s].
+    """
 
     displacement: np.ndarray
     speed: np.ndarray
@@ -231,13 +237,17 @@ class DissipationLimit(NamedTuple):
 class Wall:
     """A rocking wall with tendons; thesis Figures 4-4, 4-19 and 4-22.
 
-    rotation_centre : its half_width is that of the wall. tendons : a tuple of `Tendon`, may be
-    empty. height H of the point whose displacement is D [m]. centroid_height H_c [m].
+    rotation_centre : its half_width is that of the wall.
+    tendons : a tuple of `Tendon`, may be empty.
+    height H of the point whose displacement is D [m].
+    centroid_height H_c [m].
     panel_mass, added_mass [kg], added_height [m] of the mass at the top, own_inertia [kg m2] : the
-    terms of B-9. fixed_base_period [s], for 4-17 alone. gravity [m/s2].
+        terms of B-9.
+    fixed_base_period [s] : for 4-17 alone.
+    gravity [m/s2].
     p_delta : whether the centroid's descent H_c (1 - cos(theta)) counts in the energy of gravity.
-    4-18 leaves it out; at 30 mm it is 3.3 J out of 102 J. inertia I_o [kg m2] : a constant, which
-    then takes the place of B-9.
+        4-18 leaves it out; at 30 mm it is 3.3 J out of 102 J.
+    inertia I_o [kg m2] : a constant in place of B-9.
 
     Displacements [m] have any shape, which the result has too; one that reaches H is a ValueError.
     Loading is monotonic: a tendon that yields follows F_y and is not unloaded (see `Tendon.along`).

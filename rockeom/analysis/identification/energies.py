@@ -26,7 +26,10 @@ if TYPE_CHECKING:
 
 
 class Energies(NamedTuple):
-    """Energies of gravity, of springs and tendons, and of the motion [J]."""
+    """Energies of a structure in states of a record, of one shape.
+
+    gravity [J]. elastic : of springs and tendons [J]. kinetic [J].
+    """
 
     gravity: np.ndarray
     elastic: np.ndarray

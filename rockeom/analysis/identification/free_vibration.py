@@ -52,7 +52,11 @@ class CycleDamping(NamedTuple):
 
 
 class Restitution(NamedTuple):
-    """Ratio of energies after and before each passage through upright, speed [m/s], peak [m]."""
+    """The loss of energy at each passage through upright, (n,) each.
+
+    energy_ratio : of the energies after and before it. speed : at the passage [m/s].
+    peak_before : the peak displacement before it [m].
+    """
 
     energy_ratio: np.ndarray
     speed: np.ndarray

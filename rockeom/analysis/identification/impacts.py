@@ -152,7 +152,11 @@ def _fitted_peak(
 
 
 class Mean(NamedTuple):
-    """Mean of r of several impacts, its half-width at 95 %, the scatter of r, and their number."""
+    """The mean ratio of kinetic energies of several impacts.
+
+    energy_ratio : mean of r. half_width : of its interval of confidence at 95 %. scatter : standard
+    deviation of r. number : of impacts.
+    """
 
     energy_ratio: float
     half_width: float
@@ -408,7 +412,11 @@ def record_energies(record: MeasuredRecord, structure: Structure) -> Energies:
 
 
 class RotationalSpring(NamedTuple):
-    """A fitted spring: stiffness [N m/rad], its standard deviation, those of each half-cycle."""
+    """A rotational spring fitted to a record.
+
+    stiffness [N m/rad]. deviation : its standard deviation [N m/rad]. of_half_cycles : the
+    stiffness of each half-cycle (n,) [N m/rad].
+    """
 
     stiffness: float
     deviation: float

@@ -18,8 +18,10 @@ from rockeom.numbers.arguments import not_negative, positive
 
 
 class SupportForces(NamedTuple):
-    """Forces of the ground on a block, (n,) each: times [s], forces [N], half-widths at 95 % [N].
+    """Forces of the ground on a block, (n,) each.
 
+    time [s]. horizontal, vertical : forces [N].
+    horizontal_half_width, vertical_half_width : of their intervals of confidence at 95 % [N].
     smooth : whether no impact lies within the window of the derivatives, so that they are those of
     one foot. Elsewhere they are the trace of the jump of the rate in the window.
     """

@@ -18,11 +18,11 @@ from rockeom.numbers.arguments import numbers, positive, require
 
 
 class Slips(NamedTuple):
-    """Middle [s], shift of the origin [m] and its half-width [m] of each half-cycle, (n,).
+    """The shift of the origin of each half-cycle, from one passage through upright to the next.
 
-    A half-cycle reaches from one passage through upright to the next. steps (n - 1,) : changes
-    of the shift from one to the next, the slips; clear (n - 1,) : whether one is larger than the
-    half-widths of both.
+    time (n,) [s] : middle of each half-cycle. shift (n,) [m]. half_width (n,) [m] : of the interval
+    of the shift. steps (n - 1,) [m] : changes of the shift from one to the next, the slips.
+    clear (n - 1,) : whether one is larger than the half-widths of both.
     """
 
     time: np.ndarray
