@@ -22,6 +22,7 @@ _NAMES_OF = {
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
     "rockeom.numbers.dual": ("Dual", "duals"),
     "rockeom.motion": ("GroundMotion", "MotionError", "MotionSet"),
+    "rockeom.motion.floor": ("floor_motion",),
     "rockeom.modelling.named": ("structure",),
     "rockeom.simulation.case": ("Case",),
     "rockeom.sweeps.run": ("simulate_many",),
@@ -89,6 +90,7 @@ if TYPE_CHECKING:
         MotionError as MotionError,
         MotionSet as MotionSet,
     )
+    from rockeom.motion.floor import floor_motion as floor_motion
     from rockeom.numbers.dual import Dual as Dual, duals as duals
     from rockeom.simulation.case import Case as Case
     from rockeom.simulation.events import Event as Event
