@@ -495,8 +495,8 @@ plt.show()
 # (dashed): symmetric, with the symmetry broken, with the period doubled. Grey: the points of the
 # cascade; dotted: their end. The branches go on where the dots have left them.*
 #
-# Figure 2-12 of the thesis shows this for a squat block, $\alpha=\arctan\frac12$; `rockeom figure
-# 2-12` draws it.
+# Figure 2-12 of the thesis shows this for a squat block, $\alpha=\arctan\frac12$;
+# `rockeom thesis figure 2-12` draws it.
 #
 # ## 5. Chaos, and how to tell
 #

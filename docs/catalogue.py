@@ -22,7 +22,7 @@ from rockeom.thesis.side_by_side import TextTable, side_by_side
 from rockeom.thesis.tables import TABLES
 from rockeom.thesis.typeset import written
 
-PLACE = re.compile(r"^<!-- (\w+)(?: (\w+))? -->$", re.MULTILINE)
+PLACE = re.compile(r"^<!-- (\w+)(?: ((?:thesis )?\w+))? -->$", re.MULTILINE)
 PAGES = {c: f"chapter-{c}" for c in "2345"} | {c: f"appendix-{c.lower()}" for c in "BD"}
 SYMBOLS = {s.symbol.name for s in thesis.NOTATION if isinstance(s.symbol, sp.Symbol)}
 PICTURES = Path(__file__).parent / "_build" / "figures"
@@ -281,7 +281,7 @@ def help_text(command: str | None = None) -> str:
 
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed), contextlib.suppress(SystemExit):
-        main([*([command] if command else []), "--help"])
+        main([*(command or "").split(), "--help"])
     return f"```text\n{printed.getvalue().rstrip()}\n```"
 
 

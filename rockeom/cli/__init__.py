@@ -1,8 +1,4 @@
-"""The command line.
-
-``rockeom models | derive | simulate | report | equations | verify | figure | tables | statements
-| export | generate | completion``
-"""
+"""The command line ``rockeom COMMAND``; `rockeom.cli.commands` lists the commands."""
 
 from __future__ import annotations
 
@@ -10,32 +6,37 @@ import argparse
 import os
 import sys
 import warnings
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
-from rockeom.cli.commands import HELP, command
+from rockeom import renamed
+from rockeom.cli.commands import GROUPS, HELP, OF_THESIS, command
 from rockeom.cli.errors import UsageError
-from rockeom.renamed import VERSION
+from rockeom.numbers.checks import near
 
-_DESCRIPTION = """\
-Rocking structures: equations of motion derived symbolically, compiled, and integrated
-through every impact.
 
-  rockeom models                    which structures there are, and their parameters
-  rockeom derive rigid_block        the equations of motion of one of them
-  rockeom derive shear_frame storeys=3 support=winkler springs=4   of a family
-  rockeom simulate rigid_block ...  its response to a ground motion
-  rockeom report rigid_block ...    one page on it under a set of records
-  rockeom equations 5-34            an equation of the thesis, as printed and as it should be
-  rockeom verify                    every equation of the thesis, derived and compared
-  rockeom figure 2-16               a figure of the thesis, drawn anew
-  rockeom tables 2-1                a table of the thesis, printed beside computed
-  rockeom statements                its sentences with a number, judged
-  rockeom export c rigid_block      the equations as C, MATLAB, or a model for OpenSees
-  rockeom generate                  rewrite generated/ from the symbolic models (developers)
-  rockeom completion bash           what bash, zsh or fish offers after Tab
+def _listed(commands: Mapping[str, str]) -> str:
+    """A line for each command, in columns."""
+    wide = max(map(len, {**HELP, **OF_THESIS}))
+    return "\n".join(f"  {name:{wide}}  {line}" for name, line in commands.items())
 
-Each command explains itself: rockeom simulate --help
+
+_GROUPS = "\n\n".join(f"{title}:\n{_listed(group)}" for title, group in GROUPS.items())
+_DESCRIPTION = f"""\
+Does a structure uplift, rock or overturn in an earthquake?
+
+{_GROUPS}
+
+A first simulation, and the options of a command:
+  rockeom simulate rigid_block --set half_width=0.3 half_height=1.2 --record El Centro 1940 180
+  rockeom simulate --help
 """
+_THESIS = f"""\
+Look up what Ma's thesis (2010) states: derived, checked and drawn again.
+
+{_listed(OF_THESIS)}
+"""
+_PLAIN = argparse.RawDescriptionHelpFormatter
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -44,39 +45,54 @@ def main(argv: Sequence[str] | None = None) -> int:
     Bad input ends with one message on the standard error that says what, where and the remedy.
     """
     try:
-        return _run(argv)
+        return _run(sys.argv[1:] if argv is None else argv)
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return 130
 
 
-def _run(argv: Sequence[str] | None) -> int:
-    words = sys.argv[1:] if argv is None else argv
-    asked = next((word for word in words if not word.startswith("-")), None)
-    parser = _parser([*HELP] if asked == "completion" else [asked])
-    args, unknown = parser.parse_known_args(argv)
-    if unknown:  # an error of the command itself, with its own usage
-        getattr(args, "parser", parser).error(f"unrecognized arguments: {' '.join(unknown)}")
-    if args.command is None:
-        parser.print_help()
-        return 2
+def _run(argv: Sequence[str]) -> int:
+    with warnings.catch_warnings():
+        warnings.showwarning = _show_warning
+        words = _of_today(argv)
+        parser = _parser(words)
+        args, unknown = parser.parse_known_args(words)
+        if unknown:  # an error of the command itself, with its own usage
+            getattr(args, "parser", parser).error(f"unrecognized arguments: {' '.join(unknown)}")
+        if getattr(args, "run", None) is None:  # `rockeom` or `rockeom thesis` alone
+            getattr(args, "group", parser).print_help()
+            return 2
+        return _answer(args)
+
+
+def _of_today(argv: Sequence[str]) -> list[str]:
+    """The words, with "thesis" before a command that was called without it."""
+    words = list(argv)
+    first = next((i for i, word in enumerate(words) if not word.startswith("-")), len(words))
+    if words[first:] and words[first] in OF_THESIS:
+        warnings.filterwarnings("always", "rockeom .* is now called", DeprecationWarning)
+        renamed.warn(f"rockeom {words[first]}", f"rockeom thesis {words[first]}")
+        words.insert(first, "thesis")
+    return words
+
+
+def _answer(args: argparse.Namespace) -> int:
+    """The exit code of a command that was understood."""
     _write_any_letter()
     try:
-        with warnings.catch_warnings():
-            warnings.showwarning = _show_warning
-            code = args.run(args)
+        code = args.run(args)
         sys.stdout.flush()
         return code
     except BrokenPipeError:  # `rockeom derive rigid_block | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except (ValueError, UsageError, OSError) as error:
-        print(f"rockeom {args.command}: {_message(error)}", file=sys.stderr)
+        print(f"{args.parser.prog}: {_message(error)}", file=sys.stderr)
         return 2
     except TypeError as error:
         if not isinstance(error, _of_arguments()):
             raise
-        print(f"rockeom {args.command}: {error}", file=sys.stderr)
+        print(f"{args.parser.prog}: {error}", file=sys.stderr)
         return 2
 
 
@@ -89,31 +105,68 @@ def _of_arguments() -> tuple[type, ...]:
     return tuple(getattr(sys.modules[home], e) for home, e in homes.items() if home in sys.modules)
 
 
-def _parser(asked: Sequence[str | None] = tuple(HELP)) -> argparse.ArgumentParser:
-    """The parser of all commands; asked : those whose arguments it knows."""
+def _parser(words: Sequence[str] = ("completion",)) -> argparse.ArgumentParser:
+    """The parser of some words: it knows the arguments of the commands that they name.
+
+    Those of "completion" name all.
+    """
+    asked = [word for word in words if not word.startswith("-")][:2]
+    first = asked[0] if asked else None
     parser = argparse.ArgumentParser(
         prog="rockeom",
+        usage="rockeom COMMAND ...",
         description=_DESCRIPTION,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        formatter_class=_PLAIN,
     )
-    parser.add_argument("--version", action="version", version=f"rockeom {VERSION}")
-    commands = parser.add_subparsers(dest="command", metavar="COMMAND")
-    for name, line in HELP.items():
-        if name not in asked:
-            commands.add_parser(name, help=line)
-            continue
-        module = command(name)
-        of_command = commands.add_parser(
-            name,
-            help=line,
-            description=module.DESCRIPTION,
-            epilog=module.EPILOG,
-            formatter_class=argparse.RawDescriptionHelpFormatter,
-            allow_abbrev=False,
-        )
-        module.add_arguments(of_command)
-        of_command.set_defaults(run=module.run, parser=of_command, program=parser)
+    parser.add_argument("--version", action="version", version=f"rockeom {renamed.VERSION}")
+    if first is not None and first not in HELP:
+        parser.error(f"no command {first!r}{near(first, HELP)}; rockeom --help lists them")
+    commands = parser.add_subparsers(metavar="COMMAND", help=argparse.SUPPRESS, prog="rockeom")
+    for name in HELP:
+        if name == "thesis":
+            _add_thesis(commands, asked, parser)
+        else:
+            _add(commands, name, first in (name, "completion"), parser)
     return parser
+
+
+def _add_thesis(commands: Any, asked: Sequence[str], program: argparse.ArgumentParser) -> None:
+    """The group of commands on the thesis."""
+    group = commands.add_parser(
+        "thesis",
+        usage="rockeom thesis COMMAND ...",
+        description=_THESIS,
+        formatter_class=_PLAIN,
+    )
+    group.set_defaults(group=group)
+    name = asked[1] if asked[0:1] == ["thesis"] and len(asked) > 1 else None
+    if name is not None and name not in OF_THESIS:
+        group.error(f"no command {name!r}{near(name, OF_THESIS)}; there are {', '.join(OF_THESIS)}")
+    of_group = group.add_subparsers(
+        metavar="COMMAND", help=argparse.SUPPRESS, prog="rockeom thesis"
+    )
+    for one in OF_THESIS:
+        wanted = name == one or asked[0:1] == ["completion"]
+        _add(of_group, one, wanted, program, f"thesis {one}")
+
+
+def _add(
+    commands: Any, name: str, wanted: bool, program: argparse.ArgumentParser, module: str = ""
+) -> None:
+    """One command; with its arguments where they are wanted, which loads its module."""
+    if not wanted:
+        commands.add_parser(name)
+        return
+    home = command(module or name)
+    parser = commands.add_parser(
+        name,
+        description=home.DESCRIPTION,
+        epilog=home.EPILOG,
+        formatter_class=_PLAIN,
+        allow_abbrev=False,
+    )
+    home.add_arguments(parser)
+    parser.set_defaults(run=home.run, parser=parser, program=program)
 
 
 def _write_any_letter() -> None:

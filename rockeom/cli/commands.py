@@ -6,23 +6,39 @@ So `rockeom --help` imports none of them, and `rockeom simulate` neither SymPy n
 from __future__ import annotations
 
 import argparse
-from typing import Protocol
+from importlib import import_module
+from typing import Protocol, cast
 
-HELP = {
-    "models": "list the structures, or explain one of them",
-    "derive": "derive the equations of a structure and show them",
-    "simulate": "simulate a structure under a ground motion",
-    "report": "write one page on a structure under a set of records",
-    "equations": "look up the equations of the thesis, as printed and as they should be",
-    "verify": "run every check of the equations of the thesis",
-    "figure": "draw a figure of the thesis anew, from simulations and closed forms",
-    "tables": "show tables of the thesis, what is printed beside what is computed",
-    "statements": "judge the sentences of the thesis that have a number",
-    "export": "write the equations as C or MATLAB, or a script for OpenSees",
-    "generate": "rewrite generated/ from the symbolic models, or check it",
-    "completion": "print the script by which a shell completes commands",
+GROUPS = {
+    "Start here": {
+        "models": "list the structures, or explain one and its parameters",
+        "simulate": "simulate a structure under a ground motion",
+    },
+    "Many motions": {
+        "report": "write one page on a structure under a set of records",
+    },
+    "Equations": {
+        "derive": "derive the equations of a structure and show them",
+        "export": "write the equations as C or MATLAB, or a script for OpenSees",
+        "thesis": "equations, figures and tables of the thesis behind this program, checked",
+    },
+    "Around the program": {
+        "completion": "print the script by which a shell completes commands",
+        "generate": "for developers: rewrite generated/ from the symbolic models, or check it",
+    },
 }
 """Each command in a line, in the order of the help."""
+
+HELP = {name: line for group in GROUPS.values() for name, line in group.items()}
+
+OF_THESIS = {
+    "equations": "look up the equations of the thesis, as printed and as they should be",
+    "verify": "run every check of the equations of the thesis",
+    "figure": "draw a figure of the thesis again, from simulations and closed forms",
+    "tables": "show tables of the thesis, printed numbers next to computed ones",
+    "statements": "judge the sentences of the thesis that have a number",
+}
+"""The commands of `rockeom thesis`; for one release they answer without that word, too."""
 
 
 class Command(Protocol):
@@ -37,52 +53,5 @@ class Command(Protocol):
 
 
 def command(name: str) -> Command:
-    """The module of a command."""
-    match name:
-        case "models":
-            from rockeom.cli import models
-
-            return models
-        case "derive":
-            from rockeom.cli import derive
-
-            return derive
-        case "simulate":
-            from rockeom.cli import simulate
-
-            return simulate
-        case "report":
-            from rockeom.cli import report
-
-            return report
-        case "equations":
-            from rockeom.cli import equations
-
-            return equations
-        case "verify":
-            from rockeom.cli import verify
-
-            return verify
-        case "figure":
-            from rockeom.cli import figure
-
-            return figure
-        case "tables":
-            from rockeom.cli import tables
-
-            return tables
-        case "statements":
-            from rockeom.cli import statements
-
-            return statements
-        case "export":
-            from rockeom.cli import export
-
-            return export
-        case "generate":
-            from rockeom.cli import generate
-
-            return generate
-    from rockeom.cli import completion
-
-    return completion
+    """The module of a command, "simulate" or "thesis figure"."""
+    return cast(Command, import_module(f"rockeom.cli.{name.replace(' ', '.')}"))

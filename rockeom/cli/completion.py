@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
+from rockeom.cli.commands import HELP, OF_THESIS
 from rockeom.cli.simulate import PULSES
 from rockeom.modelling.named import FAMILIES
 from rockeom.structures.classes import SHIPPED
@@ -18,7 +19,7 @@ from rockeom.thesis.tables import TABLES
 DESCRIPTION = """\
 Print a script for bash, zsh or fish, by which Tab completes commands, options, structures, their
 parameters, numbers of equations, figures and tables, and files. The script asks nothing of this
-program while you type; print it anew after an update.
+program while you type; print it again after an update.
 """
 EPILOG = """\
 examples:
@@ -73,12 +74,16 @@ class Command(NamedTuple):
 
 
 def _commands(program: argparse.ArgumentParser) -> list[Command]:
-    (commands,) = (a for a in program._actions if isinstance(a, argparse._SubParsersAction))
-    told = {action.dest: action.help or "" for action in commands._choices_actions}
-    return [
-        Command(name, told[name], [_slot(name, action) for action in parser._actions])
-        for name, parser in commands.choices.items()
-    ]
+    """All commands, "thesis" and "thesis figure" among them."""
+    lines = {**HELP, **{f"thesis {name}": line for name, line in OF_THESIS.items()}}
+    found = []
+    for name, line in lines.items():
+        parser = program
+        for word in name.split():
+            (group,) = (a for a in parser._actions if isinstance(a, argparse._SubParsersAction))
+            parser = group.choices[word]
+        found.append(Command(name, line, [_slot(name, action) for action in parser._actions]))
+    return found
 
 
 def _slot(command: str, action: argparse.Action) -> Slot:
@@ -94,8 +99,11 @@ def _slot(command: str, action: argparse.Action) -> Slot:
 def _words(command: str, names: tuple[str | None, ...]) -> tuple[str, ...]:
     """Words for a placeholder in capitals in the help of a command."""
     numbers: dict[str, Mapping[str, object]] = {
-        "equations": EQUATIONS, "verify": EQUATIONS, "figure": FIGURES, "tables": TABLES,
-    }  # fmt: skip
+        "thesis equations": EQUATIONS,
+        "thesis verify": EQUATIONS,
+        "thesis figure": FIGURES,
+        "thesis tables": TABLES,
+    }
     if "NAME" in names:
         return tuple(SHIPPED) if command == "generate" else (*SHIPPED, *FAMILIES)
     if "KIND" in names:
@@ -117,9 +125,12 @@ _BASH = """\
 # Completion of the command rockeom for {shell}, written by: rockeom completion {shell}
 _rockeom() {{
   local word="${{COMP_WORDS[COMP_CWORD]}}" command="${{COMP_WORDS[1]}}" of="${{COMP_WORDS[2]}}"
-  local slot="" one="" words="" files="" i
+  local slot="" one="" words="" files="" i first=2
   COMPREPLY=()
-  for ((i = 2; i < COMP_CWORD; i++)); do  # whose word is it
+  if [ "$command" = thesis ] && [ "$COMP_CWORD" -gt 2 ]; then
+    command="thesis ${{COMP_WORDS[2]}}" of="${{COMP_WORDS[3]}}" first=3
+  fi
+  for ((i = first; i < COMP_CWORD; i++)); do  # whose word is it
     case "$command ${{COMP_WORDS[i]}}" in
 {takes}
       *" -"*) slot="" one="" ;;
@@ -168,7 +179,7 @@ def _bash(commands: list[Command], shell: str = "bash") -> str:
                 one = "yes" if slot.takes == "one" else '""'
                 takes.append(f'      {keys}) slot="{slot.flags[0]}" one={one} ;;')
         flags = [flag for slot in command.options for flag in slot.flags]
-        options.append(f"        {command.name}) words={_joined(flags)} ;;")
+        options.append(f'        "{command.name}") words={_joined(flags)} ;;')
         words += [
             f'        "{command.name} {flag}") {offer} ;;'
             for slot in (command.positional, *command.options)
@@ -178,7 +189,7 @@ def _bash(commands: list[Command], shell: str = "bash") -> str:
     return _BASH.format(
         shell=shell,
         takes="\n".join(takes),
-        commands=_joined(command.name for command in commands),
+        commands=_joined(HELP),
         options="\n".join(options),
         words="\n".join(words),
     )
@@ -209,12 +220,17 @@ def _fish(commands: list[Command]) -> str:
 
 
 def _fish_lines(commands: list[Command]) -> Iterator[str]:
+    first = "__fish_use_subcommand"
+    of_group = f"__fish_seen_subcommand_from {' '.join(OF_THESIS)}"
     for name, meaning, _ in commands:
-        yield (f"complete -c rockeom -n __fish_use_subcommand -a {name} -d {shlex.quote(meaning)}")
+        group, _, last = name.rpartition(" ")
+        seen = f"__fish_seen_subcommand_from {group}; and not {of_group}" if group else first
+        yield f"complete -c rockeom -n {shlex.quote(seen)} -a {last} -d {shlex.quote(meaning)}"
     for command in commands:
-        seen = f"__fish_seen_subcommand_from {command.name}"
+        names = command.name.split()
+        seen = "; and ".join(f"__fish_seen_subcommand_from {name}" for name in names)
         start = f"complete -c rockeom -n '{seen}'"
-        if command.positional.words:
+        if command.positional.words and command.name != "thesis":
             yield f"{start} -a {_joined(command.positional.words)}"
         for slot in command.options:
             named = " ".join(

@@ -117,15 +117,15 @@ def _list() -> str:
     for name, of in SHIPPED.items():
         module = _module(of, {})
         rows.append((name, ", ".join(module.STATES), _title(module)))
-    told = []
+    notes = []
     for name, of in FAMILIES.items():
         arguments = " ".join(f"{n}=N" for n in _EXAMPLES[name])
         rows.append((name, _STATES[name], (of.__doc__ or "").partition(",")[0]))
-        told.append(f"  {name} takes {arguments}, and is derived for each")
+        notes.append(f"  {name} takes {arguments}, and is derived for each")
     standing = [n for n, s in {**SHIPPED, **FAMILIES}.items() if takes_support(s)]
-    told += [f"  {', '.join(standing)} take a support:"]
-    told += [f"    {line}" for line in _aligned(_supports())]
-    return "\n".join([*_aligned(rows), "", *told, "", "rockeom models NAME explains one of them."])
+    notes += [f"  {', '.join(standing)} take a support:"]
+    notes += [f"    {line}" for line in _aligned(_supports())]
+    return "\n".join([*_aligned(rows), "", *notes, "", "rockeom models NAME explains one of them."])
 
 
 def _supports() -> list[tuple[str, str]]:

@@ -17,8 +17,8 @@ from rockeom.plots.design_report import check_name, design_report
 
 DESCRIPTION = """\
 Simulate a structure under each record of a set, rocking and, where it has an elastic
-column, with its feet held down, and write one page: figures, demands beside those of the fixed
-base, and the assumptions with how far they held. All numbers are in SI units; `rockeom models
+column, with its feet held down, and write one page: figures, demands compared with those of the
+fixed base, and the assumptions with how far they held. All numbers are in SI units; `rockeom models
 NAME` explains the parameters of a structure.
 """
 _USAGE = """\

@@ -100,7 +100,7 @@ def test_interrupted_command_prints_no_verdict(number, interrupted, monkeypatch,
         monkeypatch.setattr(chapter_2_blocks, name, of.__wrapped__)
     interrupted(3)
     monkeypatch.chdir(tmp_path)
-    assert main(["figure", number]) == 130
+    assert main(["thesis", "figure", number]) == 130
     out, err = capsys.readouterr()
     assert "holds" not in out
     assert err.splitlines()[-1] == "interrupted"

@@ -12,25 +12,13 @@ import pytest
 import rockeom as rk
 from rockeom import __version__
 from rockeom.cli import main
+from rockeom.cli.commands import HELP, OF_THESIS
 from rockeom.cli.plain import mathematics
 from rockeom.codegen.write import write_generated
 from rockeom.modelling.named import FAMILIES, SUPPORTS, parameters_of
 from rockeom.structures.classes import SHIPPED
 
-COMMANDS = (
-    "models",
-    "derive",
-    "simulate",
-    "report",
-    "equations",
-    "verify",
-    "figure",
-    "tables",
-    "statements",
-    "export",
-    "generate",
-    "completion",
-)
+COMMANDS = [name for name in HELP if name != "thesis"] + [f"thesis {name}" for name in OF_THESIS]
 
 
 def command(*arguments: str) -> subprocess.CompletedProcess[str]:
@@ -51,14 +39,32 @@ def test_alone_it_explains_itself(capsys):
     assert main([]) == 2
     text = capsys.readouterr().out
     assert text.startswith("usage: rockeom")
-    for name in COMMANDS:
-        assert f"rockeom {name}" in text
+    for name in HELP:
+        assert f"\n  {name} " in text
+    assert len(text.splitlines()) <= 40
+
+
+def test_the_group_of_the_thesis_lists_its_commands(capsys):
+    assert main(["thesis"]) == 2
+    text = capsys.readouterr().out
+    for name in OF_THESIS:
+        assert f"\n  {name} " in text
+
+
+@pytest.mark.parametrize("name", OF_THESIS)
+def test_former_names_of_the_commands_on_the_thesis_answer_with_the_new_one(name, capsys):
+    with pytest.raises(SystemExit) as stopped:
+        main([name, "--help"])
+    assert stopped.value.code == 0
+    said = capsys.readouterr()
+    assert said.out.startswith(f"usage: rockeom thesis {name}")
+    assert said.err == f"warning: rockeom {name} is now called rockeom thesis {name}\n"
 
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_help_of_each_command_says_what_it_does_and_gives_examples(name, capsys):
     with pytest.raises(SystemExit) as stopped:
-        main([name, "--help"])
+        main([*name.split(), "--help"])
     assert stopped.value.code == 0
     text = capsys.readouterr().out
     assert "examples:" in text
@@ -76,7 +82,7 @@ def test_unknown_command_names_the_known_ones(capsys):
     with pytest.raises(SystemExit) as stopped:
         main(["simulte"])
     assert stopped.value.code == 2
-    assert "simulate" in capsys.readouterr().err
+    assert "'simulte' (did you mean simulate?)" in capsys.readouterr().err
 
 
 def test_bad_input_in_a_process_of_its_own():

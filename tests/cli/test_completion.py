@@ -52,7 +52,7 @@ needs_bash = pytest.mark.skipif(BASH is None, reason="there is no bash here")
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
-        (["rockeom", "s"], {"simulate", "statements"}),
+        (["rockeom", "s"], {"simulate"}),
         (["rockeom", "simulate", "--m"], {"--motion", "--method"}),
         (["rockeom", "simulate", "rigid_block", "--method", ""], {"DOP853", "RK45", "Radau"}),
         (["rockeom", "simulate", "rigid_b"], {"rigid_block"}),
@@ -63,8 +63,9 @@ needs_bash = pytest.mark.skipif(BASH is None, reason="there is no bash here")
         (["rockeom", "simulate", "--free", "rigid_"], {"rigid_block"}),
         (["rockeom", "simulate", "rigid_block", "--motion", "my"], {"my record.AT2"}),
         (["rockeom", "simulate", "rigid_block", "--out", "rocke"], {"rockeom.bash"}),
-        (["rockeom", "equations", "5-34"], {"5-34"}),
-        (["rockeom", "figure", "2-16"], {"2-16"}),
+        (["rockeom", "thesis", "f"], {"figure"}),
+        (["rockeom", "thesis", "equations", "5-34"], {"5-34"}),
+        (["rockeom", "thesis", "figure", "2-16"], {"2-16"}),
         (["rockeom", "derive", "sliding_block", "--form", "p"], {"polar"}),
         (["rockeom", "completion", ""], {"bash", "zsh", "fish"}),
         (["rockeom", "nonsense", ""], {""}),
@@ -99,7 +100,8 @@ def test_other_shells_take_their_scripts(shell, tmp_path):
 @pytest.mark.parametrize(
     ("line", "expected"),
     [
-        ("rockeom s", {"simulate", "statements"}),
+        ("rockeom s", {"simulate"}),
+        ("rockeom thesis s", {"statements"}),
         ("rockeom simulate --m", {"--motion", "--method"}),
         ("rockeom simulate rigid_block --method ", {"DOP853", "RK45", "Radau"}),
         ("rockeom simulate rigid_block --set half", {"half_width=", "half_height="}),

@@ -1,4 +1,4 @@
-"""`rockeom figure`."""
+"""`rockeom thesis figure`."""
 
 from __future__ import annotations
 
@@ -41,9 +41,9 @@ CLOSED_FORM = [n for n in FIGURES if n not in SIMULATED | OF_RECORDS]
 
 def test_list_names_each_figure_and_what_it_shows(capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "200")
-    assert main(["figure", "--list"]) == 0
+    assert main(["thesis", "figure", "--list"]) == 0
     with_flag = capsys.readouterr().out
-    assert main(["figure"]) == 0
+    assert main(["thesis", "figure"]) == 0
     said = capsys.readouterr().out
     assert said == with_flag
     lines = said.splitlines()
@@ -56,7 +56,7 @@ def test_list_names_each_figure_and_what_it_shows(capsys, monkeypatch):
 
 def test_figure_is_drawn_into_the_named_file_and_explained(tmp_path, capsys):
     path = tmp_path / "force.png"
-    assert main(["figure", "4-35", "--out", str(path)]) == 0
+    assert main(["thesis", "figure", "4-35", "--out", str(path)]) == 0
     said = capsys.readouterr()
     assert "Restoring force" in said.out
     assert "the exact derivative of the energies" in " ".join(said.out.split())
@@ -68,14 +68,14 @@ def test_figure_is_drawn_into_the_named_file_and_explained(tmp_path, capsys):
 
 def test_without_a_file_it_is_named_after_the_figure(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    assert main(["figure", "2-15"]) == 0
+    assert main(["thesis", "figure", "2-15"]) == 0
     assert [path.name for path in tmp_path.iterdir()] == ["figure-2-15.png"]
 
 
 @pytest.mark.parametrize("suffix", ["pdf", "svg"])
 def test_format_is_that_of_the_name(suffix, tmp_path, capsys):
     path = tmp_path / f"delta.{suffix}"
-    assert main(["figure", "2-15", "--out", str(path)]) == 0
+    assert main(["thesis", "figure", "2-15", "--out", str(path)]) == 0
     assert path.read_bytes()[:5] == {"pdf": b"%PDF-", "svg": b"<?xml"}[suffix]
 
 
@@ -94,7 +94,7 @@ def test_what_cannot_be_drawn_is_told_and_nothing_written(
     arguments, words, tmp_path, monkeypatch, capsys
 ):
     monkeypatch.chdir(tmp_path)
-    assert main(["figure", *arguments]) == 2
+    assert main(["thesis", "figure", *arguments]) == 2
     said = capsys.readouterr()
     assert said.out == ""
     for word in words:

@@ -1,4 +1,4 @@
-"""`rockeom tables`."""
+"""`rockeom thesis tables`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rockeom.thesis.tables import TABLES
 
 def test_list_names_each_table_and_what_it_holds(capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "200")
-    assert main(["tables"]) == 0
+    assert main(["thesis", "tables"]) == 0
     lines = capsys.readouterr().out.splitlines()
     for number, table in TABLES.items():
         (line,) = (line for line in lines if line.startswith(f"{number}  "))
@@ -20,7 +20,7 @@ def test_list_names_each_table_and_what_it_holds(capsys, monkeypatch):
 
 def test_table_is_shown_printed_beside_computed_in_columns(capsys, monkeypatch):
     monkeypatch.setenv("COLUMNS", "100")
-    assert main(["tables", "2-1"]) == 0
+    assert main(["thesis", "tables", "2-1"]) == 0
     text = capsys.readouterr().out
     assert text.startswith("Table 2-1: Apparent coefficients")
     lines = text.splitlines()
@@ -33,7 +33,7 @@ def test_table_is_shown_printed_beside_computed_in_columns(capsys, monkeypatch):
 
 
 def test_several_are_shown_in_the_order_asked_for(capsys):
-    assert main(["tables", "3-1", "2-3"]) == 0
+    assert main(["thesis", "tables", "3-1", "2-3"]) == 0
     text = capsys.readouterr().out
     assert 0 == text.index("Table 3-1:") < text.index("Table 2-3:")
     assert "237.5" in text  # computed, beside the printed
@@ -41,7 +41,7 @@ def test_several_are_shown_in_the_order_asked_for(capsys):
 
 
 def test_table_a_1_brings_the_peaks_of_the_models(capsys):
-    assert main(["tables", "A-1"]) == 0
+    assert main(["thesis", "tables", "A-1"]) == 0
     said = capsys.readouterr()
     assert "computing" in said.err
     lines = said.out.splitlines()
@@ -57,7 +57,7 @@ def test_table_a_1_brings_the_peaks_of_the_models(capsys):
 
 @pytest.mark.parametrize("arguments", [["2-6"], ["2-1", "2.3"]])
 def test_what_is_no_table_is_told_and_nothing_shown(arguments, capsys):
-    assert main(["tables", *arguments]) == 2
+    assert main(["thesis", "tables", *arguments]) == 2
     said = capsys.readouterr()
     assert said.out == ""
     assert repr(arguments[-1]) in said.err

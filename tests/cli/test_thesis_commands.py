@@ -1,4 +1,4 @@
-"""`rockeom equations` and `rockeom verify`."""
+"""`rockeom thesis equations` and `rockeom thesis verify`."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def output(capsys, *arguments: str) -> str:
 
 @pytest.mark.parametrize("number", ["2-9", "5-11", "D-23"])
 def test_an_erratum_is_shown_as_printed_as_it_should_be_and_why(number, capsys):
-    text = output(capsys, "equations", number)
+    text = output(capsys, "thesis", "equations", number)
     before, after = text.index("As printed:"), text.index("As it should be:")
     assert before < after
     assert "wrong as printed" in text
@@ -28,14 +28,14 @@ def test_an_erratum_is_shown_as_printed_as_it_should_be_and_why(number, capsys):
 
 
 def test_right_equation_is_shown_once(capsys):
-    text = output(capsys, "equations", "2-6")
+    text = output(capsys, "thesis", "equations", "2-6")
     assert "As it should be" not in text
     assert "right as printed" in text
     assert "r = [1 - m R² [1 - cos (2 α)]/I_o]²" in text
 
 
 def test_lost_equation_says_that_it_is_not_legible(capsys):
-    text = output(capsys, "equations", "D-19")
+    text = output(capsys, "thesis", "equations", "D-19")
     assert "As printed" not in text
     assert "not legible, restored" in text
 
@@ -52,14 +52,14 @@ def test_every_equation_can_be_read_in_a_terminal(number):
 
 
 def test_list_is_filtered(capsys):
-    text = output(capsys, "equations", "--chapter", "d", "--verdict", "wrong")
+    text = output(capsys, "thesis", "equations", "--chapter", "d", "--verdict", "wrong")
     numbers = [line.split()[0] for line in text.splitlines() if line.startswith(("D-", "5-"))]
     wrong = [e.number for e in EQUATIONS.values() if e.chapter == "D" and e.is_erratum]
     assert numbers == wrong
 
 
 def test_latex_is_a_numbered_equation(capsys):
-    text = output(capsys, "equations", "2-9", "5-30", "--latex")
+    text = output(capsys, "thesis", "equations", "2-9", "5-30", "--latex")
     assert text.count(r"\begin{equation}") == text.count(r"\end{equation}") == 2
     assert r"\tag{2-9}" in text
     assert r"\mp" in text
@@ -77,12 +77,12 @@ def test_latex_is_a_numbered_equation(capsys):
     ],
 )
 def test_what_is_not_there_is_told(arguments, message, capsys):
-    assert main(["equations", *arguments]) == 2
+    assert main(["thesis", "equations", *arguments]) == 2
     assert message in capsys.readouterr().err
 
 
 def test_verify_prints_a_row_for_each_and_the_counts(capsys):
-    text = output(capsys, "verify", "2-9", "2-6", "5-9")
+    text = output(capsys, "thesis", "verify", "2-9", "2-6", "5-9")
     assert [line.split()[0] for line in text.splitlines()[:3]] == ["2-9", "2-6", "5-9"]
     for count in ("1  right as printed", "1  wrong as printed", "1  not legible, restored"):
         assert count in text
@@ -94,7 +94,7 @@ def test_failed_check_is_named_and_the_exit_code_is_1(monkeypatch, capsys):
     (relation,) = EQUATIONS["2-6"].printed
     wrong = replace(EQUATIONS["2-6"], printed=says(relation.lhs, 2 * relation.rhs))
     monkeypatch.setattr(verification, "equation", lambda number: wrong)
-    assert main(["verify", "2-6", "--failures"]) == 1
+    assert main(["thesis", "verify", "2-6", "--failures"]) == 1
     text = capsys.readouterr().out
     assert "2-6    failed" in text
     assert "thesis minus engine" in text

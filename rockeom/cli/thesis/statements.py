@@ -1,4 +1,4 @@
-"""``rockeom statements``: sentences of the thesis with a number, and what was found."""
+"""``rockeom thesis statements``: sentences of the thesis with a number, and what was found."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from rockeom.thesis import statements
 from rockeom.thesis.figures import FIGURES, Statement
 
 DESCRIPTION = """\
-Show sentences of Ma's thesis (2010) with a number, beside the number found: those that belong to no
+Show sentences of Ma's thesis (2010) with a number, and the number found: those that belong to no
 figure, and what is wrong as printed outside the equations; or those of the figures named, which
 are drawn for it.
 """
 EPILOG = """\
 examples:
-  rockeom statements             of no figure, and the slips
-  rockeom statements 2-22 4-20   of two figures
+  rockeom thesis statements             of no figure, and the slips
+  rockeom thesis statements 2-22 4-20   of two figures
 """
 
 
@@ -31,7 +31,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(args: argparse.Namespace) -> int:
     for number in args.figures:
         if number not in FIGURES:
-            raise UsageError(f"no figure {number!r} is drawn anew; rockeom figure lists them")
+            raise UsageError(f"no figure {number!r} is drawn; rockeom thesis figure lists them")
     print("computing ...", file=sys.stderr)
     if args.figures:
         print(_shown(statements.of_figures(*args.figures)) or "these figures have no statements")

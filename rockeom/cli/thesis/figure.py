@@ -1,4 +1,4 @@
-"""``rockeom figure``: figures of the thesis, drawn anew."""
+"""``rockeom thesis figure``: figures of the thesis, drawn again."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from rockeom.files import check_target
 from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Drawn, ThesisFigure
 
 DESCRIPTION = """\
-List the figures of Ma's thesis (2010) that are drawn anew, or draw one of them into a file. A text
-beside it says what the thesis leaves open about a figure, and which assumption fills the gap.
+List the figures of Ma's thesis (2010) that are drawn again, or draw one of them into a file. A text
+next to it says what the thesis leaves open about a figure, and which assumption fills the gap.
 The first drawing of a simulated figure compiles its structures, which takes a second or two.
 """
 EPILOG = """\
 examples:
-  rockeom figure                        the list
-  rockeom figure 4-35                   into figure-4-35.png
-  rockeom figure 2-16 --out block.pdf   into a file of your own: .png, .pdf or .svg
+  rockeom thesis figure                        the list
+  rockeom thesis figure 4-35                   into figure-4-35.png
+  rockeom thesis figure 2-16 --out block.pdf   into a file of your own: .png, .pdf or .svg
 """
 
 _SUFFIXES = (".png", ".pdf", ".svg")
@@ -42,15 +42,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(args: argparse.Namespace) -> int:
     if args.number is None:
         if args.out is not None:
-            raise UsageError(f"--out {args.out}: name the figure as well: rockeom figure 4-35 ...")
+            raise UsageError(
+                f"--out {args.out}: name the figure as well: rockeom thesis figure 4-35 ..."
+            )
         print(_list(FIGURES, NOT_DRAWN))
         return 0
     if args.list:
         raise UsageError(f"--list shows all figures: leave {args.number} out")
     if args.number in NOT_DRAWN:
-        raise UsageError(f"figure {args.number} is not drawn anew: {NOT_DRAWN[args.number]}")
+        raise UsageError(f"figure {args.number} is not drawn: {NOT_DRAWN[args.number]}")
     if args.number not in FIGURES:
-        raise UsageError(f"no figure {args.number!r} is drawn anew; there are {', '.join(FIGURES)}")
+        raise UsageError(f"no figure {args.number!r} is drawn; there are {', '.join(FIGURES)}")
     path = args.out or Path(f"figure-{args.number}.png")
     if path.suffix.lower() not in _SUFFIXES:
         raise UsageError(f"--out {path}: the name must end in {', '.join(_SUFFIXES)}")
@@ -67,7 +69,7 @@ def run(args: argparse.Namespace) -> int:
 def _list(figures: Mapping[str, ThesisFigure], not_drawn: Mapping[str, str]) -> str:
     rows = [("", "FROM", "WHAT IT SHOWS")]
     rows += [(one.number, one.source.value, one.title) for one in figures.values()]
-    parts = [listing(rows), f"{len(figures)} figures; rockeom figure NUMBER draws one."]
+    parts = [listing(rows), f"{len(figures)} figures; rockeom thesis figure NUMBER draws one."]
     if not_drawn:
         parts.append("Not drawn, and why:\n" + listing(list(not_drawn.items())))
     return "\n\n".join(parts)

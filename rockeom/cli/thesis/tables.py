@@ -1,4 +1,4 @@
-"""``rockeom tables``: tables of the thesis, printed beside computed."""
+"""``rockeom thesis tables``: tables of the thesis, printed and computed."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from rockeom.thesis.tables import TABLES
 
 DESCRIPTION = """\
 List the tables of Ma's thesis (2010) and the lists of numbers under its figures, or show some of
-them: each computed column beside the printed one, and remarks on them. A-1 has
+them: each computed column next to the printed one, and remarks on them. A-1 has
 the peaks of the free vibration by each model of the wall and impact law, too.
 The first simulation of a structure compiles it, which takes a second or two.
 """
 EPILOG = """\
 examples:
-  rockeom tables                the list
-  rockeom tables 2-1            one, printed beside computed
-  rockeom tables 4-1 4-2        several
-  rockeom tables A-1            measured and simulated peaks of the controlled wall
-  rockeom tables "Figure 3-3"   the list of numbers under a figure
+  rockeom thesis tables                the list
+  rockeom thesis tables 2-1            one, printed and computed
+  rockeom thesis tables 4-1 4-2        several
+  rockeom thesis tables A-1            measured and simulated peaks of the controlled wall
+  rockeom thesis tables "Figure 3-3"   the list of numbers under a figure
 """
 
 
@@ -48,7 +48,7 @@ def run(args: argparse.Namespace) -> int:
 
 def _list() -> str:
     rows = [("", "WHAT IT HOLDS"), *((n, table.title) for n, table in TABLES.items())]
-    return f"{listing(rows)}\n\n{len(TABLES)} tables; rockeom tables NUMBER shows one."
+    return f"{listing(rows)}\n\n{len(TABLES)} tables; rockeom thesis tables NUMBER shows one."
 
 
 def _shown(table: TextTable) -> str:

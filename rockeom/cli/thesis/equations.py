@@ -1,4 +1,4 @@
-"""``rockeom equations``: the equations of the thesis."""
+"""``rockeom thesis equations``: the equations of the thesis."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ where that is wrong, what it means, how it is derived, and the verdict of its ch
 """
 EPILOG = """\
 examples:
-  rockeom equations                          all of them, a line each
-  rockeom equations --chapter 5 --verdict wrong
-  rockeom equations 5-34                     one, with its checks run
-  rockeom equations 2-9 D-23 --latex         for a paper: the forms that are right
+  rockeom thesis equations                          all of them, a line each
+  rockeom thesis equations --chapter 5 --verdict wrong
+  rockeom thesis equations 5-34                     one, with its checks run
+  rockeom thesis equations 2-9 D-23 --latex         for a paper: the forms that are right
 
-rockeom verify runs the checks of all equations.
+rockeom thesis verify runs the checks of all equations.
 """
 
 
@@ -98,7 +98,7 @@ def _filtered(args: argparse.Namespace) -> list[Equation]:
 def _list(chosen: list[Equation]) -> str:
     rows = [("", "VERDICT", "WHAT IT STATES")]
     rows += [(e.number, claim(e).value, e.meaning) for e in chosen]
-    return f"{listing(rows)}\n\n{len(chosen)} equations; rockeom equations NUMBER shows one."
+    return f"{listing(rows)}\n\n{len(chosen)} equations; rockeom thesis equations NUMBER shows one."
 
 
 def _shown(decision: Decision, columns: int) -> str:

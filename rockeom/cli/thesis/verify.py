@@ -1,4 +1,4 @@
-"""``rockeom verify``: every equation of the thesis decided."""
+"""``rockeom thesis verify``: every equation of the thesis decided."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ Takes a minute or two. The exit code is 1 if any check fails or any equation has
 """
 EPILOG = """\
 examples:
-  rockeom verify              all of them
-  rockeom verify 2-9 5-34     some of them
-  rockeom verify --failures   the table of those only that fail
+  rockeom thesis verify              all of them
+  rockeom thesis verify 2-9 5-34     some of them
+  rockeom thesis verify --failures   the table of those only that fail
 """
 
 

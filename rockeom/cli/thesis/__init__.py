@@ -1,0 +1,1 @@
+"""The commands ``rockeom thesis ...``: equations, tables, figures and statements of Ma's thesis."""
