@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
+
+import sympy as sp
 
 from rockeom.symbolic import valid
 from rockeom.symbolic.checks.contacts import check_items
 from rockeom.symbolic.checks.declaration import check
-from rockeom.symbolic.contacts import ContactDeclaration
+from rockeom.symbolic.contacts import Contact, ContactDeclaration, Rigid
 from rockeom.symbolic.hybrid import HybridModel, Search
+from rockeom.symbolic.model import Outline
 from rockeom.symbolic.modes import DerivedMode, Modes
+from rockeom.symbolic.parts import mechanics
 from rockeom.symbolic.pinned import reduced
 from rockeom.symbolic.rocking import Declared, RockingModel
 
@@ -39,6 +45,57 @@ class Model(Declared, ContactDeclaration):
 
     Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
     """
+
+    @classmethod
+    def from_mechanics(
+        cls,
+        bodies: Iterable[Any],
+        coordinates: Mapping[sp.Expr, mechanics.Words],
+        *,
+        frame: Any,
+        origin: Any,
+        parameters: Mapping[sp.Symbol, mechanics.Words],
+        gravity: sp.Expr,
+        rotation: sp.Expr,
+        contacts: Mapping[str, tuple[Any, Rigid]] | Iterable[Contact] = (),
+        outlines: Mapping[Any, Outline] | None = None,
+        **declared: Any,
+    ) -> Model:
+        """A model of bodies of `sympy.physics.mechanics` that move in one plane.
+
+        Positions follow from the points, rotations from the orientation of the frames; velocities
+        and generalised speeds that were set are not used.
+
+        bodies : each a RigidBody or a Particle, with mass, mass centre and central inertia about
+            z. Their potential energy is that of springs; the weight follows from `gravity`.
+        coordinates : (name, unit, meaning) of each of the `dynamicsymbols` in which points and
+            frames are written, {theta: ("theta", "rad", "rotation, positive clockwise")}.
+        frame, origin : a ReferenceFrame and a Point that rest on the ground, x to the right and y
+            upwards. The ground's acceleration is given to `simulate`.
+        parameters : (name, unit, meaning) of each symbol, {m: ("mass", "kg", "mass")}.
+        gravity : its acceleration [m/s2], positive; it acts along -y.
+        rotation : the one of `coordinates` that overturns.
+        contacts : points above level ground, y = 0, with their laws, {"left": (Point, Rigid())};
+            or objects of `Contact`, such as those of `feet`.
+        outlines : what a sketch shows, {body: corners}, from the mass centre, in axes that are x
+            and y where all coordinates are zero.
+        declared : the other arguments of `Model`, of which `name` and `title` are needed. They may
+            contain the coordinates, as may `contacts`; a Point gives a place.
+
+        Raises ValueError, naming the item and the remedy, for what moves out of the plane or from
+        a point that moves, for functions of time that are no coordinates, and for symbols that
+        `parameters` lacks.
+
+            Model.from_mechanics(
+                [block], {x: ("x", "m", "place"), y: ("y", "m", "height"), theta: ...},
+                name="block", title="A block", frame=N, origin=O, rotation=theta, gravity=g,
+                parameters={m: ("mass", "kg", "mass"), ...},
+                contacts={"left": (A, Rigid()), "right": (B, Rigid())},
+            )
+        """
+        writer = mechanics.Writer(declared.get("name", "model"), coordinates, frame, origin)
+        declared |= {"gravity": gravity, "rotation": rotation}
+        return cls(**writer.declaration(bodies, parameters, contacts, outlines or {}, declared))
 
     def __post_init__(self) -> None:
         for name in _LISTS:
