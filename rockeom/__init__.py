@@ -21,7 +21,7 @@ __version__ = VERSION
 _NAMES_OF = {
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
     "rockeom.numbers.dual": ("Dual", "duals"),
-    "rockeom.motion": ("GroundMotion", "MotionError", "MotionSet"),
+    "rockeom.motion": ("GroundMotion", "MotionError", "MotionSet", "Recording"),
     "rockeom.motion.floor": ("floor_motion",),
     "rockeom.modelling.named": ("structure",),
     "rockeom.simulation.case": ("Case",),
@@ -89,6 +89,7 @@ if TYPE_CHECKING:
         GroundMotion as GroundMotion,
         MotionError as MotionError,
         MotionSet as MotionSet,
+        Recording as Recording,
     )
     from rockeom.motion.floor import floor_motion as floor_motion
     from rockeom.numbers.dual import Dual as Dual, duals as duals

@@ -14,7 +14,7 @@ from rockeom.motion.units import STANDARD_GRAVITY
 if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, see below
     from rockeom.motion.intensity import Measures
     from rockeom.motion.motion_set import MotionSet
-    from rockeom.motion.recordings import Recording
+    from rockeom.motion.recording import Recording
     from rockeom.motion.synthetic import JenningsEnvelope, ShinozukaSatoEnvelope
 
 __all__ = [
@@ -33,7 +33,7 @@ _HOMES = {
     "JenningsEnvelope": "synthetic",
     "Measures": "intensity",
     "MotionSet": "motion_set",
-    "Recording": "recordings",
+    "Recording": "recording",
     "ShinozukaSatoEnvelope": "synthetic",
 }
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -20,6 +19,7 @@ from rockeom.motion.arguments import (
     positive as _positive,
 )
 from rockeom.motion.errors import FilePath, MotionError
+from rockeom.motion.scaling import Acceleration, multiplier, named, scaled_name, target
 from rockeom.motion.segments import (
     ANTISYMMETRIC_RICKER,
     ANTISYMMETRIC_RICKER_PEAK,
@@ -44,10 +44,9 @@ from rockeom.motion.segments import (
     velocity as _velocity,
 )
 from rockeom.motion.units import STANDARD_GRAVITY, factor
-from rockeom.numbers.batch import Many, one_of
+from rockeom.numbers.batch import one_of
 from rockeom.numbers.checks import described, number
 from rockeom.numbers.dual import nominal
-from rockeom.numbers.functions import mathematics
 
 if TYPE_CHECKING:
     from rockeom.motion import intensity, processing
@@ -122,7 +121,7 @@ class GroundMotion:
         """
         a, end = _finite("acceleration", acceleration), _positive("duration", duration)
         total = end if total_duration is None else total_duration
-        name = _named("constant, {:.4g} m/s2, {:.4g} s", a, end)
+        name = named("constant, {:.4g} m/s2, {:.4g} s", a, end)
         return _analytic(name, [(end, LINEAR, a)]).padded_to(total)
 
     @classmethod
@@ -196,7 +195,7 @@ class GroundMotion:
             "angular_frequency": value,
             "period": 2.0 * math.pi / value,
         }[stated[0]]
-        name = _named("harmonic, {:.4g} m/s2, {:.4g} rad/s", a, omega)
+        name = named("harmonic, {:.4g} m/s2, {:.4g} rad/s", a, omega)
         return _analytic(name, [(end, SINE, a, omega, phase)])
 
     @classmethod
@@ -232,7 +231,7 @@ class GroundMotion:
             kind, c0, c1 = RICKER, a, math.pi / t_p
         shape = "antisymmetric Ricker" if antisymmetric else "Ricker"
         end = 2.0 * centre
-        name = _named(shape + ", {:.4g} m/s2, {:.4g} s", a, t_p)
+        name = named(shape + ", {:.4g} m/s2, {:.4g} s", a, t_p)
         motion = _analytic(name, [(end, kind, c0, c1, centre)])
         return motion.padded_to(end + QUIET_PERIODS * t_p if duration is None else duration)
 
@@ -269,7 +268,7 @@ class GroundMotion:
         pulse = (
             end, MAVROEIDIS_PAPAGEORGIOU, 0.5 * a * omega, omega, nu - math.pi * g, omega / g
         )  # fmt: skip
-        name = _named("Mavroeidis-Papageorgiou, {:.4g} m/s, {:.4g} s", a, t_p)
+        name = named("Mavroeidis-Papageorgiou, {:.4g} m/s, {:.4g} s", a, t_p)
         motion = _analytic(name, [pulse])
         return motion.padded_to(end + QUIET_PERIODS * t_p if duration is None else duration)
 
@@ -548,9 +547,7 @@ class GroundMotion:
     @property
     def peak_velocity(self) -> float:
         """Largest absolute velocity of the ground [m/s] within the duration, exact to rounding."""
-        from rockeom.motion import intensity
-
-        return intensity.peak_velocity(self)
+        return _intensity().peak_velocity(self)
 
     @property
     def peak_displacement(self) -> float:
@@ -559,9 +556,7 @@ class GroundMotion:
         A record that ends with a velocity has a displacement that grows with it: see
         `baseline_corrected`.
         """
-        from rockeom.motion import intensity
-
-        return intensity.peak_displacement(self)
+        return _intensity().peak_displacement(self)
 
     def measures(self) -> intensity.Measures:
         """All intensity measures by name, from PGA to the predominant period, with units.
@@ -569,9 +564,7 @@ class GroundMotion:
         >>> round(GroundMotion.single_sine(2.0, 0.5, duration=0.5).measures().cav, 6)
         0.63662
         """
-        from rockeom.motion import intensity
-
-        return intensity.measures(self)
+        return _intensity().measures(self)
 
     def significant_interval(self, lower: float = 0.05, upper: float = 0.95) -> tuple[float, float]:
         """Times [s] at which Arias intensity reaches the parts `lower` and `upper` of its whole.
@@ -580,9 +573,7 @@ class GroundMotion:
         within the segments. Raises MotionError for parts that are not between 0 and 1, and for no
         shaking.
         """
-        from rockeom.motion import intensity
-
-        return intensity.significant_interval(self, lower, upper)
+        return _intensity().significant_interval(self, lower, upper)
 
     def response_spectrum(
         self, periods: ArrayLike | None = None, damping_ratio: float = 0.05
@@ -621,19 +612,43 @@ class GroundMotion:
             a, s = one_of(a), one_of(s)  # one such table at a time, also of columns
         return GroundMotion(
             _scaled(self.segments, a, s),
-            _scaled_name(self.name, a, s),
+            scaled_name(self.name, a, s),
             self.source,
             None if self.dt is None else self.dt * s,
             None if self.samples is None else self.samples * a,
             self.is_vertical,
         )
 
-    def scaled_to(self, peak: float) -> GroundMotion:
-        """The motion with accelerations multiplied so that the largest is `peak` [m/s2]."""
-        wanted = _positive("peak", peak)
-        if self.peak == 0.0:
+    def scaled_to(
+        self,
+        peak: Acceleration | None = None,
+        *,
+        pga: Acceleration | None = None,
+        sa: Acceleration | None = None,
+        period: float | None = None,
+        damping_ratio: float = 0.05,
+    ) -> GroundMotion:
+        """The motion with accelerations multiplied so that its intensity has a value.
+
+        Exactly one of peak, pga and sa, each [m/s2] or a text with its unit: "0.4 g", "250 cm/s2".
+
+        peak, pga : both the largest absolute acceleration.
+        sa : the pseudo-acceleration of an oscillator with this period [s] and damping_ratio.
+
+            record.scaled_to(pga="0.4 g")
+            record.scaled_to(sa=3.0, period=1.0)
+
+        A vertical component is scaled along by `Recording.scaled_to`. Raises MotionError for none
+        or two of them, sa without a period, what is not positive, and a motion without shaking.
+        """
+        wanted = target(peak, pga, sa, period)
+        found = self.peak
+        if wanted.period is not None:
+            spectrum = self.response_spectrum(wanted.period, damping_ratio)
+            found = spectrum.pseudo_acceleration[0]
+        if found == 0.0:
             raise MotionError(f"{self.name}: no factor makes a motion of zero acceleration shake")
-        return self.scaled(wanted / self.peak)
+        return self.scaled(wanted.value / found)
 
     def padded_to(self, duration: float) -> GroundMotion:
         """The motion with quiet time at its end, for a total of `duration` [s].
@@ -668,9 +683,7 @@ class GroundMotion:
         Raises MotionError for a motion without samples and for a degree that such a polynomial
         cannot have.
         """
-        from rockeom.motion import processing
-
-        return self._changed(processing.baseline_corrected(self, degree, of))
+        return self._changed(_processing().baseline_corrected(self, degree, of))
 
     def filtered(
         self, low: float | None = None, high: float | None = None, order: int = 4
@@ -686,9 +699,7 @@ class GroundMotion:
         Raises MotionError for a motion without samples, and for corners in wrong order, above half
         of the rate of sampling, or so low that a hundredth of a period fills the record.
         """
-        from rockeom.motion import processing
-
-        return self._changed(processing.filtered(self, low, high, order))
+        return self._changed(_processing().filtered(self, low, high, order))
 
     def resampled(self, dt: float, method: str = "linear") -> GroundMotion:
         """The motion as a record with another time step.
@@ -702,9 +713,7 @@ class GroundMotion:
         An analytic motion becomes a record, linear between the new times. The last one is the last
         whole step within the motion. Raises MotionError.
         """
-        from rockeom.motion import processing
-
-        return self._changed(processing.resampled(self, dt, method))
+        return self._changed(_processing().resampled(self, dt, method))
 
     def trimmed(self, start: float = 0.0, end: float | None = None) -> GroundMotion:
         """The part from `start` to `end` [s], its times counted from there.
@@ -716,10 +725,8 @@ class GroundMotion:
         Raises MotionError for times outside the motion, for fewer than two samples, and where a
         Mavroeidis-Papageorgiou pulse would lose its beginning.
         """
-        from rockeom.motion import processing
-
         until = self.duration if end is None else end
-        return self._changed(processing.trimmed(self, start, until))
+        return self._changed(_processing().trimmed(self, start, until))
 
     def _changed(self, to: processing.Processed) -> GroundMotion:
         """The motion of a processed record; its source names the process."""
@@ -750,27 +757,24 @@ class GroundMotion:
         if not isinstance(other, GroundMotion):
             raise MotionError(f"other is {described(other)}: give a GroundMotion")
         turn = _finite("angle", angle)
-        times = slice(START, KIND + 1)
-        if (
-            self.samples is None
-            or other.samples is None
-            or not np.array_equal(self.segments[:, times], other.segments[:, times])
-        ):
-            raise MotionError(
-                f"{self!r} and {other!r} were not recorded at the same times: give two components "
-                "of one record; if one is longer, cut its samples and use GroundMotion.from_array"
-            )
-        cosine, sine = mathematics.cos(turn), mathematics.sin(turn)
-        segments = self.segments.astype(np.result_type(self.segments, type(turn)))
-        segments[:, C0:] = cosine * self.segments[:, C0:] + sine * other.segments[:, C0:]
-        return GroundMotion(
-            segments,
-            _named("{:.4g} degrees from ", turn * (180.0 / math.pi))
-            + f"{self.name} to {other.name}",
-            f"of {self.source} and of {other.source}",
-            self.dt,
-            cosine * self.samples + sine * other.samples,
+        segments, samples = _processing().rotated(self, other, turn)
+        name = (
+            f"{named('{:.4g} degrees from ', turn * (180.0 / math.pi))}{self.name} to {other.name}"
         )
+        source = f"of {self.source} and of {other.source}"
+        return GroundMotion(segments, name, source, self.dt, samples)
+
+    __array_ufunc__ = None  # so that a number of NumPy leaves the product to the motion
+
+    def __mul__(self, factor: float) -> GroundMotion:
+        """The motion with its accelerations multiplied by a number."""
+        return self.scaled(acceleration=multiplier(factor))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: float) -> GroundMotion:
+        """The motion with its accelerations divided by a number."""
+        return self.scaled(acceleration=1.0 / multiplier(divisor, "divided"))
 
     def __neg__(self) -> GroundMotion:
         """The mirrored motion."""
@@ -808,18 +812,6 @@ class GroundMotion:
         return GroundMotion, fields
 
 
-_PRINTED = r"(-?\d+\.?\d*(?:e[+-]\d+)?)"
-_SCALE_IN_NAME = re.compile(f"-A{_PRINTED}-T{_PRINTED}$")
-
-
-def _scaled_name(name: str, acceleration: float, time: float) -> str:
-    """The name with its factors at the end; those of an earlier scaling are multiplied."""
-    if scale := _SCALE_IN_NAME.search(name):
-        name = name[: scale.start()]
-        acceleration, time = acceleration * float(scale[1]), time * float(scale[2])
-    return name + _named("-A{:.4g}-T{:.4g}", acceleration, time)
-
-
 # -- construction --------------------------------------------------------------------------------
 
 
@@ -831,11 +823,6 @@ def _analytic(name: str, segments: list[tuple[float, ...]]) -> GroundMotion:
         rows.append([start, end, *values, *[0.0] * (COLUMNS - KIND - len(values))])
         start = end
     return GroundMotion(np.array(rows), name, "analytic")
-
-
-def _named(text: str, *values: float) -> str:
-    """A text with numbers; empty for a batch of motions, which differ in them."""
-    return "" if Many in map(type, values) else text.format(*values)
 
 
 def _pulse(
@@ -850,11 +837,24 @@ def _pulse(
     a, t_p = _finite("amplitude", amplitude), _positive("period", period)
     end = periods * t_p
     pulse = (end, SINE, a, 2.0 * math.pi / t_p, angle)
-    name = _named(shape + ", {:.4g} m/s2, {:.4g} s", a, t_p)
+    name = named(shape + ", {:.4g} m/s2, {:.4g} s", a, t_p)
     total = end + QUIET_PERIODS * t_p if duration is None else _positive("duration", duration)
     if total > end:  # both at once: maps make many of them
         return _analytic(name, [pulse, (total, LINEAR)])
     return _analytic(name, [pulse]).padded_to(total)
+
+
+def _intensity() -> ModuleType:
+    """How strong a motion is; imported on use, as what processes and reads records."""
+    from rockeom.motion import intensity
+
+    return intensity
+
+
+def _processing() -> ModuleType:
+    from rockeom.motion import processing
+
+    return processing
 
 
 def _readers() -> ModuleType:

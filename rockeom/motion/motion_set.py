@@ -17,9 +17,11 @@ from rockeom.motion.arguments import positive
 from rockeom.motion.components import name_of
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.ground_motion import GroundMotion
-from rockeom.motion.recordings import Recording, chosen, recordings
+from rockeom.motion.recording import Recording
+from rockeom.motion.recordings import chosen, recordings
+from rockeom.motion.scaling import Acceleration, target
 from rockeom.motion.spectra import ResponseSpectrum
-from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.motion.units import STANDARD_GRAVITY, acceleration
 from rockeom.numbers.checks import described, near
 
 Intensity = str | Callable[[GroundMotion], float]
@@ -235,37 +237,39 @@ class MotionSet(Sequence[GroundMotion]):
 
     def scaled_to(
         self,
-        intensity: Intensity,
-        value: float,
+        intensity: Intensity | Acceleration | None = None,
+        value: Acceleration | None = None,
         *,
+        pga: Acceleration | None = None,
+        sa: Acceleration | None = None,
         period: float | None = None,
         damping_ratio: float = 0.05,
         of: str = "each",
     ) -> MotionSet:
         """The motions with accelerations multiplied so that an intensity measure has a value.
 
-        intensity, period, damping_ratio : as of `intensities`; a function must be proportional to
-            the accelerations.
-        value : in the unit of the measure. of : "each" scales every motion to it; "median" and
-            "geometric mean" multiply all by one factor, so that this of the set has it.
+            motions.scaled_to(pga="0.4 g")
+            motions.scaled_to(sa=3.0, period=1.0, of="geometric mean")
+            motions.scaled_to("pgv", 0.5)
+
+        pga, sa, period, damping_ratio : as of `GroundMotion.scaled_to`; a peak may stand alone.
+        intensity, value : instead of these, as of `intensities`, and in the unit of the measure; a
+            function must be proportional to the accelerations.
+        of : "each" scales every motion to it; "recording" the components of each recording by one
+            factor, so that the geometric mean of the horizontal ones has it; "median" and
+            "geometric mean" multiply all by one factor, so that this of the set has it. Horizontal
+            components count where there are any.
 
         The motions keep their names, so that each is compared with itself at another intensity;
         their `source` has the factor. Raises MotionError, also where a motion has none of that
-        intensity, and where a function proves not to be proportional.
+        intensity, where a function proves not to be proportional, and for "each" of a set that has
+        vertical components among horizontal ones.
         """
-        wanted = positive("value", value)
+        intensity, wanted = _asked(intensity, value, pga, sa, period)
         measure = _function(intensity, period, damping_ratio)
         found = np.array([measure(motion) for motion in self])
-        for motion, one in zip(self, found, strict=True):
-            if not (np.isfinite(one) and one > 0.0):
-                raise MotionError(
-                    f"{motion.name} has an intensity of {one:g}: no factor makes it {wanted:g}"
-                )
-        if of not in ("each", *_MIDDLES):
-            raise MotionError(f"of is {described(of)}: choose one of each, {', '.join(_MIDDLES)}")
-        reached = found if of == "each" else np.full(len(found), _MIDDLES[of](found))
         power = 0.5 if _word(intensity) == "arias_intensity" else 1.0
-        factors = (wanted / reached) ** power
+        factors = (wanted / self._reached(found, wanted, of)) ** power
         scaled = MotionSet(
             (
                 replace(
@@ -287,6 +291,36 @@ class MotionSet(Sequence[GroundMotion]):
             )
         return scaled
 
+    def _reached(self, found: np.ndarray, wanted: float, of: str) -> np.ndarray:
+        """The intensity (n,) that is to become the one wanted, for each motion; found : its own."""
+        vertical = np.array([motion.is_vertical for motion in self])
+        counts = ~vertical | vertical.all()
+        for motion, one in zip(self, np.where(counts, found, wanted), strict=True):
+            if not (np.isfinite(one) and one > 0.0):
+                raise MotionError(
+                    f"{motion.name} has an intensity of {one:g}: no factor makes it {wanted:g}"
+                )
+        if of in _MIDDLES:
+            return np.full(len(found), _MIDDLES[of](found[counts]))
+        if of == "recording":
+            by_name = dict(zip(self.names, found.tolist(), strict=True))
+            reached: dict[str, float] = {}
+            for recording in self.recordings():
+                horizontal = [by_name[motion.name] for motion in recording.horizontal]
+                mean = _MIDDLES["geometric mean"](np.array(horizontal))
+                of_vertical = () if recording.vertical is None else (recording.vertical,)
+                reached |= {one.name: mean for one in (*recording.horizontal, *of_vertical)}
+            return np.array([reached[name] for name in self.names])
+        if of != "each":
+            words = ", ".join(("each", "recording", *_MIDDLES))
+            raise MotionError(f"of is {described(of)}: choose one of {words}")
+        if vertical.any() and not vertical.all():
+            raise MotionError(
+                f"{self.names[int(vertical.argmax())]} is a vertical component, which is scaled "
+                'along with its recording: give of="recording"'
+            )
+        return found
+
     def response_spectra(
         self, periods: ArrayLike | None = None, damping_ratio: float = 0.05
     ) -> dict[str, ResponseSpectrum]:
@@ -305,6 +339,26 @@ class MotionSet(Sequence[GroundMotion]):
         spectra = [*self.response_spectra(periods, damping_ratio).values()]
         title = self.name and f"Response spectra, {self.name}"
         return plot_spectra(spectra, **{"title": title} | kwargs)
+
+
+def _asked(
+    intensity: Intensity | Acceleration | None,
+    value: Acceleration | None,
+    pga: Acceleration | None,
+    sa: Acceleration | None,
+    period: float | None,
+) -> tuple[Intensity, float]:
+    """The intensity measure that the arguments of `MotionSet.scaled_to` name, and its value."""
+    word = _word(intensity)
+    if not (callable(intensity) or word in _NAMES or value is not None):
+        wanted = target(intensity, pga, sa, period)
+        return wanted.intensity, wanted.value
+    if pga is not None or sa is not None:
+        raise MotionError("scaled_to has two intensities: give a word with its value, pga or sa")
+    measure: Any = intensity
+    if word in ("pga", "sa"):
+        value = acceleration("value", value)
+    return measure, positive("value", value)
 
 
 def _function(
@@ -330,5 +384,5 @@ def _function(
     return lambda motion: float(motion.response_spectrum(t, damping_ratio).pseudo_acceleration[0])
 
 
-def _word(intensity: Intensity) -> str:
+def _word(intensity: Any) -> str:
     return intensity.lower() if isinstance(intensity, str) else ""

@@ -10,8 +10,9 @@ import numpy as np
 
 from rockeom.motion.arguments import finite, positive, whole
 from rockeom.motion.errors import MotionError
-from rockeom.motion.segments import Motion, cut
+from rockeom.motion.segments import C0, KIND, START, Motion, cut
 from rockeom.numbers.checks import described
+from rockeom.numbers.functions import mathematics
 
 
 class Processed(NamedTuple):
@@ -142,6 +143,24 @@ def trimmed(motion: Motion, start: float, end: float) -> Processed:
             "without its beginning: make a record of it first, by resampled(dt)"
         ) from None
     return Processed(done, segments=segments)
+
+
+def rotated(motion: Motion, other: Motion, turn: float) -> tuple[np.ndarray, np.ndarray]:
+    """Segments and samples of the component at an angle [rad]; see `GroundMotion.rotated`."""
+    times = slice(START, KIND + 1)
+    if (
+        motion.samples is None
+        or other.samples is None
+        or not np.array_equal(motion.segments[:, times], other.segments[:, times])
+    ):
+        raise MotionError(
+            f"{motion!r} and {other!r} were not recorded at the same times: give two components "
+            "of one record; if one is longer, cut its samples and use GroundMotion.from_array"
+        )
+    cosine, sine = mathematics.cos(turn), mathematics.sin(turn)
+    segments = motion.segments.astype(np.result_type(motion.segments, type(turn)))
+    segments[:, C0:] = cosine * motion.segments[:, C0:] + sine * other.segments[:, C0:]
+    return segments, cosine * motion.samples + sine * other.samples
 
 
 def _samples(motion: Motion, what: str) -> tuple[np.ndarray, float]:

@@ -1,34 +1,19 @@
-"""`Recording`: the components of one recording; and which components a set of motions has."""
+"""The recordings that a set of motions holds, and which components it has."""
 
 from __future__ import annotations
 
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 from rockeom.motion.arguments import COMPONENTS
 from rockeom.motion.components import split
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.recording import Recording
 from rockeom.numbers.checks import described
 
 _RIGHT_ANGLE = 10.0  # degrees by which the angle between two azimuths may differ from a right one
 _SHOWN = 5
-
-
-@dataclass(frozen=True)
-class Recording:
-    """The components that one station recorded in one earthquake.
-
-    name : of the records, without their components. horizontal : one motion or two. vertical : None
-    where the set has no such component.
-
-        rk.Case(block, recording.horizontal[0], vertical=recording.vertical)
-    """
-
-    name: str
-    horizontal: tuple[GroundMotion, ...]
-    vertical: GroundMotion | None
 
 
 def recordings(motions: Iterable[GroundMotion], set_name: str) -> tuple[Recording, ...]:

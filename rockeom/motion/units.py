@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+from typing import Any
 
 from rockeom.motion.errors import MotionError
 from rockeom.numbers.checks import described, is_number
@@ -46,6 +48,33 @@ def factor(units: str, gravity: float = STANDARD_GRAVITY) -> float:
         raise MotionError(f"units {described(units)} are unknown: choose one of {', '.join(NAMES)}")
     plain = _plain(units)
     return float(gravity) if plain == "g" else _FACTORS[plain]
+
+
+_WITH_UNIT = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\s\d.,].*)")
+
+
+def acceleration(name: str, value: Any, gravity: float = STANDARD_GRAVITY) -> Any:
+    """An acceleration [m/s2] that an argument gives: as it is, or a text with its unit.
+
+    gravity : the value of 1 g [m/s2], for texts in g.
+
+    >>> acceleration("pga", "250 cm/s2")
+    2.5
+
+    Raises MotionError for a text without a number, or without a unit that is known.
+    """
+    if not isinstance(value, str):
+        return value
+    found = _WITH_UNIT.fullmatch(value)
+    if not found:
+        raise MotionError(
+            f"{name} is {described(value)}: give a number of m/s2, or a text with its unit, such "
+            'as "0.4 g" or "250 cm/s2"'
+        )
+    try:
+        return float(found[1]) * factor(found[2], gravity)
+    except MotionError as error:
+        raise MotionError(f"{name} is {described(value)}: {error}") from None
 
 
 # --- what a test measures

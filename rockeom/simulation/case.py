@@ -11,6 +11,7 @@ import numpy as np
 
 from rockeom import renamed
 from rockeom.motion import GroundMotion
+from rockeom.motion.recording import Recording
 from rockeom.motion.segments import LINEAR, within
 from rockeom.numbers.batch import values
 from rockeom.numbers.checks import described, number
@@ -191,6 +192,7 @@ AT_THE_END = 1e-9
 class Case:
     """A structure, its ground motion and start; the arguments are those of `simulate`.
 
+    A recording given as motion becomes its horizontal component here, and its vertical one.
     Raises TypeError for what is no structure, no ground motion or no mapping of states.
     """
 
@@ -211,11 +213,29 @@ class Case:
                 f"structure is {described(self.structure)}: give a structure, such as "
                 "rk.RigidBlock(half_width=0.1, half_height=0.4) or rk.structure(model, ...)"
             )
+        given: object = self.motion
+        if isinstance(given, Recording):
+            self._take_components(given)
         _check_motion("motion", self.motion)
         if self.vertical is not None:
             _check_motion("vertical", self.vertical)
         if self.initial is not None:
             check_states("initial", self.initial, self.structure.states)
+
+    def _take_components(self, recording: Recording) -> None:
+        """The motions of a recording; raises TypeError where it leaves open which."""
+        if self.vertical is not None:
+            raise TypeError(
+                f"vertical is given along with the recording {recording.name!r}: leave it out, or "
+                "give recording.horizontal[0] as motion"
+            )
+        if len(recording.horizontal) > 1:
+            raise TypeError(
+                f"the recording {recording.name!r} has two horizontal components, and a plane "
+                "structure takes one: give one of recording.in_plane(), or recording.along(angle)"
+            )
+        object.__setattr__(self, "motion", recording.horizontal[0])
+        object.__setattr__(self, "vertical", recording.vertical)
 
     def problem(self) -> Problem:
         """The case in numbers; raises ValueError for a state or a duration that cannot be."""

@@ -35,7 +35,7 @@ def shaking(structure: Structure, motion: GroundMotion, stood: bool) -> tuple[st
     remedy = (
         f'{motion.peak:.4g} g are given by GroundMotion.from_array(values, dt, units="g")'
         if motion.source == "array"
-        else f"{peak:.4g} g are {peak:.4g} * 9.81 = {peak * 9.81:.4g} m/s2"
+        else f'{peak:.4g} g are {peak * 9.81:.4g} m/s2, or scaled_to("{peak:.4g} g")'
     )
     return (
         f"The largest ground acceleration, {peak:.4g} m/s2, is {peak / threshold:.2g} of that "

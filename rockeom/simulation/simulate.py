@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from rockeom.codes import (
 )
 from rockeom.integrator.program import Program, program
 from rockeom.motion import GroundMotion
+from rockeom.motion.recording import Recording
 from rockeom.numbers.checks import described
 from rockeom.simulation.case import STILL, Case, Problem, without_duals
 from rockeom.simulation.events import EventColumns, Events
@@ -45,7 +46,7 @@ from rockeom.structures.impact_laws import ImpactLaw
 @renamed.arguments(phase="mode")
 def simulate(
     structure: Structure,
-    motion: GroundMotion,
+    motion: GroundMotion | Recording,
     *,
     impact: ImpactLaw | None = None,
     initial: Mapping[str, float] | None = None,
@@ -57,6 +58,8 @@ def simulate(
 ) -> Response:
     """Response of a structure to a horizontal (and a vertical) ground motion.
 
+    motion : the horizontal one, or a recording with one horizontal component, which brings its
+        vertical one along. vertical : the vertical one.
     impact : Impulsive(), EnergyRatio(r), VelocityRatio(e), AngularMomentum() or another impact law;
         `structure.default_impact` if not given. `statistics["impact_law"]` of the response has it.
     initial : states by name; others are zero.
@@ -73,7 +76,7 @@ def simulate(
     """
     if keep not in KEEP:
         raise ValueError(f"keep is {described(keep)}: choose {' or '.join(map(repr, KEEP))}")
-    case = Case(structure, motion, impact, initial, duration, vertical, mode)
+    case = Case(structure, cast(GroundMotion, motion), impact, initial, duration, vertical, mode)
     return simulated(case, without_duals(case.problem()), SolverOptions.of(options), keep)
 
 

@@ -1,0 +1,169 @@
+"""`Recording`: the components that one station recorded, scaled and turned together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.motion.errors import MotionError
+from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.scaling import Acceleration, multiplier, target
+from rockeom.numbers.checks import described
+
+if TYPE_CHECKING:
+    from rockeom.motion.spectra import ResponseSpectrum
+
+_HALF_TURN = 180
+"""Directions of a horizontal component, a degree apart, of RotD50 and RotD100."""
+
+
+@dataclass(frozen=True)
+class Recording:
+    """The components that one station recorded in one earthquake.
+
+    name : of the records, without their components. horizontal : one motion, or two at right
+    angles. vertical : None where there is no such component.
+
+    A plane structure is shaken by one horizontal component and the vertical one. `in_plane` gives
+    these pairs, and a simulation, a case and a sweep take such a pair for a motion:
+
+        recording = rk.Recording("El Centro", (north_south, east_west), vertical)
+        for pair in recording.scaled_to(pga="0.4 g").in_plane():
+            rk.simulate(block, pair)
+
+    All components are scaled by one factor. Raises MotionError for none or more than two horizontal
+    components, and for what is no ground motion.
+    """
+
+    name: str
+    horizontal: tuple[GroundMotion, ...]
+    vertical: GroundMotion | None = None
+
+    __array_ufunc__ = None  # so that a number of NumPy leaves the product to the recording
+
+    def __post_init__(self) -> None:
+        one = isinstance(self.horizontal, GroundMotion)
+        horizontal = (self.horizontal,) if one else tuple(self.horizontal)
+        object.__setattr__(self, "horizontal", horizontal)
+        for motion in (*horizontal, *(() if self.vertical is None else (self.vertical,))):
+            if not isinstance(motion, GroundMotion):
+                raise MotionError(
+                    f"the recording {self.name!r} has {described(motion)}: give ground motions"
+                )
+        if not 1 <= len(horizontal) <= 2:
+            raise MotionError(
+                f"the recording {self.name!r} has {len(horizontal)} horizontal components: give "
+                "one or two"
+            )
+
+    def in_plane(self) -> tuple[Recording, ...]:
+        """A recording for each horizontal component, with the vertical one."""
+        if len(self.horizontal) == 1:
+            return (self,)
+        return tuple(Recording(one.name, (one,), self.vertical) for one in self.horizontal)
+
+    def along(self, angle: float) -> Recording:
+        """The horizontal component at an angle [rad] from the first, with the vertical one.
+
+        Raises MotionError where there is one horizontal component only.
+        """
+        if len(self.horizontal) == 1:
+            raise MotionError(
+                f"the recording {self.name!r} has one horizontal component: two have others between"
+            )
+        turned = self.horizontal[0].rotated(self.horizontal[1], angle)
+        return Recording(turned.name, (turned,), self.vertical)
+
+    # -- scaled
+
+    def scaled(self, acceleration: float = 1.0, time: float = 1.0) -> Recording:
+        """All components with accelerations and times multiplied, as by `GroundMotion.scaled`."""
+        horizontal = tuple(motion.scaled(acceleration, time) for motion in self.horizontal)
+        vertical = None if self.vertical is None else self.vertical.scaled(acceleration, time)
+        return replace(self, horizontal=horizontal, vertical=vertical)
+
+    def scaled_to(
+        self,
+        peak: Acceleration | None = None,
+        *,
+        pga: Acceleration | None = None,
+        sa: Acceleration | None = None,
+        period: float | None = None,
+        damping_ratio: float = 0.05,
+        of: str = "geometric mean",
+    ) -> Recording:
+        """All components by one factor, so that the horizontal intensity has a value.
+
+        The arguments are those of `GroundMotion.scaled_to`, and `of` as of `response_spectrum`.
+        Raises MotionError as these do.
+        """
+        wanted = target(peak, pga, sa, period)
+        if wanted.period is None:
+            (found,) = self._combined(of, lambda motion: np.array([motion.peak]))
+        else:
+            spectrum = self.response_spectrum(wanted.period, damping_ratio, of)
+            (found,) = spectrum.pseudo_acceleration
+        if found == 0.0:
+            raise MotionError(f"{self.name}: no factor makes a recording without shaking shake")
+        return self.scaled(wanted.value / found)
+
+    def __mul__(self, factor: float) -> Recording:
+        """All components with their accelerations multiplied by a number."""
+        return self.scaled(multiplier(factor))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: float) -> Recording:
+        """All components with their accelerations divided by a number."""
+        return self.scaled(1.0 / multiplier(divisor, "divided"))
+
+    # -- how strong it is
+
+    def response_spectrum(
+        self, periods: ArrayLike, damping_ratio: float = 0.05, of: str = "geometric mean"
+    ) -> ResponseSpectrum:
+        """The elastic response spectrum of the horizontal components together.
+
+        periods (n,) [s]; damping_ratio : as of `GroundMotion.response_spectrum`.
+        of : "geometric mean", "larger" or "srss" (the root of the sum of squares) of both;
+            "rotd50" and "rotd100", the median and the largest value of all components in
+            directions a degree apart (Boore 2010, Bulletin of the Seismological Society of America
+            100, 1830-1835), which takes as long as 180 components do.
+
+        Each is the spectrum itself where there is one component. Raises MotionError for another
+        word.
+        """
+        spectra: list[ResponseSpectrum] = []
+
+        def largest(motion: GroundMotion) -> np.ndarray:
+            spectra.append(motion.response_spectrum(periods, damping_ratio))
+            one = spectra[-1]
+            return np.array([one.displacement, one.velocity, one.acceleration])
+
+        u, v, a = self._combined(of, largest)
+        name = f"{self.name}, {of}"
+        return replace(spectra[0], displacement=u, velocity=v, acceleration=a, name=name)
+
+    def _combined(self, of: str, measure: Callable[[GroundMotion], np.ndarray]) -> np.ndarray:
+        """A measure of both horizontal components together."""
+        if of not in _COMBINED:
+            raise MotionError(f"of is {described(of)}: choose one of {', '.join(_COMBINED)}")
+        components = self.horizontal
+        if len(components) == 2 and of.startswith("rotd"):
+            turns = np.radians(np.arange(_HALF_TURN)).tolist()
+            components = tuple(self.along(turn).horizontal[0] for turn in turns)
+        return _COMBINED[of](np.array([measure(one) for one in components]))
+
+
+_COMBINED: dict[str, Callable[[np.ndarray], np.ndarray]] = {
+    "geometric mean": lambda x: np.prod(x, axis=0) ** (1.0 / len(x)),
+    "larger": partial(np.max, axis=0),
+    "srss": lambda x: np.sqrt(np.square(x).sum(axis=0)),
+    "rotd50": partial(np.median, axis=0),
+    "rotd100": partial(np.max, axis=0),
+}
