@@ -370,7 +370,9 @@ def incremental_dynamic_analysis(
 
         incremental_dynamic_analysis(sweep, intensity="pga", demand="theta")
 
-    intensity : a name of the sweep, or a coordinate of the cases of a table.
+    intensity : a name of the sweep, or a coordinate of its cases: of a table, or one that has other
+        values for each record, such as a spectral acceleration where the records were scaled to
+        peaks.
     demand : the state or quantity whose largest size is drawn.
     record : the sweep's name of the records: what else it varies, if not given.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
@@ -378,8 +380,9 @@ def incremental_dynamic_analysis(
     A record is a thin line. Where it overturns there is no demand: the line goes to the band at
     the right, and a few records are named where they do so first. Thick lines are the 16, 50 and 84
     % fractiles of the demand at an intensity, overturning being more than any demand; they end in
-    the band where so many records overturn. Source: Vamvatsikos and Cornell (2002), Earthquake
-    Engineering and Structural Dynamics 31(3), 491-514.
+    the band where so many records overturn. Between the intensities of a record the demand is
+    linear, and overturning lasts from the first of two to the second. Source: Vamvatsikos and
+    Cornell (2002), Earthquake Engineering and Structural Dynamics 31(3), 491-514.
 
     Raises ValueError for names that the sweep does not have, where `record` is missing, and for
     cases that were not run.
@@ -398,13 +401,14 @@ def incremental_dynamic_analysis(
         ax.plot(at, im, color="0.6", lw=0.6, zorder=2, label="each record" * (i == 0) or None)
         down = np.isposinf(d)
         ax.plot(at[down], im[down], ">", color="0.35", ms=3, mew=0, zorder=3, clip_on=False)
-    levels = np.unique(np.concatenate([im for im, _ in curves]))
+    levels = _common_levels(curves)
+    demands = np.array([_demands_at(levels, *curve) for curve in curves])
     for part, dashes in _FRACTILES:
-        at, im = _fractile(curves, levels, part)
+        at, im = _fractile(demands, levels, part)
         ax.plot(np.where(np.isposinf(at), edge, at), im, ls=dashes, color=style.LINES[1], lw=1.8,
                 zorder=5, label=f"{100 * part:.0f} % of records")  # fmt: skip
     ax.set_xlim(0.0, edge)
-    ax.set_ylim(0.0, 1.03 * levels[-1])
+    ax.set_ylim(0.0, 1.03 * max(im.max() for im, _ in curves))
     if any(np.isposinf(d).any() for _, d in curves):
         ax.axvspan(last, edge, facecolor="0.93", lw=0, zorder=1)
         ax.text((last + edge) / 2, 0.02, "overturned", rotation=90, ha="center", va="bottom",
@@ -430,6 +434,7 @@ def _by_record(
     labels = outcome_labels(sweep)
     found = peaks_of(sweep, demand).where(labels.isin(STANDS)).where(labels != FALLS, np.inf)
     others = [str(d) for d in labels.dims if d not in im.dims]
+    others = others or [str(d) for d in labels.dims if sweep[d].dtype.kind in "OTU"]
     if record is None and not others:
         raise ValueError(
             f"{function}: the sweep varies {', '.join(map(str, labels.dims))}, and no record: "
@@ -447,16 +452,39 @@ def _by_record(
     return curves, names
 
 
+def _common_levels(curves: Sequence[tuple[np.ndarray, np.ndarray]]) -> np.ndarray:
+    """Intensities (n,) of any record, from the first to the last that all records reach."""
+    levels = np.unique(np.concatenate([im for im, _ in curves]))
+    first, last = max(im.min() for im, _ in curves), min(im.max() for im, _ in curves)
+    return levels[(levels >= first) & (levels <= last)]
+
+
+def _demands_at(levels: np.ndarray, im: np.ndarray, demand: np.ndarray) -> np.ndarray:
+    """Demands (n,) of a record at intensities: its own, and linear between two of its own.
+
+    Infinite between two of which one is; nan for its own without an answer.
+    """
+    answered = ~np.isnan(demand)
+    if not answered.any():
+        return np.full(len(levels), np.nan)
+    at, d = im[answered], demand[answered]
+    down = np.isposinf(d)
+    found = np.interp(levels, at, np.where(down, 0.0, d))
+    found[np.interp(levels, at, down) > 0.0] = np.inf
+    found[np.isin(levels, im[~answered])] = np.nan
+    return found
+
+
 def _fractile(
-    curves: Sequence[tuple[np.ndarray, np.ndarray]], levels: np.ndarray, part: float
+    demands: np.ndarray, levels: np.ndarray, part: float
 ) -> tuple[np.ndarray, np.ndarray]:
     """The least demand that is not exceeded by this part of the records, at each intensity.
 
-    It ends at the first intensity at which it is infinite.
+    demands (m, n) : of m records at n levels; nan does not count. It ends at the first intensity at
+    which it is infinite.
     """
     found = []
-    for level in levels:
-        there = np.concatenate([d[im == level] for im, d in curves])
+    for there in demands.T:
         there = there[~np.isnan(there)]
         found.append(np.quantile(there, part, method="inverted_cdf") if len(there) else np.nan)
     at = np.array(found)

@@ -15,7 +15,7 @@ from rockeom.plots import (
     overturning_map,
     rocking_spectrum,
 )
-from rockeom.plots.sweeps import _CLASSES
+from rockeom.plots.sweeps import _CLASSES, _demands_at
 
 STANDS, FELL, NOT_RUN, STALLED = "completed", "overturned", "not run", "stalled"
 
@@ -305,6 +305,37 @@ def test_fractiles_count_who_overturned_as_more_than_any_demand():
     np.testing.assert_allclose(thick["16 %"], [0.16] * 4)
     np.testing.assert_allclose(thick["50 %"], [0.5] * 4)
     np.testing.assert_allclose(thick["84 %"], [0.84, 0.84, edge])
+
+
+def test_records_may_have_intensities_of_their_own():
+    """Three records, scaled to peaks, whose spectral accelerations are 1, 1.5 and 2 times these."""
+    ratio = xr.DataArray([1.0, 1.5, 2.0], dims="record")
+    peaks = 0.01 * np.outer(ratio, [1.0, 2.0, 3.0, 4.0])
+    sweep = records(np.full((3, 4), STANDS), peaks)
+    sweep = sweep.assign_coords(sa=sweep.pga * ratio)
+    (ax,) = drawn(incremental_dynamic_analysis(sweep, intensity="sa")).axes
+    thin = [line.get_xydata() for line in ax.lines if line.get_linewidth() == 0.6]
+    np.testing.assert_allclose(thin[2], [[0.02, 2], [0.04, 4], [0.06, 6], [0.08, 8]])
+    for line in (line for line in ax.lines if line.get_linewidth() == 1.8):
+        np.testing.assert_allclose(line.get_xdata(), 0.01 * line.get_ydata())  # of all records
+        assert line.get_ydata().tolist() == [2.0, 3.0, 4.0]  # and where all of them are
+    assert ax.get_ylim()[1] > 8.0
+
+
+def test_fragility_against_an_intensity_of_each_record():
+    sweep = SWEEP.assign_coords(sa=SWEEP.pga * xr.DataArray([1.0, 1.5, 2.0], dims="record"))
+    curve = fragility_of(sweep, intensity="sa")
+    by_hand = fit_fragility(
+        [1, 2, 3, 4, 1.5, 3, 4.5, 6, 2, 4, 8], [0, 0, 1, 1, 0, 1, 0, 1, 0, 0, 0]
+    )
+    assert curve.median == pytest.approx(by_hand.median)
+    assert curve.dispersion == pytest.approx(by_hand.dispersion)
+
+
+def test_demand_between_two_intensities_of_a_record():
+    im, demand = np.array([1.0, 2.0, 4.0, 6.0]), np.array([0.1, 0.3, np.inf, np.nan])
+    found = _demands_at(np.array([1.0, 1.5, 2.0, 3.0, 4.0, 6.0]), im, demand)
+    np.testing.assert_allclose(found, [0.1, 0.2, 0.3, np.inf, np.inf, np.nan])
 
 
 def test_table_of_cases_needs_the_name_of_its_records():
