@@ -64,8 +64,38 @@ _SYNONYMS = {
     "run": "simulate",
     "solve": "simulate",
     "sweep": "simulate_many",
+    "Restitution": "VelocityRatio",
+    "CoefficientOfRestitution": "VelocityRatio",
+    "Options": "SolverOptions",
+    "Model": "rockeom.symbolic.Model",
+    "Contact": "rockeom.symbolic.Contact",
+    "read": "GroundMotion.read",
+    "plot": "plots.plot_response",
+    "spectrum": "analysis.response_spectrum",
+    "fragility": "analysis.fragility_of",
+    "overturning_spectrum": "analysis.rocking_spectrum",
 }
-"""Names that people try first, and the public names that they mean."""
+"""Names that people try first, and the names that they mean."""
+
+
+def _offers() -> dict[str, str]:
+    """Names that may have been meant, each with what to write; those of its packages are longer."""
+    package = import_module(__name__)
+    analysis, plots = (import_module(f"{__name__}.{name}") for name in _NAMESPACES)
+    groups = {
+        name: f"analysis.{group}.{name}"
+        for group in analysis._GROUPS
+        for name in dir(getattr(analysis, group))
+    }
+    named = {name: f"analysis.{name}" for name in analysis.__all__}
+    drawn = {name: f"plots.{name}" for name in plots.__all__ if name not in named}
+    pulses = {
+        name.replace("_", ""): f"GroundMotion.{name}"
+        for name in dir(package.GroundMotion)
+        if not name.startswith("_")
+    }
+    names = {name: name for name in __dir__() if not name.startswith("_")}
+    return {**groups, **pulses, **drawn, **named, **_SYNONYMS, **names}
 
 
 def _classes() -> dict[str, str]:
@@ -145,8 +175,8 @@ def __getattr__(name: str) -> Any:
         message = f"module {__name__!r} has no attribute {name!r}"
         if name.startswith("_"):
             raise AttributeError(message)
-        unknown = import_module("rockeom.numbers.checks").UnknownAttributeError
-        raise unknown(message, name, import_module(__name__), _SYNONYMS)
+        unknown = import_module("rockeom.numbers.explained").UnknownAttributeError
+        raise unknown(message, name, _offers)
     value = getattr(import_module(home), name)
     globals()[name] = value  # found directly from now on
     return value

@@ -20,10 +20,11 @@ from matplotlib.lines import Line2D
 from PIL import Image
 
 from rockeom.drawing import free_body, style
-from rockeom.drawing.drawn import Impacts, Motion, Run
+from rockeom.drawing.drawn import Impacts, Motion, Run, check_run
 from rockeom.drawing.positions import places
 from rockeom.drawing.sketch import Sketch, all_points
 from rockeom.files import check_target, write
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described, number
 
 MOST_FRAMES = 2000
@@ -35,6 +36,7 @@ _HEIGHTS = 2.6, 6.0  # in
 _TOP, _BOTTOM = 0.62, 0.30  # in, above and below the drawing
 
 
+@explained.calls(fps="frames_per_second")
 def animate(
     run: Run,
     path: str | os.PathLike[str] | None = None,
@@ -63,6 +65,7 @@ def animate(
 
     Raises ValueError for times outside the response, more than 2000 frames, and other files.
     """
+    check_run("run", run)
     made = Animation(run, _times(run, start, end, frames_per_second, speed), speed, ground)
     if path is not None:
         made.save(path)

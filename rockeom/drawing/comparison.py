@@ -9,7 +9,8 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 
 from rockeom.drawing import style
-from rockeom.drawing.drawn import Run
+from rockeom.drawing.drawn import Run, check_run
+from rockeom.numbers.checks import described
 
 
 @style.styled
@@ -30,7 +31,10 @@ def plot_comparison(
     Raises ValueError for no runs, for another number of labels than of runs, and for structures
     with and without units in one figure.
     """
-    runs = list(runs)
+    if not isinstance(runs, Sequence):
+        raise TypeError(f"runs is {described(runs)}: give a list of responses")
+    for i, run in enumerate(runs):
+        check_run(f"runs[{i}]", run)
     labels = [style.name_of(run) for run in runs] if labels is None else labels
     if not runs or len(labels) != len(runs):
         raise ValueError(f"{len(runs)} runs and {len(labels)} labels: give one label for each run")

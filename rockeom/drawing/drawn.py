@@ -11,6 +11,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from rockeom.drawing.positions import Shapes
+from rockeom.numbers.checks import described
 
 
 class Motion(Protocol):
@@ -196,3 +197,29 @@ class Run(Protocol):
     def extremes(self, name: str) -> Any: ...
 
     def summary(self) -> str: ...
+
+
+# -- checks ----------------------------------------------------------------------------------------
+
+
+def check_run(name: str, value: Any) -> None:
+    """Raise TypeError for an argument that is no response."""
+    _require(name, value, "extremes", "the response of rk.simulate(structure, motion)")
+
+
+def check_structure(name: str, value: Any) -> None:
+    """Raise TypeError for an argument that is no structure, such as a class of structures."""
+    remedy = "a structure, such as rk.RigidBlock(half_width=0.1, half_height=0.4)"
+    _require(name, value, "shapes", remedy)
+
+
+def check_motion(name: str, value: Any) -> None:
+    """Raise TypeError for an argument that is no ground motion."""
+    remedy = "a ground motion, such as rk.GroundMotion.from_array(values, dt)"
+    _require(name, value, "breakpoints", remedy)
+
+
+def _require(name: str, value: Any, attribute: str, remedy: str) -> None:
+    """By an attribute of the class: those of the object may take long."""
+    if isinstance(value, type) or not hasattr(type(value), attribute):
+        raise TypeError(f"{name} is {described(value)}: give {remedy}")

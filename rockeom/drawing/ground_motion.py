@@ -9,7 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
 from rockeom.drawing import style
-from rockeom.drawing.drawn import Motion, Spectrum
+from rockeom.drawing.drawn import Motion, Spectrum, check_motion
+from rockeom.numbers.checks import described
 from rockeom.numbers.constants import STANDARD_GRAVITY
 
 _POINTS = 4000
@@ -34,6 +35,7 @@ def plot_motion(
 
     The largest value of each is that of the whole motion, found within its segments.
     """
+    check_motion("motion", motion)
     if figure is None:
         figure = style.new_figure(7.2, 4.6)
     axes = figure.subplots(3, 1, sharex=True)
@@ -76,7 +78,11 @@ def plot_spectra(
 
     Raises ValueError for no spectra, and for such of several dampings or periods.
     """
-    spectra = list(spectra)
+    if not isinstance(spectra, Sequence):
+        raise TypeError(
+            f"spectra is {described(spectra)}: give a list of spectra, such as "
+            "[motion.response_spectrum()]"
+        )
     if not spectra:
         raise ValueError("no spectra: give one or more")
     first = spectra[0]

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.drawing import style
-from rockeom.drawing.drawn import Run, Structure
+from rockeom.drawing.drawn import Run, Structure, check_run
 
 
 @style.styled
@@ -32,6 +32,8 @@ def plot_phase_portrait(
     runs = list(run) if isinstance(run, Sequence) else [run]
     if not runs:
         raise ValueError("plot_phase_portrait: there is no response: give one at least")
+    for one in runs:
+        check_run("run", one)
     first = runs[0]
     if ax is None:
         ax = style.new_figure(4.6, 3.8).add_subplot()

@@ -12,7 +12,9 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from rockeom.drawing import style
-from rockeom.drawing.drawn import Run
+from rockeom.drawing.drawn import Run, check_run
+from rockeom.drawing.quantities import plot_quantities, require_axes
+from rockeom.numbers.checks import number
 
 Draw = Callable[[Axes, Run], None]
 
@@ -20,19 +22,55 @@ Draw = Callable[[Axes, Run], None]
 @style.styled
 def plot_response(
     run: Run,
-    *,
+    *names: str,
+    ax: Axes | None = None,
     figure: Figure | SubFigure | None = None,
     start: float | None = None,
     end: float | None = None,
 ) -> Figure | SubFigure:
     """Ground motion, rotation, displacement, uplift, impacts and contact on one time axis.
 
+        plot_response(run)
+        plot_response(run, "theta", "left_uplift")
+        plot_response(run, "left_uplift", "right_uplift", ax=axes)
+
+    names : of quantities of the response, to draw these instead, a row each.
+    ax : axes to draw the quantities in, which have one unit; the rotation if none is named.
     figure : an empty figure or subfigure to draw in; a new one if not given.
-    start, end : the part of the time axis shown; all of it if not given.
+    start, end : the part of the time axis shown [s]; all of it if not given.
 
     The time in full contact is shaded. Impacts are drawn as high as the rate of rotation just
-    before them, so that the endless small ones before rest do not hide the large ones.
+    before them, so that the endless small ones before rest do not hide the large ones. Returns the
+    figure, that of `ax` where axes are given.
+
+    Raises KeyError for an unknown quantity, and ValueError for a start behind the end.
     """
+    check_run("run", run)
+    require_axes(ax, figure)
+    limits = _limits(run, start, end)
+    if names or ax is not None:
+        rotation = run.states[run.structure.module.ROTATION]
+        figure, axes = plot_quantities(run, names or (rotation,), ax, figure)
+        style.shade_full_contact(axes, run)
+    else:
+        figure, axes = _overview(run, figure)
+        style.shade_full_contact(axes[:-1], run)
+    axes[-1].set_xlabel(style.time_label(run))
+    axes[-1].set_xlim(limits)
+    return figure
+
+
+def _limits(run: Run, start: float | None, end: float | None) -> tuple[float, float]:
+    """The part of the time axis shown [s]."""
+    first = float(run.t[0]) if start is None else number("start", start)
+    last = float(run.t[-1]) if end is None else number("end", end)
+    if not first < last:
+        raise ValueError(f"start is {first:g} s and end {last:g} s: give the smaller one first")
+    return first, last
+
+
+def _overview(run: Run, figure: Figure | SubFigure | None) -> tuple[Figure | SubFigure, Any]:
+    """The rows that this structure fills, below a title with the outcome."""
     rows = _rows(run)
     heights = [height for _, height in rows]
     if figure is None:
@@ -40,16 +78,10 @@ def plot_response(
     axes = figure.subplots(len(rows), 1, sharex=True, gridspec_kw={"height_ratios": heights})
     for ax, (draw, _) in zip(axes, rows, strict=True):
         draw(ax, run)
-    style.shade_full_contact(axes[:-1], run)
-    axes[-1].set_xlabel(style.time_label(run))
-    axes[-1].set_xlim(
-        run.t[0] if start is None else start,
-        run.t[-1] if end is None else end,
-    )
     figure.align_ylabels(axes)
     title = style.wrapped(style.plain(style.title_of(run)))
     figure.suptitle(f"{title}\nOutcome: {run.outcome}. {run.outcome.sentence}", fontsize=9.5)
-    return figure
+    return figure, axes
 
 
 def _rows(run: Run) -> list[tuple[Draw, float]]:

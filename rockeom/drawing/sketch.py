@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.drawing import free_body, style
-from rockeom.drawing.drawn import Structure
+from rockeom.drawing.drawn import Structure, check_structure
 from rockeom.drawing.positions import BODIES, Member, places, positions_of, rotations_of
 
 
@@ -32,8 +32,9 @@ def draw_structure(
     Bodies, contacts and members are drawn as they are declared: a body without an outline as a
     mass, and what joins bodies where the declaration has `members`.
 
-    Raises ValueError for a state that cannot be.
+    Raises ValueError for a state that cannot be, TypeError for anything but a structure.
     """
+    check_structure("structure", structure)
     m = structure.module
     named = {m.STATES[m.ROTATION]: rotation} if rotation else {}
     if ax is None:

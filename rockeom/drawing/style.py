@@ -17,6 +17,7 @@ from matplotlib.rcsetup import cycler
 
 from rockeom.drawing.drawn import Run
 from rockeom.files import write
+from rockeom.numbers import explained
 from rockeom.numbers.constants import STANDARD_GRAVITY
 
 INK = "0.25"
@@ -62,8 +63,9 @@ def styled(draw: Callable[P, R]) -> Callable[P, R]:
     @functools.wraps(draw)
     def inner(*args: P.args, **kwargs: P.kwargs) -> R:
         with mpl.rc_context(_RC):
-            return draw(*args, **kwargs)
+            return explained_draw(*args, **kwargs)
 
+    explained_draw = explained.calls(axes="ax", fig="figure")(draw)
     return inner
 
 

@@ -20,6 +20,7 @@ import xarray as xr
 from rockeom.modelling.declared import class_of_model
 from rockeom.modelling.named import FAMILIES, SUPPORTS
 from rockeom.motion import GroundMotion
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described, is_number
 from rockeom.renamed import VERSION
 from rockeom.simulation.events import KINDS, EventColumns, Events
@@ -96,6 +97,7 @@ def _decode_law(file: _File, value: Any) -> ImpactLaw | None:
 # -- files ---------------------------------------------------------------------------------------
 
 
+@explained.calls()
 def load(
     path: str | os.PathLike[str], structure: Structure | RockingModel | Model | None = None
 ) -> Response:

@@ -12,12 +12,15 @@ from rockeom.codes import MOST_MODES
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described, number, whole_number
 from rockeom.structures.modal import rayleigh_damping
 from rockeom.structures.parameters import check_restitution, check_values
 from rockeom.structures.supports import Support, SupportedStructure
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class Pinned(Support):
     """Feet that may lift, and neither slide nor bounce: the support if none is given."""
@@ -59,6 +62,8 @@ class _Springs(Support):
         _turns(what, inertia)
 
 
+@explained.attributes()
+@explained.calls(k="stiffness=", c="damping=")
 @dataclass(frozen=True, kw_only=True)
 class TwoSprings(_Springs):
     """A spring and a damper under each foot, which press and never pull.
@@ -87,6 +92,8 @@ class TwoSprings(_Springs):
         return module_of(superstructure, **arguments, support="two_springs", guided=self.guided)
 
 
+@explained.attributes()
+@explained.calls(k="stiffness=", c="damping=")
 @dataclass(frozen=True, kw_only=True)
 class Winkler(_Springs):
     """A bed of equal springs and dampers, equally far apart, which press and never pull.
@@ -117,6 +124,8 @@ class Winkler(_Springs):
         return module_of(superstructure, **arguments, support="winkler", springs=self.springs)
 
 
+@explained.attributes()
+@explained.calls(mu="friction=", e="restitution=")
 @dataclass(frozen=True, kw_only=True)
 class Sliding(Support):
     """Feet that open, stick, slip and bounce on rigid ground.

@@ -15,6 +15,7 @@ from typing import Any
 
 from rockeom.modelling.composed import Pinned, ShearFrame, Sliding, TwoSprings, Winkler
 from rockeom.modelling.declared import class_of_model
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described, near
 from rockeom.structures.base import Structure
 from rockeom.structures.classes import SHIPPED
@@ -27,6 +28,7 @@ SUPPORTS: Mapping[str, type[Support]] = {
 }
 
 
+@explained.calls()
 def structure(model: Any, /, **parameters: Any) -> Structure:
     """A structure of a model: the name of one, or a RockingModel or Model that you declared.
 

@@ -35,40 +35,25 @@ def _kind(value: Any) -> str:
     return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"
 
 
-def near(name: str, known: Iterable[str]) -> str:
-    """A hint at the known name that is most like an unknown one, or nothing if none is."""
+def near(name: Any, known: Iterable[str], instead: Mapping[str, str] | None = None) -> str:
+    """A hint at the known name that is most like an unknown one, or nothing if none is.
+
+    instead : what to write for known names, where that is another.
+    """
     import difflib  # only where there is an error
 
-    found = difflib.get_close_matches(name, known, n=1)
-    return f" (did you mean {found[0]}?)" if found else ""
+    fold = str.lower if len(str(name)) > 2 else str  # THETA is theta, and R is not r
+    folded = {fold(one): one for one in known}
+    found = difflib.get_close_matches(fold(str(name)), folded, n=1)
+    if not found:
+        return ""
+    meant = folded[found[0]]
+    return f" (did you mean {(instead or {}).get(meant, meant)}?)"
 
 
 def installed_by(extra: str) -> str:
     """The command that installs an extra of the package, quoted for every shell."""
     return f'pip install -e ".[{extra}]" in a clone of the repository of rockeom'
-
-
-class UnknownAttributeError(AttributeError):
-    """An attribute that `owner` lacks; who reads the message is offered the one that was meant.
-
-    synonyms : of names that people try, such as p of frequency_parameter: an attribute, or a
-    multiple of one such as "2 * half_width". The search waits until the message is read, so that
-    `hasattr` costs as little as before.
-    """
-
-    def __init__(self, message: str, name: str, owner: Any, synonyms: Mapping[str, str]) -> None:
-        super().__init__(message, name=name, obj=None)  # Python would add a suggestion of its own
-        self._name, self._owner, self._synonyms = name, owner, synonyms
-
-    def __str__(self) -> str:
-        known = [name for name in dir(self._owner) if not name.startswith("_")]
-        meant = self._synonyms.get(self._name, "")
-        if meant.split(" ")[-1] in known:
-            return f"{self.args[0]} (did you mean {meant}?)"
-        return self.args[0] + near(self._name, known)
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return AttributeError, (str(self),)
 
 
 def is_number(value: Any) -> bool:

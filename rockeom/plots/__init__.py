@@ -5,6 +5,8 @@ Every function returns a matplotlib figure and never opens a window: save it wit
 holds the pieces of a drawing of your own, and `use_style` gives pyplot the look of these figures.
 """
 
+from typing import Any
+
 from rockeom.drawing import free_body as free_body, style as style
 from rockeom.drawing.animation import Animation, animate
 from rockeom.drawing.comparison import plot_comparison
@@ -13,6 +15,7 @@ from rockeom.drawing.portrait import plot_phase_portrait
 from rockeom.drawing.response import plot_response
 from rockeom.drawing.sketch import draw_structure
 from rockeom.drawing.style import use_style
+from rockeom.numbers import explained
 from rockeom.plots.design_report import DesignReport, design_report
 from rockeom.plots.dynamics import (
     basins_of_attraction,
@@ -25,6 +28,13 @@ from rockeom.plots.sweeps import (
     overturning_map,
     rocking_spectrum,
 )
+
+
+def __getattr__(name: str) -> Any:
+    offers = {one: one for one in __all__}
+    message = f"module {__name__!r} has no attribute {name!r}"
+    raise explained.UnknownAttributeError(message, name, lambda: offers)
+
 
 __all__ = [
     "Animation",

@@ -13,6 +13,7 @@ from rockeom import renamed
 from rockeom.motion import GroundMotion
 from rockeom.motion.recording import Recording
 from rockeom.motion.segments import LINEAR, within
+from rockeom.numbers import explained
 from rockeom.numbers.batch import values
 from rockeom.numbers.checks import described, number
 from rockeom.numbers.dual import directions, tangent_of, value_of
@@ -188,6 +189,12 @@ AT_THE_END = 1e-9
 
 
 @renamed.fields(phase="mode")
+@explained.attributes(simulate="rk.simulate(structure, motion)", run="rk.simulate(...)")
+@explained.calls(
+    restitution="impact=rk.VelocityRatio(e)",
+    options="them to rk.simulate or rk.simulate_many",
+    theta='initial={"theta": ...}',
+)
 @dataclass(frozen=True)
 class Case:
     """A structure, its ground motion and start; the arguments are those of `simulate`.

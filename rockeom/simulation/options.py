@@ -7,12 +7,15 @@ from dataclasses import dataclass
 from functools import cache
 
 from rockeom.integrator.methods.coefficients import PAIRS
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described, number, whole_number
 
 METHODS = (*PAIRS, "Radau")
 """Explicit ones, and the implicit one of implicit.py."""
 
 
+@explained.attributes()
+@explained.calls(tol="rtol=", tolerance="rtol=", dt="output_step= or max_step=")
 @dataclass(frozen=True)
 class SolverOptions:
     """How the motion is integrated; the defaults suit all shipped structures.

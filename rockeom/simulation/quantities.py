@@ -18,6 +18,7 @@ from rockeom.drawing.positions import places, positions_of, rotations_of
 from rockeom.integrator.program import Program, program
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.motion import GroundMotion
+from rockeom.numbers.checks import described, near
 from rockeom.simulation.case import ground_table
 from rockeom.simulation.events import EventColumns
 from rockeom.simulation.extremes import Extremes, extremes
@@ -129,14 +130,19 @@ class Quantities:
             'simulate it with keep="all"'
         )
 
-    def family(self, name: str) -> str:
+    def family(self, name: Any) -> str:
         """The family of a quantity, "" for main ones; raises KeyError for an unknown name."""
         if name in self.main_names:
             return ""
         for family, units in families(self.structure.module).items():
             if name in units:
                 return family
-        raise KeyError(f"no quantity {name!r}; there are {', '.join(self.units)}")
+        if not isinstance(name, str):
+            raise KeyError(
+                f"{described(name)} is no quantity: name one, such as {self.main_names[0]!r}"
+            )
+        hint = near(name, self.units)
+        raise KeyError(f"no quantity {name!r}{hint}; there are {', '.join(self.units)}")
 
     def of_family(self, family: str, rows: Rows) -> dict[str, Any]:
         """All quantities of a family, (n,) each by name; times do not fall."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -13,6 +13,7 @@ import numpy as np
 
 from rockeom import renamed
 from rockeom.motion import GroundMotion
+from rockeom.numbers import explained
 from rockeom.numbers.checks import numbers
 from rockeom.simulation import plausible
 from rockeom.simulation.events import Events, Impacts
@@ -32,6 +33,25 @@ from rockeom.structures.units import is_dimensionless
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+
+_SYNONYMS = {
+    "states": "names",
+    "max": "extremes(name)",
+    "min": "extremes(name)",
+    "peak": "extremes(name).peak",
+    "plots": "plot",
+    "to_csv": "to_dataframe().to_csv(path)",
+    "to_excel": "to_dataframe().to_excel(path)",
+    "to_pandas": "to_dataframe()",
+    "to_numpy": "y",
+    "rotation": "theta",
+    "acceleration": "ground_acceleration",
+    "energy": "energy_balance()",
+    "forces": "support",
+    "reactions": "support",
+    "contact": "mode",
+}
+"""Names that people try first, and what to write for each."""
 
 
 @renamed.attributes(
@@ -58,6 +78,8 @@ if TYPE_CHECKING:
     accelerations="places.accelerations",
     rotations="places.rotations",
 )
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class Response:
     """Motion of a structure under a ground motion, as sampled and at any time.
@@ -65,7 +87,8 @@ class Response:
     t (n,) [s], y (n, d) states in the order of `states`, mode (n,) names of modes. Where a velocity
     jumps t holds the instant twice, before and after. `run["theta"]` gives a column of y, or any of
     `names`, in the unit that `units` has for it: energies [J], reactions [N], displacement and
-    uplifts [m], accelerations of the ground [m/s2], and those of places, elements and works.
+    uplifts [m], accelerations of the ground [m/s2], and those of places, elements and works. They
+    are attributes, too: `run.theta`; `run.time` is t.
 
     duration : asked for [s]. statistics : of the integration, such as "method", "steps" and
     "impact_law". record : every step, or samples, see `simulate`. events : transitions between
@@ -187,6 +210,25 @@ class Response:
         if family not in self._outputs:
             self._outputs[family] = self._quantities.of_family(family, self._rows)
         return self._outputs[family][name]
+
+    if not TYPE_CHECKING:  # for type checkers an unknown attribute stays an error
+
+        def __getattr__(self, name: str) -> Any:
+            """A quantity by its name, where the class has no attribute of that name."""
+            if "structure" in vars(self) and not hasattr(type(self), name):  # and not half made
+                if name in self.units:
+                    return self[name]
+                if name == "time":
+                    return self.t
+            return explained.missing(self, name, lambda: _SYNONYMS)
+
+    def __dir__(self) -> list[str]:
+        """The attributes, and the quantities that are no attributes of the class."""
+        return [*object.__dir__(self), "time", *self.names]
+
+    def __iter__(self) -> Iterator[str]:
+        """Over `names`, so that `"theta" in run` and `list(run)` are as of a mapping."""
+        return iter(self.names)
 
     @cached_property
     def _outputs(self) -> dict[str, dict[str, np.ndarray]]:
@@ -381,11 +423,19 @@ class Response:
             **{n: self.statistics[n] for n in ("method", "impact_law") if n in self.statistics},
         )
 
-    def plot(self, **kwargs):
-        """A figure of rotation, displacement, uplift and impacts; see rockeom.plots."""
+    def plot(self, *names: str, **kwargs):
+        """A figure of rotation, displacement, uplift and impacts, or of the quantities named.
+
+            run.plot()
+            run.plot("theta", "left_uplift")
+            run.plot("theta", ax=axes)
+
+        names : of quantities, a row each; or all in `ax`, of matplotlib, where one is given.
+        Others as in `rockeom.plots.plot_response`.
+        """
         from rockeom.drawing.response import plot_response  # matplotlib
 
-        return plot_response(self, **kwargs)
+        return plot_response(self, *names, **kwargs)
 
     def animate(self, path=None, **kwargs):
         """The motion drawn to scale, frame by frame: a .gif or .html file, or in Jupyter.

@@ -22,6 +22,7 @@ from rockeom.codes import (
 from rockeom.integrator.program import Program, program
 from rockeom.motion import GroundMotion
 from rockeom.motion.recording import Recording
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described
 from rockeom.simulation.case import STILL, Case, Problem, without_duals
 from rockeom.simulation.events import EventColumns, Events
@@ -44,6 +45,17 @@ from rockeom.structures.impact_laws import ImpactLaw
 
 
 @renamed.arguments(phase="mode")
+@explained.calls(
+    restitution="impact=rk.VelocityRatio(e)",
+    e="impact=rk.VelocityRatio(e)",
+    r="impact=rk.EnergyRatio(r)",
+    rtol="options=rk.SolverOptions(rtol=...)",
+    method="options=rk.SolverOptions(method=...)",
+    dt="options=rk.SolverOptions(output_step=...)",
+    theta='initial={"theta": ...}',
+    time="duration=",
+    t_end="duration=",
+)
 def simulate(
     structure: Structure,
     motion: GroundMotion | Recording,

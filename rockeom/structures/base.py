@@ -16,7 +16,8 @@ from rockeom.codes import IMPACT
 from rockeom.drawing.positions import Shapes, places, positions_of, rotations_of, shapes
 from rockeom.integrator.schema import GeneratedModule, has_landings
 from rockeom.integrator.transitions.declared import velocity_ratio_at
-from rockeom.numbers.checks import UnknownAttributeError, number, numbers
+from rockeom.numbers import explained
+from rockeom.numbers.checks import number, numbers
 from rockeom.numbers.dual import value_of
 from rockeom.numbers.functions import for_arrays, isfinite
 from rockeom.structures import declared_modes, evaluation, linearised, modal, plausible, statics
@@ -513,16 +514,14 @@ _SYNONYMS = {
 
 
 def missing(structure: Structure, name: str) -> Any:
-    """Raise AttributeError for an attribute that a structure lacks.
+    """Raise AttributeError for an attribute that a structure lacks; see `explained.missing`."""
+    return explained.missing(structure, name, lambda: _synonyms(structure))
 
-    A property that itself raised AttributeError is evaluated again, so that its own error is seen.
-    """
-    if hasattr(type(structure), name):
-        return object.__getattribute__(structure, name)
-    message = f"{type(structure).__name__!r} object has no attribute {name!r}"
-    if name.startswith("_"):
-        raise AttributeError(message)
-    raise UnknownAttributeError(message, name, structure, _SYNONYMS)
+
+def _synonyms(structure: Structure) -> dict[str, str]:
+    """Those that lead to an attribute of this structure."""
+    known = {*dir(structure)}
+    return {name: meant for name, meant in _SYNONYMS.items() if meant.split(" ")[-1] in known}
 
 
 class _States(NamedTuple):

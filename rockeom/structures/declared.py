@@ -13,6 +13,7 @@ import numpy as np
 
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers import explained
 from rockeom.numbers.checks import number
 from rockeom.numbers.dual import directions
 from rockeom.structures.base import Structure, missing
@@ -40,6 +41,7 @@ class StructureWithFields(Structure):
 
     def __init_subclass__(cls, **given: Any) -> None:
         super().__init_subclass__(**given)
+        explained.calls()(cls)  # of closed forms and other constructors
         declared = (base.__doc__ for base in cls.__mro__ if "model" in vars(base))
         described = cls.__doc__ or next(declared, None)
         cls.__doc__ = described
@@ -64,6 +66,7 @@ class StructureWithFields(Structure):
             plain(self, **values)
 
         setattr(cls, "__init__", init)  # noqa: B010
+        explained.refuse_assignments(cls)
 
     # dataclass would write these into each class, and a process would start later
 

@@ -21,6 +21,7 @@ import numpy as np
 from rockeom.codes import IMPULSIVE, RATIO, TABULATED, UNEVEN
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.integrator.transitions.declared import tabulated_energy_ratio
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described, is_number, number, numbers
 from rockeom.numbers.functions import isfinite, mathematics
 
@@ -114,6 +115,8 @@ class TabulatedLaw:
         raise NotImplementedError
 
 
+@explained.attributes()
+@explained.calls(e="rk.VelocityRatio(e)", restitution="rk.VelocityRatio(e)")
 @dataclass(frozen=True, repr=False)
 class EnergyRatio(TabulatedLaw):
     """Prescribed ratio r of the rocking motion's kinetic energies after and before an impact.
@@ -165,6 +168,8 @@ class EnergyRatio(TabulatedLaw):
         return Table([Row(self.of_foot("left"))], [Row(self.of_foot("right"))])
 
 
+@explained.attributes()
+@explained.calls(r="rk.EnergyRatio(r)", restitution="e=")
 @dataclass(frozen=True)
 class VelocityRatio:
     """Prescribed ratio e of the rates of rotation after and before an impact; e = sqrt(r)."""
@@ -178,6 +183,8 @@ class VelocityRatio:
         return RATIO, self.e
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class AngularMomentum:
     """Angular momentum of the structure, taken as rigid, about the new pivot is conserved.
@@ -191,6 +198,8 @@ class AngularMomentum:
         return RATIO, velocity_ratio
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class Impulsive:
     """The impulsive form of Lagrange's equations: exact for a flexible structure as well.
@@ -207,6 +216,8 @@ class Impulsive:
         return IMPULSIVE, math.nan
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class EnergyRatioAtSpeed(TabulatedLaw):
     """Energy ratio r that depends on the speed at the impact, in straight pieces.
@@ -334,6 +345,8 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         return self._at_height(self.lever(structure))
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class EnergyLossAtSpeed(TabulatedLaw):
     """Energy that an impact takes, by the rate of rotation w before it: a1 |w| + a2 w2 + a3 |w|3.
@@ -430,6 +443,8 @@ DRAWS = 500
 """How many ratios are drawn for a motion; behind the last the first one follows."""
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True, repr=False)
 class RandomEnergyRatio(TabulatedLaw):
     """Energy ratio r drawn at each impact from a measured distribution, by seed (thesis 6.4).

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.integrator.texts import load_text, source
+from rockeom.numbers import explained
 from rockeom.numbers.checks import numbers
 from rockeom.numbers.functions import for_arrays
 
@@ -131,6 +132,7 @@ class RayleighDamping(NamedTuple):
         return 0.5 * (self.alpha / omega + self.beta * omega)
 
 
+@explained.calls()
 def rayleigh_damping(periods: ArrayLike, ratios: ArrayLike) -> RayleighDamping:
     """alpha and beta that give modes of these periods these parts of critical damping.
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from rockeom.codes import IMPACT, LANDING, REST
 from rockeom.motion.segments import KIND, scaled
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described, is_number, near
 from rockeom.numbers.dual import Dual, directions, duals, tangent_of, value_of, with_tangent
 from rockeom.numbers.functions import mathematics, of_compounds
@@ -94,6 +95,7 @@ def _line(row: Sequence[str], widths: Sequence[int]) -> str:
     return "  ".join([f"{first[0]:<{first[1]}}", *(f"{x:>{width}}" for x, width in others)])
 
 
+@explained.calls()
 def sensitivity(
     case: Case, of: Sequence[str], to: Sequence[str], options: SolverOptions | None = None
 ) -> Sensitivity:

@@ -29,6 +29,7 @@ from rockeom.codes import GRAZES, OTHER_WAY
 from rockeom.compiler.types import WIDTH
 from rockeom.integrator import records
 from rockeom.integrator.program import carrying
+from rockeom.numbers import explained
 from rockeom.numbers.checks import numbers
 from rockeom.numbers.dual import nominal, tangent_of, value_of
 from rockeom.simulation.case import Case, Problem, ProblemTangents, parted
@@ -87,6 +88,7 @@ class Tangents:
         return found
 
 
+@explained.calls()
 def tangents(case: Case, options: SolverOptions | None = None) -> Tangents:
     """The motion of a case that holds duals, with its derivatives along their directions.
 

@@ -1,5 +1,8 @@
 """The response: samples, dense output, events, outcomes, words."""
 
+import copy
+import pickle
+import re
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -243,3 +246,43 @@ def test_motions_of_one_structure_share_no_parameters(impact):
     problem = rk.Case(BLOCK, rk.GroundMotion.none(1.0), impact=impact).problem()
     assert not np.shares_memory(problem.p(), BLOCK.vector)
     assert not np.shares_memory(problem.p(), problem.p())
+
+
+# -- quantities as attributes
+
+
+def test_quantities_are_attributes_and_names_of_the_response(decay):
+    assert decay.time is decay.t
+    for name in decay.names:
+        np.testing.assert_array_equal(getattr(decay, name), decay[name])
+    assert {"theta", "left_uplift", "time", "summary"} <= {*dir(decay)}
+    assert tuple(decay) == decay.names
+    assert "theta" in decay
+    assert "drift" not in decay
+
+
+def test_attribute_of_a_response_wins_over_a_quantity_of_that_name(decay):
+    assert decay.final == pytest.approx(dict(zip(decay.states, decay.y[-1], strict=True)))
+    assert decay.structure is BLOCK
+
+
+def test_a_response_is_copied_and_pickled_with_its_attributes(decay):
+    for again in (copy.copy(decay), copy.deepcopy(decay), pickle.loads(pickle.dumps(decay))):
+        np.testing.assert_array_equal(again.theta_dot, decay["theta_dot"])
+
+
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("tetha", "theta"),
+        ("displacment", "displacement"),
+        ("left_uplfit", "left_uplift"),
+        ("to_csv", "to_dataframe().to_csv(path)"),
+        ("max", "extremes(name)"),
+        ("summery", "summary"),
+    ],
+)
+def test_unknown_attribute_of_a_response_offers_the_one_that_was_meant(decay, name, meant):
+    assert not hasattr(decay, name)
+    with pytest.raises(AttributeError, match=re.escape(f"(did you mean {meant}?)")):
+        getattr(decay, name)

@@ -86,6 +86,32 @@ def values(line) -> np.ndarray:
     return np.asarray(line.get_ydata())
 
 
+# --- quantities by name
+
+
+def test_quantities_named_have_a_row_each_in_the_units_of_their_labels(run_of):
+    run = run_of("flexible")
+    figure = drawn(run.plot("theta", "left_uplift", start=0.1, end=0.4))
+    above, below = figure.axes
+    assert above.get_ylabel().endswith("[rad]")
+    assert below.get_ylabel().endswith("[mm]")
+    np.testing.assert_array_equal(values(above.lines[0]), run["theta"])
+    np.testing.assert_array_equal(values(below.lines[0]), 1e3 * run["left_uplift"])
+    assert below.get_xlim() == (0.1, 0.4)
+
+
+def test_axes_of_the_caller_take_quantities_of_one_unit(run_of):
+    run, figure = run_of("rigid block"), Figure()
+    ax, other = figure.subplots(2)
+    assert run.plot(ax=ax) is figure
+    np.testing.assert_array_equal(values(ax.lines[0]), run["theta"])
+    run.plot("left_uplift", "right_uplift", ax=other)
+    assert len(other.lines) == 2
+    assert other.get_ylabel() == "[mm]"
+    with pytest.raises(ValueError, match=r"theta \[rad\], left_uplift \[m\].*axes of its own"):
+        run.plot("theta", "left_uplift", ax=ax)
+
+
 # --- what is shown
 
 

@@ -1,0 +1,69 @@
+"""Quantities of a response against time, by their names."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure, SubFigure
+
+from rockeom.drawing import style
+from rockeom.drawing.drawn import Run
+from rockeom.numbers.checks import described
+
+
+def plot_quantities(
+    run: Run, names: Sequence[str], ax: Axes | None, figure: Figure | SubFigure | None
+) -> tuple[Figure | SubFigure, Sequence[Axes]]:
+    """A row for each quantity, or all in `ax`; the figure and the axes drawn in."""
+    for name in names:
+        _ = run[name]  # an unknown one is refused before anything is drawn
+    if ax is not None:
+        units = {name: run.units[name] for name in names}
+        if len({*units.values()}) > 1:
+            of_each = ", ".join(f"{name} [{unit}]" for name, unit in units.items())
+            raise ValueError(f"{of_each} have not one unit: give each axes of its own")
+        _draw(ax, run, names)
+        return style.parent_figure(ax), [ax]
+    if figure is None:
+        figure = style.new_figure(7.2, 0.9 + 1.5 * len(names))
+    axes = [*figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]]
+    for name, row in zip(names, axes, strict=True):
+        _draw(row, run, [name])
+    figure.suptitle(style.wrapped(style.plain(style.title_of(run))), fontsize=9.5)
+    figure.align_ylabels(axes)
+    return figure, axes
+
+
+def _draw(ax: Axes, run: Run, names: Sequence[str]) -> None:
+    """Quantities of one unit on axes of their own, in the colours of these axes."""
+    unit = run.units[names[0]]
+    factor, shown = style.length_scale(run) if unit == "m" else (1.0, unit)
+    for name in names:
+        label = f"{_word(name)}, {style.largest(run, name, factor, shown)}"
+        ax.plot(run.t, run[name] * factor, label=label)
+    what = _word(names[0]) if len(names) == 1 else ""
+    ax.set_ylabel(f"{what}\n[{shown}]".strip())
+    style.legend_above(ax)
+
+
+def _word(name: str) -> str:
+    """A quantity's name for a label: the symbol of an angle, or words."""
+    if name.removesuffix("_dot") == "theta":
+        return style.symbol(name)
+    return style.plain(name.removesuffix("_dot").replace("_", " ")) + (
+        " rate" if name.endswith("_dot") else ""
+    )
+
+
+def require_axes(ax: Any, figure: Any) -> None:
+    """Raise TypeError or ValueError for what cannot be drawn in."""
+    if ax is not None and figure is not None:
+        raise ValueError("ax and figure are both given: give one of them")
+    if not (ax is None or isinstance(ax, Axes)):
+        raise TypeError(
+            f"ax is {described(ax)}: give one axes of matplotlib, as of plt.subplots()[1]"
+        )
+    if not (figure is None or isinstance(figure, Figure | SubFigure)):
+        raise TypeError(f"figure is {described(figure)}: give a figure of matplotlib")
