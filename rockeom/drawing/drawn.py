@@ -220,6 +220,6 @@ def check_motion(name: str, value: Any) -> None:
 
 
 def _require(name: str, value: Any, attribute: str, remedy: str) -> None:
-    """By an attribute of the class: those of the object may take long."""
+    """Look for an attribute of the class: one of the object may take long."""
     if isinstance(value, type) or not hasattr(type(value), attribute):
         raise TypeError(f"{name} is {described(value)}: give {remedy}")

@@ -519,7 +519,7 @@ def missing(structure: Structure, name: str) -> Any:
 
 
 def _synonyms(structure: Structure) -> dict[str, str]:
-    """Those that lead to an attribute of this structure."""
+    """Synonyms that lead to an attribute of this structure."""
     known = {*dir(structure)}
     return {name: meant for name, meant in _SYNONYMS.items() if meant.split(" ")[-1] in known}
 
