@@ -28,11 +28,11 @@ def timed(work: Callable[[], object]) -> float:
 def main() -> None:
     pulse = dynamics.dimensionless_pulses(BLOCK)
     few = {name: values[::80] for name, values in GRID.items()}
-    rk.simulate_many(pulse, few, arrays=True)  # what is compiled is not counted
-    sweep = rk.simulate_many(pulse, GRID, arrays=True)
-    found = analysis.overturning_boundaries(pulse, sweep, arrays=True)
-    a_map = timed(lambda: rk.simulate_many(pulse, GRID, arrays=True))
-    boundaries = timed(lambda: analysis.overturning_boundaries(pulse, sweep, arrays=True))
+    rk.simulate_many(pulse, few)  # what is compiled is not counted
+    sweep = rk.simulate_many(pulse, GRID)
+    found = analysis.overturning_boundaries(pulse, sweep)
+    a_map = timed(lambda: rk.simulate_many(pulse, GRID))
+    boundaries = timed(lambda: analysis.overturning_boundaries(pulse, sweep))
     print(f"map of {sweep.outcome.size:,} pulses: {a_map:.2f} s")
     print(f"{found.sizes['boundary']:,} points of boundaries, to 1e-6: {boundaries:.2f} s")
 

@@ -124,10 +124,8 @@ def pulse_map(solver: rk.SolverOptions, threads: int = 1, stride: int = 1) -> Ca
         found = rk.simulate_many(
             case,
             {"frequency": frequencies, "amplitude": amplitudes},
-            arrays=True,
             options=solver,
-            threads=threads,
-            progress=False,
+            sweep_options=rk.SweepOptions(threads=threads, progress=False),
         )
         fell = found["outcome"].to_numpy() == "overturned"
         extremes = found["peak"].to_numpy()
@@ -144,11 +142,9 @@ def sweep(name: str, case: Callable[[float], Case], values, **changes) -> Callab
         return lambda: rk.simulate_many(
             lambda **value: case(value[name]),
             {name: amplitudes},
-            arrays=True,
             impact_times=changes.get("max_impacts", -1) + 1,
             options=options,
-            threads=1,
-            progress=False,
+            sweep_options=rk.SweepOptions(threads=1, progress=False),
         )
 
     return made
@@ -169,9 +165,19 @@ def _blocks(n: int) -> dict[str, np.ndarray]:
 
 
 def making(arrays: bool, n: int) -> Callable[[], object]:
-    """100 n blocks under pulses, one step of each, from the numbers to a labelled dataset."""
+    """100 n blocks under pulses, one step of each, from the numbers to a labelled dataset.
+
+    arrays : whether the function may be called for many at once; else it asks for single numbers.
+    """
+
+    def one_by_one(half_width: float, amplitude: float) -> Case:
+        return _another_block(float(half_width), float(amplitude))
+
     return lambda: rk.simulate_many(
-        _another_block, _blocks(n), arrays=arrays, options=ONE_STEP, threads=1, progress=False
+        _another_block if arrays else one_by_one,
+        _blocks(n),
+        options=ONE_STEP,
+        sweep_options=rk.SweepOptions(threads=1, progress=False),
     )
 
 

@@ -416,12 +416,12 @@ def pulse(omega, A):
 
 
 grid = {"omega": np.linspace(0.5, 8, 61), "A": np.linspace(1.1, 9, 61)}
-sweep = rk.simulate_many(pulse, over=grid, arrays=True)
+sweep = rk.simulate_many(pulse, over=grid)
 found = analysis.dynamics.impacts_before_overturning(sweep)
 exact = np.array([[fate(w, A, e) for A in grid["A"]] for w in grid["omega"]])
 assert (found.values == exact).all()
 
-borders = analysis.overturning_boundaries(pulse, sweep, arrays=True)
+borders = analysis.overturning_boundaries(pulse, sweep)
 assert borders.sizes["boundary"] > 200
 for k in range(borders.sizes["boundary"]):
     border = borders.isel(boundary=k)
@@ -537,8 +537,8 @@ for value, above in zip(changes, (True, False, True), strict=True):
     assert overturned(value + 1e-8) is above
     assert overturned(value - 1e-8) is not above
 
-line = rk.simulate_many(sine, over={"in_g": np.linspace(0.1, 0.6, 501)}, arrays=True)
-bisected = analysis.overturning_boundaries(sine, line, accuracy=1e-9, arrays=True)
+line = rk.simulate_many(sine, over={"in_g": np.linspace(0.1, 0.6, 501)})
+bisected = analysis.overturning_boundaries(sine, line, accuracy=1e-9)
 assert np.allclose(bisected["in_g"], changes, rtol=1e-9, atol=0)
 
 # %%

@@ -91,7 +91,7 @@ def falls(x, rate, e):
 
 
 starts = {"x": np.linspace(-1.5, 1.5, 41), "rate": np.linspace(-1.6, 1.6, 41)}
-sweep = rk.simulate_many(released, over=starts, arrays=True)
+sweep = rk.simulate_many(released, over=starts)
 fell = sweep.outcome.values == "overturned"
 places, rates = np.meshgrid(*starts.values(), indexing="ij")
 clear = np.abs(np.abs(places + rates) - 1) > 1e-9  # on the separatrix nobody falls or returns

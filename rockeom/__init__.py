@@ -25,6 +25,7 @@ _NAMES_OF = {
     "rockeom.motion.floor": ("floor_motion",),
     "rockeom.modelling.named": ("structure",),
     "rockeom.simulation.case": ("Case",),
+    "rockeom.sweeps.options": ("SweepOptions",),
     "rockeom.sweeps.run": ("simulate_many",),
     "rockeom.sweeps.dataset": ("Sweep",),
     "rockeom.simulation.extremes": ("Extremes",),
@@ -142,6 +143,7 @@ if TYPE_CHECKING:
     )
     from rockeom.structures.modal import rayleigh_damping as rayleigh_damping
     from rockeom.sweeps.dataset import Sweep as Sweep
+    from rockeom.sweeps.options import SweepOptions as SweepOptions
     from rockeom.sweeps.run import simulate_many as simulate_many
     from rockeom.sweeps.sensitivity import (
         Sensitivity as Sensitivity,

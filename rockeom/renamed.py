@@ -23,10 +23,15 @@ C = TypeVar("C", bound=type)
 
 def warn(former: str, name: str) -> None:
     """Say the name of today, at the line outside the package that used the former one."""
+    say(f"{former} is now called {name}")
+
+
+def say(message: str) -> None:
+    """Give a DeprecationWarning at the line outside the package that calls it."""
     level, frame = 2, sys._getframe(1)
     while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == "rockeom":
         level, frame = level + 1, frame.f_back
-    warnings.warn(f"{former} is now called {name}", DeprecationWarning, stacklevel=level)
+    warnings.warn(message, DeprecationWarning, stacklevel=level)
 
 
 def names(
@@ -69,6 +74,56 @@ def arguments(**names: str) -> Callable[[Callable[..., T]], Callable[..., T]]:
             return function(*values, **named)
 
         return with_former_names
+
+    return decorate
+
+
+def moved(
+    today: str, record: Callable[..., Any], *formers: str
+) -> Callable[[Callable[..., T]], Callable[..., T]]:
+    """Let a function take what is a field of one of its arguments as an argument, as it did.
+
+    With `@moved("options", Options, "width")` f(width=3) is f(options=Options(width=3)).
+    """
+    none_among = frozenset(formers).isdisjoint
+
+    def decorate(function: Callable[..., T]) -> Callable[..., T]:
+        @wraps(function)
+        def with_fields(*values: Any, **named: Any) -> T:
+            if none_among(named):
+                return function(*values, **named)
+            fields = {former: named.pop(former) for former in formers if former in named}
+            if named.get(today) is not None:
+                raise TypeError(
+                    f"{function.__qualname__}: {', '.join(fields)} belongs into {today}, which is "
+                    "given too"
+                )
+            for former in fields:
+                use = f"{today}=rk.{record.__name__}({former}=...)"
+                warn(f"{function.__qualname__}: {former}", use)
+            return function(*values, **named | {today: record(**fields)})
+
+        return with_fields
+
+    return decorate
+
+
+def needless(**remedies: str) -> Callable[[Callable[..., T]], Callable[..., T]]:
+    """Let a function take arguments that have no effect any more, and say what to do instead."""
+
+    none_among = frozenset(remedies).isdisjoint
+
+    def decorate(function: Callable[..., T]) -> Callable[..., T]:
+        @wraps(function)
+        def without(*values: Any, **named: Any) -> T:
+            if none_among(named):
+                return function(*values, **named)
+            for former in remedies.keys() & named.keys():
+                del named[former]
+                say(f"{function.__qualname__}: {former} has no effect: {remedies[former]}")
+            return function(*values, **named)
+
+        return without
 
     return decorate
 

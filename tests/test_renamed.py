@@ -50,3 +50,33 @@ def test_an_argument_by_both_names_is_an_error():
 def test_no_former_name_no_warning(recwarn):
     assert force(mode=3) == Declaration(functions=6).functions == 6
     assert not recwarn
+
+
+@dataclass(frozen=True)
+class Paper:
+    width: int = 1
+    height: int = 1
+
+
+@renamed.needless(colour="leave it out, it is black")
+@renamed.moved("paper", Paper, "width", "height")
+def printed(*, paper=None):
+    return paper
+
+
+def test_arguments_that_became_fields_of_one():
+    with pytest.warns(DeprecationWarning, match="is now called paper=") as warned:
+        assert printed(height=3, width=2) == Paper(2, 3)
+    assert [str(warning.message) for warning in warned] == [
+        "printed: width is now called paper=rk.Paper(width=...)",
+        "printed: height is now called paper=rk.Paper(height=...)",
+    ]
+    assert {warning.filename for warning in warned} == {__file__}
+    with pytest.raises(TypeError, match="width belongs into paper, which is given too"):
+        printed(width=2, paper=Paper())
+
+
+def test_an_argument_without_effect_says_what_to_do():
+    with pytest.warns(DeprecationWarning, match="colour has no effect: leave it out") as warned:
+        assert printed(colour="red", paper=Paper(5)) == Paper(5)
+    assert [warning.filename for warning in warned] == [__file__]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, NamedTuple
@@ -124,6 +124,22 @@ class Problems(NamedTuple):
             spread(q.fallen), *tables(q.horizontal), *tables(q.vertical), spread(q.end),
             spread(q.quiet_from),
         )  # fmt: skip
+
+    def bits(self, places: Iterable[int]) -> list[list[tuple[str, bytes]]]:
+        """The numbers of some of the cases, to compare them with others."""
+        return [
+            [(x.dtype.str, x.tobytes()) for x in (*self._tables(i), *self._of_each(i))]
+            for i in places
+        ]
+
+    def _tables(self, i: int) -> tuple[np.ndarray, np.ndarray]:
+        return self.horizontal[slice(*self.h_rows[i])], self.vertical[slice(*self.v_rows[i])]
+
+    def _of_each(self, i: int) -> Iterator[np.ndarray]:
+        return (x[i] for name, x in self._asdict().items() if name not in _OF_TABLES)
+
+
+_OF_TABLES = {"horizontal", "h_rows", "vertical", "v_rows"}
 
 
 class ProblemTangents(NamedTuple):

@@ -24,7 +24,7 @@ LAST_FEW, LAST_MANY = 32, 256
 """The least number of cases in a batch, in the end. A batch costs as much as some 60 pulses, since
 the lanes run empty behind it."""
 
-WORTHWHILE = 8
+WORTHWHILE = 12
 """Number of cases from which making them at once is faster than one by one."""
 
 ROW = "case"
@@ -77,13 +77,23 @@ class Cases:
         places = (int(place[0]) for place in self.places(np.array([row])))
         return {name: self.values[name][i] for name, i in zip(self.values, places, strict=True)}
 
+    def name(self, error: Exception, named: Mapping[str, Any]) -> None:
+        """Let an error say by the values of each name, with their units, which case it is of."""
+        units = {name: self.attrs.get(name, {}).get("units", "-") for name in named}
+        values = {n: _short(v) + f" {units[n]}" * (units[n] not in "-1") for n, v in named.items()}
+        case = f"case {', '.join(f'{name} = {value}' for name, value in values.items())}"
+        if error.args == (str(error),):
+            error.args = (f"{case}: {error}",)
+        else:  # one with a text of its own
+            error.add_note(f"in the {case}")
+
     def part(self, rows: np.ndarray) -> Cases:
         """The table of some rows, which holds no values but theirs: small enough to be sent."""
         values, which = {}, {}
         for (name, of), place in zip(self.values.items(), self.places(rows), strict=True):
             used, which[name] = np.unique(place, return_inverse=True)
             values[name] = _packed([of[i] for i in used.tolist()])
-        return Cases(values, which)
+        return Cases(values, which, self.attrs)
 
     def coordinates(self) -> dict[str, Any]:
         """The variables of a dataset that say what the cases are."""
@@ -218,6 +228,11 @@ def labels(values: Sequence[Any] | np.ndarray) -> list[Any]:
     return _told_apart(names) if all(names) else list(range(len(names)))
 
 
+def _short(value: Any) -> str:
+    """A value in an error: a number with the digits that tell it apart, an object by its name."""
+    return f"{value:.6g}" if is_number(value) else _name(value) or described(value)
+
+
 def _name(value: Any) -> str:
     """Name of a motion, a structure or another object; a word or number is its own."""
     if isinstance(value, str) or is_number(value):
@@ -245,12 +260,8 @@ def first_of(case: Callable[..., Case], cases: Cases) -> Case:
     try:
         return made(case, named)
     except Exception as error:
-        error.add_note(_in_the_case(named))
+        cases.name(error, named)
         raise
-
-
-def _in_the_case(named: Mapping[str, Any]) -> str:
-    return f"in the case {', '.join(f'{k} = {v}' for k, v in named.items())}"
 
 
 def made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
@@ -279,6 +290,9 @@ class Batch(NamedTuple):
 class Source:
     """Makes the cases batch by batch, when they are needed, so that none wait in memory.
 
+    arrays : whether the function is tried for many cases at once. What it makes of them counts
+        where the first, the middle and the last are, to the bit, what it makes of each alone; once
+        most of some cases had to be made one by one, all others are.
     rows : of the cases to make; all of them if None.
     """
 
@@ -295,14 +309,18 @@ class Source:
         return self.cases.total if self.rows is None else len(self.rows)
 
     def __iter__(self) -> Iterator[Batch]:
-        first, total = 0, self.total
+        first, total, arrays = 0, self.total, self.arrays
         while first < total:
-            end = min(first + self.size(total - first), total)
+            end = min(first + self.size(total - first, arrays), total)
             rows = np.arange(first, end) if self.rows is None else self.rows[first:end]
-            yield from self.together(rows) if self.arrays else (self.one_by_one(rows),)
+            alone = 0
+            for batch in self.together(rows) if arrays else map(self.one_by_one, [rows]):
+                alone += len(batch.cases)
+                yield batch
+            arrays &= 2 * alone <= len(rows)
             first = end
 
-    def size(self, left: int) -> int:
+    def size(self, left: int, arrays: bool) -> int:
         """How many cases a thread takes of those that are left.
 
         Half of its share at first and ever fewer, but not so few that there are many parts. Cases
@@ -311,7 +329,7 @@ class Source:
         """
         if self.chunk is not None:
             return self.chunk
-        least, most = (LAST_MANY, MANY) if self.arrays else (LAST_FEW, FEW)
+        least, most = (LAST_MANY, MANY) if arrays else (LAST_FEW, FEW)
         if self.threads == 1:
             return most
         half = 2 * self.threads
@@ -332,21 +350,30 @@ class Source:
             raise
 
     def alike(self, rows: np.ndarray) -> Iterator[Batch]:
-        waiting = [rows]
+        waiting, alone = [rows], []
         while waiting:
             rows, problems = waiting.pop(), None
             try:
                 if len(rows) >= WORTHWHILE:
-                    problems = self.at_once(rows)
+                    problems = self.checked(rows)
             except Differs as ways:
-                waiting += [rows[part] for part in ways.parts]
+                waiting += [rows[part] for part in reversed(ways.parts)]
                 continue
             except Exception:  # a case that raises it says so, if there is one
                 problems = None
             if problems is None:
-                yield from map(self.one_by_one, _few(rows))
+                alone.append(rows)
             else:
                 yield Batch(rows, problems, [])
+        if alone:
+            yield from map(self.one_by_one, _few(np.sort(np.concatenate(alone))))
+
+    def checked(self, rows: np.ndarray) -> Problems | None:
+        """Cases at once; None where they are not those that are made of each value alone."""
+        problems = self.at_once(rows)
+        some = [0, len(rows) // 2, -1]
+        alone = self.one_by_one(rows[some]).problems
+        return problems if problems.bits(some) == alone.bits(range(3)) else None
 
     def at_once(self, rows: np.ndarray) -> Problems:
         """Raises Differs where the rows do not all go the same way, or what one of them would."""
@@ -377,7 +404,7 @@ class Source:
         try:
             return self.problem(named)
         except Exception as error:
-            error.add_note(_in_the_case(named))
+            self.cases.name(error, named)
             raise
 
     def problem(self, named: Mapping[str, Any]) -> tuple[Case, Problem]:

@@ -13,15 +13,17 @@ from typing import Any
 
 import numpy as np
 
+from rockeom import renamed
 from rockeom.codes import IMPACT
 from rockeom.integrator.program import program, revision
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import described, whole_number
+from rockeom.numbers.checks import described
 from rockeom.simulation.case import Case
 from rockeom.simulation.method_selection import DEFAULT, Choice, chosen
 from rockeom.simulation.options import SolverOptions
 from rockeom.sweeps.cases import Cases, first_of
 from rockeom.sweeps.dataset import Sweep, check_names, dataset
+from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.results import NOT_RUN, Results
 from rockeom.sweeps.store import Store, opened
 from rockeom.sweeps.task import Task
@@ -31,22 +33,24 @@ MOST_KEPT, CHUNKS = 4096, 64
 """Cases in a chunk of a store or of an executor, at most; and chunks of a smaller sweep."""
 
 
+ARRAYS = "leave it out, functions are called for many cases at once wherever that is the same"
+"""The remedy of a former argument."""
+
+
+@renamed.needless(arrays=ARRAYS)
+@renamed.moved(
+    "sweep_options", SweepOptions, "threads", "chunk", "progress", "lanes", "store", "executor"
+)
 def simulate_many(
     case: Callable[..., Case],
     over: Any,
     *,
-    arrays: bool = False,
     impact_times: int = 0,
     impact_states: bool = False,
-    options: SolverOptions | None = None,
-    threads: int | None = None,
-    chunk: int | None = None,
-    progress: bool | None = None,
-    lanes: bool | None = None,
     quantities: Sequence[str] = (),
     times: Sequence[float] | np.ndarray = (),
-    store: str | os.PathLike[str] | None = None,
-    executor: Any = None,
+    options: SolverOptions | None = None,
+    sweep_options: SweepOptions | None = None,
 ) -> Sweep:
     """Simulate every combination of the values in `over`, labelled by them, or each row of a table.
 
@@ -57,8 +61,7 @@ def simulate_many(
         rk.simulate_many(
             pulse,
             over={"frequency": np.linspace(0.5, 4, 100), "amplitude": np.linspace(1, 8, 100)},
-            arrays=True,
-            store="map.zarr",
+            sweep_options=rk.SweepOptions(store="map.zarr"),
         )
 
     case : makes one case from one value of each name in `over`. All cases are of one model. The
@@ -69,51 +72,18 @@ def simulate_many(
         words are their own labels. Motions, structures and whatever else has a name go by it,
         numbered where several have the same; other objects are numbered. Values in a DataArray keep
         their attributes, such as units.
-    arrays : the function is called for many cases at once. Each argument is an object that
-        calculates like a number and holds the values of all of them, and so is what the function
-        makes of it: a structure, a pulse, a start, a law. That takes a microsecond or two a case
-        where a call for each takes tens, and gives the same results to the last bit. The
-        result of the function must follow from its arguments alone. Where the cases do not go the
-        same way (`if amplitude > 3`), or one number is asked for (`math.sin(x)`, a record scaled by
-        x), it is called again for those that do; `np.sin(x)` is of all at once. Values that are no
-        numbers, such as motions, it gets one by one.
     impact_times : how many impact times of each case to keep. impact_states : keep the states
         before and after each of these impacts, too; each case is then simulated by itself with its
         whole response, as for `quantities`.
-    threads : all cores if not given. The result is the same to the last bit for any number of
-        threads and any `chunk`, the number of cases that a thread takes at a time: if not given,
-        ever fewer towards the end, so that no thread waits long for another. A chunk is also what a
-        store keeps and an executor is given at a time: if not given, a 64th of the cases, at most
-        4096.
-    options : as of `simulate`. Where they name no method, the first case chooses that of all, and
-        `attrs` has it under "method", and why under "chosen"; the impact law of the first case is
-        under "impact_law".
-    progress : a line on stderr; if not given, where stderr is a terminal.
-    lanes : many motions at once in the vectors of the processor, up to several times as fast: if
-        not given, with explicit methods for all structures on rigid ground and on two springs, as
-        `lanes_pay` says. Impact times agree with those without lanes within the tolerances, and
-        results are the same to the last bit for any number and order of the cases. False integrates
-        one motion after the other, as `simulate` does, to the same bits.
     quantities : what else to keep of each case, by the names of a response ("theta",
         "displacement", "left_uplift", ...): peak_quantity, maximum_quantity and minimum_quantity,
         found within the steps, and, at the `times` [s] given, their history (nan behind the end).
         Each case is then also made and simulated by itself, with its whole response, which takes
         much longer.
-    store : a folder, such as "map.zarr", that keeps each chunk when it is done, of the package zarr
-        (the extra `store`). The same call finds there what is done and does the rest;
-        the result is that of a call that was never stopped, to the last bit. A killed process
-        loses no more than the chunks under way. `threads`, `arrays`, `chunk` and `executor` may
-        change from call to call; the chunks remain those of the first. The sweep must be the same:
-        its names and values, structure, options and results, and the function, by the cases that it
-        makes: the first, the last, 14 between and one of each object in `over`.
-        Another function that makes the same of these is not noticed. One process at a time may
-        write.
-    executor : who does the work instead of threads: anything whose `submit` returns futures, such
-        as ProcessPoolExecutor() or `client.get_executor(pure=False)` of a dask cluster. The
-        function, its values and the options are sent to the workers, and so must be picklable;
-        with a ProcessPoolExecutor the function stands at the top level of a module. A chunk that is
-        lost with its worker is given out again, where the executor takes it. This process alone
-        writes to the store.
+    options : as of `simulate`. Where they name no method, the first case chooses that of all, and
+        `attrs` has it under "method", and why under "chosen"; the impact law of the first case is
+        under "impact_law".
+    sweep_options : threads, progress, store and others, see `SweepOptions`.
 
     Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt) and
     outcome_flag (its number, with flag_values and flag_meanings of the CF conventions, 0 for not
@@ -132,37 +102,41 @@ def simulate_many(
     cases went with them.
     """
     cases = Cases.of(over)
+    how = SweepOptions.of(sweep_options)
     _check_function(case, cases)
-    _check_executor(executor)
-    threads = (os.cpu_count() or 1) if threads is None else whole_number("threads", threads, 1)
-    chunk = None if chunk is None else whole_number("chunk", chunk, 1)
     first = first_of(case, cases)
     module = first.structure.module
     options = SolverOptions.of(options)
     method, because = _method(first, options)
-    options, lanes = replace(options, method=method), _in_lanes(lanes, module, method)
-    apart = store is not None or executor is not None
+    options, lanes = replace(options, method=method), _in_lanes(how.lanes, module, method)
+    apart = how.store is not None or how.executor is not None
     its_revision = revision(module, method, lanes) if apart else ""
     task = Task(
-        case, options, lanes, arrays, impact_times, impact_states, quantities, np.asarray(times),
+        case, options, lanes, impact_times, impact_states, quantities, np.asarray(times),
         its_revision,
     )  # fmt: skip
     check_names(task, cases, module)
     results = Results.of(task, cases.total, module.N_STATES)
-    size = chunk or max(1, min(MOST_KEPT, -(-cases.total // CHUNKS)))
-    stored = nullcontext() if store is None else opened(store, task, cases, module, results, size)
-    with stored as on_disk:
+    size = how.chunk or max(1, min(MOST_KEPT, -(-cases.total // CHUNKS)))
+    store = (
+        nullcontext()
+        if how.store is None
+        else opened(how.store, task, cases, module, results, size)
+    )
+    with store as on_disk:
         rows = np.flatnonzero(results.outcome == NOT_RUN)
-        with Progress(len(rows), sys.stderr.isatty() if progress is None else progress) as shown:
-            done = partial(_done, shown, on_disk)
+        shown = sys.stderr.isatty() if how.progress is None else how.progress
+        with Progress(len(rows), shown) as line:
+            done = partial(_done, line, on_disk)
             try:
-                if executor is None:
-                    source = task.source(cases, module, chunk=chunk, threads=threads, rows=rows)
+                if how.executor is None:
+                    threads = how.threads or os.cpu_count() or 1
+                    source = task.source(cases, module, chunk=how.chunk, threads=threads, rows=rows)
                     run = partial(results.run, compiled=program(module, method, lanes), task=task)
                     in_threads(threads, source, run, done)
                 else:
                     chunks = _chunks(rows, size if on_disk is None else on_disk.size)
-                    in_executor(executor, task, cases, chunks, results, done)
+                    in_executor(how.executor, task, cases, chunks, results, done)
                 interrupted = False
             except KeyboardInterrupt:
                 interrupted = True
@@ -178,15 +152,6 @@ def _done(shown: Progress, on_disk: Store | None, rows: np.ndarray) -> None:
     shown.add(len(rows))
     if on_disk is not None:
         on_disk.keep(rows)
-
-
-def _check_executor(executor: Any) -> None:
-    """Raises TypeError for what takes no work."""
-    if executor is not None and not callable(getattr(executor, "submit", None)):
-        raise TypeError(
-            f"executor is {described(executor)}: give one that takes work by `submit`, such as "
-            "concurrent.futures.ProcessPoolExecutor()"
-        )
 
 
 def _check_function(case: Any, cases: Cases) -> None:

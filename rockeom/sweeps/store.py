@@ -25,7 +25,7 @@ import numpy as np
 
 from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import described, installed_by, is_number
+from rockeom.numbers.checks import installed_by, is_number
 from rockeom.sweeps.cases import Cases, Source, labels
 from rockeom.sweeps.dataset import FLAGS, PENDING, flags_of, outcomes_of
 from rockeom.sweeps.results import NOT_RUN, Results
@@ -124,7 +124,12 @@ def _meaning() -> dict[str, Any]:
 
 @contextmanager
 def opened(
-    path: Any, task: Task, cases: Cases, module: GeneratedModule, results: Results, chunk: int
+    path: str | os.PathLike[str],
+    task: Task,
+    cases: Cases,
+    module: GeneratedModule,
+    results: Results,
+    chunk: int,
 ) -> Iterator[Store]:
     """The store of a sweep at a path, made where there is none, for this process alone.
 
@@ -133,10 +138,6 @@ def opened(
     Raises ModuleNotFoundError without zarr, ValueError for what is no store or that of another
     sweep, RuntimeError while another process writes to it.
     """
-    if not isinstance(path, str | os.PathLike):
-        raise TypeError(
-            f"store is {described(path)}: give the path of a folder, such as 'map.zarr'"
-        )
     try:
         import zarr
     except ModuleNotFoundError:

@@ -28,7 +28,6 @@ class Task:
     case: Callable[..., Case]
     options: SolverOptions
     lanes: bool
-    arrays: bool
     impact_times: int
     impact_states: bool
     quantities: Sequence[str]
@@ -59,5 +58,4 @@ class Task:
 
     def source(self, cases: Cases, module: GeneratedModule, **how: Any) -> Source:
         """The maker of the cases; cases with whole responses are made one by one."""
-        arrays = self.arrays and not self.needs_responses
-        return Source(self.case, cases, module=module, arrays=arrays, **how)
+        return Source(self.case, cases, module=module, arrays=not self.needs_responses, **how)

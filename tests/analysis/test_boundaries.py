@@ -96,7 +96,7 @@ def test_point_agrees_with_halving():
         pulse = rk.GroundMotion.single_sine(amplitude, 2.192)
         return rk.Case(block, pulse, impact=rk.EnergyRatio(0.954))
 
-    sweep = rk.simulate_many(tall, {"amplitude": [4.45, 5.0]}, arrays=True)
+    sweep = rk.simulate_many(tall, {"amplitude": [4.45, 5.0]})
     halved = analysis.overturning_boundaries(tall, sweep, accuracy=1e-11)
     point = between(tall, 4.45, 5.0)
     assert point.at["amplitude"] == pytest.approx(float(halved.amplitude[0]), rel=1e-10)

@@ -20,12 +20,12 @@ GRID = {"frequency": np.linspace(1.0, 6.0, 41), "amplitude": np.linspace(0.8, 8.
 
 @pytest.fixture(scope="module")
 def sweep():
-    return rk.simulate_many(PULSE, GRID, arrays=True)
+    return rk.simulate_many(PULSE, GRID)
 
 
 @pytest.fixture(scope="module")
 def boundaries(sweep):
-    return analysis.overturning_boundaries(PULSE, sweep, accuracy=1e-8, arrays=True)
+    return analysis.overturning_boundaries(PULSE, sweep, accuracy=1e-8)
 
 
 def test_slender_block_under_sines_meets_the_fates_of_its_exact_motion(sweep):
@@ -53,8 +53,8 @@ def test_least_half_sine_that_overturns_is_housners():
         SLENDER, rk.GroundMotion.half_sine, impact=rk.VelocityRatio(SPEED_RATIO), p=2.0
     )
     over = {"frequency": [0.5, 1.0, 2.0, 4.0], "amplitude": np.linspace(0.9, 8.0, 72)}
-    sweep = rk.simulate_many(pulse, over, arrays=True)
-    found = analysis.overturning_boundaries(pulse, sweep, "amplitude", accuracy=1e-9, arrays=True)
+    sweep = rk.simulate_many(pulse, over)
+    found = analysis.overturning_boundaries(pulse, sweep, "amplitude", accuracy=1e-9)
     least = dynamics.minimum_overturning(found, "frequency", "amplitude")
     half = np.pi / (2.0 * least.frequency.values)
     exact = formulas.overturning_half_sine(half, 0.2, 2.0) / (GRAVITY * 0.2)
@@ -73,7 +73,7 @@ def tall(amplitude):
 
 
 def coarse(*amplitudes):
-    return rk.simulate_many(tall, {"amplitude": amplitudes}, arrays=True)
+    return rk.simulate_many(tall, {"amplitude": amplitudes})
 
 
 def test_safe_window_is_found_between_two_fates_if_a_half_falls_into_it():

@@ -99,7 +99,9 @@ def test_a_thrown_slender_block_overturns_as_its_energy_says():
     assert found.index == pytest.approx(exact, abs=1e-9)
     assert found.importance["speed"] == pytest.approx(0.9, abs=1e-6)
     assert found.design_point["speed"] == pytest.approx(P * found.design_point["alpha"], rel=1e-9)
-    counted = risk.monte_carlo(thrown, SLENDER_AND_FAST, 4000, lanes=False, progress=False)
+    counted = risk.monte_carlo(
+        thrown, SLENDER_AND_FAST, 4000, sweep_options=rk.SweepOptions(lanes=False, progress=False)
+    )
     low, high = counted.interval(0.99)
     assert low < stats.norm.sf(exact) < high
     assert counted.number == 4000
@@ -183,13 +185,22 @@ def test_the_peak_of_a_thrown_block_and_its_largest_rate():
 
 def test_none_of_n_has_the_interval_of_clopper_and_pearson():
     random = SLENDER_AND_FAST | {"speed": stats.uniform(0.01, 0.01)}
-    counted = risk.monte_carlo(thrown, random, 20, lanes=False, progress=False)
+    counted = risk.monte_carlo(
+        thrown, random, 20, sweep_options=rk.SweepOptions(lanes=False, progress=False)
+    )
     assert counted.probability == 0.0
     assert counted.interval(0.9) == pytest.approx((0.0, 1.0 - 0.05 ** (1 / 20)))
-    again = risk.monte_carlo(thrown, random, 20, lanes=False, progress=False)
+    again = risk.monte_carlo(
+        thrown, random, 20, sweep_options=rk.SweepOptions(lanes=False, progress=False)
+    )
     assert again.sweep.equals(counted.sweep)
     peaks = risk.monte_carlo(
-        thrown, random, 20, demand="displacement", limit=1e-9, lanes=False, progress=False
+        thrown,
+        random,
+        20,
+        demand="displacement",
+        limit=1e-9,
+        sweep_options=rk.SweepOptions(lanes=False, progress=False),
     )
     assert peaks.probability == 1.0
 

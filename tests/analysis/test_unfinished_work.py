@@ -61,7 +61,9 @@ def doublings() -> dynamics.Cascade:
 ANSWERS = {
     "restitution_envelope": lambda: design.restitution_envelope(BLOCK, PULSES, [0.8, 0.85, 0.9]),
     "fema_356": lambda: design.fema_356_against_integration(BLOCK, PULSES),
-    "monte_carlo": lambda: risk.monte_carlo(pulse, RANDOM, 60, threads=1, chunk=10),
+    "monte_carlo": lambda: risk.monte_carlo(
+        pulse, RANDOM, 60, sweep_options=rk.SweepOptions(threads=1, chunk=10)
+    ),
     "reliability_of": lambda: risk.reliability_of(pulse, RANDOM),
     "period_doublings": doublings,
     "bifurcation_value": lambda: dynamics.bifurcation_value(
@@ -116,9 +118,14 @@ def test_interrupt_before_a_command_begins_has_its_exit_code(monkeypatch, capsys
 # --- calls that return what is done, for the user to go on with
 
 PARTIAL = {
-    "simulate_many": lambda: rk.simulate_many(pulse, {"amplitude": AMPLITUDES}, threads=1, chunk=5),
+    "simulate_many": lambda: rk.simulate_many(
+        pulse, {"amplitude": AMPLITUDES}, sweep_options=rk.SweepOptions(threads=1, chunk=5)
+    ),
     "rocking_spectrum": lambda: analysis.rocking_spectrum(
-        PULSES, np.linspace(1.0, 4.0, 8), alpha=0.25, threads=1, chunk=5
+        PULSES,
+        np.linspace(1.0, 4.0, 8),
+        alpha=0.25,
+        sweep_options=rk.SweepOptions(threads=1, chunk=5),
     ),
     "poincare_sections": lambda: dynamics.poincare_sections(
         shaken(2.0), starts={"x": np.linspace(-0.3, 0.3, 5)}, settling=4, cycles=2, threads=1
@@ -272,7 +279,8 @@ def test_comparison_with_motions_without_an_answer_says_so():
 
 def kept(store: Path) -> xr.Dataset:
     return rk.simulate_many(
-        pulse, {"amplitude": AMPLITUDES}, store=store, chunk=10, impact_times=2,
+        pulse, {"amplitude": AMPLITUDES}, impact_times=2,
+        sweep_options=rk.SweepOptions(store=store, chunk=10),
         impact_states=True, quantities=["displacement"], times=[0.5],
     )  # fmt: skip
 

@@ -76,7 +76,9 @@ def test_a_sweep_of_a_block_on_one_point_is_its_single_motions():
         return rk.Case(block, still, initial={"x_dot": speed, "theta": 0.1})
 
     speeds = [0.1, 0.5]
-    together = rk.simulate_many(case, {"speed": speeds}, progress=False)
+    together = rk.simulate_many(
+        case, {"speed": speeds}, sweep_options=rk.SweepOptions(progress=False)
+    )
     for speed in speeds:
         run = rk.simulate(block, still, initial=case(speed).initial)
         ends = together.sel(speed=speed)

@@ -75,7 +75,7 @@ def test_a_sweep_has_the_motions_of_single_cases():
         return rk.Case(block, rk.GroundMotion.single_sine(amplitude, 0.8, duration=3.0))
 
     over = {"friction": [0.1, 0.35, 0.6], "amplitude": [2.0, 5.0]}
-    together = rk.simulate_many(case, over, arrays=True)
+    together = rk.simulate_many(case, over)
     for friction in over["friction"]:
         for amplitude in over["amplitude"]:
             one = case(friction, amplitude)

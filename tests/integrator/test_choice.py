@@ -156,8 +156,7 @@ def test_a_sweep_chooses_by_its_first_case():
 
 
 def test_a_first_case_that_cannot_be_is_told_with_its_values():
-    with pytest.raises(ValueError, match="lies on the ground") as error:
+    with pytest.raises(ValueError, match=r"case theta = 3: .*lies on the ground"):
         rk.simulate_many(
             lambda theta: rk.Case(BLOCK, PULSE, initial={"theta": theta}), {"theta": [3.0, 0.1]}
         )
-    assert "in the case theta = 3.0" in error.value.__notes__

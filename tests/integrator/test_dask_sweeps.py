@@ -41,9 +41,14 @@ def test_a_worker_of_a_cluster_is_killed_midway(tmp_path):
         killer = threading.Thread(target=kill)
         killer.start()
         found = rk.simulate_many(
-            pulse, OVER, store=store, executor=client.get_executor(pure=False), **how
+            pulse,
+            OVER,
+            sweep_options=rk.SweepOptions(store=store, executor=client.get_executor(pure=False)),
+            **how,
         )
         killer.join()
         assert killed not in client.run(os.getpid).values()
     assert found.identical(rk.simulate_many(pulse, OVER, **how))
-    assert found.identical(rk.simulate_many(pulse, OVER, store=store, **how))
+    assert found.identical(
+        rk.simulate_many(pulse, OVER, sweep_options=rk.SweepOptions(store=store), **how)
+    )

@@ -306,7 +306,7 @@ def test_full_record_changes_no_bit():
         lambda end: rk.Case(block, rk.GroundMotion.none(end), **long),
         over={"end": [2000.0]},
         impact_times=len(times),
-        lanes=False,
+        sweep_options=rk.SweepOptions(lanes=False),
     )
     assert many.impacts.item() == len(times)
     np.testing.assert_array_equal(many.impact_time.values[0], times)

@@ -18,6 +18,7 @@ from rockeom.sweeps.cases import Batch
 from rockeom.sweeps.results import Results
 from rockeom.sweeps.run import lanes_pay
 from tests.oracle.ways import flat
+from tests.sweeping import simulate_many
 
 STEP = rk.SolverOptions(steps_per_segment=1)
 
@@ -58,11 +59,13 @@ def sprung(width=0.285, stiffness=5e5, damping=2e3):
 
 
 def many(case, over, options=STEP, **others):
-    return rk.simulate_many(case, over, options=options, lanes=True, impact_times=40, **others)
+    return simulate_many(case, over, options=options, lanes=True, impact_times=40, **others)
 
 
 def both_ways(case, over, options=STEP):
-    scalar = rk.simulate_many(case, over, options=options, impact_times=40, lanes=False)
+    scalar = rk.simulate_many(
+        case, over, options=options, impact_times=40, sweep_options=rk.SweepOptions(lanes=False)
+    )
     return many(case, over, options), scalar
 
 
@@ -135,7 +138,7 @@ def test_blocks_as_one_by_one(blocks):
         OVER,
         options=STEP,
         impact_times=40,
-        lanes=False,
+        sweep_options=rk.SweepOptions(lanes=False),
     )
     outcomes = set(blocks.outcome.values.ravel().tolist())
     assert {"overturned", "came to rest"} <= outcomes
@@ -494,7 +497,9 @@ def test_lanes_serve_where_they_are_not_asked_for():
     for name in by_default.data_vars:
         np.testing.assert_array_equal(one[name][0], by_default[name][7])
     run = rk.simulate(block(0.5, 0.2), MOTIONS["sine"], initial={"theta": starts[7]})
-    by_itself = rk.simulate_many(case, {"theta": starts[7:8]}, lanes=False)
+    by_itself = rk.simulate_many(
+        case, {"theta": starts[7:8]}, sweep_options=rk.SweepOptions(lanes=False)
+    )
     assert by_itself.final.values[0].tolist() == [*run.final.values()]
 
 

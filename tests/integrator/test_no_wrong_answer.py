@@ -97,7 +97,9 @@ def test_stiff_columns_in_equal_steps_and_in_lanes_end_as_controlled_ones():
     controlled = rk.simulate_many(case, over)
     assert {"overturned", "came to rest"} <= set(controlled.outcome.values.ravel().tolist())
     for lanes in (False, True):
-        equal = rk.simulate_many(case, over, options=in_equal_steps(1), lanes=lanes)
+        equal = rk.simulate_many(
+            case, over, options=in_equal_steps(1), sweep_options=rk.SweepOptions(lanes=lanes)
+        )
         np.testing.assert_array_equal(equal.outcome, controlled.outcome)
         assert (equal.refined > 0).any()
 

@@ -253,7 +253,11 @@ def test_motions_of_an_ensemble_are_those_by_themselves():
 
     amplitudes = [1.5, 3.0, 2.0]
     many = rk.simulate_many(
-        case, over={"amplitude": amplitudes}, impact_times=3, options=options(1e-8), threads=1
+        case,
+        over={"amplitude": amplitudes},
+        impact_times=3,
+        options=options(1e-8),
+        sweep_options=rk.SweepOptions(threads=1),
     )
     for n, amplitude in enumerate(amplitudes):
         alone = case(amplitude)
@@ -273,5 +277,5 @@ def test_lanes_know_no_implicit_method():
             lambda theta: rk.Case(block, motion, initial={"theta": theta}),
             over={"theta": [0.1]},
             options=options(1e-8, steps_per_segment=1),
-            lanes=True,
+            sweep_options=rk.SweepOptions(lanes=True),
         )

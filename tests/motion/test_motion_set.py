@@ -215,8 +215,8 @@ def test_measures_and_spectra_are_by_name():
 def test_set_is_a_list_of_values_of_a_sweep():
     block = rk.RigidBlock(half_width=0.1, half_height=0.4)
     sweep = rk.simulate_many(
-        lambda motion: rk.Case(block, motion), over={"motion": MOTIONS}, lanes=False,
-        progress=False, threads=1,
+        lambda motion: rk.Case(block, motion), over={"motion": MOTIONS},
+        sweep_options=rk.SweepOptions(lanes=False, progress=False, threads=1),
     )  # fmt: skip
     assert sweep.sizes["motion"] == 3
     alone = rk.simulate(block, MOTIONS[1])

@@ -14,6 +14,7 @@ import xarray as xr
 import rockeom as rk
 from rockeom.structures.classes import SHIPPED
 from tests.shipped import plain
+from tests.sweeping import simulate_many
 
 from .structures import S1, column, on_springs
 
@@ -243,7 +244,8 @@ def test_argument_of_another_kind_is_named(ask, argument):
     if ask is swept and argument == "options":
         return  # it is none of a case
     for kind in set(OTHERS) - ARGUMENTS[argument]:
-        with pytest.raises(TypeError, match=rf"^(\w+ and )?{argument} (is|are) ") as caught:
+        words = rf"^(case a = 1: )?(\w+ and )?{argument} (is|are) "
+        with pytest.raises(TypeError, match=words) as caught:
             ask(**{argument: OTHERS[kind]})
         text = str(caught.value)
         assert any(remedy in text for remedy in (": give ", ": name ", "comes first"))
@@ -449,7 +451,7 @@ def test_sweep_whose_function_returns_no_case(returned, words):
 def test_sweep_with_an_argument_of_another_kind(changes, error, words):
     arguments = {"case": lambda a: rk.Case(BLOCK, SHAKE), "over": {"a": [1.0]}, "threads": 1}
     with raises(error, *words):
-        rk.simulate_many(**(arguments | changes))
+        simulate_many(**(arguments | changes))
 
 
 # -- questions to a response

@@ -395,7 +395,7 @@ def test_a_law_of_one_flat_piece_is_a_constant_energy_ratio():
     many = rk.simulate_many(
         lambda theta: rk.Case(block, still, impact=flat, initial={"theta": theta}),
         over={"theta": [0.1]},
-        lanes=False,
+        sweep_options=rk.SweepOptions(lanes=False),
     )
     assert many.final.sel(state="theta").item() == runs[0].final["theta"]
 

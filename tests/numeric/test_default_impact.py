@@ -170,7 +170,9 @@ def test_energy_that_impacts_of_a_pier_gain_and_lose(law):
 def test_sweep_counts_impacts_that_gain_energy(lanes):
     laws = [None, rk.AngularMomentum(), rk.EnergyRatio(0.8), rk.Impulsive()]
     found = rk.simulate_many(
-        lambda law: rk.Case(PIER, pacoima(), laws[law]), {"law": range(len(laws))}, lanes=lanes
+        lambda law: rk.Case(PIER, pacoima(), laws[law]),
+        {"law": range(len(laws))},
+        sweep_options=rk.SweepOptions(lanes=lanes),
     )
     assert found.attrs["impact_law"] == "Impulsive(), by default, of the first case"
     runs = [shaken(law) for law in laws]
@@ -207,7 +209,7 @@ def test_structure_that_bends_lands_by_momentum_whoever_asks(name):
     after, _ = structure.after_impact(first.before, first.mode_before)
     assert after["theta_dot"] == pytest.approx(first.after["theta_dot"], rel=1e-12)
     case = rk.Case(structure, still, initial=start)
-    sweep = rk.simulate_many(lambda i: case, {"i": [0]}, lanes=False)
+    sweep = rk.simulate_many(lambda i: case, {"i": [0]}, sweep_options=rk.SweepOptions(lanes=False))
     assert sweep.final.values[0].tolist() == list(run.final.values())
     if name == "column":
         np.testing.assert_array_equal(rk.tangents(case).response.y, run.y)

@@ -240,7 +240,7 @@ X = rk.Dual(0.1, [1.0, 0.0])
                     BLOCK, rk.GroundMotion.none(1.0), impact=rk.EnergyRatio(left=r * X, right=r)
                 ),
                 {"r": [0.5, 0.6]},
-                progress=False,
+                sweep_options=rk.SweepOptions(progress=False),
             ),
             TypeError,
             "rk.tangents",

@@ -142,7 +142,8 @@ def test_sweeps_and_the_state_after_an_impact_have_the_same_law(law):
     for lanes in (False, True):
         found = rk.simulate_many(
             lambda theta: rk.Case(BLOCK, STILL, law, {"theta": theta}),
-            over={"theta": [0.05, 0.15]}, impact_times=n, lanes=lanes,
+            over={"theta": [0.05, 0.15]}, impact_times=n,
+            sweep_options=rk.SweepOptions(lanes=lanes),
         )  # fmt: skip
         times = found.impact_time.sel(theta=0.15)
         assert times.values == pytest.approx([e.time for e in run.impacts[:n]], abs=1e-8)

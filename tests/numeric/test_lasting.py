@@ -233,7 +233,10 @@ def test_cases_laws_motions_and_options_travel(thing):
 
 def test_a_sweep_travels():
     sweep = rk.simulate_many(
-        lambda a: rk.Case(BLOCK, PULSE.scaled(a)), {"a": [0.5, 1.0]}, impact_times=2, lanes=False
+        lambda a: rk.Case(BLOCK, PULSE.scaled(a)),
+        {"a": [0.5, 1.0]},
+        impact_times=2,
+        sweep_options=rk.SweepOptions(lanes=False),
     )
     for again in (pickle.loads(pickle.dumps(sweep)), copy.copy(sweep), copy.deepcopy(sweep)):
         assert type(again) is rk.Sweep

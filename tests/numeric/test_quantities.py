@@ -328,7 +328,7 @@ def test_a_sweep_keeps_what_is_asked_for():
         lambda scale: rk.Case(column(), SHAKING.scaled(scale)),
         over={"scale": [6.0]},
         quantities=names,
-        lanes=False,
+        sweep_options=rk.SweepOptions(lanes=False),
     )
     run = rk.simulate(column(), SHAKING.scaled(6.0))
     for name in names:

@@ -176,8 +176,9 @@ def faults(name: str, seed: int) -> Iterator[str]:
         lanes = method != "Radau" and lanes_pay(case.structure.module)
         rk.simulate_many(
             lambda scale: replace(case, motion=case.motion.scaled(scale)),
-            over={"scale": [1.0, dice.between(0.5, 2.0)]}, options=options, progress=False,
-            impact_times=3, impact_states=True, lanes=lanes,
+            over={"scale": [1.0, dice.between(0.5, 2.0)]}, options=options,
+            impact_times=3, impact_states=True,
+            sweep_options=rk.SweepOptions(progress=False, lanes=lanes),
         )  # fmt: skip
         if dice.chance(0.5):
             shaken = case.motion.scaled(rk.Dual(1.0, [1.0]))

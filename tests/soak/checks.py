@@ -21,6 +21,7 @@ from rockeom.sweeps.run import lanes_pay
 from tests.soak.cases import Dice, Motion, draw, is_even, other_side
 from tests.soak.physics import Physics, physics
 from tests.soak.tangents import wrong_tangents
+from tests.sweeping import simulate_many
 
 EPS = np.finfo(float).eps
 SLACK = 1000.0
@@ -724,7 +725,7 @@ def many(r: Record) -> Found:
         (reverse[::-1], {"threads": 1, "chunk": 256}),
         (reverse, {"threads": 2, "chunk": 2}),
     ):
-        data = rk.simulate_many(
+        data = simulate_many(
             lambda n: kept[n].case(),
             over={"n": order},
             options=r.motion.options,
@@ -806,7 +807,7 @@ def _undecided(motion: Motion, options: rk.SolverOptions) -> bool:
 
 
 def _many(motions: list[Motion], lanes: bool, options: rk.SolverOptions, **how):
-    return rk.simulate_many(
+    return simulate_many(
         lambda n: motions[n].case(), over={"n": range(len(motions))}, options=options,
         progress=False, lanes=lanes, **how,
     )  # fmt: skip

@@ -27,6 +27,7 @@ from rockeom.numbers.arguments import positive, require
 from rockeom.simulation.case import Case
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import EnergyRatio
+from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.run import simulate_many
 
 
@@ -86,7 +87,7 @@ def restitution_envelope(
         return structure(ratio, motions[motion])
 
     over = {"ratio": [float(one) for one in r], "motion": range(len(motions))}
-    sweep = finished(simulate_many(case, over=over, progress=False))
+    sweep = finished(simulate_many(case, over=over, sweep_options=SweepOptions(progress=False)))
     names = [str(one) for one in sweep["state"].values]
     state = names[0] if state is None else state
     if state not in names:

@@ -39,6 +39,7 @@ from rockeom.numbers.arguments import not_negative, positive, require
 from rockeom.simulation.case import Case
 from rockeom.structures.classes import RigidBlock
 from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.run import simulate_many
 
 NO_ROCKING = "no rocking"
@@ -297,7 +298,11 @@ def fema_356_against_integration(
     def case(motion: int) -> Case:
         return Case(block, shaken[motion], impact)
 
-    sweep = finished(simulate_many(case, over={"motion": range(len(shaken))}, progress=False))
+    sweep = finished(
+        simulate_many(
+            case, over={"motion": range(len(shaken))}, sweep_options=SweepOptions(progress=False)
+        )
+    )
     estimates = [
         tuple(fema_356_rocking(block, motion, damping=which, **choices) for motion in motions)
         for which in ("2-15", "2-16")

@@ -7,8 +7,8 @@
 
     pulse = dynamics.dimensionless_pulses(rk.RigidBlock(half_width=1.0, half_height=8.0))
     grid = {"frequency": np.linspace(0.5, 8, 76), "amplitude": np.linspace(0.5, 8, 76)}
-    sweep = rk.simulate_many(pulse, grid, arrays=True)
-    borders = analysis.overturning_boundaries(pulse, sweep, arrays=True)
+    sweep = rk.simulate_many(pulse, grid)
+    borders = analysis.overturning_boundaries(pulse, sweep)
     rk.plots.overturning_map(sweep, x="frequency", y="amplitude", boundaries=borders)
 
 The fate of a motion is the number of impacts before the structure overturns: 0, 1, 2, ...; it is
@@ -29,6 +29,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
+from rockeom import renamed
 from rockeom.analysis.arguments import slenderness
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
 from rockeom.analysis.unfinished import check_finished, finished
@@ -39,7 +40,8 @@ from rockeom.simulation.options import SolverOptions
 from rockeom.structures.base import Structure
 from rockeom.structures.classes import RigidBlock
 from rockeom.structures.impact_laws import ImpactLaw
-from rockeom.sweeps.run import simulate_many
+from rockeom.sweeps.options import SweepOptions
+from rockeom.sweeps.run import ARRAYS, simulate_many
 from rockeom.sweeps.workers import Progress
 
 MOST = 3
@@ -108,6 +110,7 @@ def _unit(function: str, structure: Structure, name: str, value: float | None) -
 # --- where the fate changes
 
 
+@renamed.needless(arrays=ARRAYS)
 def overturning_boundaries(
     case: Callable[..., Case],
     sweep: xr.Dataset,
@@ -115,7 +118,6 @@ def overturning_boundaries(
     *,
     accuracy: float = 1e-6,
     most: int = MOST,
-    arrays: bool = False,
     options: SolverOptions | None = None,
     threads: int | None = None,
     progress: bool | None = None,
@@ -130,7 +132,7 @@ def overturning_boundaries(
     along : names of the sweep along which neighbours are compared; all that hold numbers if not
         given.
     accuracy : of each value, in parts of it.
-    most : so many impacts and more are one fate. arrays, threads : as of `simulate_many`.
+    most : so many impacts and more are one fate. threads : as of `SweepOptions`.
     options : of the integrator, the defaults if not given: the sweep may be rougher. Cases beside
         a boundary are simulated anew with these.
     progress : a line on stderr; if not given, where stderr is a terminal.
@@ -148,7 +150,14 @@ def overturning_boundaries(
     no numbers.
     """
     (parts,) = positive("overturning_boundaries", accuracy=accuracy)
-    fates = _Fates(case, most, {"arrays": arrays, "options": options, "threads": threads})
+    fates = _Fates(
+        case,
+        most,
+        {
+            "options": options,
+            "sweep_options": SweepOptions(threads=threads, progress=False),
+        },
+    )
     if "low" in sweep and sweep["low"].dims == (_DIM,):
         brackets = _Brackets.of(sweep)
     else:
@@ -168,7 +177,7 @@ class _Fates:
     def __call__(self, columns: Mapping[str, np.ndarray]) -> np.ndarray:
         """(n,) of the values (n,) of each name."""
         table = xr.Dataset({name: ("row of a table", values) for name, values in columns.items()})
-        sweep = finished(simulate_many(self.case, table, progress=False, **self.how))
+        sweep = finished(simulate_many(self.case, table, **self.how))
         return impacts_before_overturning(sweep, self.most).values
 
 
@@ -391,8 +400,8 @@ def rocking_spectrum(
         )
 
     periods : 2 pi/p of the blocks [s], p = sqrt(3 g/(4 R)). alpha : their slenderness, one or
-        several [rad]. impact : as of `simulate`. how : options, threads, progress, store and
-        others of `simulate_many`.
+        several [rad]. impact : as of `simulate`. how : options, sweep_options and others of
+        `simulate_many`.
 
     Returns the dataset of `simulate_many` over motion, period and alpha. Source: Makris and
     Konstantinidis (2003), Earthquake Engineering and Structural Dynamics 32(2), 265-289.
@@ -410,7 +419,7 @@ def rocking_spectrum(
         "period": _labelled(lengths, "period 2π/p", "s"),
         "alpha": _labelled(np.ravel(angles), "slenderness", "rad"),
     }
-    return simulate_many(case, over, **{"arrays": True} | how)
+    return simulate_many(case, over, **how)
 
 
 def _labelled(values: np.ndarray, name: str, unit: str) -> xr.DataArray:

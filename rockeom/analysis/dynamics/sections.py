@@ -40,7 +40,8 @@ from rockeom.simulation.case import Case
 from rockeom.simulation.quantities import units_of
 from rockeom.structures.base import Structure
 from rockeom.structures.units import in_udunits, time_unit
-from rockeom.sweeps.cases import ROW, WORTHWHILE, Cases
+from rockeom.sweeps.cases import ROW, Cases
+from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.run import simulate_many
 from rockeom.sweeps.workers import Progress
 
@@ -80,8 +81,8 @@ def poincare_sections(
         dicts, a DataFrame) has a start in each row, and the dataset is over "start".
     settling : cycles before the recorded ones. cycles : number of recorded cycles.
     impacts : most recorded impacts, in the mean of a cycle.
-    threads, progress : as of `simulate_many`.
-    store : a folder of finished cases, of the package zarr, as of `simulate_many`: the same call
+    threads, progress : as of `SweepOptions`.
+    store : a folder of finished cases, of the package zarr, as of `SweepOptions`: the same call
         continues where the last one was stopped, with the same result to the last bit.
 
     Returns a dataset over the names and the starts: strobe over "look" and "state", all states at
@@ -447,12 +448,13 @@ class _Motions:
         return simulate_many(
             case,
             xr.Dataset({key: ("row", values) for key, values in rows.items()}),
-            arrays=len(there) >= WORTHWHILE * len({id(one) for one in self.maps}),
             impact_times=impacts,
             impact_states=impacts > 0,
             options=self.maps[0].options,
-            threads=threads,
-            chunk=None if store is None else -(-len(there) // (4 * threads)),
-            progress=False,
-            store=None if store is None else store / f"{name}.zarr",
+            sweep_options=SweepOptions(
+                threads=threads,
+                chunk=None if store is None else -(-len(there) // (4 * threads)),
+                progress=False,
+                store=None if store is None else store / f"{name}.zarr",
+            ),
         )

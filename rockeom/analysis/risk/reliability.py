@@ -38,6 +38,7 @@ from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.simulation.simulate import simulate
 from rockeom.sweeps.dataset import Sweep
+from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.run import simulate_many
 from rockeom.sweeps.sensitivity import answer
 from rockeom.sweeps.tangents import tangents
@@ -233,8 +234,8 @@ def monte_carlo(
 
     case, random, demand, limit : as of `reliability_of`; demand may be any quantity.
     number : of samples. seed : of what is drawn; the same seed draws the same.
-    how : other arguments of `simulate_many`: options, threads, progress, and store, a folder of
-        finished cases with which the same call continues after a stop.
+    how : other arguments of `simulate_many`: options, and sweep_options, in which a store of
+        finished cases lets the same call continue after a stop.
 
     Cases that gave no answer do not count; `left_out` is their number. An interrupt is raised, as
     some of the samples are no sample. Raises ValueError for bad arguments, and where no case gave
@@ -245,7 +246,7 @@ def monte_carlo(
     condition = _Condition.of("monte_carlo", demand, limit)
     u = np.random.default_rng(seed).standard_normal((number, len(space.names)))
     kept = condition.quantities(case(**space.values(u[0])))
-    sweep = finished(simulate_many(case, space.table(u), arrays=True, quantities=kept, **how))
+    sweep = finished(simulate_many(case, space.table(u), quantities=kept, **how))
     fails, answered = condition.of_sweep(sweep)
     if not answered.any():
         raise ValueError(
@@ -555,8 +556,8 @@ class _Fates:
         self.runs += len(u)
         kept = self.condition.quantities(self.case(**self.space.values(u[0])))
         sweep = finished(simulate_many(
-            self.case, self.space.table(u), arrays=True, quantities=kept, options=self.options,
-            lanes=False, progress=False,
+            self.case, self.space.table(u), quantities=kept, options=self.options,
+            sweep_options=SweepOptions(lanes=False, progress=False),
         ))  # fmt: skip
         fails, answered = self.condition.of_sweep(sweep)
         if not answered.all():

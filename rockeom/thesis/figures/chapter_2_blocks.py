@@ -450,8 +450,8 @@ def changes_of_fate(
         return sine_on_block(**one, **of_all)  # type: ignore[arg-type]
 
     over = {name: np.linspace(first, last, cases)}
-    sweep = finished(rk.simulate_many(case, over, arrays=True))
-    return finished(overturning_boundaries(case, sweep, accuracy=1e-9, arrays=True))
+    sweep = finished(rk.simulate_many(case, over))
+    return finished(overturning_boundaries(case, sweep, accuracy=1e-9))
 
 
 def draw_fates(ax: Axes, boundaries: xr.Dataset, name: str, first: float, last: float) -> None:
