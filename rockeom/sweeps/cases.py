@@ -290,9 +290,9 @@ class Batch(NamedTuple):
 class Source:
     """Makes the cases batch by batch, when they are needed, so that none wait in memory.
 
-    arrays : whether the function is tried for many cases at once. What it makes of them counts
-        where the first, the middle and the last are, to the bit, what it makes of each alone; once
-        most of some cases had to be made one by one, all others are.
+    arrays : whether the function is tried for many cases at once. The result counts where the
+        first, the middle and the last case are, to the bit, those of calls for each; once most of
+        some cases had to be made one by one, all others are.
     rows : of the cases to make; all of them if None.
     """
 
