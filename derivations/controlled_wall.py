@@ -76,7 +76,7 @@ D = measured.displacement
 # where $\Delta = H\sin\theta$ is the displacement at the height $H$ and $B$ half the width. This
 # is the thesis's 4-7 and the only fit that we use.
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 half, height, mass_height = wall.half_width, wall.height, wall.centroid_height
 theta, b = 0.16, 0.32
 centre, anchor = (b, 0.0), (0.0, -0.32)
@@ -246,7 +246,7 @@ fit = analysis.identification.coefficient_of_determination(
 print(f"k = {tendon.stiffness / 1e6:.2f} MN/m; R2 of the forces at the peaks: {fit:.3f}")
 assert abs(fit - 0.927) < 0.01  # that of the thesis
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.6, 3.0), layout="constrained")
 uplifts = {"left": (-1, measured.left_uplift), "right": (1, measured.right_uplift)}
 for edge_, (side, uplift) in uplifts.items():
@@ -346,7 +346,7 @@ pull = tendon.initial_force + wall.mass * wall.gravity
 assert force[peak] > 1.4 * pull * wall.rotation_centre.C1 / height  # that of a lever that stays
 assert np.isclose(wall.yield_displacement(), 0.0421, atol=1e-4)
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, ax = plt.subplots(figsize=(6.0, 3.2), layout="constrained")
 wide = np.linspace(-0.05, 0.05, 2001)
 ax.plot(wide * 1e3, wall.restoring_force(wide) / 1e3, label="$F_k$, (4)")
@@ -590,7 +590,7 @@ for q, error in zip(trials, rms, strict=True):
     print(f"r = {q:.2f} for all: peaks wrong by {1e3 * error:.2f} mm (rms)")
 assert rms.min() < 1.5e-3
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.6, 3.2), layout="constrained")
 v = np.linspace(0.0, 0.85, 851)
 left.plot(v, energy_ratio_4_31(v), label="4-31")
@@ -670,7 +670,7 @@ for name, p, time in (
           f"tenth peak at {time[9]:.3f} s (measured 1.050 s)")  # fmt: skip
 assert abs(instant_times[9] - 1.05) < 0.02 < 0.03 < abs(whole_times[9] - 1.05)
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, axes = plt.subplots(3, 1, figsize=(7.6, 5.4), layout="constrained", sharex=True)
 for run_, kind in ((instant, {"label": "$r$ of the instant"}),
                    (whole, {"label": "$r$ of the passage", "ls": "--", "lw": 0.8})):  # fmt: skip
@@ -847,7 +847,7 @@ assert 1700 < from_times < 1948
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 off = sp.Symbol("e", positive=True)
 high = place(off, h)

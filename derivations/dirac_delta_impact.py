@@ -61,7 +61,7 @@ sp.init_printing()
 # multiplied by $\sqrt r$.
 
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 b, h, rotation = 0.5, 1.5, 0.14
 pivot = np.array([b, 0.0])
 upright = [(-b, 0), (b, 0), (b, 2 * h), (-b, 2 * h)]
@@ -322,7 +322,7 @@ def with_jumps(duration):
     return t[t <= duration], x[t <= duration]
 
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, ax = plt.subplots(figsize=(7.0, 3.2), layout="constrained")
 times = np.linspace(0, 4.9, 800)
 for width, color in [(0.1, fb.LINES[5]), (0.03, fb.LINES[4]), (1e-3, fb.LINES[0])]:
@@ -397,7 +397,7 @@ assert np.isclose(errors[-1] / widths[-1], predicted, rtol=3e-4)
 assert np.allclose(errors / widths, predicted, rtol=0.02)
 
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, ax = plt.subplots(figsize=(4.8, 3.2), layout="constrained")
 ax.loglog(widths, predicted * widths, color=fb.INK, lw=0.9, label="(12)")
 ax.loglog(widths, errors, "o", color=fb.LINES[0], label="(8) by SciPy")
@@ -538,7 +538,7 @@ assert 1e-4 < np.abs(difference).max() < 5e-3
 # </details>
 
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 def wavy(speed):
     """v/g(v) of a force with a periodic part."""

@@ -86,7 +86,7 @@ sp.init_printing()
 #    \boldsymbol r_b = -sB\,\boldsymbol e_1 + H_b\,\boldsymbol e_2 . \tag{1} $$
 
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 b, h, low, tilt, bend = 0.4, 1.35, 0.12, 0.16, 0.26
 pivot = np.array([b, 0.0])
 z = np.linspace(0, 1, 40)
@@ -583,7 +583,7 @@ assert [event.mode_after for event in run.events[:4]] == ["both", "left", "both"
 # other foot: the structure rocks on, although *every* impact stopped its base. The energy went
 # through the column. A rigid body of the same masses would have kept 5-14's share instead.
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, axes = plt.subplots(2, 1, figsize=(7.0, 4.2), layout="constrained", sharex=True)
 axes[0].plot(run.t, 1e3 * run["theta"], color=fb.LINES[0])
 axes[1].plot(run.t, 1e3 * run["u"], color=fb.LINES[0])
@@ -678,7 +678,7 @@ plt.show()
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 w = sp.Function("w")(t)
 slid = w / sp.cos(theta_of_t)

@@ -67,7 +67,7 @@ use_style()
 # ground neither slides nor lifts; below we find the forces that this takes.
 
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 def block_corners(half_width, half_height, theta):
     """(4, 2) corners of the block and (2,) its centroid, turned about the edge it stands on."""
     b, h = half_width, half_height
@@ -344,7 +344,7 @@ inertia_about_edge = block.parameters()["inertia"] + block.mass * block.radius**
 assert np.isclose(inertia_about_edge, 4 / 3 * block.mass * block.radius**2, rtol=1e-14)
 assert np.isclose(p, np.sqrt(0.75 * block.gravity / block.radius), rtol=1e-14)
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 rotations = np.linspace(1e-9, 1.4 * block.alpha, 200)
 righting = np.sin(block.alpha - rotations) / np.sin(block.alpha)
 
@@ -470,7 +470,7 @@ for ratio in (0.1, 0.5, 0.8, 0.99):
     assert np.isclose(simulated(slender_block, release), linearised(release), rtol=1e-9)
     assert abs(linearised(release) / exact - 1) < 0.012  # what linearising costs at 14 degrees
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 ratios = np.linspace(0.005, 0.998, 150)
 marks = np.array([0.1, 0.3, 0.5, 0.7, 0.9, 0.98])
 figure, ax = plt.subplots(figsize=(5.2, 3.4), layout="constrained")
@@ -519,7 +519,7 @@ for start, end in zip([0.0, *times], times, strict=False):
     assert np.ptp(between) < 1e-9 * balance  # constant between impacts
 assert levels.max() < balance  # and inside the separatrix
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 x, y = np.meshgrid(np.linspace(-1.45, 1.45, 301), np.linspace(-1.5, 1.5, 301))
 field = energy_level(x * block.alpha, y * p * block.alpha) / balance
 figure, ax = plt.subplots(figsize=(5.6, 4.2), layout="constrained")
@@ -630,7 +630,7 @@ sp.Eq(F / N, needed)
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 ahead, up = 2 * R * sp.sin(alpha) - R * sp.sin(alpha - theta), R * sp.cos(alpha - theta)
 turning = I_G * theta_dd + m * (up * acceleration_x - ahead * (g + acceleration_y))

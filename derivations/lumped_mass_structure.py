@@ -83,7 +83,7 @@ sp.init_printing()
 #    R_b\cos\alpha_b = H_b . \tag{1} $$
 
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 def outline(b, h, low, angle):
     """Corners of the base, ends of the column, and both masses, turned about a pivot."""
     pivot = (b if angle >= 0 else -b, 0)
@@ -513,7 +513,7 @@ for r, run in runs.items():
 assert np.isclose(rms(peaks_by_energy(0.74)), 3.6, atol=0.05)
 assert np.isclose(rms(peaks_by_energy(0.81)), 0.96, atol=0.01)
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, ax = plt.subplots(figsize=(7.0, 3.3), layout="constrained")
 for (r, run), color in zip(runs.items(), (fb.LINES[1], fb.LINES[0]), strict=True):
     start = CROSSINGS[0] - run.impacts[0].time
@@ -660,7 +660,7 @@ assert 0.81 < best.x < 0.82
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 one_by_one = [(m_e, R_e, alpha_e, I_eg), (m_b, R_b, alpha_b, I_bg)]
 spots = [from_pivot(R, alpha, 1) for _, R, alpha, _ in one_by_one]

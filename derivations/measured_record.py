@@ -361,7 +361,7 @@ plt.show()
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 for order in range(1, 12):
     assert sum(comb(order, j) ** 2 for j in range(order + 1)) == comb(2 * order, order)

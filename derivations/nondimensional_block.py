@@ -56,7 +56,7 @@ use_style()
 # The ground moves with the acceleration $a_g = A\cos\Omega\tau$. In this notebook $\tau$ is the
 # time in seconds, as in the thesis, and $t$ the scaled time.
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 b, h, tilt = 0.4, 0.9, 0.14
 upright = [(-b, 0), (b, 0), (b, 2 * h), (-b, 2 * h), (0, h)]
 *corners, centre = fb.turned(upright, (b, 0), tilt)
@@ -675,7 +675,7 @@ plt.show()
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 units = {  # of mass, length and time
     "I_o": (1, 2, 0), "m": (1, 0, 0), "g": (0, 1, -2), "R": (0, 1, 0), "alpha": (0, 0, 0),

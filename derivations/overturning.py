@@ -59,7 +59,7 @@ use_style()
 #
 # $$m\,a\,H = m\,g\,B \quad\Longrightarrow\quad a = g\,\frac BH = g\tan\alpha. \tag{1}$$
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 b, h = 0.35, 0.88
 upright = [(-b, 0), (b, 0), (b, 2 * h), (-b, 2 * h), (0, h)]
 figure, (lifting, balance, beyond) = plt.subplots(1, 3, figsize=(7.8, 3.4), layout="constrained")
@@ -684,7 +684,7 @@ plt.show()
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 upwards = sp.Symbol("a_v", positive=True)
 (heavier,) = sp.solve(moments.subs(still | {GROUND_Y: upwards}), a)

@@ -61,7 +61,7 @@ use_style()
 #
 # So the block turns about $O$ before the impact and about $O'$ after it.
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 b, h = 0.45, 0.9
 outline = [(-b, 0), (b, 0), (b, 2 * h), (-b, 2 * h)]
 to_g_from_right, to_g_from_left = np.array([-b, h]), np.array([b, h])
@@ -342,7 +342,7 @@ for slenderness, _, _, printed in TABLE_2_1:
     by_package = analysis.formulas.energy_ratio_of_block(math.atan(1 / slenderness))
     assert math.isclose(by_package, energy_ratio(slenderness), rel_tol=1e-12)
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 markers = {
     "wood on steel": ("o", fb.LINES[1]),
     "granite on granite": ("s", fb.LINES[2]),
@@ -536,7 +536,7 @@ assert impacts_to_a_tenth[1] - impacts_to_a_tenth[0] > 5
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 two = rk.derive("lumped_mass_structure")
 named = {parameter.name: parameter.symbol for parameter in two.parameters}

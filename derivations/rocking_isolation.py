@@ -122,7 +122,7 @@ print(f"a foot lifts at {threshold / 9.81:.3f} g; W B = {weight * 0.285:.0f} N m
 # %% [markdown]
 # The second term of the moment, $g\,u$, is the P-delta effect: it takes a fifth of a per cent here.
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, (one, other) = plt.subplots(1, 2, figsize=(6.8, 3.6), layout="constrained")
 for ax, theta, title in ((one, 0.0, "held down"), (other, 0.13, "rocking")):
     fb.bare(ax)
@@ -167,7 +167,7 @@ assert beside.ratios["base_moment"] < beside.ratios["base_shear"] < 0.5
 assert beside.ratios["displacement"] > 1.2
 assert record.peak > 2 * threshold
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, (force, drift) = plt.subplots(2, 1, figsize=(7, 4.4), layout="constrained", sharex=True)
 for run, label, color in (
     (beside.fixed_run, "held down", fb.LINES[1]),
@@ -387,7 +387,7 @@ assert (np.diff(stands.astype(int)) <= 0).all()  # the long ones overturn it
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 rng = np.random.default_rng(1)
 feet = np.array([(1.0, 0.6), (1.0, -0.6), (-1.0, -0.6), (-1.0, 0.6)])
@@ -435,11 +435,14 @@ prestressed = rk.FlexibleControlledWall.thesis()
 lifted, further, wide = prestressed.pushover([0.005, 0.01, 0.015])
 assert lifted < further < wide
 
-falls = {}
 for kind in ("near field pulse", "near field no pulse"):
+    try:
+        names = rk.GroundMotion.library(kind)
+    except rk.MotionError as error:  # the extra `fema` is not installed
+        print(f"exercise 6 is not checked: {error}")
+        break
     outcomes = [
         rk.simulate(column, rk.GroundMotion.from_library(name), impact=rk.EnergyRatio(0.74)).outcome
-        for name in rk.GroundMotion.library(kind)
+        for name in names
     ]
-    falls[kind] = outcomes.count(rk.Outcome.OVERTURNED)
-assert falls == {"near field pulse": 1, "near field no pulse": 1}
+    assert outcomes.count(rk.Outcome.OVERTURNED) == 1

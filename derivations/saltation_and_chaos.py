@@ -126,7 +126,7 @@ plt.show()
 # $\boldsymbol\delta_- = (\delta x, \delta v)$. It is late or early by $\tau$, and for that short
 # time one of the two has jumped and the other has not. We compare them when both have.
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, ax = plt.subplots(figsize=(6.4, 3.4), layout="constrained")
 times = np.linspace(-1, 1, 401)
 
@@ -404,7 +404,7 @@ for branch in (symmetric, downwards):
         assert math.isclose(np.linalg.det(orbit.derivative), ratio**2, rel_tol=1e-6)
         assert math.isclose(np.trace(orbit.derivative), trace_of(v_orbit), abs_tol=1e-5)
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, (curve, circle) = plt.subplots(
     1, 2, figsize=(8.0, 3.7), layout="constrained", width_ratios=[1.35, 1]
 )
@@ -712,7 +712,7 @@ assert max(lasted) > 10 * min(lasted)
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 g, slope = sp.symbols("g g'", real=True)
 landed = g + slope * (eps * dv + before * tau)

@@ -67,7 +67,7 @@ half_width, half_height = pinned.half_width, pinned.half_height
 # 1996).
 
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 def draw(ax, place, theta, title, b=0.25, h=0.62):
     """The block with the middle of its base at a place; its corners, from the left foot on."""
     x, y = place
@@ -300,7 +300,7 @@ assert math.isclose(state["theta"], -slide_rock[psi].subs(values))
 reaction = engine.reactions({}, ground_acceleration=8.0, mode="left_slides_left")
 assert math.isclose(reaction["left_reaction"], slide_rock[N].subs(values))
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, ax = plt.subplots(figsize=(5.6, 3.8), layout="constrained")
 slim = half_width / half_height
 pushes = np.linspace(gravity * slim, 10.0, 60)
@@ -375,7 +375,7 @@ assert survives.any()
 print(f"b/h = {slim:.3f}; the pinned block asks for {demand:.3f}, then for {more:.3f},")
 print(f"where it falls from a friction of {frictions[fell].min():.3f} on")
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, (rotations, slides) = plt.subplots(
     2, 1, figsize=(6.2, 4.6), sharex=True, layout="constrained"
 )
@@ -489,7 +489,7 @@ for e, column in ratios.items():
 for slenderness, value in [(0.15, 0.11271), (0.25, 0.18843), (0.40, 0.30353)]:
     assert round(landing_friction(slenderness), 5) == value
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, ax = plt.subplots(figsize=(5.4, 3.4), layout="constrained")
 fine = np.linspace(0.0, 0.4, 81)
 for e, column in ratios.items():
@@ -706,7 +706,7 @@ print(rk.Outcome.NO_SOLUTION.sentence, rk.Outcome.SEVERAL_SOLUTIONS.sentence, se
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 assert math.isclose(landing_friction(math.atan(2.0)), 0.75)
 assert math.isclose(landing_friction(1e-4), 0.75e-4, rel_tol=1e-6)

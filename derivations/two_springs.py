@@ -80,7 +80,7 @@ sp.init_printing()
 # in Section 5.
 
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 DELTA = 0.08  # settlement in the drawing
 
 
@@ -375,7 +375,7 @@ print(f"5-26: {P_crit:.2f} N, 5-32: {P_crit2:.2f} N, jump {100 * (P_crit2 / P_cr
 print(f"(9): {100 * float(jump.subs(angle, small_l).subs(numbers)) / P_crit:.2f} %")
 assert np.isclose(P_crit2 / P_crit - 1, -0.0014, atol=5e-5)
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 evaluate = {key: sp.lambdify(theta, value.subs(numbers)) for key, value in curve.items()}
 before = np.linspace(1e-9, theta_l, 60)
 b, h = COLUMN["half_width"], COLUMN["height"]
@@ -646,7 +646,7 @@ print(f"peaks {1e3 * peak[0]:.1f} mm and {1e3 * peak[1]:.1f} mm")
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 k_L, k_R, lean, across = sp.symbols("k_L k_R lean x", positive=True)  # lean: B sin(theta)
 (risen,) = sp.solve(k_L * (v + lean) + k_R * (v - lean), v)

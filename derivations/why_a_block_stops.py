@@ -66,7 +66,7 @@ quiet = rk.GroundMotion.none(12.0)
 run = rk.simulate(block, quiet, impact=rk.VelocityRatio(e), initial={"theta": release})
 
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 def block_at(ax, theta, foot, half_width=0.25, height=1.6):
     """The block turned about the foot, -1 left or +1 right, at which it stands."""
     b = half_width
@@ -293,7 +293,7 @@ assert not run["theta"][after].any()  # exactly zero, in full contact
 assert set(run.mode[after]) == {"both"}
 print(run.summary())
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 remaining = rigid_end - expected
 figure, ax = plt.subplots(figsize=(5.4, 3.4), layout="constrained")
 ax.semilogy(np.arange(40), remaining, "o", ms=3.5, label="simulated impacts")
@@ -396,7 +396,7 @@ assert len(impacts_c) < 150
 assert abs(sinking[-1]) > math.pi / 2  # flat on its side, and on
 print(f"C: after {len(impacts_c)} impacts it ends at theta = {sinking[-1]:.2f} rad")
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, (whole, ends) = plt.subplots(1, 2, figsize=(7.6, 3.2), layout="constrained")
 whole.plot(run.t, run["theta"], label="exact")
 whole.plot(time_c, sinking, "--", label="program C")
@@ -496,7 +496,7 @@ plt.show()
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 needed = math.ceil(math.log(0.5) / math.log(r))
 assert needed == 4

@@ -86,7 +86,7 @@ assert math.isclose(inertia_, DENSITY * (polar - area * (d_**2 + h_**2)))
 print(f"m = {mass:.0f} kg, d = {d_:.4f} m, h = {h_:.4f} m, I = {inertia_:.1f} kg m2")
 
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 def draw(ax, x=0.0, y=0.0, theta=0.0):
     """The element with the middle of its base at (x, y): its corners, and the centroid."""
     points = [(x + a, y + b) for a, b in [*OUTLINE, (d_, h_)]]
@@ -250,7 +250,7 @@ wall = built()
 # **A picture.** The first thing to look at: what was declared, drawn in any state. Where its points
 # are is told by name, too, and must be what the sketch (b) of Figure 1 shows.
 
-# %%
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 _, ax = plt.subplots(figsize=(2.6, 3.4))
 draw_structure(wall, state={"x": 0.12, "y": 0.32, "theta": 0.17}, ax=ax)
 plt.show()
@@ -378,7 +378,7 @@ assert landing.mode_before == "right"
 assert landing.mode_after == "left_slides_left"
 assert np.ptp(leaning["right_slip"][leaning.t < landing.time]) < 1e-9
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, (ax, below) = plt.subplots(2, 1, figsize=(6.2, 4.2), sharex=True, layout="constrained")
 for friction, run in runs.items():
     stands = np.abs(run["theta"]) < 0.5
@@ -455,7 +455,7 @@ plt.show()
 #
 # </details>
 
-# %% tags=["hide-cell"]
+# %% tags=["hide-cell"] jupyter={"source_hidden": true}
 # the solutions, checked
 # 1. a leg
 leg = parameter("l", "leg", "m", "length of the right foot's leg")

@@ -351,8 +351,8 @@ def test_extras_are_one_table_of_the_readme_and_all_has_them():
     ]
     (all_of,) = extras["all"]
     of_users = all_of.removeprefix("rockeom[").removesuffix("]").split(",")
-    of_developers = {"test", "crosscheck", "dev", "docs"}
-    assert {*of_users, "all"} == extras.keys() - of_developers
+    of_a_clone = {"notebooks", "test", "crosscheck", "dev", "docs"}
+    assert {*of_users, "all"} == extras.keys() - of_a_clone
     install = (ROOT / "README.md").read_text().split("## Install")[1].split("\n## ")[0]
     assert re.findall(r"^\| `(\w+)` \|", install, re.MULTILINE) == [*of_users, "all"]
 

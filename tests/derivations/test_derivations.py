@@ -5,6 +5,7 @@ import functools
 import gc
 import re
 import runpy
+import sys
 from pathlib import Path
 
 import jupytext
@@ -134,6 +135,30 @@ def test_every_exercise_has_a_solution_that_is_closed_and_checked(path):
     assert checks.source.startswith("# the solutions, checked\n")
     asserted = [n for n in ast.walk(ast.parse(checks.source)) if isinstance(n, ast.Assert)]
     assert len(asserted) >= len(exercises)
+
+
+@NOTEBOOKS
+def test_code_that_only_draws_or_checks_solutions_is_collapsed_in_pages_and_in_jupyterlab(path):
+    for cell in read(path).cells:
+        if cell.cell_type != "code":
+            continue
+        tree = list(ast.walk(ast.parse(cell.source)))
+        names = {node.id for node in tree if isinstance(node, ast.Name)}
+        asserts = any(isinstance(node, ast.Assert) for node in tree)
+        only_draws = ".show()" in cell.source and not asserts and not names & {"rk", "analysis"}
+        collapsed = bool({"hide-input", "hide-cell"} & set(cell.metadata.get("tags", ())))
+        assert collapsed or not only_draws, cell.source
+        assert collapsed == cell.metadata.get("jupyter", {}).get("source_hidden", False)
+
+
+@NOTEBOOKS
+def test_needs_no_package_besides_those_that_rockeom_needs(path):
+    code = "\n".join(cell.source for cell in read(path).cells if cell.cell_type == "code")
+    tree = list(ast.walk(ast.parse(code)))
+    imported = {name.name for node in tree if isinstance(node, ast.Import) for name in node.names}
+    imported |= {node.module for node in tree if isinstance(node, ast.ImportFrom)}
+    needed = {"matplotlib", "numpy", "rockeom", "scipy", "sympy", *sys.stdlib_module_names}
+    assert {name.split(".")[0] for name in imported} <= needed
 
 
 @NOTEBOOKS
