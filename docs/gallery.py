@@ -59,6 +59,11 @@ STRUCTURES = {
         'run = rk.simulate(structure, still, initial={"theta": 0.15})',
         TILTED,
     ),
+    "offset_block": Example(
+        "structure = rk.RigidBlock.from_dimensions(width=0.4, height=1.6, offset=0.05)",
+        'run = rk.simulate(structure, still, initial={"theta": 0.15})',
+        TILTED,
+    ),
     "slender_block": Example(
         "structure = rk.SlenderBlock.from_frequency(p=3.0, alpha=0.2)",
         'run = rk.simulate(structure, still, initial={"theta": 0.15})',

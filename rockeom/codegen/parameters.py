@@ -76,12 +76,12 @@ def _falls(text: Text) -> None:
 
 def _velocity_ratio(text: Text) -> None:
     ratio = text.model.velocity_ratio
-    _scalar(
-        text,
-        "velocity_ratio",
-        "Ratio of the rates of rotation at an impact of the structure taken as rigid.",
-        sp.Integer(1) if ratio is None else ratio,
-    )
+    described = "Ratio of the rates of rotation at an impact of the structure taken as rigid."
+    if ratio is sp.nan:
+        text.function("velocity_ratio(p)", "Each foot has its own ratio.", ["    return math.nan"])
+    else:
+        value = sp.Integer(1) if ratio is None else ratio
+        _scalar(text, "velocity_ratio", described, value)
 
 
 def _sizes(text: Text) -> None:

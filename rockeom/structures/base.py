@@ -139,7 +139,10 @@ class Structure:
 
     @functools.cached_property
     def velocity_ratio(self) -> float:
-        """Ratio of the rates of rotation at an impact of the structure taken as rigid, 5-14."""
+        """Ratio of the rates of rotation at an impact of the structure taken as rigid, 5-14.
+
+        nan where each foot has its own, see `OffsetBlock`.
+        """
         return number("velocity_ratio", self.module_for(self.vector).velocity_ratio(self.vector))
 
     @functools.cached_property
@@ -302,6 +305,12 @@ class Structure:
             return 0, 1.0
         chosen = default_law(m) if impact is None else impact
         check_law(chosen)
+        if isinstance(chosen, TabulatedLaw) and not isfinite(self.velocity_ratio):
+            raise ValueError(
+                f"{self.model}: impact is {chosen!r}, a ratio of kinetic energies; its feet are "
+                "not equally far from the centroid, so that this gives different ratios of angular "
+                "velocities at each: give rk.VelocityRatio(e), or leave `impact` out"
+            )
         return chosen.resolve(self.velocity_ratio, m.HAS_IMPULSIVE, self.model)
 
     @property
@@ -432,7 +441,7 @@ class Structure:
         """Outlines of its bodies and what joins them, as they were declared, for a sketch."""
         return shapes(self.module, self.vector)
 
-    @functools.cached_property
+    @property
     def uplift_acceleration(self) -> float | None:
         """Least horizontal ground acceleration, either way, at which a foot lifts [m/s2].
 
@@ -440,9 +449,35 @@ class Structure:
         slowly, and may lift earlier when it vibrates. For a block it is g tan(alpha). inf if
         none lifts it; None unless the structure stands on rigid ground.
         """
+        return None if self.uplift_accelerations is None else min(self.uplift_accelerations)
+
+    @functools.cached_property
+    def uplift_accelerations(self) -> tuple[float, float] | None:
+        """(left, right) sizes of the ground accelerations at which it starts to lean there [m/s2].
+
+        To the left it leans under an acceleration of the ground to the right, and the other way
+        round. They differ where the centroid is off the middle; the lesser one is
+        `uplift_acceleration`, which says more.
+        """
         if not self.rocks_on_rigid_ground:
             return None
-        return statics.uplift_acceleration(self.module, self.vector)
+        return statics.uplift_accelerations(self.module, self.vector)
+
+    @functools.cached_property
+    def overturning_angles(self) -> tuple[float, float] | None:
+        """(left, right) rotations beyond which it does not come back by itself, in their unit.
+
+        alpha of a block on both sides; of others the rotation at which the force of `pushover`
+        has fallen to zero, or `overturning_rotation` where it stays above. None where contacts may
+        open otherwise than by rocking, nan where no equilibrium was found.
+        """
+        if self.has_landings:
+            return None
+        left, right = (
+            statics.overturning_angle(self.equilibrium, side * self.overturning_rotation)
+            for side in (-1.0, 1.0)
+        )
+        return left, right
 
     @property
     def slenderness(self) -> float | None:
@@ -587,7 +622,7 @@ class FixedBase(Structure):
         return False
 
     @property
-    def uplift_acceleration(self) -> None:
+    def uplift_accelerations(self) -> None:
         """None: nothing lifts it."""
         return None
 
@@ -616,6 +651,10 @@ class FixedBase(Structure):
         if impact is not None:
             raise ValueError(f"{self.model} has no impacts: leave `impact` out")
         return 0, 1.0
+
+    @property
+    def overturning_angles(self) -> None:
+        """None: it does not turn."""
 
     def pushover(self, rotations) -> np.ndarray:
         """Raises ValueError: it has no rotation by which it could be pushed."""

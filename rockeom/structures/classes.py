@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from rockeom.structures.shipped.nondimensional_block import (
         NondimensionalBlock as NondimensionalBlock,
     )
+    from rockeom.structures.shipped.offset_block import OffsetBlock as OffsetBlock
     from rockeom.structures.shipped.rigid_block import RigidBlock as RigidBlock
     from rockeom.structures.shipped.simplified_substitute_gravity_wall import (
         SimplifiedSubstituteGravityWall as SimplifiedSubstituteGravityWall,
@@ -55,6 +56,7 @@ if TYPE_CHECKING:
 SHIPPED = ImportedClasses(
     {
         "RigidBlock": "shipped.rigid_block",
+        "OffsetBlock": "shipped.offset_block",
         "SlenderBlock": "shipped.slender_block",
         "NondimensionalBlock": "shipped.nondimensional_block",
         "SlidingBlock": "shipped.sliding_block",
@@ -84,6 +86,7 @@ __all__ = [
     "FlexibleStructure",
     "LumpedMassStructure",
     "NondimensionalBlock",
+    "OffsetBlock",
     "RigidBlock",
     "RockingFrame",
     "SimplifiedSubstituteGravityWall",

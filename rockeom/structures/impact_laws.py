@@ -191,10 +191,13 @@ class AngularMomentum:
 
     Housner (1963), thesis 2-6 and 5-14; the default of structures that rotate and do nothing else.
     For a flexible structure this is the thesis's rule: the deformation's rate is left unchanged,
-    and an impact may gain energy. `Impulsive` is the exact law there, and the default.
+    and an impact may gain energy. `Impulsive` is the exact law there, and the default. For a rigid
+    block with its centroid off the middle the two are one.
     """
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
+        if not isfinite(velocity_ratio):  # each foot has its own
+            return IMPULSIVE, math.nan
         return RATIO, velocity_ratio
 
 

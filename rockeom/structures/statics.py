@@ -23,6 +23,47 @@ def pushover(equilibrium: Callable[[float], Equilibrium], rotations) -> np.ndarr
     return forces
 
 
+_GROWTH = 1.5
+"""Ratio of the rotations at which the loss of equilibrium is sought."""
+
+
+def overturning_angle(equilibrium: Callable[[float], Equilibrium], farthest: float) -> float:
+    """Size of the rotation at which the holding force falls to zero, at most `farthest`.
+
+    farthest : a rotation with the sign of its side. nan where no equilibrium was found.
+    """
+
+    def holds(part: float) -> float:
+        """The force against which the structure stands, at a part of the farthest rotation."""
+        return math.copysign(1.0, farthest) * equilibrium(part * farthest)[0]
+
+    try:
+        above, below = 0.0, 1e-3
+        while below < 1.0 and holds(below) > 0.0:
+            above, below = below, min(_GROWTH * below, 1.0)
+        if below == 1.0 and holds(1.0) > 0.0:
+            return abs(farthest)
+        return float(abs(farthest) * _root(holds, above, below))
+    except ValueError:
+        return math.nan
+
+
+def _root(function: Callable[[float], float], a: float, b: float) -> float:
+    """Where a function of different signs at a and b is zero, by the Illinois method."""
+    at_a, at_b = function(a), function(b)
+    for _ in range(100):
+        if abs(b - a) <= 1e-13 * abs(b) or at_b == 0.0:
+            break
+        c = b - at_b * (b - a) / (at_b - at_a)
+        at_c = function(c)
+        if at_b * at_c < 0.0:
+            a, at_a = b, at_b
+        else:
+            at_a *= 0.5
+        b, at_b = c, at_c
+    return b
+
+
 def angles(rotations) -> np.ndarray:
     """Rotations as finite floats; raises TypeError or ValueError where one is none."""
     values = numbers("rotations", rotations)
@@ -80,8 +121,10 @@ def balanced(
     return (lacking(at)[1] if done.all() else np.nan), state(at)
 
 
-def uplift_acceleration(module: GeneratedModule, p: np.ndarray) -> float:
-    """Ground acceleration at which the force on a foot vanishes, of a structure on rigid ground.
+def uplift_accelerations(module: GeneratedModule, p: np.ndarray) -> tuple[float, float]:
+    """Sizes of ground accelerations at which a structure on rigid ground leans (left, right).
+
+    The force on the opposite foot vanishes there.
 
     Unknown are the acceleration and the coordinates that are free in full contact. Their equations
     are linear, but for small terms: Newton's method from rest.
@@ -119,4 +162,5 @@ def uplift_acceleration(module: GeneratedModule, p: np.ndarray) -> float:
                 break
         return abs(float(unknown[0]))
 
-    return min(lifts(m.REACTIONS.index(f"{foot}_reaction")) for foot in ("left", "right"))
+    left, right = (lifts(m.REACTIONS.index(f"{foot}_reaction")) for foot in ("right", "left"))
+    return left, right

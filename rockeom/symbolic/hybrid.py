@@ -174,11 +174,21 @@ class HybridModel:
 
     @cached_property
     def velocity_ratio(self) -> sp.Expr | None:
-        """Ratio of angular velocities at an impact of the structure taken as rigid."""
+        """Ratio of angular velocities at an impact of the structure taken as rigid.
+
+        None without impacts, nan where a rigid body's centroid is nearer to one foot: each foot has
+        its own ratio there, and the impulse maps give both.
+        """
         if self.rigid_velocity_ratio is not None:
             return self.rigid_velocity_ratio
-        impact = next((t for t in self.transitions if t.kind == "impact"), None)
-        return None if impact is None else self.velocity_ratio_at(impact)
+        impacts = [t for t in self.transitions if t.kind == "impact"]
+        if not impacts:
+            return None
+        ratio = self.velocity_ratio_at(impacts[0])
+        if len(self.coordinates) > 1:  # checks refuse different ratios
+            return ratio
+        others = (self.velocity_ratio_at(t) for t in impacts[1:])
+        return ratio if all(sp.cancel(other - ratio) == 0 for other in others) else sp.nan
 
     def velocity_ratio_at(self, impact: Transition) -> sp.Expr:
         """The same ratio, derived for one impact."""

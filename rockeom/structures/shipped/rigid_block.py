@@ -9,6 +9,7 @@ from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.parameters import check_values
 from rockeom.structures.shipped.declarations import rigid_block as declared
+from rockeom.structures.shipped.offset_block import OffsetBlock
 
 
 class RigidBlock(declared.RigidBlock):
@@ -37,6 +38,67 @@ class RigidBlock(declared.RigidBlock):
             **others,
         )
 
+    @classmethod
+    def from_dimensions(
+        cls,
+        *,
+        width: float,
+        height: float,
+        centroid_height: float | None = None,
+        offset: float = 0.0,
+        mass: float = 1.0,
+        inertia: float | None = None,
+        gravity: float = STANDARD_GRAVITY,
+        **others: float,
+    ) -> Self | OffsetBlock:
+        """The block of these full dimensions, as one measures them.
+
+        width, height : of the whole block [m]. centroid_height : above the base [m]; half the
+        height if not given. offset : of the centroid, to the right of the middle of the base [m];
+        a block with one is an `OffsetBlock`, which overturns at another angle on each side.
+        mass [kg], inertia : about the centroid [kg m2], gravity [m/s2]. others : the parameters
+        that are left, such as `friction` of a `SlidingBlock`.
+
+        The inertia is m (width**2 + height**2)/12 if not given: that of the homogeneous rectangle.
+        With the centroid off the middle it is an estimate: the inertia about a foot is for three
+        quarters that of the centroid's distance, so that an error of 20 % changes p by 2.5 %.
+
+        >>> rack = RigidBlock.from_dimensions(width=0.6, height=2.0, centroid_height=0.8)
+        >>> rack.alpha  # rad
+        0.3587...
+        >>> statue = RigidBlock.from_dimensions(width=0.6, height=1.8, offset=0.05)
+        >>> statue.overturning_angles  # rad, to the left and to the right
+        (0.3712..., 0.2709...)
+
+        Raises ValueError for a centroid that is not inside the block and above its base.
+        """
+        name = cls.__name__
+        check_values(name, {"width": width, "height": height, "centroid_height": centroid_height})
+        check_values(name, {"offset": offset}, may_be_negative=frozenset({"offset"}))
+        up = 0.5 * height if centroid_height is None else centroid_height
+        if not up < height:
+            raise ValueError(
+                f"{name}: centroid_height is {centroid_height} and height {height}: give the "
+                "height of the centroid above the base, within the block [m]"
+            )
+        if not abs(offset) < 0.5 * width:
+            raise ValueError(
+                f"{name}: offset is {offset} and width {width}: the centroid must be above the "
+                "base; give its distance from the middle of the base [m], positive to the right"
+            )
+        size = dict(half_width=0.5 * width, half_height=up, mass=mass, gravity=gravity, **others)
+        if inertia is None and (offset or centroid_height is not None):
+            check_values(name, {"mass": mass})
+            inertia = mass * (width**2 + height**2) / 12
+        if not offset:
+            return cls(inertia=inertia, **size)
+        if cls is not RigidBlock:
+            raise ValueError(
+                f"{name}: offset is {offset}: a {name} has its centroid above the middle of its "
+                "base; take RigidBlock.from_dimensions, or declare a Model whose feet slide"
+            )
+        return OffsetBlock(offset=offset, inertia=inertia, **size)
+
     @property
     def alpha(self) -> float:
         """Angle of the line from an edge to the centroid, from the vertical [rad]."""
@@ -52,6 +114,21 @@ class RigidBlock(declared.RigidBlock):
         """p = sqrt(m g R/I_o) [rad/s]."""
         pivot_inertia = self.parameters()["inertia"] + self.mass * self.radius**2
         return mathematics.sqrt(self.mass * self.gravity * self.radius / pivot_inertia)
+
+    @property
+    def R(self) -> float:
+        """`radius` [m], by the letter of formulas."""
+        return self.radius
+
+    @property
+    def p(self) -> float:
+        """`frequency_parameter` [rad/s], by the letter of formulas."""
+        return self.frequency_parameter
+
+    @property
+    def overturning_angles(self) -> tuple[float, float]:
+        """(left, right) rotations beyond which the block does not come back, alpha both [rad]."""
+        return self.alpha, self.alpha
 
     def hints(self) -> tuple[str, ...]:
         return (*super().hints(), *inertia_hints(self.mass, self.radius, self.inertia))

@@ -106,9 +106,13 @@ def _invertible(model: HybridModel, mode: Mode, sample: _Sample) -> None:
 
 
 def _one_ratio(model: HybridModel, sample: _Sample) -> None:
-    """Impact laws multiply the rate by one ratio, whichever side closes."""
+    """Impact laws multiply the rate by one ratio, whichever side closes.
+
+    The rotation of a rigid body, its only coordinate, has the ratio of each foot by the impulses.
+    """
     impacts = [t for t in model.transitions if t.kind == "impact"]
-    if model.rigid_velocity_ratio is not None or len(impacts) < 2:
+    rigid = len(model.coordinates) == 1
+    if rigid or model.rigid_velocity_ratio is not None or len(impacts) < 2:
         return
     first, *others = impacts
     ratios = sample(first.source, [model.velocity_ratio_at(t) for t in impacts])

@@ -171,7 +171,7 @@ def _transitions(model: HybridModel) -> list[Block]:
         for alike in [group] if guard is not None else [[t] for t in group]:
             blocks += _transition(model, alike, alike[0].guard if guard is None else guard)
     ratio = model.velocity_ratio
-    if ratio is not None:
+    if ratio not in (None, sp.nan):
         dot = Notation(model.modes[0], model).plain(model.rotation.velocity)
         e = Notation(model.modes[0], model).quotient(ratio)
         blocks += [
