@@ -527,8 +527,6 @@ class Structure:
 
 
 _SYNONYMS = {
-    "p": "frequency_parameter",
-    "R": "radius",
     "r": "velocity_ratio",
     "e": "velocity_ratio",
     "m": "mass",

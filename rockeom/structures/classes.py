@@ -56,9 +56,9 @@ if TYPE_CHECKING:
 SHIPPED = ImportedClasses(
     {
         "RigidBlock": "shipped.rigid_block",
-        "OffsetBlock": "shipped.offset_block",
         "SlenderBlock": "shipped.slender_block",
         "NondimensionalBlock": "shipped.nondimensional_block",
+        "OffsetBlock": "shipped.offset_block",
         "SlidingBlock": "shipped.sliding_block",
         "StackedBlocks": "shipped.stacked_blocks",
         "DiracDeltaBlock": "shipped.dirac_delta_block",

@@ -185,7 +185,6 @@ def without_symbol(p: Parameter, position: int) -> tuple[Parameter, ...]:
 
 WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     # impacts
-    "unequal feet": (lambda: on_feet(b, STRANGE), ("block", "ratio", "'left' -> 'right'", "feet")),
     "a mass off the middle": (
         lambda: tower(bodies=lambda pivot: [ECCENTRIC(pivot), bodies(pivot)[1]]),
         ("tower", "ratio", "'left' -> 'right'", "not equally far"),
@@ -720,3 +719,14 @@ def test_rotation_need_not_be_first_where_it_is_named():
 
 def test_shipped_structure_is_derived_once_in_a_session():
     assert rk.derive("two_spring_cart") is rk.derive("two_spring_cart")
+
+
+def test_a_rigid_body_whose_feet_are_not_equally_far_is_an_offset_block():
+    left, right = 0.5, 0.3
+    values = {"mass": 3.0, "height": 2.0, "stiffness": 1.0, "half_width": left, "q": right}
+    unequal = rk.structure(on_feet(b, STRANGE), **values)
+    half_width, offset = (left + right) / 2, (left - right) / 2
+    block = rk.OffsetBlock(half_width=half_width, half_height=2.0, offset=offset, inertia=4.0 / 3)
+    for mode, rate in (("left", 0.7), ("right", -0.7)):
+        after, follows = block.after_impact({"theta_dot": rate}, mode)
+        assert unequal.after_impact({"theta_dot": rate}, mode) == (pytest.approx(after), follows)

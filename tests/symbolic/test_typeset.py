@@ -188,7 +188,7 @@ def test_reading_typeset_energies_reactions_and_velocity_ratio_gives_the_derived
         pairs += [(notation.write(a), b) for a, b in zip(shown, expected, strict=True)]
         for tex, expr in pairs:
             assert read(tex) == pytest.approx(Values(values)[expr], rel=1e-12, abs=1e-12)
-    if model.velocity_ratio is not None and original.rigid_velocity_ratio is None:
+    if model.velocity_ratio not in (None, sp.nan) and original.rigid_velocity_ratio is None:
         first = original.modes[0]
         values = values_of(first, 2)
         tex = Notation(model.modes[0], model).quotient(model.velocity_ratio)

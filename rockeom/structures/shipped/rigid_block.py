@@ -8,11 +8,12 @@ from typing import Self
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.parameters import check_values
+from rockeom.structures.shipped.blocks import Block
 from rockeom.structures.shipped.declarations import rigid_block as declared
 from rockeom.structures.shipped.offset_block import OffsetBlock
 
 
-class RigidBlock(declared.RigidBlock):
+class RigidBlock(Block, declared.RigidBlock):
     @classmethod
     def from_frequency(
         cls,
@@ -108,44 +109,3 @@ class RigidBlock(declared.RigidBlock):
     def radius(self) -> float:
         """Distance of the centroid from an edge, R [m]."""
         return mathematics.hypot(self.half_width, self.half_height)
-
-    @property
-    def frequency_parameter(self) -> float:
-        """p = sqrt(m g R/I_o) [rad/s]."""
-        pivot_inertia = self.parameters()["inertia"] + self.mass * self.radius**2
-        return mathematics.sqrt(self.mass * self.gravity * self.radius / pivot_inertia)
-
-    @property
-    def R(self) -> float:
-        """`radius` [m], by the letter of formulas."""
-        return self.radius
-
-    @property
-    def p(self) -> float:
-        """`frequency_parameter` [rad/s], by the letter of formulas."""
-        return self.frequency_parameter
-
-    @property
-    def overturning_angles(self) -> tuple[float, float]:
-        """(left, right) rotations beyond which the block does not come back, alpha both [rad]."""
-        return self.alpha, self.alpha
-
-    def hints(self) -> tuple[str, ...]:
-        return (*super().hints(), *inertia_hints(self.mass, self.radius, self.inertia))
-
-    def parameters(self) -> dict[str, float]:
-        values = super().parameters()
-        if self.inertia is None:
-            values["inertia"] = self.mass * self.radius**2 / 3
-        return values
-
-
-def inertia_hints(mass: float, radius: float, inertia: float | None) -> tuple[str, ...]:
-    """Hints at a centroid amid a rectangle and an inertia that no body within it has."""
-    most = mass * radius**2
-    if inertia is None or inertia <= most * (1 + 1e-12):
-        return ()
-    return (
-        f"inertia is {inertia:.4g} kg m2 about the centroid; a body of this size has at most "
-        f"m R**2 = {most:.4g} kg m2, with all its mass at the corners.",
-    )

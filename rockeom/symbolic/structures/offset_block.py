@@ -11,7 +11,7 @@ from rockeom.symbolic.rocking import RockingModel, rocking_structure
 
 
 @shipped(
-    place=1.5,
+    place=3.2,
     may_vanish=("inertia",),
     defaults={"mass": 1.0, "inertia": "that of a homogeneous rectangle about its middle"},
     called={"height": "half_height"},
