@@ -221,9 +221,9 @@ angle = 0.01
 anchors = {h: lagrange.anchor_height, z: lagrange.anchor_depth}
 anchors |= {t: angle, b_: wall.rotation_centre.distance(height * np.sin(angle))}
 stretched = float((length - (h + z)).subs(anchors))
-told = lagrange.reactions({"theta": angle})["tendon_force"]
+computed = lagrange.reactions({"theta": angle})["tendon_force"]
 np.testing.assert_allclose(
-    told, lagrange.initial_force + lagrange.tendon_stiffness * stretched, rtol=1e-12
+    computed, lagrange.initial_force + lagrange.tendon_stiffness * stretched, rtol=1e-12
 )
 
 # %% [markdown]
@@ -521,10 +521,10 @@ assert abs(library[1] - found) < 1e-8
 # A spread loss leaves a slightly higher peak than a sudden one: it acts partly where the wall is
 # not at its fastest.
 #
-# ## 7. What the measured peaks say about $r$
+# ## 7. The energy ratio $r$ from the measured peaks
 #
 # Turn (8) round: for each pair of measured peaks there is one $r$. Table A-1 then gives $r$ of each
-# passage without any simulation, and we can lay the thesis's 4-31 beside it, which was fitted by
+# passage without any simulation, and we can compare it with the thesis's 4-31, which was fitted by
 # trial and error.
 
 
@@ -607,7 +607,7 @@ right.legend()
 plt.show()
 
 # %% [markdown]
-# *Figure 4. Left: $r$ of each passage, from (8) and the measured peaks, beside the thesis's fit.
+# *Figure 4. Left: $r$ of each passage, from (8) and the measured peaks, with the thesis's fit.
 # Right: the peaks with one $r$ for all.*
 
 # %% [markdown]
@@ -688,7 +688,7 @@ axes[2].set(xlabel="time [s]", xlim=(0, 2))
 plt.show()
 
 # %% [markdown]
-# *Figure 5. The free vibration with 4-31, both ways, beside Table A-1 (thesis Figure 4-37). The
+# *Figure 5. The free vibration with 4-31, both ways, with Table A-1 (thesis Figure 4-37). The
 # plateaus of the acceleration are the hump of Figure 3.*
 #
 # The peaks do not tell the two readings apart, the times do: with the speed of the instant the
@@ -713,7 +713,7 @@ print(f"mm of the fifth peak for one of the release: {by_4_31:.1f}, with one r {
 assert by_4_31 > 3 * by_one_r
 
 # %% [markdown]
-# ## 9. What the thesis leaves open, and how much it matters
+# ## 9. Choices that the thesis leaves open, and how much they matter
 #
 # One choice at a time, each from the simulation of Figure 5 with the speed of the instant: the time
 # of the tenth peak, measured at 1.050 s, and the rms error of the first fourteen peaks after the
@@ -795,7 +795,7 @@ assert 1700 < from_times < 1948
 #    and the inertia force about a corner.*
 # 6. Repeat Section 7 with $V(\Delta_{j+1})/V(\Delta_j)$ in place of (8), as the thesis does in
 #    Figure 4-30. By how much do the ratios differ, and why is the difference so small? *Hint:
-#    exercise 4, and the width of 3.6 mm beside peaks of 30 mm.*
+#    exercise 4, and the width of 3.6 mm against peaks of 30 mm.*
 
 # %% [markdown]
 # <details><summary>Solution 1</summary>

@@ -247,7 +247,7 @@ sp.Eq(velocity(x), profile)
 
 # %% [markdown]
 # The answer is yes, exactly, for any $n$: the velocity falls from $v_0$ to $\sqrt r\,v_0$ along an
-# error function, and at $x = 0$ it is $\sqrt[4]{r}\,v_0$. What is *not* exact is the weight:
+# error function, and at $x = 0$ it is $\sqrt[4]{r}\,v_0$. The weight is *not* exact:
 # over the distance $n$ it acts as well, and as $\tanh(x/n)$. That is the whole error, and we
 # return to it.
 #
@@ -409,7 +409,7 @@ plt.show()
 # *Figure 3. The error of the next peak: of first order in $n$, with the coefficient of (12). With
 # $n = 10^{-3}$, as in the thesis, it is $3.4\cdot10^{-4}$.*
 #
-# ## 7. What the spread force cannot do
+# ## 7. Limits of the spread force
 #
 # The block with jumps comes to rest: its impacts follow each other faster and faster, infinitely
 # many in a finite time. The smooth block does not. Once its energy is below about $n$ it stays

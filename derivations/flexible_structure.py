@@ -378,7 +378,7 @@ assert sp.simplify(solved[u_after] - u_before - H_e * (before - solved[after])) 
 #
 # For the impact on the right foot $u$ changes its sign. Compare with Model A: $m_e H_e^2$ is
 # **not** in it. Across the column the mass goes on as if nothing had happened, and only the rest
-# is stopped. What the column then shows is a vibration. The engine finds the same by its own
+# is stopped. The column then vibrates. The engine finds the same by its own
 # rule, the projection of momenta on the motions that are free after the impact:
 
 # %%
@@ -654,7 +654,7 @@ plt.show()
 #
 # The numerator is $J - m_bB^2 - m_e(B^2-u^2)$, the denominator $J + m_bB^2 + m_e(B+u)^2$. With
 # $u = 0$ and $M = m_e + m_b$, $\mathrm d\log\rho/\mathrm dJ = 2MB^2/(J^2 - M^2B^4)$. In 5-14 the
-# large $m_eH_e^2$ stands beside $J$. For the column $\rho$ is 17 times as sensitive.
+# large $m_eH_e^2$ is added to $J$. For the column $\rho$ is 17 times as sensitive.
 #
 # </details>
 #
@@ -672,8 +672,8 @@ plt.show()
 #
 # <details><summary>Solution 7</summary>
 #
-# Of 95 impacts 42 add 0.19 J in all; with ten times the damping 37 add 0.02 J, and with a hundred
-# times 8 add $2\cdot10^{-8}$ J. The column must still vibrate when a foot lands: where the
+# Among 95 impacts, 42 add 0.19 J in all; with ten times the damping 37 add 0.02 J, and with a
+# hundred times 8 add $2\cdot10^{-8}$ J. The column must still vibrate when a foot lands: where the
 # vibration has died away in between, the rule of the thesis takes energy as it should.
 #
 # </details>

@@ -253,9 +253,9 @@ assert sp.simplify(power - theta_d * still) == 0
 # %% [markdown]
 # ## 4. The engine, by a third route
 #
-# rockeom is told only where the block is: the position of the centroid when the block is turned
-# about an edge, its mass and its inertia. From there Lagrange's equations are automatic. Its
-# parameters are $B$ and $H$; equation (1) translates.
+# rockeom needs only the position of the centroid when the block is turned about an edge, its mass
+# and its inertia. From there Lagrange's equations are automatic. Its parameters are $B$ and $H$;
+# equation (1) translates.
 
 # %%
 model = rk.derive("rigid_block")
@@ -310,7 +310,7 @@ for side, branch in [(1, 0), (-1, 1)]:
 difference(printed, 1)
 
 # %% [markdown]
-# What remains is the difference between two levers, $R\cos(\alpha+\theta)$ and
+# The remainder is the difference between two levers, $R\cos(\alpha+\theta)$ and
 # $R\cos(\alpha-\theta)$. Figure 1 (b) decides: the lever of $m\,a_g$ is the height of $G$, and it
 # *grows* as the block starts to tilt. The slip is one of printing only. The results that the
 # thesis computed belong to the right form, as [the non-dimensional block](nondimensional_block.py)
@@ -535,10 +535,10 @@ plt.show()
 # %% [markdown]
 # *Figure 4. Level lines of the energy (grey), the separatrix through the balance points (orange),
 # and a free motion (blue) from $0.9\,\alpha$. The vertical steps at $\theta = 0$ are impacts, see
-# [restitution](restitution.py). Time runs clockwise.*
+# [energy lost in an impact](restitution.py). Time runs clockwise.*
 
 # %% [markdown]
-# ## 9. What the pivot must bear
+# ## 9. Forces on the pivot
 #
 # The derivation took for granted that the edge neither slides nor lifts. The forces (3) tell when
 # that is so. At the release they follow from $\dot\theta = 0$ and (8). A slender block needs little

@@ -33,7 +33,7 @@
 # 4. say which parameters of a specimen a published text determines, and which it does not;
 # 5. judge a model by measured peaks, and not confuse a ratio of energies with one of velocities.
 #
-# You should know [Housner's block](housner_block.py) and its [restitution](restitution.py).
+# You should know [Housner's block](housner_block.py) and its [impact](restitution.py).
 
 # %%
 from itertools import pairwise
@@ -188,9 +188,9 @@ about_O, about_O_dash = moments(+1), moments(-1)
 sp.Eq(about_O, 0)
 
 # %% [markdown]
-# The squares of $\dot\theta$ have gone, because centripetal accelerations point at the pivot. What
-# stands before $\ddot\theta$ is the moment of inertia about the pivot, the same for both pivots
-# (thesis 5-8):
+# The squares of $\dot\theta$ have gone, because centripetal accelerations point at the pivot. The
+# factor of $\ddot\theta$ is the moment of inertia about the pivot, the same for both pivots (thesis
+# 5-8):
 
 # %%
 (pivot_inertia,) = (relation.rhs for relation in equation("5-8").right)
@@ -373,7 +373,7 @@ numerator, denominator = sp.fraction(e)
 assert sp.expand(denominator - numerator - 2 * (m_e + m_b) * B**2) == 0
 
 # %% [markdown]
-# ## 5. What the text says about the column
+# ## 5. The data of the column
 #
 # McManus (1980) rocked a steel column. The thesis gives only some of its parameters. What can be
 # found from its text?
@@ -533,8 +533,8 @@ print(f"from release to first impact: model {fall:.3f} s, list {CROSSINGS[0] - T
 # passages through the upright position coincide. The theoretical $r$ takes too much.*
 #
 # Why not count from the release? The list of Figure 5-6 puts the first peak 0.20 s before the first
-# crossing, and the model needs 0.15 s, in which there is neither impact nor restitution. The column
-# was held still and then let go: the curve is flat there, and when it was let go is hard to read.
+# crossing, and the model needs 0.15 s, in which there is no impact. The column was held still and
+# then let go: the curve is flat there, and when it was let go is hard to read.
 #
 # **Times are a test of their own.** Between two crossings there is no impact either. A half cycle
 # with a given peak takes the model twice the time of a release from there, whatever $r$ is:
@@ -549,9 +549,9 @@ print("measured over computed half cycles:", ratios.round(3))
 assert np.all((ratios > 0.925) & (ratios < 0.945))
 
 # %% [markdown]
-# All measured half cycles are 6 to 7 % shorter. That is not the restitution's doing, and no fit of
-# $r$ will mend it. By (3), times are proportional to $\sqrt{I_O}$ and depend on the weights too. If
-# the weights and heights are right, the test has a smaller moment of inertia:
+# All measured half cycles are 6 to 7 % shorter. The coefficient of restitution is not the cause,
+# and no fit of $r$ will mend it. By (3), times are proportional to $\sqrt{I_O}$ and depend on the
+# weights too. If the weights and heights are right, the test has a smaller moment of inertia:
 
 # %%
 measured_inertia = float(numbers[I_O]) * ratios.mean() ** 2

@@ -19,7 +19,7 @@
 # # Reading a measured record
 #
 # A test of a rocking block leaves a column of numbers: its rotation, a thousand times a second, and
-# noise. What we want from it are impacts: how much energy each leaves, whether both feet are alike,
+# noise. We want to know its impacts: how much energy each leaves, whether both feet are alike,
 # how large the force was. Between the column and the answer stand a filter, two differentiations
 # and a division, and each of them makes something of the noise. This notebook follows it.
 #
@@ -29,7 +29,7 @@
 #
 # 1. estimate the noise of a record from the record itself, and say why impacts do not spoil that;
 # 2. say what a filter and a derivative make of noise, before you use them;
-# 3. find the restitution of each impact with an interval, and tell two feet apart;
+# 3. find the energy ratio of each impact with an interval, and distinguish two feet;
 # 4. say what a record of the rotation shows of an impact force, and what it cannot show;
 # 5. choose between resolution in time and in frequency.
 #
@@ -81,15 +81,15 @@ plt.show()
 #
 # $$d_i = \sum_{j=0}^{6} (-1)^j \binom{6}{j} x_{i+j}. \tag{1}$$
 #
-# Of a polynomial of degree five nothing is left, and over seven milliseconds a smooth motion is
-# one. The errors do not cancel. Their variances add with the squares of the weights,
+# They vanish for a polynomial of degree five, and over seven milliseconds a smooth motion is one.
+# The errors do not cancel. Their variances add with the squares of the weights,
 #
 # $$\operatorname{var} d = \sigma^2 \sum_j \binom{6}{j}^2 = \binom{12}{6}\,\sigma^2 = 924\,\sigma^2.
 #   \tag{2}$$
 #
-# So the size of $d$ tells $\sigma$. At an impact the rate jumps, and some seven of the $d_i$ are
-# large for another reason; there are five thousand. The *median* of their sizes does not notice.
-# Of a normal distribution it is 0.6745 standard deviations.
+# So the size of $d$ gives $\sigma$. At an impact the angular velocity jumps, and some seven of the
+# $d_i$ are large for another reason; there are five thousand. The *median* of their sizes does not
+# notice. For a normal distribution it is 0.6745 standard deviations.
 
 # %%
 d = np.diff(record["theta"], 6)
@@ -99,7 +99,7 @@ assert np.isclose(estimated, record.noise["theta"].level, rtol=1e-3)
 print(f"noise {np.degrees(estimated):.4f} degrees, put in {np.degrees(sigma):.4f}")
 
 # %% [markdown]
-# ## 2. What a filter and a derivative make of it
+# ## 2. Noise behind a filter and a derivative
 #
 # Whatever we do next, a smoothed value or a derivative, is a sum of neighbouring samples with fixed
 # weights $w_j$. Its noise is known before we look at the data:
@@ -190,7 +190,7 @@ plt.show()
 # *Figure 3. r of each impact with its 95 % interval, by the foot that lands; dashed, what was put
 # in. The slower the impact, the wider the interval.*
 #
-# One interval in twenty misses: that is what 95 % means. The feet are told apart without doubt, and
+# One interval in twenty misses: that is what 95 % means. The feet differ without doubt, and
 # the mean over both would describe no impact of this block.
 
 # %%
@@ -378,11 +378,11 @@ equal = rk.simulate(
 )
 coarse = equal.at(t)["theta"] + rng.normal(0.0, 10 * sigma, len(t))
 noisy = analysis.MeasuredRecord(t, {"theta": coarse})
-told = analysis.identification.Impacts.of_record(noisy, block, threshold=1.0)
-sure = told.half_width < 0.05 * told.energy_ratio
-print(f"r to 5 % down to {told.energy_before[sure].min():.1f} J")
-assert 8.0 < told.energy_before[sure].min() < 11.0
-assert told.energy_before[~sure].max() < 9.0
+measured = analysis.identification.Impacts.of_record(noisy, block, threshold=1.0)
+sure = measured.half_width < 0.05 * measured.energy_ratio
+print(f"r to 5 % down to {measured.energy_before[sure].min():.1f} J")
+assert 8.0 < measured.energy_before[sure].min() < 11.0
+assert measured.energy_before[~sure].max() < 9.0
 
 lasting, rate_before, share = 0.02, 0.4, 0.9  # s, rad/s, -
 moments = np.arange(-0.2, 0.2, 1e-4)

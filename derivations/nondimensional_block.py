@@ -30,7 +30,7 @@
 # 1. scale the equation of the block and name its dimensionless groups;
 # 2. find a misprint by putting one equation into another;
 # 3. compute the periodic response to harmonic shaking in closed form, and say which branch is real;
-# 4. follow a period-doubling cascade, and know which restitution it belongs to;
+# 4. follow a period-doubling cascade, and know for which coefficient of restitution it holds;
 # 5. say which pulses overturn a block, in closed form for one case and by simulation for all.
 
 # %%
@@ -51,7 +51,7 @@ from rockeom.thesis import equation
 use_style()
 
 # %% [markdown]
-# ## 1. What there is to scale
+# ## 1. Scales of length and time
 #
 # The ground moves with the acceleration $a_g = A\cos\Omega\tau$. In this notebook $\tau$ is the
 # time in seconds, as in the thesis, and $t$ the scaled time.
@@ -99,10 +99,10 @@ plt.show()
 # $$I_o\,\frac{\mathrm d^2\theta}{\mathrm d\tau^2} + s\,mgR\sin(\alpha-s\theta)
 #   + mA\cos(\Omega\tau)\,R\cos(\alpha-s\theta) = 0. \tag{1}$$
 #
-# Seven numbers: $I_o, m, g, R, \alpha, A, \Omega$. Divide by $mgR$. What multiplies the
-# acceleration is now $I_o/(mgR) = 1/p^2$, so the only time scale is $1/p$. The rotation at which
-# something happens is $\alpha$, and the acceleration at which a slender block lifts is $\alpha g$.
-# Hence we measure
+# Seven numbers: $I_o, m, g, R, \alpha, A, \Omega$. Divide by $mgR$. The factor of the acceleration
+# is now $I_o/(mgR) = 1/p^2$, so the only time scale is $1/p$. The rotation at which something
+# happens is $\alpha$, and the acceleration at which a slender block lifts is $\alpha g$. Hence we
+# measure
 #
 # $$x = \frac{\theta}{\alpha}, \qquad t = p\,\tau, \qquad \omega = \frac{\Omega}{p}, \qquad
 #   \beta = \frac{A}{\alpha g}, \qquad p = \sqrt{\frac{mgR}{I_o}}, \tag{2}$$
@@ -485,7 +485,7 @@ plt.show()
 # Towards $\beta\approx3.23$ the doublings pile up, and what follows is chaotic. The motions of the
 # dashed lines are still there, but no disturbance leaves the block on them.*
 #
-# How such points are computed, where the doublings end, and how chaos is told from a long period:
+# How such points are computed, where the doublings end, and how chaos differs from a long period:
 # [phase plane, saltation and chaos](saltation_and_chaos.py).
 
 # %% [markdown]
@@ -601,7 +601,7 @@ plt.show()
 # the second half of the pulse catches a block that the first half has thrown. No design should rest
 # upon it. But it tells how sensitive overturning is, and that the stones that stand or lie after an
 # earthquake are a poor seismograph.
-# The borders of Figure 4, to ten digits, are in [overturning](overturning.py).
+# The borders of Figure 4, with ten digits, are in [overturning](overturning.py).
 
 # %% [markdown]
 # ## Exercises
@@ -670,7 +670,7 @@ plt.show()
 # <details><summary>Solution 6</summary>
 #
 # The doublings are at 3.1106, 3.2066 and 3.2264, where a multiplier of the orbit passes -1;
-# `analysis.dynamics.period_doublings` finds them to ten digits. The ratio of their distances is
+# `analysis.dynamics.period_doublings` finds them with ten digits. The ratio of their distances is
 # 4.83; 4.669 is the limit of such ratios.
 #
 # </details>

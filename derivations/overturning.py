@@ -31,7 +31,7 @@
 # 2. decide with one number, without following the fall, whether a block falls;
 # 3. derive Housner's criteria for a push of finite duration, by his energy and without it;
 # 4. explain why a simulation has trouble close to the border of overturning, and how much;
-# 5. compute the border to ten digits with Newton's method, through an impact too;
+# 5. compute the border with ten digits by Newton's method, through an impact too;
 # 6. read a map of overturning, and explain why a larger stone of the same shape is safer.
 
 # %%
@@ -225,8 +225,8 @@ ax.legend(loc="upper right", bbox_to_anchor=(1.0, 0.72))
 plt.show()
 
 # %% [markdown]
-# *Figure 2. Three pushes with $A=1.5$ in the phase plane. Dots: the push ends. What counts is on
-# which side of the line the dot is.*
+# *Figure 2. Three pushes with $A=1.5$ in the phase plane. Dots: the push ends. The side of the line
+# on which the dot is decides.*
 #
 # **A short push** is strong, $A \gg 1$, and (5) becomes $A\,t_1 = 1$: only the impulse counts. In
 # metres and seconds the ground must gain the velocity
@@ -518,8 +518,8 @@ changes = []
 for guess, impacts in [(0.18, 1), (0.45, 1), (0.46, 0)]:
     value, steps = newton(guess, impacts)
     changes.append(value)
-    told = ", ".join(f"{abs(step):.0e}" for step in steps)
-    print(f"{value:.10f} g, after {impacts} impacts; steps {told}")
+    sizes = ", ".join(f"{abs(step):.0e}" for step in steps)
+    print(f"{value:.10f} g, after {impacts} impacts; steps {sizes}")
 
 # %% [markdown]
 # Each step doubles the number of digits. A simulation on either side, $10^{-8}$ g away, confirms

@@ -16,7 +16,7 @@
 # ---
 
 # %% [markdown]
-# # What an impact takes away
+# # Energy lost in an impact
 #
 # When a rocking block passes through its upright position, the pivot jumps from one edge to the
 # other. In that instant the block loses energy, and the sound of the blow is part of it. Housner
@@ -28,7 +28,7 @@
 # After this notebook you can
 #
 # 1. state the assumptions about the impact, one by one;
-# 2. derive the ratio of the rates of rotation by angular momentum, and again by impulses;
+# 2. derive the ratio of the angular velocities by angular momentum, and again by impulses;
 # 3. say where the energy goes, and how much of it;
 # 4. tell the ratio of energies $r$ from the ratio of velocities $e$;
 # 5. judge measured values of $r$: what they say, and what this law cannot say.
@@ -68,7 +68,7 @@ to_g_from_right, to_g_from_left = np.array([-b, h]), np.array([b, h])
 
 
 def velocity(from_pivot, rate):
-    """Velocity of the centroid for a clockwise rate of rotation."""
+    """Velocity of the centroid for a clockwise angular velocity."""
     x, y = from_pivot
     return rate * np.array([y, -x])
 
@@ -312,7 +312,7 @@ for width_to_height, follows in [(1.40, "left"), (1.43, "both")]:
     assert (state["theta_dot"] == 0.0) == (follows == "both")
 
 # %% [markdown]
-# ## 6. What experiments say
+# ## 6. Experiments
 #
 # Ma (2010) collects measured values of $r$ in his Table 2-1, from Ogawa (1977), Aslam and others
 # (1980), ElGawady and others (2006) and Peña and others (2007). The theoretical column of that
@@ -532,7 +532,7 @@ assert impacts_to_a_tenth[1] - impacts_to_a_tenth[0] > 5
 #
 # They differ. But $r$ does not: the kinetic energy has another $I_o$ on either side of the impact,
 # and $r = e_1^2\,I_{o1}/I_{o2} = e_1 e_2$ for both edges. Two feet with different measured energy
-# ratios are not told apart by where the centroid is.
+# ratios are not explained by the place of the centroid.
 #
 # </details>
 

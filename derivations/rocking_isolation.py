@@ -16,7 +16,7 @@
 # ---
 
 # %% [markdown]
-# # What rocking isolation buys and costs
+# # Benefits and costs of rocking isolation
 #
 # A column that is bolted to its foundation has to carry whatever the shaking asks of it. The same
 # column, merely put down, lifts when it is asked too much. Nothing was added, and yet the force in
@@ -29,9 +29,9 @@
 #
 # 1. find the acceleration at which a foot lifts, and the most that the ground can do for a
 #    structure that stands on it;
-# 2. compare a structure that rocks with the same one held down, under the same record;
-# 3. say where the energy of both went, and tell by its balance how well they were integrated;
-# 4. tell shaking for which rocking pays from shaking for which it does not.
+# 2. compare a structure that rocks with the same one on a fixed base, under the same record;
+# 3. say where the energy of both went, and judge by its balance how well they were integrated;
+# 4. distinguish shaking for which rocking pays from shaking for which it does not.
 
 # %%
 import dataclasses
@@ -83,10 +83,10 @@ assert np.allclose(held.periods, 2 * np.pi * np.sqrt(m / k))
 print(f"period {held.periods[0]:.3f} s, damping {100 * held.damping_ratios[0]:.1f} %")
 
 # %% [markdown]
-# The record is El Centro 1940 in a fifth of its time and with 0.8 g, as the thesis takes it for its
-# test run 3.
+# The record is El Centro 1940 in a fifth of its time and with 0.8 g, as in test run 3 of the
+# thesis.
 #
-# ## 2. What the ground can do
+# ## 2. The largest moment of the ground
 #
 # Let $N_L$ and $N_R$ be the vertical forces on the feet, and $M$ the moment of all forces of the
 # ground about the middle of the base. The horizontal force has no lever there, so
@@ -124,7 +124,7 @@ print(f"a foot lifts at {threshold / 9.81:.3f} g; W B = {weight * 0.285:.0f} N m
 
 # %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, (one, other) = plt.subplots(1, 2, figsize=(6.8, 3.6), layout="constrained")
-for ax, theta, title in ((one, 0.0, "held down"), (other, 0.13, "rocking")):
+for ax, theta, title in ((one, 0.0, "fixed base"), (other, 0.13, "rocking")):
     fb.bare(ax)
     foot = (0.285, 0.0)
     base = fb.turned([(-0.285, 0), (0.285, 0), (0.285, 0.1), (-0.285, 0.1)], foot, theta)
@@ -147,7 +147,8 @@ for ax, theta, title in ((one, 0.0, "held down"), (other, 0.13, "rocking")):
 plt.show()
 
 # %% [markdown]
-# *Figure 1. Forces of the ground: held down, a foot may be pulled; rocking, one foot carries all.*
+# *Figure 1. Forces of the ground: on a fixed base a foot may be pulled; rocking, one foot carries
+# all.*
 #
 # ## 3. The same record, twice
 #
@@ -155,23 +156,23 @@ plt.show()
 # the rotation, as thesis 5-14 has it.
 
 # %%
-beside = analysis.compare_with_fixed_base(column, record, impact=rk.EnergyRatio(0.74))
-rocking, bolted = beside.rocking, beside.fixed
-for name, ratio in beside.ratios.items():
+compared = analysis.compare_with_fixed_base(column, record, impact=rk.EnergyRatio(0.74))
+rocking, bolted = compared.rocking, compared.fixed
+for name, ratio in compared.ratios.items():
     print(f"{name:14s} {getattr(rocking, name):9.4g} instead of {getattr(bolted, name):9.4g}: "
           f"x {ratio:.2f}")  # fmt: skip
 bent_by = [1e3 * one.deformations["u"] for one in (rocking, bolted)]
 print(f"deformation    {bent_by[0]:9.4g} instead of {bent_by[1]:9.4g} mm")
 print(f"uplift         {1e3 * rocking.uplift:9.4g} mm")
-assert beside.ratios["base_moment"] < beside.ratios["base_shear"] < 0.5
-assert beside.ratios["displacement"] > 1.2
+assert compared.ratios["base_moment"] < compared.ratios["base_shear"] < 0.5
+assert compared.ratios["displacement"] > 1.2
 assert record.peak > 2 * threshold
 
 # %% tags=["hide-input"] jupyter={"source_hidden": true}
 figure, (force, drift) = plt.subplots(2, 1, figsize=(7, 4.4), layout="constrained", sharex=True)
 for run, label, color in (
-    (beside.fixed_run, "held down", fb.LINES[1]),
-    (beside.rocking_run, "rocking", fb.LINES[0]),
+    (compared.fixed_run, "fixed base", fb.LINES[1]),
+    (compared.rocking_run, "rocking", fb.LINES[0]),
 ):
     force.plot(run.t, run["horizontal_reaction"] / 1e3, color=color, label=label, lw=0.9)
     drift.plot(run.t, 1e3 * run["displacement"], color=color, lw=0.9)
@@ -187,7 +188,7 @@ plt.show()
 
 # %%
 share = rocking.base_moment / (weight * 0.285)
-vertical = beside.rocking_run["left_reaction"] + beside.rocking_run["right_reaction"]
+vertical = compared.rocking_run["left_reaction"] + compared.rocking_run["right_reaction"]
 print(
     f"largest moment {share:.2f} W B; the ground presses with up to {vertical.max() / weight:.2f} W"
 )
@@ -208,13 +209,13 @@ assert share > 1.2
 # $$ -\int a_g\,p\,\mathrm dt = \int c\,\dot u^2\,\mathrm dt + \sum_{\text{impacts}}(E^- - E^+)
 #    + E_{\text{end}} - E_0 . \tag{4} $$
 #
-# The integrals are taken over the motion that was found, the energies from its states: what (4)
-# leaves over is the error of the integration.
+# The integrals are over the computed motion, the energies those of its states: the remainder of (4)
+# is the error of the integration.
 
 # %%
 balances = {
-    "held down": analysis.energy_balance(beside.fixed_run),
-    "rocking": analysis.energy_balance(beside.rocking_run),
+    "fixed base": analysis.energy_balance(compared.fixed_run),
+    "rocking": analysis.energy_balance(compared.rocking_run),
 }
 for name, balance in balances.items():
     print(f"{name:10s} input {balance.input:6.2f} J, damper {balance.damping:6.2f} J, impacts "
@@ -234,7 +235,7 @@ ax.legend(ncols=2, loc="upper left", bbox_to_anchor=(0, 1.3))
 plt.show()
 
 # %% [markdown]
-# *Figure 3. What the shaking put in, and what took it.*
+# *Figure 3. Energy input, and where it was dissipated.*
 #
 # The structure that rocks takes less in, since it is out of step with the record, and gets rid of
 # most of it at its impacts. Without impacts the damper would have to do it alone.
@@ -259,7 +260,7 @@ for name, color in zip(names, fb.LINES[2:5], strict=True):
         factors, [r[name] for r in found], "o-", ms=4, color=color, label=name.replace("_", " ")
     )
 ax.axhline(1, color=fb.INK, lw=0.7, ls=":")
-ax.set(xlabel="factor of the record [-]", ylabel="rocking over held down [-]", ylim=(0, None))
+ax.set(xlabel="factor of the record [-]", ylabel="rocking over fixed base [-]", ylim=(0, None))
 ax.legend()
 plt.show()
 
@@ -268,7 +269,7 @@ assert np.isclose(shears[0], 1.0)  # no foot lifts
 assert (np.diff(shears) < 0).all()
 
 # %% [markdown]
-# *Figure 4. Rocking over held down, against the strength of the record.*
+# *Figure 4. Rocking over fixed base, against the strength of the record.*
 #
 # Weak shaking lifts no foot, and the two are one. From there on the force of the fixed one grows
 # in proportion, that of the rocking one far less. The displacement goes its own way. Its ratio is
@@ -298,7 +299,7 @@ figure, (left, right) = plt.subplots(1, 2, figsize=(7.2, 3.0), layout="constrain
 left.semilogx(periods[stands], shear[stands], "o-", ms=4, color=fb.LINES[2])
 left.axvline(held.periods[0], color=fb.INK, lw=0.7, ls=":")
 left.axhline(1, color=fb.INK, lw=0.7, ls=":")
-left.set(xlabel="period of the pulse [s]", ylabel="base shear, rocking over held down [-]")
+left.set(xlabel="period of the pulse [s]", ylabel="base shear, rocking over fixed base [-]")
 left.set_ylim(0, None)
 right.loglog(periods[stands], rotation[stands], "o-", ms=4, color=fb.LINES[4], label="stands")
 right.loglog(periods[~stands], np.ones(np.count_nonzero(~stands)), "x", color=fb.LINES[1],
@@ -314,12 +315,13 @@ assert (np.diff(stands.astype(int)) <= 0).all()  # the long ones overturn it
 
 # %% [markdown]
 # *Figure 5. One pulse of 0.6 g: base shear against its period (dotted: the period of the column
-# held down), and how far the column turns.*
+# on a fixed base), and how far the column turns.*
 #
-# Rocking pays where the pulse is near the period of the column: held down it resonates, and lifting
-# takes it out of step. A pulse many times as long bends the fixed column statically; there is
-# nothing to isolate, and the rocking one is turned on and on, in the end over. So the answer is not
-# in the structure alone. It is in its period, in its size, and in the longest pulse it may meet.
+# Rocking pays where the pulse is near the period of the column: on a fixed base it resonates, and
+# lifting takes it out of step. A pulse many times as long bends the fixed column statically; there
+# is nothing to isolate, and the rocking one is turned on and on, in the end over. So the answer is
+# not in the structure alone. It is in its period, in its size, and in the longest pulse it may
+# meet.
 #
 # ## Exercises
 #
@@ -350,16 +352,16 @@ assert (np.diff(stands.astype(int)) <= 0).all()  # the long ones overturn it
 #
 # <details><summary>Solution 2</summary>
 #
-# $\omega^2 = k/[m_e(1-m_eH_e^2/I_O)]$, with $I_O$ about the foot: 19.6 Hz, for 10.9 Hz held down.
-# While one foot carries all, $u$ turns back and forth at 19 to 21 Hz.
+# $\omega^2 = k/[m_e(1-m_eH_e^2/I_O)]$, with $I_O$ about the foot: 19.6 Hz, compared with 10.9 Hz on
+# a fixed base. While one foot carries all, $u$ turns back and forth at 19 to 21 Hz.
 #
 # </details>
 #
 # <details><summary>Solution 3</summary>
 #
-# The impacts, but by less: 14.0 J beside 10.0 J of the damper, for 14.2 J and 8.5 J. The exact law
-# hands part of what an impact takes from the rotation to the vibration of the column, and the
-# damper gets it.
+# The impacts, but by less: 14.0 J against 10.0 J of the damper, compared with 14.2 J and 8.5 J. The
+# exact law hands part of what an impact takes from the rotation to the vibration of the column, and
+# the damper gets it.
 #
 # </details>
 #
@@ -403,7 +405,7 @@ about_foot += sum(
 one_foot = np.sqrt(k / (m * (1 - m * 1.05**2 / about_foot))) / (2 * np.pi)
 assert round(one_foot, 1) == 19.6
 assert round(1 / held.periods[0], 1) == 10.9
-run, tones = beside.rocking_run, []
+run, tones = compared.rocking_run, []
 for begins, ends in pairwise(run.events):
     if begins.mode_after == "both" or ends.time - begins.time < 0.1:
         continue

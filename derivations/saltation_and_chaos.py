@@ -441,7 +441,7 @@ plt.show()
 #
 # Behind the break of symmetry there are two motions, each the other's mirror image. As the shaking
 # grows, a multiplier of these passes $-1$, too: they double their period, and so on. Each of these
-# points is a zero of a smooth function of $\beta$, and can be found to ten digits.
+# points is a zero of a smooth function of $\beta$, and can be found with ten digits.
 
 # %%
 cascade = analysis.dynamics.period_doublings(family, between=(1.5, 2.8), guess=settled, number=4)
@@ -480,8 +480,8 @@ figure, ax = plt.subplots(figsize=(7.0, 4.2), layout="constrained")
 ax.plot(values, dots, ".", ms=1.6, mew=0, color=fb.INK)
 for branch, color in zip((symmetric, broken, doubled), fb.LINES, strict=False):
     lines = ratio * np.sort(np.abs(branch.at_impacts("theta_dot")), axis=1) / alpha
-    beside = np.convolve(~branch.stable, [1, 1, 1], "same") > 0  # no gap where it changes
-    for there, dashes in ((branch.stable, "-"), (beside, "--")):
+    next_to_it = np.convolve(~branch.stable, [1, 1, 1], "same") > 0  # no gap where it changes
+    for there, dashes in ((branch.stable, "-"), (next_to_it, "--")):
         shown = np.where(there[:, None], lines, np.nan)
         ax.plot(branch.values, shown, dashes, color=color, lw=1.0, alpha=0.9)
 for one in cascade.values:
@@ -501,7 +501,7 @@ plt.show()
 # ## 5. Chaos, and how to tell
 #
 # Behind the end of the cascade the dots fill bands. Is that chaos, or just a long period? A picture
-# cannot tell. What tells is the mean rate at which small differences grow,
+# cannot tell. The mean rate at which small differences grow can,
 #
 # $$\lambda = \lim_{t\to\infty}\frac1t\,\ln\frac{|\boldsymbol\delta(t)|}{|\boldsymbol\delta(0)|},
 #   \tag{11}$$
@@ -632,14 +632,14 @@ print(f"periods until it falls: {min(lasted):.0f}, ..., {np.median(lasted):.0f},
 assert max(lasted) > 10 * min(lasted)
 
 # %% [markdown]
-# After how long depends on digits of the start that nobody knows: of chaos that does not last, one
-# can only say how long it lasts on the average.
+# The time of the fall depends on digits of the start that nobody knows: only the mean duration of
+# such transient chaos can be given.
 #
 # ## Exercises
 #
-# 1. **A restitution that depends on the speed.** Let the rate after an impact be a function
-#    $g(v_-)$. What is the saltation matrix now, and its determinant? *Hint: in the derivation
-#    $e\,v$ becomes $g$ at the rate of landing; use its derivative $g'$.*
+# 1. **A coefficient of restitution that depends on the speed.** Let the rate after an impact be a
+#    function $g(v_-)$. What is the saltation matrix now, and its determinant? *Hint: in the
+#    derivation $e\,v$ becomes $g$ at the rate of landing; use its derivative $g'$.*
 # 2. **After infinitely many impacts.** A free block comes to rest at $p\,t_\infty =
 #    \operatorname{artanh} v_0 + 2\sum_k\operatorname{artanh}(e^kv_0)$, see
 #    [why a block stops](why_a_block_stops.py). What is left of a small difference of the starts?
@@ -670,8 +670,8 @@ assert max(lasted) > 10 * min(lasted)
 #
 # <details><summary>Solution 2</summary>
 #
-# Of the state nothing: the determinant is $e^{2n}\to0$, and all neighbours end in the same state of
-# rest. Of the time, which is finite,
+# Nothing of the state: the determinant is $e^{2n}\to0$, and all neighbours end in the same state of
+# rest. The time is finite, and
 #
 # $$\frac{\mathrm d(p\,t_\infty)}{\mathrm dv_0} = \frac1{1-v_0^2}
 #   + 2\sum_{k\ge1}\frac{e^k}{1-e^{2k}v_0^2}.$$

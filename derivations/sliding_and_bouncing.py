@@ -16,7 +16,7 @@
 # ---
 
 # %% [markdown]
-# # What slides, what bounces, and when that matters
+# # Sliding and bouncing, and when they matter
 #
 # Housner's block stands on edges that neither slide nor jump. We wrote this down in
 # [the first notebook](housner_block.py) and went on. Now we ask what it costs: how much friction a
@@ -108,7 +108,7 @@ plt.show()
 # *Figure 1. The five motions. Where a foot slips, its friction is $\mu N$ and opposes the slip;
 # where it sticks, friction is what it must be, as long as it is less than $\mu N$.*
 #
-# ## 2. What a pinned block asks for
+# ## 2. Friction that a pinned block needs
 #
 # Let the block rock about its right foot, $\varphi = \alpha - \theta$ the angle between the
 # vertical and the line from the foot to the centroid. From the foot the centroid is at
@@ -155,7 +155,7 @@ assert sp.expand(vertical - N_1) == 0
 # Now the landing. Before it the block turns about its right foot with $\omega$, after it with
 # $e\,\omega$, $e = 1 - \tfrac32 s^2$, about its left foot. The centroid, at the height $h$ and the
 # distance $b$ from either foot, loses $(1-e)\,\omega h$ of its horizontal velocity and gains
-# $(1+e)\,\omega b$ upwards. The two impulses of the ground stand in the ratio
+# $(1+e)\,\omega b$ upwards. The two impulses of the ground have the ratio
 #
 # $$\frac{h}{b}\,\frac{1-e}{1+e} = \frac{c}{s}\,\frac{\tfrac32 s^2}{2-\tfrac32 s^2}
 #   = \frac{3sc}{4-3s^2}: \tag{3}$$
@@ -263,8 +263,8 @@ assert sp.limit(mu_c, a, sp.oo) == (4 * b_**2 + h_**2) / (3 * b_ * h_)
 # Mind the denominator of (6): as $\mu$ grows to $(4b^2+h^2)/(3bh)$, which is also the limit of
 # $\mu_c$ for large $a$, the force grows over all bounds. We come back to it in Section 6.
 #
-# Does the engine agree? Nobody told it which motion follows which: it was given the gap and the
-# slip of each foot, and it tries all modes.
+# Does the engine agree? It does not know which motion follows which: it has the gap and the slip of
+# each foot, and tries all modes.
 
 
 # %%
@@ -318,7 +318,7 @@ ax.legend(loc="upper center", bbox_to_anchor=(0.5, 1.14), ncols=4)
 plt.show()
 
 # %% [markdown]
-# *Figure 2. What begins from rest. Lines: the borders derived above. Marks: the mode that
+# *Figure 2. Motions that begin from rest. Lines: the borders derived above. Marks: the mode that
 # the engine found, at random.*
 #
 # Below $\mu = b/h$ the block never rocks from rest: it slides, whatever the ground does. The band
@@ -504,12 +504,12 @@ ax.legend()
 plt.show()
 
 # %% [markdown]
-# *Figure 4. The rate of rotation after a landing over that before. Lines: equation (8). Marks: the
+# *Figure 4. The angular velocity after a landing over that before. Lines: equation (8). Marks: the
 # engine. Right of $\mu_0$ the landing foot sticks.*
 #
-# **What the law may do wrong.** Newton's restitution looks at the normal velocity alone. Where
-# friction turns the slip round during the impact, this may be more than the energy allows. A cube
-# in flight that turns, and lands on one corner:
+# **An error of the law.** Newton's coefficient of restitution concerns the normal velocity alone.
+# Where friction turns the slip round during the impact, this may be more than the energy allows. A
+# cube in flight that turns, and lands on one corner:
 
 # %%
 cube = rk.SlidingBlock(half_width=0.4, half_height=0.4, friction=0.6, restitution=0.9)

@@ -488,7 +488,7 @@ assert sp.simplify(sp.expand(rising + rows[1])) == 0
 
 # %% [markdown]
 # Only the forces of the springs distinguish the modes. In flight both are
-# zero. The engine's springs have dampers $c_f$ beside them, which we let vanish here.
+# zero. The engine's springs have dampers $c_f$ in parallel, which we let vanish here.
 
 # %%
 back |= {GROUND_X: a_g, GROUND_Y: 0, in_engine["foundation_damping"]: 0}
@@ -504,7 +504,7 @@ for mode, feet in feet_of.items():
 # %% [markdown]
 # There is no impact law. A foot that lands meets a spring, and what is lost is lost in $c_f$.
 #
-# ## 9. What the cart gets wrong
+# ## 9. Errors of the cart
 #
 # The thesis goes another way: it takes the pushover curve as the spring of a cart (5-15),
 #
@@ -540,7 +540,7 @@ assert np.isclose(too_inert, 1.02, atol=1e-3)
 # %% [markdown]
 # The **load** is too large by $m_T H_e/S = H_e/H_c$, here by 32.5 %. The base's mass is at the
 # ground, and its inertia force has hardly a moment; the cart lifts it to the top. The **inertia**
-# is right to 2 %, by chance: the rotary inertias of this column happen to make up for the base. A
+# is right within 2 %, by coincidence: the rotary inertias of this column make up for the base. A
 # shear at the base is indeed $m_T\,\ddot u_g$, but what turns a structure over is a moment.
 #
 # The engine has both. Let the ground accelerate by a small constant amount, suddenly. Each system

@@ -57,8 +57,8 @@ r = e**2
 #
 # $$\ddot\theta = -s\,p^2\sin(\alpha - s\theta), \qquad s = \operatorname{sgn}\theta, \tag{1}$$
 #
-# and at an impact the rate of rotation is multiplied by $e$, and the kinetic energy by $r = e^2$
-# (see [restitution](restitution.py)). In this notebook $e = 0.9$.
+# and at an impact the angular velocity is multiplied by $e$, and the kinetic energy by $r = e^2$
+# (see [energy lost in an impact](restitution.py)). In this notebook $e = 0.9$.
 
 # %%
 block = rk.RigidBlock.from_frequency(p=p, alpha=alpha)
@@ -414,7 +414,7 @@ plt.show()
 # *Figure 3. Left: program C lets the block sink through the floor at the moment at which it should
 # come to rest: a false overturning. Right: times of the impacts that each program reports.*
 #
-# None of the three crashed or warned. What would have shown the mistake is physics: after rest
+# None of the three crashed or warned. Physics would have shown the mistake: after rest
 # nothing can move, and the energy of a free block can never rise. Both are worth an assertion in
 # any program that you write yourself.
 

@@ -137,8 +137,8 @@ plt.show()
 # - **contacts**: of each point that may touch, the *gap*, which cannot become negative, the *slip*,
 #   its place along the ground, and a *law*.
 #
-# What is not declared: which foot stands, that it turns about it, when it lifts, slips or lands,
-# and what an impact does. `feet` writes both points at once, with `side` $= \mp 1$.
+# The declaration does not say which foot stands, that it turns about it, when it lifts, slips or
+# lands, and what an impact does. `feet` writes both points at once, with `side` $= \mp 1$.
 
 # %%
 x = coordinate("x", "x", "m", "place of the middle of the base, positive to the right")
@@ -188,7 +188,7 @@ def declared(**more):
 element = declared()
 
 # %% [markdown]
-# ## 3. What follows from it
+# ## 3. Derived modes and equations
 #
 # Each foot may be open, stick, or slip to either side; two level feet on one rigid base can only
 # slip together. That makes ten modes.
@@ -200,7 +200,7 @@ touching = {f"{feet_down}{way}" for feet_down in ("both", "left", "right") for w
 assert set(element.modes.names) == touching | {"flight"}
 
 # %% [markdown]
-# Of each, the equations can be read. By hand: on its right foot, which sticks, the element is a
+# The equations of each can be read. By hand: on its right foot, which sticks, the element is a
 # pendulum about it. From the foot the centroid is at $(-(B-d), h)$ when upright, so
 #
 # $$\left(I + m\,[(B-d)^2 + h^2]\right)\ddot\theta =
@@ -247,8 +247,8 @@ def built(**changes):
 wall = built()
 
 # %% [markdown]
-# **A picture.** The first thing to look at: what was declared, drawn in any state. Where its points
-# are is told by name, too, and must be what the sketch (b) of Figure 1 shows.
+# **A picture.** The first thing to look at: what was declared, drawn in any state. The places of
+# its points are there by name, too, and must be those of sketch (b) of Figure 1.
 
 # %% tags=["hide-input"] jupyter={"source_hidden": true}
 _, ax = plt.subplots(figsize=(2.6, 3.4))
@@ -259,9 +259,9 @@ plt.show()
 # *Figure 2. The declared element, drawn from its places, its outline and its contacts.*
 
 # %%
-told = wall.positions({"x": 0.12, "y": 0.32, "theta": 0.17})
+places_now = wall.positions({"x": 0.12, "y": 0.32, "theta": 0.17})
 (by_hand,) = fb.turned([(0.12 + d_, 0.32 + h_)], (0.12, 0.32), 0.17)
-assert np.allclose(told["block"], by_hand)
+assert np.allclose(places_now["block"], by_hand)
 assert math.isclose(wall.positions({"theta": 0.1})["left"][1], 2 * B_ * math.sin(0.1))
 
 # %% [markdown]
@@ -283,7 +283,7 @@ for towards, lever in [("right", B_ - d_), ("left", -(B_ + d_))]:
 
 # %% [markdown]
 # **A limit that is known.** With $d = 0$ it is the block of
-# [the notebook on sliding](sliding_and_bouncing.py), in every digit that matters.
+# [the notebook on sliding](sliding_and_bouncing.py), within the tolerance of the integration.
 
 # %%
 still = rk.GroundMotion.none(3.0)
@@ -312,7 +312,7 @@ kept = (inertia_ + mass * (h_**2 - (B_ + d_) * (B_ - d_))) / (
     inertia_ + mass * (h_**2 + (B_ + d_) ** 2)
 )
 assert math.isclose(landing.after["theta_dot"] / landing.before["theta_dot"], kept, rel_tol=1e-9)
-print(f"a landing on the left foot keeps {kept:.3f} of the rate of rotation")
+print(f"a landing on the left foot keeps {kept:.3f} of the angular velocity")
 
 # %% [markdown]
 # **Energy.** Between impacts it falls only by the work of friction, $\mu N$ times the path that the
@@ -360,8 +360,8 @@ for impact in run.impacts:
 pulse = rk.GroundMotion.single_sine(amplitude=-4.0, period=1.4, duration=6.0)
 runs = {friction: rk.simulate(built(friction=friction), pulse) for friction in (0.2, 0.35, 0.6)}
 for friction, run in runs.items():
-    told = [f"{event.time:.3f} s {event.kind} ({event.contact})" for event in run.events[:3]]
-    print(f"mu = {friction}: {run.outcome}; {', '.join(told)}")
+    first = [f"{event.time:.3f} s {event.kind} ({event.contact})" for event in run.events[:3]]
+    print(f"mu = {friction}: {run.outcome}; {', '.join(first)}")
 
 assert 0.2 < (B_ - d_) / h_ < 0.35
 first = [run.events[0].kind for run in runs.values()]
