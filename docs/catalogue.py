@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterable
 from functools import cache
 from pathlib import Path
 
-import docstrings
 import notebooks
 import sympy as sp
 
@@ -35,7 +34,7 @@ def writers() -> dict[str, Callable[..., str]]:
 
     return {
         "overview": overview,
-        "structures": docstrings.structures,
+        "structures": gallery.reference,
         "equations": equations,
         "symbols": symbols,
         "tables": tables,

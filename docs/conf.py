@@ -65,6 +65,7 @@ nb_execution_cache_path = str(HERE / "_build" / "executed" / CODE)
 default_role = "py:obj"
 autodoc_typehints = "signature"
 autodoc_member_order = "bysource"
+autodoc_inherit_docstrings = False  # what a class overrides is described once, by its base
 autodoc_default_options = {"members": True, "inherited-members": False}
 autodoc_preserve_defaults = True
 python_use_unqualified_type_names = True

@@ -23,11 +23,19 @@ FOREIGN |= {"types", "typing", "enum", "pathlib", "os", "ArrayLike"}
 FOREIGN |= {"Axes", "Figure", "SubFigure", "ModuleType"}  # as annotations name them
 
 
-def structures() -> str:
-    """The lines that show the classes of all shipped structures."""
-    from rockeom.structures.classes import SHIPPED
+INTERNAL = {
+    # of a structure
+    "of_each", "pulled", "parameter_at", "module", "vector", "module_for", "jumps_between_events",
+    "rocks_on_rigid_ground", "has_landings", "fastest_damping", "small_motion", "state",
+    "mode_number", "law", "describe_impact", "speed_height", "impact_table", "defaults",
+    "complete", "held", "not_numbers", "load", "sizes_checked", "may_vanish", "of_base",
+    # of a support, an impact law, a case, a response
+    "kind", "resolve", "table", "of_foot", "code", "problem", "spans",
+}  # fmt: skip
+"""Members that the package itself calls."""
 
-    return "\n".join(f".. autoclass:: rockeom.{cls.__name__}" for cls in SHIPPED.values())
+INTERNAL_HOMES = ("rockeom.symbolic.elements",)
+"""Modules whose classes are declared by their arguments; their methods serve the derivation."""
 
 
 def process(app, what, name, obj, options, lines) -> None:
@@ -39,8 +47,15 @@ def process(app, what, name, obj, options, lines) -> None:
 
 
 def skip(app, what, name, obj, skipped, options) -> bool | None:
-    """Leave out the fields of a named tuple, which its docstring describes."""
-    return True if (getattr(obj, "__doc__", "") or "").startswith("Alias for field") else None
+    """Leave out former names, the package's own members, and fields of a named tuple.
+
+    The docstring of a named tuple describes its fields.
+    """
+    docstring = getattr(obj, "__doc__", "") or ""
+    home = getattr(getattr(obj, "fget", obj), "__module__", "")
+    internal = what == "class" and (name in INTERNAL or home in INTERNAL_HOMES)
+    hidden = docstring.startswith(("Alias for field", "The former name of"))
+    return True if internal or hidden else None
 
 
 def arguments(obj) -> set[str]:

@@ -11,6 +11,7 @@ import io
 import re
 import shlex
 import tempfile
+import textwrap
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
@@ -154,6 +155,13 @@ STRUCTURES = {
 }
 """Of each shipped structure."""
 
+OF_THE_THESIS = {
+    "slender_block", "nondimensional_block", "dirac_delta_block", "two_spring_cart",
+    "uplifting_oscillator", "controlled_wall_oscillator", "substitute_gravity_wall",
+    "simplified_substitute_gravity_wall",
+}  # fmt: skip
+"""Shipped structures that approximate one of the others, as the thesis or a paper has them."""
+
 PLOTS = {
     "draw_structure": 'figure = plots.draw_structure(column, state={"theta": 0.1, "u": 0.05})',
     "plot_response": "figure = run.plot()",
@@ -251,6 +259,23 @@ def _structure_picture(structure: rk.Structure, run: rk.Response, state: dict) -
     return figure
 
 
+def reference(kind: str = "") -> str:
+    """The directives of the reference that show the classes of shipped structures, with examples.
+
+    kind : "main", "thesis" for approximations of those, or all.
+    """
+    thesis = {"main": (False,), "thesis": (True,)}.get(kind, (False, True))
+    shown = [name for name in SHIPPED if (name in OF_THE_THESIS) in thesis]
+    return "\n\n".join(_documented(name) for name in shown)
+
+
+def _documented(name: str) -> str:
+    example = STRUCTURES[name]
+    lines = f"{example.structure}\n{example.run}".replace("**COLUMN", "**column")
+    code = ".. code-block:: python\n\n" + textwrap.indent(lines, "   ")
+    return f".. autoclass:: rockeom.{SHIPPED[name].__name__}\n\n" + textwrap.indent(code, "   ")
+
+
 # --- plots
 
 
@@ -278,10 +303,10 @@ def commands() -> dict[str, str]:
 
 
 def examples_of_commands() -> dict[str, list[str]]:
-    """The lines of the README that call each command."""
-    readme = (HERE.parent / "README.md").read_text(encoding="utf-8")
+    """The lines of the page of commands that call each of them."""
+    page = (HERE / "reference" / "command-line.md").read_text(encoding="utf-8")
     found: dict[str, list[str]] = {}
-    for block in re.findall(r"^```sh\n(.*?)^```", readme, re.MULTILINE | re.DOTALL):
+    for block in re.findall(r"^```sh\n(.*?)^```", page, re.MULTILINE | re.DOTALL):
         for line in block.splitlines():
             if called := re.match(r"rockeom (\w+)", line):
                 found.setdefault(called[1], []).append(line)

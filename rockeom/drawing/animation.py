@@ -124,6 +124,7 @@ class Animation:
 
     @property
     def frames_per_second(self) -> float:
+        """Number of frames shown in a second."""
         return self.speed / self._step
 
     @property

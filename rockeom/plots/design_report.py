@@ -54,10 +54,12 @@ class UnderRecord:
 
     @cached_property
     def rocking(self) -> Demands:
+        """Demands of the structure that rocks."""
         return demands(self.run)
 
     @cached_property
     def fixed(self) -> Demands | None:
+        """Demands of the structure on a fixed base, if it has one."""
         return None if self.fixed_run is None else demands(self.fixed_run)
 
     @cached_property
@@ -96,6 +98,7 @@ class DesignReport:
 
     @property
     def title(self) -> str:
+        """Structure and number of records, in words."""
         name = type(self.structure).__name__
         return f"{name} under {len(self.results)} record{'s' * (len(self.results) > 1)}"
 

@@ -39,6 +39,7 @@ class Extremes:
 
     @property
     def peak_time(self) -> float:
+        """Time of `peak` [s]."""
         return self.minimum_time if -self.minimum > self.maximum else self.maximum_time
 
 

@@ -99,6 +99,7 @@ class Structure:
 
     @property
     def states(self) -> tuple[str, ...]:
+        """Names of the states: the coordinates, then their rates."""
         return self.module.STATES
 
     @property

@@ -85,6 +85,7 @@ class Unilateral:
 
     @property
     def constants(self) -> dict[str, sp.Expr]:
+        """Its constants by name, which must not be negative."""
         return {"stiffness": self.stiffness, "damping": self.damping}
 
     def word(self, state: int) -> str | None:
@@ -100,6 +101,7 @@ class Unilateral:
         return f"`{self.name}` presses with this force, while it and the compression are positive:"
 
     def ends(self) -> str:
+        """The events that end its states, in words."""
         return f"`{self.name}` begins or ceases to press"
 
     def _press(self, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
@@ -112,6 +114,7 @@ class Unilateral:
         return sp.S.One
 
     def force(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        """The force of the state chi, with the rates of the coordinates."""
         return chi * self._press(coordinates)
 
     def still_force(self, chi: sp.Expr) -> sp.Expr:
@@ -121,6 +124,7 @@ class Unilateral:
     def rates(
         self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]
     ) -> dict[InternalVariable, sp.Expr]:
+        """Rates of its internal variables in the state chi."""
         return {}
 
     def settled(self, state: int) -> dict[InternalVariable, sp.Expr]:
@@ -128,6 +132,7 @@ class Unilateral:
         return {}
 
     def energy(self, chi: sp.Expr) -> sp.Expr:
+        """The energy that it stores in the state chi."""
         return chi * self.stiffness * self.compression**2 / 2
 
     def loss(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
@@ -197,33 +202,40 @@ class Yielding:
 
     @property
     def internal(self) -> tuple[InternalVariable, ...]:
+        """Its internal variable, the permanent extension."""
         return (self.variable,)
 
     @property
     def displacement(self) -> sp.Expr:
+        """The displacement on whose rise the force does negative work."""
         return self.elongation
 
     @property
     def output_displacement(self) -> sp.Expr:
+        """The displacement that a response has by its name."""
         return self.elongation
 
     @property
     def constants(self) -> dict[str, sp.Expr]:
+        """Its constants by name, which must not be negative."""
         return {
             "stiffness": self.stiffness, "strength": self.strength, "hardening": self.hardening,
         }  # fmt: skip
 
     def word(self, state: int) -> str | None:
+        """End of a mode's name for a state, behind the element's; None for no word."""
         if state == 0:
             return None
         back = "_slack" if self.slack else "_yields_back"
         return "_yields" if state > 0 else back
 
     def meaning(self) -> str:
+        """Meaning of chi."""
         back = "is slack" if self.slack else "yields in compression"
         return f"0 while `{self.name}` is elastic, 1 while it yields in tension, -1 while it {back}"
 
     def description(self) -> str:
+        """The force and the ends of a state, in words."""
         range_ = f"below ${sp.latex(sp.sympify(self.strength))}$"
         driven = "its force"
         if sp.sympify(self.hardening) != 0:
@@ -236,6 +248,7 @@ class Yielding:
         )
 
     def ends(self) -> str:
+        """The events that end its states, in words."""
         back = "or slackens" if self.slack else "or yields in compression"
         return f"`{self.name}` begins or ceases to yield {back}"
 
@@ -252,32 +265,39 @@ class Yielding:
         return chi * (chi + 1) / 2 if self.slack else chi**2
 
     def still_force(self, chi: sp.Expr) -> sp.Expr:
+        """The force where nothing moves."""
         return self._carries(chi) * self._elastic
 
     def shown(self, chi: sp.Expr) -> sp.Expr:
+        """The chi with which a page shows the force."""
         return sp.S.One
 
     def force(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        """The force of the state chi, with the rates of the coordinates."""
         return self.still_force(chi)
 
     def rates(
         self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]
     ) -> dict[InternalVariable, sp.Expr]:
+        """Rates of its internal variables in the state chi."""
         share = sp.sympify(self.stiffness) / (self.stiffness + sp.sympify(self.hardening))
         return {self.variable: self._flows(chi) * share * rate(self.elongation, coordinates)}
 
     def settled(self, state: int) -> dict[InternalVariable, sp.Expr]:
+        """Values of internal variables at the end of a state, free of rounding."""
         if state == 0 or (state < 0 and self.slack):
             return {}
         beyond = self.stiffness * self.elongation - state * self.strength
         return {self.variable: beyond / (self.stiffness + sp.sympify(self.hardening))}
 
     def energy(self, chi: sp.Expr) -> sp.Expr:
+        """The energy that it stores in the state chi."""
         z = self.variable.symbol
         stored = self.stiffness * (self.elongation - z) ** 2 / 2
         return self._carries(chi) * stored + self.hardening * z**2 / 2
 
     def loss(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        """Power lost by yielding."""
         (flow,) = self.rates(chi, coordinates).values()
         return chi * self.strength * flow
 
@@ -338,14 +358,17 @@ class Spring:
 
     @property
     def constants(self) -> dict[str, sp.Expr]:
+        """Its constants by name, which must not be negative."""
         return {"stiffness": self.stiffness, "damping": self.damping}
 
     @property
     def displacement(self) -> sp.Expr:
+        """The displacement on whose rise the force does negative work."""
         return self.deformation
 
     @property
     def output_displacement(self) -> sp.Expr:
+        """The displacement that a response has by its name."""
         return self.deformation
 
     def called(self, side: int) -> str:
@@ -357,12 +380,15 @@ class Spring:
         return replace(self, deformation=change(sp.sympify(self.deformation)))
 
     def still_force(self, chi: sp.Expr = sp.S.One) -> sp.Expr:
+        """The force where nothing moves."""
         return self.initial_force + self.stiffness * self.deformation
 
     def force(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        """The force of the state chi, with the rates of the coordinates."""
         return self.still_force(chi) + self.damping * rate(self.deformation, coordinates)
 
     def energy(self, chi: sp.Expr = sp.S.One) -> sp.Expr:
+        """The energy that it stores in the state chi."""
         if self.initial_force == 0:
             return self.stiffness * sp.sympify(self.deformation) ** 2 / 2
         if self.stiffness == 0:

@@ -110,6 +110,7 @@ class HybridModel:
 
     @property
     def states(self) -> tuple[str, ...]:
+        """Names of the states: the coordinates, then their rates."""
         if self.search is not None:
             return self.search.of.states
         names = [c.name for c in self.coordinates]
@@ -154,6 +155,7 @@ class HybridModel:
 
     @property
     def has_impacts(self) -> bool:
+        """Whether an impact ends any declared mode."""
         return any(t.kind == "impact" for t in self.transitions)
 
     def impulse_map(self, source: str, target: str) -> ImpulseMap:

@@ -62,6 +62,8 @@ class ImpulseMap:
         return sp.Matrix(n, 1, lambda i, _: sp.factor(of(i, self.momentum) / whole))
 
     def at_side(self, side: int) -> ImpulseMap:
+        """The same map, the side s put in as a number."""
+
         def put(m: sp.Matrix) -> sp.Matrix:
             return m.subs(SIDE, side)
 

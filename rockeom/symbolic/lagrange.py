@@ -61,6 +61,7 @@ class Equations:
         return forces - self.velocity - self.gravity - self.stiffness - self.damping
 
     def at_side(self, side: int) -> Equations:
+        """The same equations, the side s put in as a number."""
         return self.map(lambda expr: at_side(expr, side))
 
     def map(self, change) -> Equations:

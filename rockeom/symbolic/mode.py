@@ -74,6 +74,7 @@ class Mode:
 
     @cached_property
     def equations(self) -> Equations:
+        """The equations of motion, derived once."""
         return derive_equations(self)
 
     @cached_property
@@ -92,6 +93,7 @@ class Mode:
         return truncated(expr, self.small, 2) if self.small else sp.sympify(expr)
 
     def quantities_in(self, unit: str) -> dict[str, sp.Expr]:
+        """The further quantities that have a unit, by name."""
         return {name: e for name, (u, e) in self.quantities.items() if u == unit}
 
     @property
@@ -101,6 +103,7 @@ class Mode:
 
     @property
     def has_side(self) -> bool:
+        """Whether the equations are written with the side s."""
         return any(self.sides.values())
 
     def side_of(self, name: str) -> int:

@@ -264,10 +264,12 @@ class DerivedMode:
 
     @cached_property
     def slipping(self) -> tuple[tuple[int, ...], ...]:
+        """The `groups` whose points slip."""
         return tuple(g for g in self.groups if self.states[g[0]] == SLIP)
 
     @cached_property
     def sticking(self) -> tuple[tuple[int, ...], ...]:
+        """The `groups` whose points stick."""
         return tuple(g for g in self.groups if self.states[g[0]] == STICK)
 
     def sigma(self, point: int) -> sp.Expr:
@@ -299,10 +301,12 @@ class DerivedMode:
 
     @property
     def dependent(self) -> list[int]:
+        """Places of the coordinates that the closed points determine."""
         return self._constraints[0]
 
     @property
     def independent(self) -> list[int]:
+        """Places of the coordinates that are free to move."""
         return self._constraints[1]
 
     @property
@@ -420,6 +424,7 @@ class DerivedMode:
 
     @property
     def symmetric(self) -> bool:
+        """Whether the mass matrix is symmetric: no friction enters it."""
         return not self.slipping or not self.independent
 
     # -- forces ------------------------------------------------------------------------------
@@ -624,6 +629,7 @@ class Modes:
 
     @property
     def names(self) -> tuple[str, ...]:
+        """Names of the modes, in the order of their numbers."""
         return tuple(state.name for state in self.states)
 
     def signs_of(self, state: ContactMode) -> list[int]:
@@ -641,6 +647,7 @@ class Modes:
         return found | slips
 
     def mode_of(self, state: ContactMode) -> DerivedMode:
+        """The equations of motion of a mode."""
         return self.derived[self.patterns[state.pattern].mode]
 
 

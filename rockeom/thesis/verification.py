@@ -26,6 +26,7 @@ class Verdict(Enum):
 
     @property
     def passes(self) -> bool:
+        """Whether the equation was checked, and no check contradicts the verdict."""
         return self not in (Verdict.UNCHECKED, Verdict.FAILED)
 
 
@@ -67,6 +68,7 @@ class Report:
 
     @property
     def passes(self) -> bool:
+        """Whether all equations pass."""
         return all(d.verdict.passes for d in self.decisions)
 
     @property

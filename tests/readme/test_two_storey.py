@@ -1,4 +1,4 @@
-"""The two-storey frame that README.md declares, which no file of the package knows.
+"""The two-storey frame that a guide declares, which no file of the package knows.
 
 Whatever holds of it was derived, generated, compiled and integrated from that declaration.
 """

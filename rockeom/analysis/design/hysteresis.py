@@ -163,6 +163,7 @@ class BilinearRule(_BetweenBounds):
     """
 
     def damping(self, ductility: ArrayLike) -> np.ndarray:
+        """Hysteretic damping ratio, by thesis 2-32; ductility of any shape."""
         return damping.bilinear_damping(ductility, self.stiffness_ratio)
 
     def _bounds(self, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -192,6 +193,7 @@ class FlagRule(_BetweenBounds):
         require(height <= 1 - self.stiffness_ratio, "FlagRule", "flag_height", height, rule)
 
     def damping(self, ductility: ArrayLike) -> np.ndarray:
+        """Hysteretic damping ratio, by thesis 2-32; ductility of any shape."""
         return damping.flag_damping(ductility, self.stiffness_ratio, self.flag_height)
 
     def _bounds(self, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -228,6 +230,7 @@ class TakedaRule(HysteresisRule):
         require(exponent < 1, "TakedaRule", "unloading_exponent", exponent, rule)
 
     def damping(self, ductility: ArrayLike) -> np.ndarray:
+        """Hysteretic damping ratio, by thesis 2-32; ductility of any shape."""
         return damping.takeda_damping(ductility, self.stiffness_ratio, self.unloading_exponent)
 
     def start(self, number: int = 1) -> np.ndarray:
@@ -237,6 +240,7 @@ class TakedaRule(HysteresisRule):
         return memory
 
     def step(self, memory: np.ndarray, displacement: np.ndarray) -> HysteresisStep:
+        """The force after going straight to a displacement (n,) [m]."""
         u0, f0, right, left, zero = memory
         way = np.sign(displacement - u0)
         side = np.where(f0 != 0, np.sign(f0), way)

@@ -142,6 +142,7 @@ class ViscousDamping:
     def force(
         self, mass: float, u: np.ndarray, v: np.ndarray, tangent: Callable[[], np.ndarray]
     ) -> np.ndarray:
+        """[N], of displacements u [m] and velocities v [m/s] (n,)."""
         return np.where(np.abs(u) < self.below, self.coefficient * v, 0.0)
 
 
@@ -166,6 +167,7 @@ class TangentDamping:
     def force(
         self, mass: float, u: np.ndarray, v: np.ndarray, tangent: Callable[[], np.ndarray]
     ) -> np.ndarray:
+        """[N], of displacements u [m] and velocities v [m/s] (n,)."""
         return self.factor * np.maximum(tangent(), 0.0) * v
 
 
@@ -190,6 +192,7 @@ class PassageDamping:
     def force(
         self, mass: float, u: np.ndarray, v: np.ndarray, tangent: Callable[[], np.ndarray]
     ) -> np.ndarray:
+        """[N], of displacements u [m] and velocities v [m/s] (n,)."""
         r = self.energy_ratio(np.abs(v)) if callable(self.energy_ratio) else self.energy_ratio
         gaussian = np.exp(-((u / self.width) ** 2)) / (self.width * math.sqrt(math.pi))
         return -mass * np.log(r) / 2 * gaussian * v * np.abs(v)

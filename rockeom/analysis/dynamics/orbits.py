@@ -165,6 +165,7 @@ class PeriodicOrbit:
 
     @property
     def multipliers(self) -> np.ndarray:
+        """Eigenvalues of the derivative (n,), complex, the largest first."""
         values = np.linalg.eigvals(self.derivative).astype(complex)
         return values[np.lexsort((-values.imag, -np.abs(values)))]
 
