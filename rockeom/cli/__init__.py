@@ -6,13 +6,12 @@ import argparse
 import os
 import sys
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from rockeom import renamed
 from rockeom.cli.commands import GROUPS, HELP, OF_THESIS, command
-from rockeom.cli.errors import UsageError
-from rockeom.numbers.checks import near
+from rockeom.cli.errors import UsageError, in_options
 
 
 def _listed(commands: Mapping[str, str]) -> str:
@@ -58,7 +57,7 @@ def _run(argv: Sequence[str]) -> int:
         parser = _parser(words)
         args, unknown = parser.parse_known_args(words)
         if unknown:  # an error of the command itself, with its own usage
-            getattr(args, "parser", parser).error(f"unrecognized arguments: {' '.join(unknown)}")
+            getattr(args, "parser", parser).error(_unknown(unknown))
         if getattr(args, "run", None) is None:  # `rockeom` or `rockeom thesis` alone
             getattr(args, "group", parser).print_help()
             return 2
@@ -92,7 +91,7 @@ def _answer(args: argparse.Namespace) -> int:
     except TypeError as error:
         if not isinstance(error, _of_arguments()):
             raise
-        print(f"{args.parser.prog}: {error}", file=sys.stderr)
+        print(f"{args.parser.prog}: {_message(error)}", file=sys.stderr)
         return 2
 
 
@@ -120,7 +119,7 @@ def _parser(words: Sequence[str] = ("completion",)) -> argparse.ArgumentParser:
     )
     parser.add_argument("--version", action="version", version=f"rockeom {renamed.VERSION}")
     if first is not None and first not in HELP:
-        parser.error(f"no command {first!r}{near(first, HELP)}; rockeom --help lists them")
+        parser.error(f"no command {_meant(first, HELP)}; rockeom --help lists them")
     commands = parser.add_subparsers(metavar="COMMAND", help=argparse.SUPPRESS, prog="rockeom")
     for name in HELP:
         if name == "thesis":
@@ -141,7 +140,7 @@ def _add_thesis(commands: Any, asked: Sequence[str], program: argparse.ArgumentP
     group.set_defaults(group=group)
     name = asked[1] if asked[0:1] == ["thesis"] and len(asked) > 1 else None
     if name is not None and name not in OF_THESIS:
-        group.error(f"no command {name!r}{near(name, OF_THESIS)}; there are {', '.join(OF_THESIS)}")
+        group.error(f"no command {_meant(name, OF_THESIS)}; there are {', '.join(OF_THESIS)}")
     of_group = group.add_subparsers(
         metavar="COMMAND", help=argparse.SUPPRESS, prog="rockeom thesis"
     )
@@ -169,6 +168,13 @@ def _add(
     parser.set_defaults(run=home.run, parser=parser, program=program)
 
 
+def _meant(name: str, known: Iterable[str]) -> str:
+    """An unknown command, and the known one that is most like it."""
+    from rockeom.numbers.checks import near
+
+    return f"{name!r}{near(name, known)}"
+
+
 def _write_any_letter() -> None:
     """Greek letters must not end a command whose output goes to a pipe of few letters."""
     for stream in (sys.stdout, sys.stderr):
@@ -176,11 +182,21 @@ def _write_any_letter() -> None:
             stream.reconfigure(errors="replace")
 
 
+def _unknown(words: Sequence[str]) -> str:
+    """An error of words that no option takes."""
+    from rockeom.motion import units  # NumPy, as `near`: only where there is an error
+
+    said = f"unrecognized arguments: {' '.join(words)}"
+    if units.is_known(words[0]):
+        said += f"; write a number and its unit without a blank, as 0.4{words[0]}"
+    return said
+
+
 def _message(error: Exception) -> str:
     if isinstance(error, OSError) and error.filename is not None:
         return f"{error.filename}: {error.strerror}. Check the path and the permissions."
-    return str(error)
+    return in_options(str(error))
 
 
 def _show_warning(message, category, filename, lineno, file=None, line=None) -> None:
-    print(f"warning: {message}", file=sys.stderr)
+    print(f"warning: {in_options(str(message))}", file=sys.stderr)

@@ -12,7 +12,9 @@ from typing import Protocol, cast
 GROUPS = {
     "Start here": {
         "models": "list the structures, or explain one and its parameters",
+        "records": "list recorded earthquakes, or show one",
         "simulate": "simulate a structure under a ground motion",
+        "animate": "make a film of a simulation (.gif, .html, .mp4)",
     },
     "Many motions": {
         "report": "write one page on a structure under a set of records",

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from rockeom.cli.commands import HELP, OF_THESIS
-from rockeom.cli.simulate import PULSES
+from rockeom.cli.motions import PULSES
 from rockeom.modelling.named import FAMILIES
 from rockeom.structures.classes import SHIPPED
 from rockeom.thesis import EQUATIONS

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_details, class_of, details
-from rockeom.cli.plain import to_text
-from rockeom.cli.terminal import width
+from rockeom.cli.text.plain import to_text
+from rockeom.cli.text.terminal import width
 from rockeom.codegen import module_text
 from rockeom.files import check_target, write
 from rockeom.symbolic import derive

@@ -1,10 +1,51 @@
-"""Errors of words that no command understands."""
+"""Errors of words that no command understands, and remedies in the words of the command line."""
 
 from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from rockeom.files import check_target
 
 
 class UsageError(ValueError):
     """The message says what was typed, and what to type instead."""
+
+
+_OPTIONS = (
+    "columns|components|damping_ratio|dt|duration|end|frames_per_second|impact|initial|period|pga|"
+    "sa|speed|start|units|vertical"
+)
+"""Arguments of Python that an option of the same name gives."""
+
+_REMEDIES = (
+    (r"GroundMotion\.from_csv\(path, dt=(\S+)\)", r"--dt \1, with the time step of the file"),
+    (r"with GroundMotion\.from_csv", "by --columns"),
+    (r"with GroundMotion\.from_columns", "from a file whose name does not end in .AT2"),
+    (r"read it with GroundMotion\.from_at2", "let its name end in .AT2"),
+    (r"^start and end are", "--start and --end are"),
+    (rf"^({_OPTIONS}) (?=is|has|needs)", r"--\1 "),
+    (r"acceleration_column", "--columns"),
+    (r"(?:rk\.)?GroundMotion\.none\(duration\)", "--free --duration S"),
+    (r"support=rk\.Sliding\(\.\.\.\)", "--set support=sliding"),
+    (r"rk\.SlidingBlock", "sliding_block"),
+    (rf'\b({_OPTIONS})="([\d.]+) (\S+)"', r"--\1 \2\3"),
+    (rf"\b({_OPTIONS})=(?=[,.;:)\s]|$)", r"--\1"),
+    (rf"\b({_OPTIONS})=(?=[\w(\"'.-])", r"--\1 "),
+    ("--([a-z]+)_([a-z]+)(?:_([a-z]+))?", lambda m: "--" + "-".join(filter(None, m.groups()))),
+)
+"""Words of Python in errors, and those of the command line."""
+
+
+def in_options(message: str) -> str:
+    """An error or a hint of the package, its remedies in the words of the command line.
+
+    >>> in_options("the file does not say its units. Remedy: say units=, one of m/s2, g.")
+    'the file does not say its units. Remedy: say --units, one of m/s2, g.'
+    """
+    for python, here in _REMEDIES:
+        message = re.sub(python, here, message)
+    return message
 
 
 def numbers(pairs: list[str], option: str, example: str) -> dict[str, float]:
@@ -41,6 +82,17 @@ def words(pairs: list[str], option: str, example: str) -> dict[str, str]:
 def lists(text: str, said: str, option: str, example: str) -> list[float]:
     """The numbers of a list such as "20e3,20e3"."""
     return [_number(one, said, option, example) for one in text.split(",")]
+
+
+PICTURES = (".png", ".pdf", ".svg")
+"""Endings of pictures."""
+
+
+def check_picture(path: Path) -> None:
+    """Raise UsageError for a file that is no picture, OSError for one that cannot be written."""
+    if path.suffix.lower() not in PICTURES:
+        raise UsageError(f"--out {path}: the name must end in {', '.join(PICTURES)}")
+    check_target(path)
 
 
 def _number(text: str, said: str, option: str, example: str) -> float:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import add_details, class_of, details, made
-from rockeom.cli.simulate import add_motion, motions
+from rockeom.cli.motions import add_motion, motions
 from rockeom.exports.code import code, file_name
 from rockeom.exports.opensees import script
 from rockeom.files import check_target, write

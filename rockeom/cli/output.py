@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from rockeom.cli.errors import in_options
 from rockeom.files import write
 from rockeom.motion import GroundMotion
 from rockeom.renamed import VERSION
@@ -26,7 +27,7 @@ from rockeom.structures.units import main_units
 def in_words(run: Response) -> str:
     """The summary of the response, with its largest displacement and uplifts."""
     head, tail = (lines := run.summary().split("\n"))[:3], lines[3:]
-    return "\n".join([*head, *_lengths(run), *tail])
+    return in_options("\n".join([*head, *_lengths(run), *tail]))
 
 
 def _lengths(run: Response) -> list[str]:

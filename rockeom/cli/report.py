@@ -6,13 +6,10 @@ import argparse
 import sys
 from pathlib import Path
 
-from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_structure, made
-from rockeom.cli.simulate import add_scale, impact_law, scaled
+from rockeom.cli.motions import SETS, add_records, add_scale, records, scaled
+from rockeom.cli.simulate import impact_law
 from rockeom.files import check_target
-from rockeom.motion import GroundMotion
-from rockeom.motion.arguments import COMPONENTS
-from rockeom.motion.motion_set import MotionSet
 from rockeom.plots.design_report import check_name, design_report
 
 DESCRIPTION = """\
@@ -25,12 +22,8 @@ _USAGE = """\
 rockeom report NAME --set PARAMETER=VALUE ... (--records WORD ... | --motion FILE ...)
          --out FILE.html|FILE.pdf ... [--impact LAW] [more options, see --help]
 """
-EPILOG = """\
-sets of records (extras records and fema), by words that all their names have:
-  far field, near field pulse, near field no pulse: those of FEMA P695
-  El Centro 1940: both horizontal components; a line names the vertical one, which is left out
-  El Centro 1940 180: the one record, as for rockeom simulate
-
+EPILOG = f"""\
+{SETS}
 examples:
   rockeom report flexible_structure --records far field \\
       --set mass=300e3 height=12 inertia=2e6 base_mass=40e3 base_height=0.5 \\
@@ -54,27 +47,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="write the page into FILE.html or FILE.pdf, or into both",
     )
-    group = parser.add_argument_group("ground motions (one of the first two)")
-    one = group.add_mutually_exclusive_group(required=True)
-    one.add_argument(
-        "--records", nargs="+", metavar="WORD", help="all records whose names have these words"
-    )
-    one.add_argument("--motion", nargs="+", metavar="FILE", help="recorded accelerations")
-    group.add_argument(
-        "--components",
-        choices=COMPONENTS,
-        help="of the records by words; horizontal if not given",
-    )
-    group.add_argument(
-        "--units", metavar="UNITS", help="of files that do not say their own, as g or m/s2"
-    )
-    add_scale(group)
+    add_scale(add_records(parser))
 
 
 def run(args: argparse.Namespace) -> int:
     structure = made(args)
     law = impact_law(args.impact)
-    motions = [scaled(motion, args) for motion in _motions(args)]
+    motions = [scaled(motion, args) for motion in records(args)]
     for path in args.out:
         check_name(path)
         check_target(path)  # before the simulations, not after
@@ -86,14 +65,3 @@ def run(args: argparse.Namespace) -> int:
         page.write(path)
         print(f"wrote {path}")
     return 0
-
-
-def _motions(args: argparse.Namespace) -> list[GroundMotion]:
-    if args.records is not None:
-        if args.units is not None:
-            raise UsageError(f"--units {args.units} is for files: leave it out")
-        words, components = " ".join(args.records), args.components or "horizontal"
-        return list(MotionSet.from_library(words, components=components))
-    if args.components is not None:
-        raise UsageError(f"--components {args.components} is for --records: leave it out")
-    return [GroundMotion.read(path, units=args.units) for path in args.motion]

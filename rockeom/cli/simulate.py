@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from pathlib import Path
 
 from rockeom.cli import output
 from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import add_structure, made
+from rockeom.cli.motions import add_motion, motions
 from rockeom.files import check_target
-from rockeom.motion import GroundMotion
+from rockeom.simulation.case import Case
 from rockeom.simulation.options import METHODS, SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.simulation.simulate import simulate
@@ -21,7 +22,6 @@ from rockeom.structures.impact_laws import (
     Impulsive,
     VelocityRatio,
 )
-from rockeom.structures.parameters import check_names
 
 DESCRIPTION = """\
 Simulate a structure under a ground motion and say in words what happened; with --out,
@@ -62,7 +62,7 @@ examples:
       --initial theta=0.1 --impact energy-ratio=0.88
   rockeom simulate rigid_block --pulse single-sine amplitude=2.8 period=0.5 \\
       --set half_width=0.095 half_height=0.45 --out block
-  rockeom simulate lumped_mass_structure --motion record.AT2 --peak 7.85 --time-scale 0.2 \\
+  rockeom simulate lumped_mass_structure --motion record.AT2 --pga 0.8g --time-scale 0.2 \\
       --set mass=122.6 height=1.05 inertia=44.8 base_mass=45.6 base_height=0.1 \\
       base_inertia=1.37 half_width=0.285 --out column
   rockeom simulate shear_frame --pulse single-sine amplitude=4 period=0.8 \\
@@ -71,28 +71,18 @@ examples:
       support=winkler springs=4 foundation_stiffness=1e8 foundation_damping=1e5
 """
 
-PULSES: dict[str, tuple[Callable[..., GroundMotion], set[str], set[str]]] = {
-    "constant": (GroundMotion.constant, {"acceleration", "duration"}, {"total_duration"}),
-    "half-sine": (GroundMotion.half_sine, {"amplitude", "period"}, {"duration"}),
-    "single-sine": (GroundMotion.single_sine, {"amplitude", "period"}, {"duration"}),
-    "single-cosine": (GroundMotion.single_cosine, {"amplitude", "period"}, {"duration"}),
-    "ricker": (GroundMotion.ricker, {"amplitude", "period"}, {"duration"}),
-    "antisymmetric-ricker": (
-        lambda **values: GroundMotion.ricker(antisymmetric=True, **values),
-        {"amplitude", "period"},
-        {"duration"},
-    ),
-    "harmonic": (
-        GroundMotion.harmonic,
-        {"amplitude", "duration"},
-        {"frequency", "angular_frequency", "period", "phase"},
-    ),
+
+_PLAIN: dict[str, ImpactLaw] = {"angular-momentum": AngularMomentum(), "impulsive": Impulsive()}
+_RATIOS: dict[str, Callable[[float], ImpactLaw]] = {
+    "energy-ratio": EnergyRatio,
+    "velocity-ratio": VelocityRatio,
 }
-"""Maker, required and optional numbers of each pulse."""
+LAWS = (*_PLAIN, *(f"{ratio}=" for ratio in _RATIOS))
+"""The words of --impact."""
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.usage = _USAGE
+def add_case(parser: argparse.ArgumentParser) -> None:
+    """The options that `case` reads, and --method."""
     add_structure(parser)
     parser.add_argument(
         "--initial",
@@ -102,7 +92,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="STATE=VALUE",
         help="states at the start, as theta=0.1; what is not named is zero",
     )
-    parser.add_argument("--impact", metavar="LAW", help="what an impact does, see below")
+    parser.add_argument(
+        "--impact", metavar="LAW", help=f"what an impact does: {', '.join(LAWS)}; energy-ratio=0.9"
+    )
     parser.add_argument("--duration", type=float, metavar="S", help="of the simulation [s]")
     add_motion(parser.add_argument_group("ground motion (one of the first four)"))
     parser.add_argument(
@@ -111,6 +103,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="of integration; if not given, by the work: DOP853, or Radau where stiff and heavily "
         "damped springs would ask for very many of its steps; the summary says which and why",
     )
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.usage = _USAGE
+    add_case(parser)
     output = parser.add_argument_group("output")
     output.add_argument(
         "--out",
@@ -129,73 +126,44 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def add_motion(group, required: bool = True) -> None:
-    """The options that `motions` reads."""
-    one = group.add_mutually_exclusive_group(required=required)
-    one.add_argument(
-        "--motion", metavar="FILE", help="a recorded acceleration: PEER .AT2, or two columns"
-    )
-    one.add_argument(
-        "--pulse",
-        nargs="+",
-        metavar=("KIND", "NAME=VALUE"),
-        help="a pulse by formula, see below",
-    )
-    one.add_argument(
-        "--record",
-        nargs="+",
-        metavar="WORD",
-        help="a record of the extras records and fema by words of its name, as El Centro 1940 180",
-    )
-    one.add_argument("--free", action="store_true", help="no shaking; needs --duration")
-    group.add_argument("--vertical", metavar="FILE", help="vertical acceleration, scaled alike")
-    group.add_argument(
-        "--units", metavar="UNITS", help="of a file that does not say its own, as g or m/s2"
-    )
-    add_scale(group)
-
-
-def add_scale(group) -> None:
-    """The options that `scaled` reads."""
-    size = group.add_mutually_exclusive_group()
-    size.add_argument(
-        "--acceleration-scale", type=float, metavar="X", help="multiply accelerations by X"
-    )
-    size.add_argument(
-        "--peak", type=float, metavar="A", help="scale to this largest acceleration [m/s2]"
-    )
-    group.add_argument(
-        "--time-scale", type=float, default=1.0, metavar="X", help="multiply times by X"
-    )
-
-
 def run(args: argparse.Namespace) -> int:
-    structure = made(args)
-    initial = numbers(args.initial, "--initial", "theta=0.1")
-    law = impact_law(args.impact)
-    motion, vertical = motions(args)
+    one = case(args)
     if args.out is not None:
-        _check_folder(args.out)
+        check_folder(args.out)
         if args.out.is_dir():
             for path in _paths(args):
                 check_target(path)
-    response = simulate(
-        structure,
-        motion,
-        impact=law,
-        initial=initial,
-        duration=args.duration,
-        vertical=vertical,
-        options=SolverOptions(args.method, output_step=args.output_step),
-    )
+    response = simulated(one, SolverOptions(args.method, output_step=args.output_step))
     print(output.in_words(response))
     if args.out is not None:
-        for path in _write(response, law, initial, args):
+        for path in _write(response, one, args):
             print(f"wrote {path}")
     return 0
 
 
-def _check_folder(path: Path) -> None:
+def case(args: argparse.Namespace) -> Case:
+    """The structure, its motion and its start, of the options of `add_case`."""
+    structure = made(args)
+    initial = numbers(args.initial, "--initial", "theta=0.1")
+    law = impact_law(args.impact)
+    motion, vertical = motions(args)
+    return Case(structure, motion, law, initial, args.duration, vertical)
+
+
+def simulated(one: Case, options: SolverOptions) -> Response:
+    """The response of a case."""
+    return simulate(
+        one.structure,
+        one.motion,
+        impact=one.impact,
+        initial=one.initial,
+        duration=one.duration,
+        vertical=one.vertical,
+        options=options,
+    )
+
+
+def check_folder(path: Path) -> None:
     """Raise UsageError for what cannot become a folder, before anything is simulated."""
     if "\0" in str(path):
         raise UsageError(
@@ -212,19 +180,14 @@ def _paths(args: argparse.Namespace) -> list[Path]:
     return [args.out / name for name in (f"response.{args.format}", "response.png", "summary.json")]
 
 
-def _write(
-    response: Response,
-    law: ImpactLaw | None,
-    initial: Mapping[str, float],
-    args: argparse.Namespace,
-) -> list[Path]:
+def _write(response: Response, one: Case, args: argparse.Namespace) -> list[Path]:
     from rockeom.drawing.style import save_figure  # matplotlib takes long
 
     args.out.mkdir(parents=True, exist_ok=True)
     paths = _paths(args)
     (output.write_csv if args.format == "csv" else output.write_npz)(response, paths[0])
     save_figure(response.plot(), paths[1])
-    output.write_json(response, law, initial, paths[2])
+    output.write_json(response, one.impact, one.initial or {}, paths[2])
     return paths
 
 
@@ -235,73 +198,16 @@ def impact_law(text: str | None) -> ImpactLaw | None:
     """
     if text is None:
         return None
-    plain: dict[str, ImpactLaw] = {
-        "angular-momentum": AngularMomentum(),
-        "impulsive": Impulsive(),
-    }
-    ratios: dict[str, Callable[[float], ImpactLaw]] = {
-        "energy-ratio": EnergyRatio,
-        "velocity-ratio": VelocityRatio,
-    }
-    if text in plain:
-        return plain[text]
+    if text in _PLAIN:
+        return _PLAIN[text]
     name, sign, value = text.partition("=")
     if name == "energy-ratio" and "," in value:
         left, right = value.split(",", 1)
         feet = numbers([f"left={left}", f"right={right}"], "--impact", "energy-ratio=0.77,0.93")
         return EnergyRatio(**feet)
-    if name in ratios and sign:
-        return ratios[name](numbers([text], "--impact", f"{name}=0.8")[name])
+    if name in _RATIOS and sign:
+        return _RATIOS[name](numbers([text], "--impact", f"{name}=0.8")[name])
     raise UsageError(
-        f"--impact {text}: there are {', '.join(plain)}, "
-        f"{' and '.join(f'{ratio}=NUMBER' for ratio in ratios)}"
+        f"--impact {text}: there are {', '.join(_PLAIN)}, "
+        f"{' and '.join(f'{ratio}=NUMBER' for ratio in _RATIOS)}"
     )
-
-
-def motions(args: argparse.Namespace) -> tuple[GroundMotion, GroundMotion | None]:
-    """The horizontal and the vertical motion, both scaled alike."""
-    if args.units is not None and args.motion is None and args.vertical is None:
-        raise UsageError(f"--units {args.units} is for a file: leave it out, or give --motion FILE")
-    motion = _horizontal(args)
-    vertical = None if args.vertical is None else GroundMotion.read(args.vertical, units=args.units)
-    return scaled(motion, args), None if vertical is None else scaled(vertical, args, motion)
-
-
-def scaled(
-    motion: GroundMotion, args: argparse.Namespace, like: GroundMotion | None = None
-) -> GroundMotion:
-    """The motion as the options of `add_scale` say; by the factor of another one, if given."""
-    factor = 1.0 if args.acceleration_scale is None else args.acceleration_scale
-    if args.peak is not None:
-        if not (like or motion).peak:
-            raise UsageError(f"--peak {args.peak}: there is no acceleration to scale")
-        factor = args.peak / (like or motion).peak
-    if (factor, args.time_scale) == (1.0, 1.0):
-        return motion
-    return motion.scaled(acceleration=factor, time=args.time_scale)
-
-
-def _horizontal(args: argparse.Namespace) -> GroundMotion:
-    if args.motion is not None:
-        return GroundMotion.read(args.motion, units=args.units)
-    if args.record is not None:
-        return GroundMotion.from_library(" ".join(args.record))
-    if args.free:
-        if args.duration is None:
-            raise UsageError("--free needs --duration, the time to follow [s]")
-        return GroundMotion.none(args.duration)
-    return pulse(*args.pulse)
-
-
-def pulse(kind: str, *pairs: str) -> GroundMotion:
-    """The pulse that "single-sine", "amplitude=4", "period=0.5" name.
-
-    Raises UsageError for an unknown kind and for what is no number, ParameterError for missing
-    and unknown names.
-    """
-    if kind not in PULSES:
-        raise UsageError(f"--pulse {kind}: there are {', '.join(PULSES)}")
-    make, required, optional = PULSES[kind]
-    values = numbers(list(pairs), "--pulse", f"{kind} amplitude=4 period=0.5")
-    check_names(f"--pulse {kind}", required, required | optional, set(values))
-    return make(**values)

@@ -19,7 +19,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from PIL import Image
 
-from rockeom.drawing import free_body, style
+from rockeom.drawing import film, free_body, style
 from rockeom.drawing.drawn import Impacts, Motion, Run, check_run
 from rockeom.drawing.positions import places
 from rockeom.drawing.sketch import Sketch, all_points
@@ -30,7 +30,7 @@ from rockeom.numbers.checks import described, number
 MOST_FRAMES = 2000
 FLASH = 0.2
 """How long an impact is shown [s of the viewer]."""
-FILES = (".gif", ".html")
+FILES = (".gif", ".html", ".mp4")
 _WIDTH, _DPI = 4.8, 100  # in, dots per in
 _HEIGHTS = 2.6, 6.0  # in
 _TOP, _BOTTOM = 0.62, 0.30  # in, above and below the drawing
@@ -51,10 +51,11 @@ def animate(
 
         run.animate("block.gif")
         run.animate("block.html", start=2.0, end=6.0, speed=0.25)
+        run.animate("block.mp4")
         run.animate()    # shown by Jupyter
 
-    path : a file to write, .gif or .html: a page that needs nothing else, with a slider. None
-        writes none.
+    path : a file to write: .gif; .html, a page that needs nothing else, with a slider; or .mp4,
+        which needs ffmpeg, of the system or of the package imageio-ffmpeg. None writes none.
     start, end : the part of the response that is shown [s]; all of it if not given.
     frames_per_second : of the viewer's time; speed : how much faster than real time it runs.
     ground : whether the ground moves, by the displacement that follows from its acceleration; else
@@ -63,13 +64,27 @@ def animate(
     Bodies are where the generated module puts them, drawn as by `draw_structure`. White circles
     are feet in contact, stars those that have just landed; the dashed line stands still.
 
-    Raises ValueError for times outside the response, more than 2000 frames, and other files.
+    Raises ValueError for times outside the response, more than 2000 frames, and other files;
+    FileNotFoundError for .mp4 without ffmpeg.
     """
     check_run("run", run)
+    if path is not None:
+        check_file(path)  # before the frames are drawn
     made = Animation(run, _times(run, start, end, frames_per_second, speed), speed, ground)
     if path is not None:
         made.save(path)
     return made
+
+
+def check_file(path: str | os.PathLike[str]) -> None:
+    """Raise ValueError for a file that is no film, OSError for one that cannot be written."""
+    kind = Path(path).suffix.lower()
+    if kind not in FILES:
+        endings = f"{', '.join(FILES[:-1])} or {FILES[-1]}"
+        raise ValueError(f"{path}: the name of an animation ends in {endings}")
+    check_target(path)
+    if kind == ".mp4":
+        film.ffmpeg()
 
 
 def _times(
@@ -224,12 +239,12 @@ class Animation:
         return tuple(found)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a .gif or a .html page; raises ValueError for any other name."""
-        path = Path(path)
-        kind = path.suffix.lower()
-        if kind not in FILES:
-            raise ValueError(f"{path}: the name of an animation ends in {' or '.join(FILES)}")
-        check_target(path)
+        """Write a .gif, a .html page or a .mp4; raises ValueError for any other name."""
+        check_file(path)
+        kind = Path(path).suffix.lower()
+        if kind == ".mp4":
+            write(path, film.mp4(self.frames, self.frames_per_second))
+            return
         if kind == ".html":
             title = html.escape(style.title_of(self.run))
             page = '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'

@@ -75,16 +75,26 @@ def read_columns(path: FilePath, units: str | None, gravity: float, name: str | 
 
 def read_csv(
     path: FilePath,
-    time_column: Column,
-    acceleration_column: Column,
+    time_column: Column | None,
+    acceleration_column: Column | None,
+    dt: float | None,
     units: str | None,
     gravity: float,
     name: str | None,
 ) -> Record:
-    """Two columns out of several, each named by its heading or its number (the first is 0)."""
+    """Two columns out of several, each named by its heading or its number (the first is 0).
+
+    With a time step dt [s] there is no column of time, and none to name where the file has one.
+    """
     table = _table(_open(path))
-    time, acceleration = (_column(table, wanted) for wanted in (time_column, acceleration_column))
-    return _record(table, time, acceleration, units, gravity, name)
+    if acceleration_column is None and (width := len(table.first)) > 1:
+        what = f"{width} columns, and none is named as that of the acceleration"
+        raise MotionError.at(path, table.first_line, what, "name acceleration_column")
+    acceleration = 0 if acceleration_column is None else _column(table, acceleration_column)
+    if dt is not None:
+        return _record(table, dt, acceleration, units, gravity, name)
+    assert time_column is not None  # checked by `GroundMotion.from_csv`
+    return _record(table, _column(table, time_column), acceleration, units, gravity, name)
 
 
 def read_channels(
@@ -497,7 +507,7 @@ def _columns(text: _Text, units: str | None, gravity: float, name: str | None) -
     table = _table(text)
     width = len(table.first)
     if width < 2:
-        remedy = "for accelerations alone use GroundMotion.from_array(acceleration, dt)"
+        remedy = "for accelerations alone use GroundMotion.from_csv(path, dt=0.01)"
         what = "one column, where two are needed"
         raise MotionError.at(text.path, table.first_line, what, remedy)
     if width > 2:
@@ -582,17 +592,21 @@ def _column(table: _Table, wanted: Column) -> int:
 
 def _record(
     table: _Table,
-    time: int,
+    time: int | float,
     acceleration: int,
     units: str | None,
     gravity: float,
     name: str | None,
 ) -> Record:
+    """time : the number of its column, or the time step [s] as a float."""
     path = table.text.path
     in_file = _unit_in_heading(table, acceleration)
     in_file = in_file if in_file is not None and is_known(in_file) else None
     to_si = _factor(path, table.header_line, in_file, units, gravity)
-    start, dt, (a,) = _sampled(table, time, {acceleration: "acceleration"})
+    if isinstance(time, float):
+        start, dt, a = 0.0, time, _values(table, acceleration)
+    else:
+        start, dt, (a,) = _sampled(table, time, {acceleration: "acceleration"})
     source = Path(path).name
     if start != 0.0:
         source += f", whose time {start:g} s is the start of the motion"
@@ -603,6 +617,20 @@ def _record(
     file_name = components.name_of(Path(path))
     is_vertical = components.is_vertical(file_name, header=header)
     return Record(a * to_si, dt, name or file_name, source, is_vertical)
+
+
+def _values(table: _Table, column: int) -> np.ndarray:
+    """The numbers (n,) of a column."""
+    found = array("d")
+    for block in table.blocks():
+        found.extend(
+            _numbers([row[column] for _, row in block])
+            or [  # one by one, which tells the line
+                _number(row[column], table.text.path, line, f"acceleration of sample {n}")
+                for n, (line, row) in enumerate(block, len(found) + 1)
+            ]
+        )
+    return np.array(found)
 
 
 def _sampled(

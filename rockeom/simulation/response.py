@@ -438,7 +438,7 @@ class Response:
         return plot_response(self, *names, **kwargs)
 
     def animate(self, path=None, **kwargs):
-        """The motion drawn to scale, frame by frame: a .gif or .html file, or in Jupyter.
+        """The motion drawn to scale, frame by frame: a .gif, .html or .mp4 file, or in Jupyter.
 
         path : of the file, if one is wanted. Others as in `rockeom.plots.animate`.
         """

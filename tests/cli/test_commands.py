@@ -13,7 +13,7 @@ import rockeom as rk
 from rockeom import __version__
 from rockeom.cli import main
 from rockeom.cli.commands import HELP, OF_THESIS
-from rockeom.cli.plain import mathematics
+from rockeom.cli.text.plain import mathematics
 from rockeom.codegen.write import write_generated
 from rockeom.modelling.named import FAMILIES, SUPPORTS, parameters_of
 from rockeom.structures.classes import SHIPPED

@@ -9,7 +9,8 @@ import pytest
 
 import rockeom as rk
 from rockeom.cli import main
-from rockeom.cli.simulate import PULSES, impact_law, pulse
+from rockeom.cli.motions import PULSES, pulse
+from rockeom.cli.simulate import impact_law
 from rockeom.structures.units import main_units
 
 BLOCK = ["simulate", "rigid_block", "--set", "half_width=0.095", "half_height=0.45"]
@@ -280,8 +281,8 @@ BAD = {
     "duration of zero": (f"--set {WIDTH} {HEIGHT} {SHAKE} --duration 0", ["duration", "positive"]),
     "time scale of zero": (f"--set {WIDTH} {HEIGHT} {SHAKE} --time-scale 0", ["time", "positive"]),
     "peak of nothing": (
-        f"--set {WIDTH} {HEIGHT} --free --duration 1 --peak 2",
-        ["--peak", "no acceleration"],
+        f"--set {WIDTH} {HEIGHT} --free --duration 1 --pga 2",
+        ["--pga 2", "no acceleration"],
     ),
     "units without file": (f"--set {WIDTH} {HEIGHT} {SHAKE} --units g", ["--units", "--motion"]),
     "unknown units": (
@@ -330,7 +331,7 @@ BAD = {
     ),
     "table of 2000 columns": (
         f"--set {WIDTH} {HEIGHT} --motion {{files}}/wide.csv --units g",
-        ["wide.csv, line 1", "2000 columns", "from_csv"],
+        ["wide.csv, line 1", "2000 columns", "--columns"],
     ),
     "quotes within quotes": (
         f"--set {WIDTH} {HEIGHT} --motion {{files}}/quotes.csv --units g",

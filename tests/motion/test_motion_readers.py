@@ -389,7 +389,7 @@ COLUMN_ERRORS = {
     ),
     "one column": (
         "\n".join(f"{a}" for a in VALUES),
-        r"line 1: one column, where two are needed. Remedy: .*from_array",
+        r"line 1: one column, where two are needed. Remedy: .*from_csv\(path, dt=0.01\)",
     ),
     "three columns": (
         columns(TIMES, VALUES, "{0:.2f} {1:.6f} {1:.6f}"),

@@ -232,7 +232,7 @@ def test_page_has_all_frames_and_asks_for_nothing_else(tmp_path):
         ({"speed": 0.0}, "speed is 0.0"),
         ({"frames_per_second": float("inf")}, "frames_per_second is inf"),
         ({"speed": 1e-3}, r"60001 frames are more than 2000.*speed=0.03"),
-        ({"path": "block.mp4", "end": 0.1}, r"block.mp4.*\.gif or \.html"),
+        ({"path": "block.avi", "end": 0.1}, r"block.avi.*\.gif, \.html or \.mp4"),
     ],
 )
 def test_what_cannot_be_shown_is_told_with_a_remedy(asked, message):

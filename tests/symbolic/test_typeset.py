@@ -15,7 +15,7 @@ import sympy as sp
 from hypothesis import given, strategies as st
 from sympy.core.function import AppliedUndef
 
-from rockeom.cli.plain import to_text
+from rockeom.cli.text.plain import to_text
 from rockeom.symbolic import SHIPPED, derive
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.model import GROUND_X, GROUND_Y

@@ -6,8 +6,8 @@ import argparse
 import textwrap
 
 from rockeom.cli.errors import UsageError
-from rockeom.cli.plain import to_text
-from rockeom.cli.terminal import listing, width
+from rockeom.cli.text.plain import to_text
+from rockeom.cli.text.terminal import listing, width
 from rockeom.modelling.named import FAMILIES
 from rockeom.structures.classes import SHIPPED
 from rockeom.symbolic.write.page import Block, Display, Heading, Table

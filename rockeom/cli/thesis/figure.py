@@ -8,10 +8,9 @@ import textwrap
 from collections.abc import Mapping
 from pathlib import Path
 
-from rockeom.cli.errors import UsageError
-from rockeom.cli.terminal import listing, width
+from rockeom.cli.errors import UsageError, check_picture
+from rockeom.cli.text.terminal import listing, width
 from rockeom.drawing.style import save_figure
-from rockeom.files import check_target
 from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Drawn, ThesisFigure
 
 DESCRIPTION = """\
@@ -25,8 +24,6 @@ examples:
   rockeom thesis figure 4-35                   into figure-4-35.png
   rockeom thesis figure 2-16 --out block.pdf   into a file of your own: .png, .pdf or .svg
 """
-
-_SUFFIXES = (".png", ".pdf", ".svg")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -54,9 +51,7 @@ def run(args: argparse.Namespace) -> int:
     if args.number not in FIGURES:
         raise UsageError(f"no figure {args.number!r} is drawn; there are {', '.join(FIGURES)}")
     path = args.out or Path(f"figure-{args.number}.png")
-    if path.suffix.lower() not in _SUFFIXES:
-        raise UsageError(f"--out {path}: the name must end in {', '.join(_SUFFIXES)}")
-    check_target(path)  # before the drawing, not after
+    check_picture(path)  # before the drawing, not after
     one = FIGURES[args.number]
     print(f"drawing figure {one.number} ...", file=sys.stderr)
     drawn = one.drawn()

@@ -8,7 +8,7 @@ import textwrap
 from collections.abc import Iterable
 
 from rockeom.cli.errors import UsageError
-from rockeom.cli.terminal import width
+from rockeom.cli.text.terminal import width
 from rockeom.thesis import statements
 from rockeom.thesis.figures import FIGURES, Statement
 

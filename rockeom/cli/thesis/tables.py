@@ -7,7 +7,7 @@ import sys
 import textwrap
 
 from rockeom.cli.errors import UsageError
-from rockeom.cli.terminal import listing, width
+from rockeom.cli.text.terminal import listing, width
 from rockeom.thesis.side_by_side import TextTable, side_by_side
 from rockeom.thesis.tables import TABLES
 

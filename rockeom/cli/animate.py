@@ -1,0 +1,64 @@
+"""``rockeom animate``: a simulation as a film."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from rockeom.cli.simulate import add_case, case, simulated
+from rockeom.drawing.animation import FILES, Animation, animate, check_file
+from rockeom.simulation.options import SolverOptions
+
+DESCRIPTION = """\
+Simulate a structure and draw its motion to scale above the moving ground, as a film: .gif, .html
+(a page with a slider) or .mp4 (needs ffmpeg). The options of the structure, its motion and its
+start are those of rockeom simulate, whose help lists pulses, impact laws and supports.
+"""
+_USAGE = f"""\
+rockeom animate NAME --set PARAMETER=VALUE ... [--initial STATE=VALUE ...] [--impact LAW]
+         (--motion FILE | --pulse KIND NUMBER=VALUE ... | --record WORD ... | --free)
+         --out FILE{"|".join(FILES)} [--start S] [--end S] [--speed X] [more options, see --help]
+"""
+EPILOG = """\
+examples:
+  rockeom animate rigid_block --free --duration 5 --set half_width=0.095 half_height=0.45 \\
+      --initial theta=0.15 --out block.gif
+  rockeom animate rigid_block --record El Centro 1940 180 --pga 0.7g \\
+      --set half_width=0.2 half_height=0.9 --end 12 --out block.html
+  rockeom animate rigid_block --pulse single-sine amplitude=4 period=0.8 --duration 4 \\
+      --set half_width=0.2 half_height=0.9 --speed 0.25 --out slow.mp4
+"""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.usage = _USAGE
+    add_case(parser)
+    film = parser.add_argument_group("film")
+    film.add_argument(
+        "--out", type=Path, required=True, metavar="FILE", help=f"the film: {', '.join(FILES)}"
+    )
+    film.add_argument("--start", type=float, metavar="S", help="of what is shown [s]")
+    film.add_argument("--end", type=float, metavar="S", help="of what is shown [s]")
+    film.add_argument(
+        "--speed", type=float, default=1.0, metavar="X", help="of the film; 0.25 is slow motion"
+    )
+    film.add_argument(
+        "--frames-per-second", type=float, default=20.0, metavar="N", help="20 if not given"
+    )
+
+
+def run(args: argparse.Namespace) -> int:
+    one = case(args)
+    check_file(args.out)  # before the simulation, not after
+    response = simulated(one, SolverOptions(args.method))
+    print(response.outcome.sentence)
+    film: Animation = animate(
+        response,
+        start=args.start,
+        end=args.end,
+        speed=args.speed,
+        frames_per_second=args.frames_per_second,
+    )
+    film.save(args.out)
+    print(f"wrote {args.out}: {len(film)} frames, {len(film) / film.frames_per_second:.4g} s")
+    return 0

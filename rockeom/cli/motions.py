@@ -1,0 +1,247 @@
+"""The ground motions of a command: files, pulses, records of the library, and their scale."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from rockeom.cli.errors import UsageError, numbers
+from rockeom.motion import GroundMotion, MotionSet, units
+from rockeom.motion.arguments import COMPONENTS, positive
+from rockeom.structures.parameters import check_names
+
+PULSES: dict[str, tuple[Callable[..., GroundMotion], set[str], set[str]]] = {
+    "constant": (GroundMotion.constant, {"acceleration", "duration"}, {"total_duration"}),
+    "half-sine": (GroundMotion.half_sine, {"amplitude", "period"}, {"duration"}),
+    "single-sine": (GroundMotion.single_sine, {"amplitude", "period"}, {"duration"}),
+    "single-cosine": (GroundMotion.single_cosine, {"amplitude", "period"}, {"duration"}),
+    "ricker": (GroundMotion.ricker, {"amplitude", "period"}, {"duration"}),
+    "antisymmetric-ricker": (
+        lambda **values: GroundMotion.ricker(antisymmetric=True, **values),
+        {"amplitude", "period"},
+        {"duration"},
+    ),
+    "harmonic": (
+        GroundMotion.harmonic,
+        {"amplitude", "duration"},
+        {"frequency", "angular_frequency", "period", "phase"},
+    ),
+}
+"""Maker, required and optional numbers of each pulse."""
+
+
+SETS = """\
+sets of records (extras records and fema), by words that all their names have:
+  far field, near field pulse, near field no pulse: those of FEMA P695
+  El Centro 1940: both horizontal components; a line names the vertical one, which is left out
+  `rockeom records WORD ...` lists what some words find
+"""
+"""What the help of a command on several records says of `add_records`."""
+
+
+def add_motion(group, required: bool = True) -> None:
+    """The options that `motions` reads."""
+    one = group.add_mutually_exclusive_group(required=required)
+    one.add_argument(
+        "--motion", metavar="FILE", help="a recorded acceleration: PEER .AT2, or two columns"
+    )
+    one.add_argument(
+        "--pulse",
+        nargs="+",
+        metavar=("KIND", "NAME=VALUE"),
+        help="a pulse by formula, see below",
+    )
+    one.add_argument(
+        "--record",
+        nargs="+",
+        metavar="WORD",
+        help="a record of the library by words of its name, as El Centro 1940 180; `rockeom "
+        "records` lists all",
+    )
+    one.add_argument("--free", action="store_true", help="no shaking; needs --duration")
+    group.add_argument("--vertical", metavar="FILE", help="vertical acceleration, scaled alike")
+    add_files(group)
+    add_scale(group)
+
+
+def add_records(parser: argparse.ArgumentParser) -> Any:
+    """The options that `records` reads; returns their group."""
+    group = parser.add_argument_group("ground motions (one of the first two)")
+    one = group.add_mutually_exclusive_group(required=True)
+    one.add_argument(
+        "--records", nargs="+", metavar="WORD", help="all records whose names have these words"
+    )
+    one.add_argument(
+        "--motion", nargs="+", metavar="FILE", help="recorded accelerations, or one folder of them"
+    )
+    group.add_argument(
+        "--components",
+        choices=COMPONENTS,
+        help="of the records by words and of a folder; horizontal if not given",
+    )
+    add_files(group)
+    return group
+
+
+def add_files(group) -> None:
+    """The options that `from_file` reads."""
+    group.add_argument(
+        "--units",
+        metavar="UNITS",
+        help="of a file that does not say its own: m/s2, g, cm/s2, gal, mm/s2, in/s2, ft/s2",
+    )
+    group.add_argument(
+        "--columns",
+        nargs="+",
+        metavar="COLUMN",
+        help="time and acceleration in a file of more columns, by heading or number from 0; with "
+        "--dt that of the acceleration alone",
+    )
+    group.add_argument(
+        "--dt", type=float, metavar="S", help="time step of a file without a column of times [s]"
+    )
+
+
+def add_scale(group) -> None:
+    """The options that `scaled` reads."""
+    size = group.add_mutually_exclusive_group()
+    size.add_argument(
+        "--acceleration-scale", type=float, metavar="X", help="multiply accelerations by X"
+    )
+    size.add_argument(
+        "--pga", "--peak", metavar="A", help="scale to this largest acceleration: 0.4g, or in m/s2"
+    )
+    size.add_argument(
+        "--sa", metavar="A", help="scale to this spectral acceleration at --period, 5 %% damped"
+    )
+    group.add_argument("--period", type=float, metavar="S", help="of --sa [s]")
+    group.add_argument(
+        "--time-scale", type=float, default=1.0, metavar="X", help="multiply times by X"
+    )
+
+
+def motions(args: argparse.Namespace) -> tuple[GroundMotion, GroundMotion | None]:
+    """The horizontal and the vertical motion, both scaled alike."""
+    if args.motion is None and args.vertical is None:
+        _check_no_files(args)
+    motion = _horizontal(args)
+    factor = _factor(motion, args)
+    vertical = None if args.vertical is None else from_file(args.vertical, args)
+    return _times(motion, factor, args), vertical and _times(vertical, factor, args)
+
+
+def scaled(motion: GroundMotion, args: argparse.Namespace) -> GroundMotion:
+    """The motion as the options of `add_scale` say."""
+    return _times(motion, _factor(motion, args), args)
+
+
+def _times(motion: GroundMotion, factor: float, args: argparse.Namespace) -> GroundMotion:
+    if (factor, args.time_scale) == (1.0, 1.0):
+        return motion
+    return motion.scaled(acceleration=factor, time=args.time_scale)
+
+
+def _factor(motion: GroundMotion, args: argparse.Namespace) -> float:
+    """The factor of accelerations by which the motion, its time scaled, has the intensity asked."""
+    if (args.sa is None) != (args.period is None):
+        raise UsageError("--sa and --period belong together, as in --sa 0.4g --period 1.0")
+    if args.pga is None and args.sa is None:
+        return 1.0 if args.acceleration_scale is None else args.acceleration_scale
+    option, text = ("--sa", args.sa) if args.pga is None else ("--pga", args.pga)
+    wanted = acceleration(text, option)
+    if not motion.peak:
+        raise UsageError(f"{option} {text}: there is no acceleration to scale")
+    if args.pga is not None:
+        return wanted / motion.peak
+    spectrum = _times(motion, 1.0, args).response_spectrum([positive("--period", args.period)])
+    return wanted / float(spectrum.pseudo_acceleration[0])
+
+
+def acceleration(text: str, option: str) -> float:
+    """The acceleration [m/s2] that "2.5", "0.4g" or "0.4 g" says.
+
+    Raises MotionError for another text, and for what is not positive and finite.
+    """
+    try:
+        value = float(text)
+    except ValueError:
+        value = units.acceleration(option, text)
+    return positive(option, value)
+
+
+def records(args: argparse.Namespace) -> MotionSet:
+    """The motions of the options of `add_records`, as they were recorded."""
+    if args.records is not None:
+        _check_no_files(args)
+        words = " ".join(args.records)
+        return MotionSet.from_library(words, components=args.components or "horizontal")
+    if len(args.motion) == 1 and Path(args.motion[0]).is_dir():
+        return _of_folder(args.motion[0], args)
+    if args.components is not None:
+        raise UsageError(
+            f"--components {args.components} is for --records and for a folder: leave it out"
+        )
+    return MotionSet([from_file(path, args) for path in args.motion], "files")
+
+
+def _of_folder(path: str, args: argparse.Namespace) -> MotionSet:
+    for option in ("columns", "dt"):
+        if getattr(args, option) is not None:
+            raise UsageError(f"--{option} is for files: name them, as {path}/*.txt")
+    components = args.components or "horizontal"
+    return MotionSet.from_folder(path, units=args.units, components=components)
+
+
+def from_file(path: str, args: argparse.Namespace) -> GroundMotion:
+    """A record by the options of `add_files`."""
+    if args.columns is None and args.dt is None:
+        return GroundMotion.read(path, units=args.units)
+    columns = [int(c) if c.isdecimal() else c for c in args.columns or ()]
+    if (args.dt is None and len(columns) != 2) or len(columns) > 2 - (args.dt is not None):
+        raise UsageError(
+            f"--columns {' '.join(map(str, columns))}: name two, those of time and acceleration, "
+            "or with --dt one, that of the acceleration"
+        )
+    time = None if args.dt is not None else columns[0]
+    return GroundMotion.from_csv(
+        path,
+        time_column=time,
+        acceleration_column=columns[-1] if columns else None,
+        dt=args.dt,
+        units=args.units,
+    )
+
+
+def _check_no_files(args: argparse.Namespace) -> None:
+    """Raise UsageError for options that say how to read a file, where there is none."""
+    for option in ("units", "columns", "dt"):
+        if getattr(args, option) is not None:
+            raise UsageError(f"--{option} is for a file: leave it out, or give --motion FILE")
+
+
+def _horizontal(args: argparse.Namespace) -> GroundMotion:
+    if args.motion is not None:
+        return from_file(args.motion, args)
+    if args.record is not None:
+        return GroundMotion.from_library(" ".join(args.record))
+    if args.free:
+        if args.duration is None:
+            raise UsageError("--free needs --duration, the time to follow [s]")
+        return GroundMotion.none(args.duration)
+    return pulse(*args.pulse)
+
+
+def pulse(kind: str, *pairs: str) -> GroundMotion:
+    """The pulse that "single-sine", "amplitude=4", "period=0.5" name.
+
+    Raises UsageError for an unknown kind and for what is no number, ParameterError for missing
+    and unknown names.
+    """
+    if kind not in PULSES:
+        raise UsageError(f"--pulse {kind}: there are {', '.join(PULSES)}")
+    make, required, optional = PULSES[kind]
+    values = numbers(list(pairs), "--pulse", f"{kind} amplitude=4 period=0.5")
+    check_names(f"--pulse {kind}", required, required | optional, set(values))
+    return make(**values)

@@ -1,0 +1,1 @@
+"""Text for a terminal: lines of its width, tables, equations."""
