@@ -38,7 +38,7 @@ sets of records (extras records and fema), by words that all their names have:
   El Centro 1940: both horizontal components; a line names the vertical one, which is left out
   `rockeom records WORD ...` lists what some words find
 """
-"""What the help of a command on several records says of `add_records`."""
+"""Help for the sets that the options of `add_records` name."""
 
 
 def add_motion(group, required: bool = True) -> None:
