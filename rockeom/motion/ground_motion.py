@@ -430,24 +430,10 @@ class GroundMotion:
     ) -> GroundMotion:
         """Two columns out of several of a text file, by their headings or numbers (from 0).
 
-        dt : the time step [s] of a file that has no column of time; a file of one column needs no
-        acceleration_column then.
-
-        Everything else is as in `from_columns`. Raises MotionError where time_column and dt are
-        both given, or neither.
+        dt : the time step [s] of a file without a column of times. Else as in `from_columns`.
         """
-        if (time_column is None) == (dt is None):
-            raise MotionError(
-                f"{path}: give either time_column, the column of the times, or dt, the time step "
-                "[s] of a file without one"
-            )
-        if dt is not None:
-            dt = _positive("dt", dt)
-        elif acceleration_column is None:
-            raise MotionError(f"{path}: name acceleration_column, by its heading or its number")
-        return _from_record(
-            *_readers().read_csv(path, time_column, acceleration_column, dt, units, gravity, name)
-        )
+        columns = time_column, acceleration_column
+        return _from_record(*_readers().read_csv(path, *columns, dt, units, gravity, name))
 
     @classmethod
     def read(

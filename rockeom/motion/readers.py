@@ -27,6 +27,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rockeom.motion import components
+from rockeom.motion.arguments import positive
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.units import CHANNEL_UNITS, NAMES, channel_factor, factor, is_known
 from rockeom.numbers.checks import described, is_number
@@ -84,17 +85,19 @@ def read_csv(
 ) -> Record:
     """Two columns out of several, each named by its heading or its number (the first is 0).
 
-    With a time step dt [s] there is no column of time, and none to name where the file has one.
+    dt : the time step [s] in place of a column of times; a file of one column has none to name.
     """
     table = _table(_open(path))
-    if acceleration_column is None and (width := len(table.first)) > 1:
-        what = f"{width} columns, and none is named as that of the acceleration"
+    if (time_column is None) == (dt is None):
+        what = "time_column and dt are both given, or neither"
+        remedy = "give the column of the times, or the time step [s] of a file without one"
+        raise MotionError.at(path, None, what, remedy)
+    if acceleration_column is None and (len(table.first) > 1 or dt is None):
+        what = f"no column of {len(table.first)} is named as that of the acceleration"
         raise MotionError.at(path, table.first_line, what, "name acceleration_column")
     acceleration = 0 if acceleration_column is None else _column(table, acceleration_column)
-    if dt is not None:
-        return _record(table, dt, acceleration, units, gravity, name)
-    assert time_column is not None  # checked by `GroundMotion.from_csv`
-    return _record(table, _column(table, time_column), acceleration, units, gravity, name)
+    time = positive("dt", dt) if time_column is None else _column(table, time_column)
+    return _record(table, time, acceleration, units, gravity, name)
 
 
 def read_channels(

@@ -35,9 +35,9 @@ def test_one_column_of_several_by_its_heading_that_says_the_unit(file):
 @pytest.mark.parametrize(
     ("text", "named", "message"),
     [
-        ("1 2\n3 4\n", {"dt": 0.1}, "2 columns, and none is named.*name acceleration_column"),
-        ("1\n2\n", {}, "give either time_column.*or dt"),
-        ("1 2\n3 4\n", {"dt": 0.1, "time_column": 0}, "give either time_column.*or dt"),
+        ("1 2\n3 4\n", {"dt": 0.1}, "no column of 2 is named.*name acceleration_column"),
+        ("1\n2\n", {}, "time_column and dt are both given, or neither.*the time step"),
+        ("1 2\n3 4\n", {"dt": 0.1, "time_column": 0}, "time_column and dt are both given"),
         ("1 2\n3 4\n", {"time_column": 0}, "name acceleration_column"),
         ("1\n2\n", {"dt": -0.1}, "dt is -0.1: give a positive number"),
         ("1\nx\n", {"dt": 0.1}, "line 2: acceleration of sample 2 is 'x', which is no number"),
