@@ -17,7 +17,7 @@ from rockeom.motion import GroundMotion
 from rockeom.numbers.checks import number
 from rockeom.renamed import VERSION
 from rockeom.structures.base import Structure
-from rockeom.structures.parameters import check_states
+from rockeom.structures.parameters import named_states
 
 _BODY = Template('''
 # Nodes: 1 the middle of the base, 2 and 3 its feet, 4 and 5 the masses, 6 and 7 the ground
@@ -236,7 +236,7 @@ def _initial_state(
     structure: Structure, initial: Mapping[str, float], elastic: bool
 ) -> dict[str, float]:
     """Rotation, heave and u at the start."""
-    check_states("initial", initial, structure.states)
+    initial = named_states("initial", initial, structure.module)
     places = ("theta", "heave", *(("u",) if elastic else ()))
     for name in initial:
         if name not in places:

@@ -20,7 +20,7 @@ from rockeom.numbers.dual import directions, tangent_of, value_of
 from rockeom.numbers.functions import isfinite
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
-from rockeom.structures.parameters import check_states
+from rockeom.structures.parameters import named_states
 
 STILL = np.empty((0, 7))
 """The table of ground that stands still, which all share."""
@@ -243,7 +243,8 @@ class Case:
         if self.vertical is not None:
             _check_motion("vertical", self.vertical)
         if self.initial is not None:
-            check_states("initial", self.initial, self.structure.states)
+            initial = named_states("initial", self.initial, self.structure.module)
+            object.__setattr__(self, "initial", initial)
 
     def _take_components(self, recording: Recording) -> None:
         """The motions of a recording; raises TypeError where it leaves open which."""
@@ -267,9 +268,11 @@ class Case:
         for name, fallen in structure.falls.items():
             value = y0[structure.states.index(name)]
             if abs(value) > fallen * (1.0 + AT_THE_END):
+                unit = structure.module.STATE_UNITS[structure.states.index(name)]
+                degrees = f", or give degrees as {name}_degrees" if unit == "rad" else ""
                 raise ValueError(
                     f"initial {name} is {value}: the structure lies on the ground from "
-                    f"{fallen:.6g} on; start below"
+                    f"{fallen:.6g} on; start below{degrees}"
                 )
         end = motion.duration if self.duration is None else number("duration", self.duration)
         if not (isfinite(end) and end > 0):

@@ -15,6 +15,7 @@ from rockeom import renamed
 from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
 from rockeom.numbers.checks import numbers
+from rockeom.numbers.degrees import with_degrees
 from rockeom.simulation import plausible
 from rockeom.simulation.events import Events, Impacts
 from rockeom.simulation.extremes import Extremes
@@ -316,7 +317,8 @@ class Response:
             f"{type(self.structure).__name__} under {self.motion.name or 'a ground motion'}, "
             f"{self.t[-1]:.6g} s of {self.duration:.6g} s.",
             f"Outcome: {self.outcome}. {self.outcome.sentence}{self._fallen()}",
-            f"Largest |{rotation}|: {abs(largest.peak):.4g} {unit} at {largest.peak_time:.4g} s; "
+            f"Largest |{rotation}|: {with_degrees(abs(largest.peak), unit)} at "
+            f"{largest.peak_time:.4g} s; "
             f"{self.impacts.describe()}.",
         ]
         lines += self._impact_law()

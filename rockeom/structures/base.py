@@ -23,7 +23,7 @@ from rockeom.numbers.functions import for_arrays, isfinite
 from rockeom.structures import declared_modes, evaluation, linearised, modal, plausible, statics
 from rockeom.structures.impact_laws import ImpactLaw, TabulatedLaw, check_law, default_law
 from rockeom.structures.modes import modes_of
-from rockeom.structures.parameters import check_states
+from rockeom.structures.parameters import named_states
 from rockeom.structures.pickled import made_of
 
 
@@ -36,8 +36,9 @@ def generated_module(name: str) -> GeneratedModule:
 class Structure:
     """A rocking structure with its parameters.
 
-    Methods take a state as a mapping of state names; what is not named is zero. The mode
-    follows from the state, or is named by `mode`.
+    Methods take a state as a mapping of state names; what is not named is zero. An angle may be
+    named in degrees: `{"theta_degrees": 5}`. The mode follows from the state, or is named by
+    `mode`.
     """
 
     model: ClassVar[str] = ""
@@ -168,7 +169,7 @@ class Structure:
 
         Raises ValueError for unknown names or NaN, and TypeError for what is no mapping of numbers.
         """
-        check_states("state", values, self.states)
+        values = named_states("state", values, self.module)
         unknown = [n for n in values if n not in self.states]
         if unknown:
             raise ValueError(
@@ -419,7 +420,7 @@ class Structure:
 
     def _at(self, state: Mapping[str, Any], mode: str | None, *ground: Any) -> _States:
         """A state, or many; where the ground's accelerations are given forces decide as well."""
-        check_states("state", state, self.states)
+        state = named_states("state", state, self.module)
         names = ("ground_acceleration", "vertical_ground_acceleration")
         shaken = [
             number(n, x) if np.ndim(x) == 0 else numbers(n, x)

@@ -15,8 +15,9 @@ from rockeom.integrator.schema import GeneratedModule
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers import explained
 from rockeom.numbers.checks import number
+from rockeom.numbers.degrees import in_radians, named_in_degrees
 from rockeom.numbers.dual import directions
-from rockeom.structures.base import Structure, missing
+from rockeom.structures.base import Structure, generated_module, missing
 from rockeom.structures.parameters import check_named, check_names, check_values
 
 
@@ -56,6 +57,8 @@ class StructureWithFields(Structure):
         @functools.wraps(plain)
         def init(self: StructureWithFields, *unnamed: Any, **values: Any) -> None:
             kind = type(self)  # this class, or one of its closed forms
+            if named_in_degrees(values):
+                values = in_radians(kind.__name__, values, kind.units())
             values = kind.complete(values)
             check_named(kind.__name__, unnamed, known)
             check_names(kind.__name__, required, known, set(values))
@@ -90,6 +93,13 @@ class StructureWithFields(Structure):
             check_sizes(self)
 
     @classmethod
+    def units(cls) -> dict[str, str]:
+        """Units of the arguments, by name."""
+        m = generated_module(cls.model)
+        rows = zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True)
+        return {cls.arguments.get(name, name): unit for name, unit in rows}
+
+    @classmethod
     def complete(cls, values: dict[str, Any]) -> dict[str, Any]:
         """The arguments of the fields, by those that the constructor is given."""
         return values
@@ -115,6 +125,9 @@ class DeclaredStructure(Structure):
 
     def __init__(self, /, *unnamed: Any, **given: Any) -> None:
         known = set(self.module.PARAMETERS)
+        if named_in_degrees(given):
+            rows = zip(self.module.PARAMETERS, self.module.PARAMETER_UNITS, strict=True)
+            given = in_radians(self.model, given, dict(rows))
         check_named(self.model, unnamed, known)
         defaults = {n: v for n, v in self.defaults().items() if v is not dataclasses.MISSING}
         check_names(self.model, known, known, set(defaults | given))

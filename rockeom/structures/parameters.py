@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from rockeom.numbers.checks import described, near, number
+from rockeom.numbers.degrees import in_radians, named_in_degrees
 from rockeom.numbers.functions import isfinite
 
 LARGEST = 1e50
@@ -16,11 +17,17 @@ class ParameterError(TypeError):
     """Parameters that a structure lacks or does not know, or that are given without their name."""
 
 
-def check_states(what: str, values: Any, states: tuple[str, ...]) -> None:
-    """Raise TypeError for anything but a mapping of names of states."""
+def named_states(what: str, values: Any, module: Any) -> Mapping[str, Any]:
+    """States by name, in radians; raises TypeError for anything but a mapping of names.
+
+    module : the generated one, which has the names and units. See `rockeom.numbers.degrees`.
+    """
     if not (type(values) is dict or isinstance(values, Mapping)):  # most are, and it is faster
-        example = f"{{{states[0]!r}: 0.01}}"
+        example = f"{{{module.STATES[0]!r}: 0.01}}"
         raise TypeError(f"{what} is {described(values)}: name the states, as in {example}")
+    if not named_in_degrees(values):
+        return values
+    return in_radians(what, values, dict(zip(module.STATES, module.STATE_UNITS, strict=True)))
 
 
 def check_names(what: str, required: set[str], known: set[str], given: set[str]) -> None:

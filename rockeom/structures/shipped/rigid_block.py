@@ -6,6 +6,7 @@ import math
 from typing import Self
 
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.degrees import accepts_degrees
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.parameters import check_values
 from rockeom.structures.shipped.blocks import Block
@@ -15,6 +16,7 @@ from rockeom.structures.shipped.offset_block import OffsetBlock
 
 class RigidBlock(Block, declared.RigidBlock):
     @classmethod
+    @accepts_degrees("alpha")
     def from_frequency(
         cls,
         p: float,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.degrees import accepts_degrees
 from rockeom.structures.parameters import check_values
 from rockeom.structures.shipped.blocks import Block
 from rockeom.structures.shipped.declarations import slender_block as declared
@@ -10,6 +11,7 @@ from rockeom.structures.shipped.declarations import slender_block as declared
 
 class SlenderBlock(Block, declared.SlenderBlock):
     @classmethod
+    @accepts_degrees("alpha")
     def from_frequency(
         cls, p: float, alpha: float, mass: float = 1.0, gravity: float = STANDARD_GRAVITY
     ) -> SlenderBlock:
