@@ -1,17 +1,54 @@
-"""Lognormal fragility curves: how likely an intensity makes a structure exceed a limit."""
+"""Lognormal fragility curves: how likely an intensity makes a structure exceed a limit.
+
+Observed fractions and the curve each have an interval of confidence.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
-from scipy.special import log_ndtr, ndtr, ndtri
+from scipy.special import betaincinv, log_ndtr, ndtr, ndtri
 
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
 from rockeom.analysis.unfinished import check_finished
 from rockeom.numbers.arguments import numbers, positive, require
+
+
+class Estimate(NamedTuple):
+    """A value with the bounds of its interval of confidence."""
+
+    value: float
+    lower: float
+    upper: float
+
+
+def proportion_interval(
+    exceeded: ArrayLike, number: ArrayLike, level: float = 0.95
+) -> tuple[np.ndarray, np.ndarray]:
+    """Lower and upper confidence bound of a probability, `exceeded` of `number` having occurred.
+
+    exceeded, number : whole numbers of any shapes, broadcast. level : probability, at least, that
+    the interval holds the true one, in [0, 1).
+
+    The exact interval of Clopper and Pearson (1934), Biometrika 26, 404-413: no probability within
+    it makes as few, or as many, less likely than (1 - level)/2. Raises ValueError for numbers that
+    cannot be.
+    """
+    where = "proportion_interval"
+    hits, of = numbers(where, exceeded=exceeded, number=number)
+    require(0.0 < level < 1.0, where, "level", level, "it lies between 0 and 1, as 0.95")
+    require(of > 0, where, "number", of, "give one motion or more")
+    require((hits >= 0) & (hits <= of), where, "exceeded", hits, "it lies between 0 and number")
+    hits, of = np.broadcast_arrays(hits, of)
+    tail = 0.5 * (1.0 - level)
+    none, every = hits == 0, hits == of
+    lower = np.where(none, 0.0, betaincinv(np.where(none, 1, hits), of - hits + 1, tail))
+    upper = np.where(every, 1.0, betaincinv(hits + 1, np.where(every, 1, of - hits), 1.0 - tail))
+    return lower, upper
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,7 +57,8 @@ class Fragility:
 
     median : intensity at which half exceed the limit [unit of the intensity]; dispersion :
         standard deviation of its logarithm [-].
-    covariance (2, 2) : of median and dispersion, the inverse of the expected Fisher information.
+    covariance (2, 2) : of median and dispersion, the inverse of the expected Fisher information;
+        that of `fit_fragility` by `group` where motions are scaled to several intensities.
     intensity (n,), exceeded (n,), number (n,) : the observations.
     left_out : cases without an answer, which are not counted.
     """
@@ -52,6 +90,20 @@ class Fragility:
         reach = ndtri(0.5 + 0.5 * level) * np.sqrt(variance)
         return ndtr(deviates - reach), ndtr(deviates + reach)
 
+    def quantile(self, probability: float, level: float = 0.95) -> Estimate:
+        """Intensity at which the limit is exceeded with a probability, and its interval.
+
+        level : of the interval, by the delta method for the logarithm of the intensity. Raises
+        ValueError for a probability or a level that does not lie between 0 and 1.
+        """
+        for name, given in (("probability", probability), ("level", level)):
+            require(0.0 < given < 1.0, "quantile", name, given, "it lies between 0 and 1")
+        deviate = float(ndtri(probability))
+        value = self.median * np.exp(self.dispersion * deviate)
+        slopes = np.array([1.0 / self.median, deviate])
+        reach = ndtri(0.5 + 0.5 * level) * np.sqrt(slopes @ self.covariance @ slopes)
+        return Estimate(*map(float, (value, value * np.exp(-reach), value * np.exp(reach))))
+
     def fractions(self) -> tuple[np.ndarray, np.ndarray]:
         """(k,) the different intensities, and (k,) which part exceeded the limit at each."""
         levels, where = np.unique(self.intensity, return_inverse=True)
@@ -71,7 +123,12 @@ class Fragility:
 
 
 def fit_fragility(
-    intensity: ArrayLike, exceeded: ArrayLike, number: ArrayLike = 1, left_out: int = 0
+    intensity: ArrayLike,
+    exceeded: ArrayLike,
+    number: ArrayLike = 1,
+    left_out: int = 0,
+    *,
+    group: ArrayLike | None = None,
 ) -> Fragility:
     """The lognormal fragility curve of the greatest likelihood.
 
@@ -81,6 +138,10 @@ def fit_fragility(
     exceeded : how many of `number` motions of that intensity exceeded the limit; of single motions
         True or False. The three broadcast.
     left_out : cases that gave no answer, for the result.
+    group : the record of each observation, where each of n records is scaled to several
+        intensities; any labels, of a shape that broadcasts with the others. Observations of one
+        record are not independent: the covariance is then n/(n - 1) times the sandwich of Liang
+        and Zeger (1986), Biometrika 73(1), 13-22, that of sums over each record.
 
     The likelihood of ln-normal limits is that of a probit regression on ln(intensity), whose
     maximum is unique. Source: Baker (2015), Earthquake Spectra 31(1), 579-599, equation 11.
@@ -95,19 +156,24 @@ def fit_fragility(
     require(hits == np.floor(hits), function, "exceeded", hits, "give whole numbers of motions")
     require(of == np.floor(of), function, "number", of, "give whole numbers of motions")
     numbers(function, intensity=im, exceeded=hits, number=of)
-    im, hits, of = (a.ravel() for a in np.broadcast_arrays(im, hits, of))
+    labels = np.asarray(0 if group is None else group)
+    im, hits, of, labels = (a.ravel() for a in np.broadcast_arrays(im, hits, of, labels))
     require((hits >= 0) & (hits <= of), function, "exceeded", hits, "it lies between 0 and number")
     _refuse_separable(im, hits, of)
     centre = np.average(np.log(im), weights=of)
     columns = np.column_stack([np.ones(len(im)), np.log(im) - centre])
     (level, slope), information = _probit(columns, hits, of)
+    spread = np.linalg.inv(information)
+    if group is not None:
+        scores = _scores(columns, np.array([level, slope]), hits, of)
+        spread = spread @ _between(scores, labels) @ spread
     if slope <= 0.0:
         raise ValueError(f"{function}: the fraction that exceeds falls as the intensity rises")
     median, dispersion = np.exp(centre - level / slope), 1.0 / slope
     turned = np.array(
         [[-median / slope, median * level / slope**2], [0.0, -1.0 / slope**2]]
     )  # of median and dispersion by level and slope
-    covariance = turned @ np.linalg.inv(information) @ turned.T
+    covariance = turned @ spread @ turned.T
     return Fragility(float(median), float(dispersion), covariance, im, hits, of, left_out)
 
 
@@ -169,6 +235,26 @@ def _refuse_separable(im: np.ndarray, hits: np.ndarray, of: np.ndarray) -> None:
         raise ValueError(f"{function}: the fraction that exceeds falls as the intensity rises")
 
 
+def _scores(
+    columns: np.ndarray, coefficients: np.ndarray, hits: np.ndarray, of: np.ndarray
+) -> np.ndarray:
+    """(n, 2) slopes of the logarithm of the likelihood of each observation."""
+    deviates = columns @ coefficients
+    density = -0.5 * deviates**2 - 0.5 * np.log(2 * np.pi)
+    above, below = np.exp(density - log_ndtr(deviates)), np.exp(density - log_ndtr(-deviates))
+    return columns * (hits * above - (of - hits) * below)[:, None]
+
+
+def _between(scores: np.ndarray, labels: np.ndarray) -> np.ndarray:
+    """(2, 2) sum of squares of the scores, those of one label added before."""
+    distinct, which = np.unique(labels, return_inverse=True)
+    n = len(distinct)
+    require(n > 1, "fit_fragility", "group", n, "one record alone tells nothing of others")
+    sums = np.zeros((n, 2))
+    np.add.at(sums, which, scores)
+    return n / (n - 1) * sums.T @ sums
+
+
 _ROUNDS = 100
 
 
@@ -187,8 +273,8 @@ def _probit(columns: np.ndarray, hits: np.ndarray, of: np.ndarray) -> tuple[np.n
             step = step / 2
             continue
         coefficients, best = coefficients + step, likelihood
+        score = _scores(columns, coefficients, hits, of).sum(axis=0)
         density = -0.5 * deviates**2 - 0.5 * np.log(2 * np.pi)
-        score = columns.T @ (hits * np.exp(density - above) - (of - hits) * np.exp(density - below))
         weights = of * np.exp(2 * density - above - below)
         information = columns.T @ (weights[:, None] * columns)
         step = np.linalg.solve(information, score)
