@@ -5,10 +5,8 @@ Names are the user's: they are data, and escaped.
 
 from __future__ import annotations
 
-import base64
-import io
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from functools import partial
 from html import escape
 
 import numpy as np
@@ -17,10 +15,11 @@ from matplotlib.figure import Figure
 
 from rockeom.drawing import style
 from rockeom.drawing.drawn import Motion, Run, Structure
+from rockeom.drawing.page import image, table
 from rockeom.drawing.response import plot_response
 from rockeom.drawing.sketch import draw_structure
 
-_CELL = 'style="text-align:left"'
+_table = partial(table, style="text-align:left")
 
 
 def page_of_structure(shown: Structure) -> str:
@@ -34,7 +33,7 @@ def page_of_structure(shown: Structure) -> str:
         if name in values
     ]
     title = (m.__doc__ or m.NAME).partition("\n")[0]
-    sketch = _svg(draw_structure(shown), f"sketch of {type(shown).__name__}")
+    sketch = image(draw_structure(shown), f"sketch of {type(shown).__name__}")
     table = _table(("parameter", "value", "unit", "meaning"), rows)
     return _page(type(shown).__name__, _side_by_side(sketch, f"<p>{escape(title)}</p>{table}"))
 
@@ -45,7 +44,7 @@ def page_of_response(shown: Run) -> str:
     items = "".join(f"<li>{escape(line)}</li>" for line in lines)
     figure = plot_response(shown)
     assert isinstance(figure, Figure)
-    return _page(first, f"<ul>{items}</ul>{_png(figure, f'response: {shown.outcome}', 75)}")
+    return _page(first, f"<ul>{items}</ul>{image(figure, f'response: {shown.outcome}', 'png', 75)}")
 
 
 def page_of_motion(shown: Motion) -> str:
@@ -56,7 +55,7 @@ def page_of_motion(shown: Motion) -> str:
         rows.append(("samples", str(len(shown.samples)), ""))
     rows.append(("source", shown.source, ""))
     figure = _history(shown)
-    picture = _svg(figure, "acceleration against time")
+    picture = image(figure, "acceleration against time")
     name = shown.name or "a ground motion"
     return _page(name, _side_by_side(picture, _table(("", "value", "unit"), rows)))
 
@@ -93,29 +92,3 @@ def _page(title: str, body: str) -> str:
 def _side_by_side(*parts: str) -> str:
     inner = "".join(f"<div>{part}</div>" for part in parts)
     return f'<div style="display:flex;gap:16px;align-items:flex-start;flex-wrap:wrap">{inner}</div>'
-
-
-def _table(heads: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    head = "".join(f"<th {_CELL}>{escape(word)}</th>" for word in heads)
-    body = "".join(
-        "<tr>" + "".join(f"<td {_CELL}>{escape(cell)}</td>" for cell in row) + "</tr>"
-        for row in rows
-    )
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
-
-
-def _svg(figure: Figure, words: str) -> str:
-    """A drawing of lines; as a file within the page, so that no names in it meet others."""
-    return _image(figure, words, "svg", "svg+xml", 72)
-
-
-def _png(figure: Figure, words: str, dpi: float) -> str:
-    """A drawing of many points, smaller than its lines."""
-    return _image(figure, words, "png", "png", dpi)
-
-
-def _image(figure: Figure, words: str, kind: str, media: str, dpi: float) -> str:
-    kept = io.BytesIO()
-    figure.savefig(kept, format=kind, dpi=dpi)
-    data = base64.b64encode(kept.getvalue()).decode()
-    return f'<img alt="{escape(words)}" src="data:image/{media};base64,{data}">'

@@ -8,9 +8,7 @@ page.write("column.pdf")   # or column.html
 
 from __future__ import annotations
 
-import base64
 import html
-import io
 import math
 import textwrap
 from collections.abc import Sequence
@@ -23,7 +21,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.analysis.design.isolation import Demands, demands, energy_balance
-from rockeom.drawing import style
+from rockeom.drawing import page, style
 from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
 from rockeom.simulation.plausible import ROUGHEST, default_masses, forces, shaking
@@ -36,6 +34,7 @@ A4 = (8.27, 11.69)  # in
 SHOWN = 12
 """Records that the page lists: those of the largest displacement."""
 FILES = (".html", ".pdf")
+_ASSUMPTIONS = "Assumptions, and how far they held"
 
 Row = tuple[str, ...]
 
@@ -125,19 +124,7 @@ class DesignReport:
     @cached_property
     def facts(self) -> tuple[tuple[str, str], ...]:
         """The structure in names and values."""
-        m = self.structure.module
-        units = zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True)
-        values = self.structure.parameters()
-        found = [
-            (name.replace("_", " "), f"{values[name]:.5g}{_unit(unit)}")
-            for name, unit in units
-            if name in values
-        ]
-        threshold = self.structure.uplift_acceleration
-        if threshold is not None and math.isfinite(threshold):
-            found.append(("a foot lifts from", f"{threshold / STANDARD_GRAVITY:.3g} g"))
-        if self.structure.has_impacts:
-            found.append(("law of impact", self.structure.describe_impact(self.impact)))
+        found = [*facts_of(self.structure, self.impact)]
         held = self._held
         if held is not None:
             periods = ", ".join(f"{p:.4g}" for p in held.periods)
@@ -274,7 +261,7 @@ class DesignReport:
         bottom = _draw_table(figure, top - 0.395, self.columns, self.rows, len(self.results))
         for heading, sentences in (
             ("Results", self.findings),
-            ("Assumptions, and how far they held", self.assumptions),
+            (_ASSUMPTIONS, self.assumptions),
         ):
             figure.text(0.07, bottom, heading, fontsize=9, weight="bold", va="top")
             bottom -= 0.017
@@ -292,27 +279,17 @@ class DesignReport:
 
     def html(self) -> str:
         """The same as a page that needs no other file."""
-        image = io.BytesIO()
-        self.figures().savefig(image, format="svg")
-        svg = base64.b64encode(image.getvalue()).decode()
-        facts = "".join(
-            f"<dt>{html.escape(name)}</dt><dd>{html.escape(value)}</dd>"
-            for name, value in self.facts
+        picture = page.image(
+            self.figures(),
+            "displacement under the worst record, base shear and displacement under all records",
         )
-        head = "".join(f"<th>{html.escape(name)}</th>" for name in self.columns)
-        body = "\n".join(
-            f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in row)}</tr>"
-            for row in self.rows
+        shown = html.escape(_shown(len(self.rows), len(self.results)))
+        body = (
+            f"{page.facts(self.facts)}{picture}<h2>Results</h2>{page.bullets(self.findings)}"
+            f"{page.wide(page.table(self.columns, self.rows))}<p>{shown}</p>"
+            f"<h2>{_ASSUMPTIONS}</h2>{page.bullets(self.assumptions)}"
         )
-        findings, assumptions = (
-            "".join(f"<li>{html.escape(sentence)}</li>" for sentence in sentences)
-            for sentences in (self.findings, self.assumptions)
-        )
-        return _PAGE.format(
-            title=html.escape(self.title), facts=facts, svg=svg, head=head, body=body,
-            shown=_shown(len(self.rows), len(self.results)), findings=findings,
-            assumptions=assumptions,
-        )  # fmt: skip
+        return page.whole(self.title, body)
 
     def write(self, path: str | Path) -> None:
         """Into a file whose name ends in .html or .pdf; raises ValueError for another name."""
@@ -323,6 +300,22 @@ class DesignReport:
             style.save_figure(self.page(), path)
         else:
             write(path, self.html())
+
+
+def facts_of(structure: Structure, impact: ImpactLaw | None) -> tuple[tuple[str, str], ...]:
+    """Parameters of a structure, the acceleration that lifts it and its impact law."""
+    m, values = structure.module, structure.parameters()
+    found = [
+        (name.replace("_", " "), f"{values[name]:.5g}{_unit(unit)}")
+        for name, unit in zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True)
+        if name in values
+    ]
+    threshold = structure.uplift_acceleration
+    if threshold is not None and math.isfinite(threshold):
+        found.append(("a foot lifts from", f"{threshold / STANDARD_GRAVITY:.3g} g"))
+    if structure.has_impacts:
+        found.append(("law of impact", structure.describe_impact(impact)))
+    return tuple(found)
 
 
 def check_name(path: Path) -> None:
@@ -429,30 +422,6 @@ def _draw_table(
         y -= 0.0175 if n == 0 else 0.0132
     figure.text(0.07, y, _shown(len(rows), number), fontsize=7.2, color="0.4")
     return y - 0.016
-
-
-_PAGE = """<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>
-body {{ font: 14px/1.45 system-ui, sans-serif; max-width: 52rem; margin: 2rem auto; color: #222 }}
-h1 {{ font-size: 1.5rem }} h2 {{ font-size: 1.1rem }} img {{ width: 100% }}
-dl {{ display: grid; grid-template-columns: repeat(4, auto); gap: 0.1rem 1rem }}
-dt {{ color: #777 }} dd {{ margin: 0 }}
-table {{ border-collapse: collapse; font-size: 0.85rem; width: 100% }}
-th, td {{ text-align: right; padding: 0.15rem 0.4rem; border-bottom: 1px solid #ddd }}
-th:first-child, td:first-child {{ text-align: left }}
-@media print {{ body {{ font-size: 10px; margin: 0 }} }}
-</style></head><body>
-<h1>{title}</h1>
-<dl>{facts}</dl>
-<img alt="displacement under the worst record, base shear and displacement under all records"
- src="data:image/svg+xml;base64,{svg}">
-<h2>Results</h2><ul>{findings}</ul>
-<table><thead><tr>{head}</tr></thead><tbody>
-{body}
-</tbody></table><p>{shown}</p>
-<h2>Assumptions, and how far they held</h2><ul>{assumptions}</ul>
-</body></html>
-"""
 
 
 # -- words ---------------------------------------------------------------------------------------
