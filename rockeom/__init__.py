@@ -19,6 +19,8 @@ from rockeom.renamed import VERSION
 __version__ = VERSION
 
 _NAMES_OF = {
+    "rockeom.assessment.assess": ("assess",),
+    "rockeom.assessment.result": ("Assessment",),
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
     "rockeom.numbers.dual": ("Dual", "duals"),
     "rockeom.motion": ("GroundMotion", "MotionError", "MotionSet", "Recording"),
@@ -107,6 +109,8 @@ def _classes() -> dict[str, str]:
 
 # For type checkers and editors, which cannot follow __getattr__; a test holds it to the table.
 if TYPE_CHECKING:
+    from rockeom.assessment.assess import assess as assess
+    from rockeom.assessment.result import Assessment as Assessment
     from rockeom.exports.responses import load as load
     from rockeom.modelling.composed import (
         Pinned as Pinned,

@@ -1,0 +1,429 @@
+"""The answer to "will it overturn?": words, numbers, a figure and a page."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from html import escape
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from rockeom.analysis.risk.fragility import Estimate
+from rockeom.analysis.sweeps import FALLS
+from rockeom.assessment.figure import draw
+from rockeom.assessment.remedies import Remedy
+from rockeom.assessment.statics import Statics
+from rockeom.assessment.trials import (
+    QUIET,
+    AtIntensity,
+    Conditions,
+    Trials,
+    UnderRecord,
+    can_slide,
+)
+from rockeom.drawing import page
+from rockeom.files import check_target, write
+from rockeom.motion import STANDARD_GRAVITY
+from rockeom.plots.design_report import facts_of
+from rockeom.simulation.plausible import LIKE_G, default_masses
+from rockeom.simulation.response import Response
+from rockeom.structures.base import Structure
+
+FEW = 20
+"""Number of records below which intervals of the curve are too short."""
+_SHOWN = 60
+"""Records that the page lists."""
+
+
+@dataclass(frozen=True, eq=False)
+class Assessment:
+    """Results of `rockeom.assess`; print it, or look at `plot()`, or `save("page.html")`.
+
+    structure, conditions : the arguments; level : of all intervals of confidence.
+    statics : uplift, sliding and restraint of the structure at rest.
+    records : each record as it was recorded, and its effect.
+    trials : outcomes at each intensity, with `trials.fragility`, the curve, if there is one.
+    remedies : changed structures, with their statics and trials.
+    furthest : response to the record that turned it furthest without overturning it, for the
+        assumptions; None without records or where all overturn.
+    left_out : names of vertical components, which were not used.
+    """
+
+    structure: Structure
+    conditions: Conditions
+    level: float
+    statics: Statics
+    records: tuple[UnderRecord, ...]
+    trials: Trials
+    remedies: tuple[Remedy, ...]
+    furthest: Response | None
+    left_out: tuple[str, ...]
+
+    # -- numbers
+
+    def pga_at(self, probability: float) -> Estimate | None:
+        """PGA that overturns with a probability [m/s2], and its interval; None without a curve."""
+        return _pga(self.trials, probability, self.level)
+
+    @property
+    def slides_first(self) -> bool | None:
+        """Whether it slides before it rocks; None without a coefficient of friction."""
+        friction = self.conditions.friction
+        return None if friction is None else friction < self.statics.friction_to_rock
+
+    # -- words
+
+    @property
+    def title(self) -> str:
+        return f"Will it overturn? {type(self.structure).__name__} under {_records(self._n)}"
+
+    @cached_property
+    def verdict(self) -> str:
+        """The answer in a sentence or two."""
+        slides = "It slides before it rocks. " if self.slides_first else ""
+        rows = self.trials.intensities
+        if not rows:
+            return f"{slides}Not judged under records: there is no horizontal one."
+        top = rows[-1]
+        fallen = [row for row in rows if row.overturned]
+        if not fallen:
+            return slides + self._none_overturns(top)
+        first = fallen[0]
+        if all(row.overturned == row.number for row in rows):
+            return f"{slides}Yes: at each intensity, from {_g(first.pga)} on, every record does it."
+        return (
+            f"{slides}It may: {first.overturned} of {_records(first.number)} overturn"
+            f"{'s' * (first.overturned == 1)} it at a PGA of {_g(first.pga)}"
+            + (f", {top.overturned} of {top.number} at {_g(top.pga)}." if top != first else ".")
+            + self._of_curve()
+        )
+
+    def _of_curve(self) -> str:
+        found = [(p, self.pga_at(p)) for p in (0.05, 0.5)]
+        said = [f"{_percent(p)} at {_g(one.value)}" for p, one in found if one is not None]
+        return f" The probability reaches {' and '.join(said)}." if said else ""
+
+    def _none_overturns(self, top: AtIntensity) -> str:
+        if not any(row.lifted for row in self.trials.intensities):
+            return (
+                f"No: up to a PGA of {_g(top.pga)} none of {_records(self._n)} even lifts a foot."
+            )
+        return (
+            f"Not under these records: none of {self._n} overturns it up to a PGA of "
+            f"{_g(top.pga)}, where the probability is below {_percent(top.upper)}."
+        )
+
+    @cached_property
+    def findings(self) -> tuple[str, ...]:
+        """The results in sentences."""
+        threshold = self.statics.uplift_acceleration
+        said = [
+            f"Uplift: a foot lifts from {_g(threshold)} ({threshold:.3g} m/s2) on, pushed slowly.",
+            self._of_sliding(),
+        ]
+        if self.records:
+            lift = sum(one.lifts for one in self.records)
+            fall = sum(one.outcome == FALLS for one in self.records)
+            said.append(
+                f"As recorded: {lift} of {_records(self._n)} lift a foot, {fall or 'none'} "
+                f"overturn{'s' * (fall <= 1)} it."
+            )
+        said += [self._of_probability(p) for p in (0.05, 0.5)] if self.trials.fragility else []
+        if self.trials.no_curve:
+            said.append(f"Probability against intensity: no curve, {self.trials.no_curve}.")
+        return tuple(said)
+
+    def _of_sliding(self) -> str:
+        needed, friction = self.statics.friction_to_rock, self.conditions.friction
+        if friction is None:
+            return (
+                "Sliding: not judged, since no coefficient of friction was given; below "
+                f"{needed:.2g} it slides before it rocks."
+            )
+        if self.slides_first:
+            slides = _g(self.statics.sliding_acceleration(friction))
+            said = (
+                f"Sliding: it slides first, from {slides} on, since its friction, {friction:g}, is "
+                f"below {needed:.2g}."
+            )
+        else:
+            said = (
+                f"Sliding: it rocks first, since its friction, {friction:g}, is not below "
+                f"{needed:.2g}."
+            )
+        slips = [one.slip for one in self.records if one.outcome != FALLS]
+        if slips and np.isfinite(slips).all():
+            moved = f"ends up to {1e3 * max(slips):.0f} mm from its place"
+            said += f" As recorded it {moved if max(slips) > 5e-4 else 'stays in its place'}."
+        return said
+
+    def _of_probability(self, probability: float) -> str:
+        found = self.pga_at(probability)
+        assert found is not None
+        beyond = ""
+        if found.value < self.conditions.levels[0]:
+            beyond = ", below the intensities that were tried"
+        elif found.value > self.conditions.levels[-1]:
+            beyond = ", above the intensities that were tried"
+        return (
+            f"Probability of overturning {_percent(probability)}: at a PGA of {_g(found.value)} "
+            f"({_percent(self.level)} interval {_g(found.lower)} to {_g(found.upper)}{beyond})."
+        )
+
+    @cached_property
+    def helps(self) -> tuple[str, ...]:
+        """Changes that help, each with its figure."""
+        said = []
+        for one in self.remedies:
+            text = f"{one.change[0].upper()}{one.change[1:]}: a foot lifts from "
+            text += f"{_g(one.statics.uplift_acceleration)} on, not {_g(self._threshold)}; "
+            mine, other = self.pga_at(0.05), _pga(one.trials, 0.05, self.level)
+            if mine is not None and other is not None:
+                said.append(f"{text}5 % overturn at {_g(other.value)}, not {_g(mine.value)}.")
+            elif self.trials.intensities:
+                before, after = self.trials.intensities[-1], one.trials.intensities[-1]
+                said.append(
+                    f"{text}{after.overturned or 'none'} of {_records(after.number)} overturn it "
+                    f"at {_g(after.pga)}, not {before.overturned}."
+                )
+            else:
+                said.append(f"{text.removesuffix('; ')}.")
+        if restraint := self._of_restraint():
+            said.append(restraint)
+        return tuple(said)
+
+    def _of_restraint(self) -> str:
+        most = self.conditions.levels[-1]
+        held = self.statics.hold_down(most)
+        if not held:
+            return ""
+        height = 2 * self.statics.centroid_height
+        pushed = self.statics.restraint(most, height)
+        return (
+            f"A restraint: up to {_g(most)}, pushed slowly, no foot lifts if a horizontal force of "
+            f"{self._force(pushed)} holds it {height:.3g} m above the ground, twice the height of "
+            "the centroid (more force further down, in proportion), or if each edge is held down "
+            f"by {self._force(held)}."
+        )
+
+    def _force(self, force: float) -> str:
+        part = f"{_percent(force / self.statics.weight)} of the weight"
+        return part if default_masses(self.structure) else f"{_newton(force)} ({part})"
+
+    @cached_property
+    def assumptions(self) -> tuple[str, ...]:
+        """Assumptions, and whether they held."""
+        said = [*self._of_feet()]
+        if law := self.structure.describe_impact(self.conditions.impact):
+            law = "feet land without bouncing" if self._slides else law
+            said.append(f"Impacts: {law}. Not checked.")
+        if self._n:
+            factors = [
+                level / one.peak
+                for level in self.conditions.levels[[0, -1]].tolist()
+                for one in self.records
+            ]
+            said.append(
+                f"Records: scaled to each PGA, by {min(factors):.2g} to {max(factors):.2g}; their "
+                f"frequencies stay. {QUIET:g} s of quiet follow each, and count."
+            )
+        if self.left_out:
+            said.append(f"Vertical components were left out: {'; '.join(self.left_out)}.")
+        if self.trials.unanswered:
+            said.append(
+                f"{self.trials.unanswered} motions had no end that is an answer, and do not count."
+            )
+        said.append(
+            "Not checked: rigid ground, motion in one plane, no vertical shaking, feet that keep "
+            "their edges."
+        )
+        said += self._of_intervals()
+        strongest = self.conditions.levels[-1]
+        if LIKE_G[0] <= strongest <= min(LIKE_G[1], self._threshold):
+            said.append(
+                f"Hint: the largest PGA, {strongest:.3g} m/s2, is below what lifts a foot: was it "
+                f'meant in g? Write "{strongest:g} g".'
+            )
+        return tuple(said)
+
+    def _of_feet(self) -> tuple[str, ...]:
+        if self._slides:
+            return (f"Sliding: simulated, with a friction of {self.conditions.friction:g}.",)
+        if self.furthest is None:
+            return ("No sliding: the simulations hold the feet.",)
+        support = self.furthest.support
+        needed = max(support.friction_demand, support.impact_friction_demand)
+        friction = self.conditions.friction
+        held = (
+            "" if friction is None else " It held." if needed <= friction else " It did not hold."
+        )
+        pulled = "was pulled: it would have jumped" if support.lost_contact else "was pulled"
+        who = "a" if support.lost_contact else "no"
+        return (
+            "No sliding: the simulations hold the feet. Under the record that turned it furthest "
+            f"without overturning that needed a friction of {needed:.2g}.{held}",
+            f"No bouncing: under that record {who} foot that stood {pulled}.",
+        )
+
+    def _of_intervals(self) -> tuple[str, ...]:
+        level = _percent(self.level)
+        said = [f"Intervals of fractions: {level}, Clopper and Pearson."]
+        if self.trials.fragility is not None:
+            said.append(
+                "Curve: lognormal, maximum likelihood. Its intervals: "
+                f"{level}, delta method, with a covariance by record (Liang and Zeger), since the "
+                "same records are scaled to each PGA"
+                + (f"; {self._n} records are few, and the intervals too short." if self._n < FEW
+                   else ".")
+            )  # fmt: skip
+        return tuple(said)
+
+    @property
+    def _slides(self) -> bool:
+        return can_slide(self.structure, self.conditions)
+
+    @property
+    def _n(self) -> int:
+        return len(self.conditions.motions)
+
+    @property
+    def _threshold(self) -> float:
+        return self.statics.uplift_acceleration
+
+    def summary(self) -> str:
+        """All of it in lines of text."""
+        rows = [
+            f"PGA {_g(row.pga)}: {row.overturned} of {row.number} overturn it, "
+            f"{_percent(row.overturned / max(row.number, 1))} "
+            f"({_percent(row.lower)} to {_percent(row.upper)})"
+            for row in self.trials.intensities
+        ]
+        blocks = {
+            "Results": self.findings,
+            "Overturning against intensity": rows,
+            "What helps": self.helps,
+            "Assumptions": self.assumptions,
+        }
+        lines = [self.title, self.verdict]
+        for name, sentences in blocks.items():
+            lines += [name, *(f"  {sentence}" for sentence in sentences)] if sentences else []
+        return "\n".join(lines)
+
+    def __str__(self) -> str:
+        return self.summary()
+
+    def __repr__(self) -> str:
+        return f"Assessment({self.verdict!r})"
+
+    # -- a figure and a page
+
+    def plot(self) -> Figure:
+        """Probability of overturning against PGA, and the largest rotation under each record."""
+        return draw(self.trials, self.remedies, self.records, self._threshold, self.level)
+
+    def html(self) -> str:
+        """A page that needs no other file."""
+        return page.whole(self.title, self._body())
+
+    def save(self, path: str | Path) -> None:
+        """Write the page into a file whose name ends in .html.
+
+        Raises ValueError for another name, and OSError where it cannot be written.
+        """
+        check_page(path)
+        write(path, self.html())
+
+    def _repr_html_(self) -> str:
+        title = f"<div><strong>{escape(self.title)}</strong></div>"
+        return f'<div class="rockeom">{title}{self._body()}</div>'
+
+    def _body(self) -> str:
+        facts = facts_of(self.structure, self.conditions.impact)
+        parts = [
+            f'<p class="verdict">{escape(self.verdict)}</p>',
+            page.bullets(self.findings),
+            page.image(self.plot(), "probability of overturning against peak ground acceleration")
+            if self._n
+            else "",
+            "<h2>Overturning against intensity</h2>" + page.wide(self._intensity_table())
+            if self._n
+            else "",
+            f"<h2>What helps</h2>{page.bullets(self.helps)}",
+            f"<h2>Assumptions, and whether they held</h2>{page.bullets(self.assumptions)}",
+            f"<h2>Structure</h2>{page.facts(facts)}",
+            f"<h2>Each record as it was recorded</h2>{page.wide(self._record_table())}"
+            if self._n
+            else "",
+        ]
+        return "".join(parts)
+
+    def _intensity_table(self) -> str:
+        curve, level = self.trials.fragility, _percent(self.level)
+        heads = (
+            *("PGA", "lift a foot", "overturn", "fraction", f"{level} interval", "curve"),
+            "hold-down of an edge",
+        )
+        rows = [
+            (
+                _g(row.pga),
+                f"{row.lifted} of {row.number}",
+                f"{row.overturned} of {row.number}",
+                _percent(row.overturned / max(row.number, 1)),
+                f"{_percent(row.lower)} to {_percent(row.upper)}",
+                "–" if curve is None else _percent(float(curve.probability(row.pga))),
+                self._force(self.statics.hold_down(row.pga)),
+            )
+            for row in self.trials.intensities
+        ]
+        return page.table(heads, rows)
+
+    def _record_table(self) -> str:
+        """Those that overturn first, then those that turn it furthest."""
+        heads = ("record", "PGA", "outcome", "largest rotation", "of the overturning angle")
+        order = sorted(self.records, key=lambda one: (one.outcome != FALLS, -one.rotation))
+        rows = [
+            (
+                one.name,
+                _g(one.peak),
+                one.outcome if one.lifts else "no foot lifts",
+                "–" if one.outcome == FALLS else f"{np.degrees(one.rotation):.2g}°",
+                "–" if one.outcome == FALLS or np.isnan(one.part) else _percent(one.part),
+                *([f"{1e3 * one.slip:.0f} mm"] if self._slides else []),
+            )
+            for one in order
+        ]
+        rest = f"<p>{len(rows) - _SHOWN} more are not listed.</p>" if len(rows) > _SHOWN else ""
+        slip = ("ends from its place",) if self._slides else ()
+        return page.table((*heads, *slip), rows[:_SHOWN]) + rest
+
+
+def check_page(path: str | Path) -> None:
+    """Raise ValueError for a name that is not that of a page, OSError where none can be written."""
+    if Path(path).suffix.lower() != ".html":
+        raise ValueError(f"{path}: an assessment is a page: end the name in .html")
+    check_target(path)
+
+
+def _pga(trials: Trials, probability: float, level: float) -> Estimate | None:
+    curve = trials.fragility
+    return None if curve is None else curve.quantile(probability, level)
+
+
+def _g(acceleration: float) -> str:
+    return f"{acceleration / STANDARD_GRAVITY:.3g} g"
+
+
+def _percent(part: float) -> str:
+    percent = 100 * part
+    whole = percent >= 10 or abs(percent - round(percent)) < 0.05
+    return f"{percent:.{0 if whole else 1}f} %"
+
+
+def _newton(force: float) -> str:
+    return f"{force / 1e3:.3g} kN" if force >= 1e3 else f"{force:.3g} N"
+
+
+def _records(n: int) -> str:
+    return f"{n} record{'s' * (n != 1)}"

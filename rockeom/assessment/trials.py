@@ -1,0 +1,180 @@
+"""Motions of a structure under records, as they were recorded and scaled to intensities."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from rockeom.analysis.risk.fragility import Fragility, fit_fragility, proportion_interval
+from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
+from rockeom.motion import GroundMotion
+from rockeom.simulation.case import Case
+from rockeom.structures.base import Structure
+from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.structures.shipped.rigid_block import RigidBlock
+from rockeom.structures.shipped.sliding_block import SlidingBlock
+from rockeom.sweeps.dataset import Sweep
+from rockeom.sweeps.run import simulate_many
+
+QUIET = 10.0
+"""Time that is followed after a record [s]: who overturns may do so after the shaking."""
+_LIFTED = 1e-9  # rad; less is rounding
+
+
+class Conditions(NamedTuple):
+    """The conditions under which structures are compared.
+
+    motions (n) : horizontal. levels (m,) : PGA that each is scaled to [m/s2]. friction : below the
+    feet [-]; None where it is not known. impact : law of impact; None for the default.
+    """
+
+    motions: tuple[GroundMotion, ...]
+    levels: np.ndarray
+    friction: float | None
+    impact: ImpactLaw | None
+
+
+class UnderRecord(NamedTuple):
+    """A record as it was recorded, and its effect.
+
+    peak : PGA [m/s2]. rotation : largest [rad]. part : of the overturning angle, nan where it is
+    not known. slip : distance from the place before, in the end [m]; nan where feet do not slide.
+    """
+
+    name: str
+    peak: float
+    outcome: str
+    rotation: float
+    part: float
+    slip: float
+
+    @property
+    def lifts(self) -> bool:
+        return self.rotation > _LIFTED
+
+
+class AtIntensity(NamedTuple):
+    """Number of records, scaled to a PGA [m/s2], that lift a foot and that overturn.
+
+    number : of records with an answer. lower, upper : interval of confidence of the probability of
+    overturning, Clopper and Pearson's.
+    """
+
+    pga: float
+    lifted: int
+    overturned: int
+    number: int
+    lower: float
+    upper: float
+
+
+class Trials(NamedTuple):
+    """Outcomes at each intensity, and the fragility curve or the reason why there is none."""
+
+    intensities: tuple[AtIntensity, ...]
+    fragility: Fragility | None
+    no_curve: str
+    unanswered: int
+
+
+def can_slide(structure: Structure, conditions: Conditions) -> bool:
+    """Whether sliding is simulated: that of a rigid block with the default law of impact."""
+    known = conditions.friction is not None and conditions.impact is None
+    return known and type(structure) is RigidBlock
+
+
+def simulated(structure: Structure, conditions: Conditions) -> Structure:
+    """The structure itself, or the same block on feet that slide and do not bounce."""
+    if conditions.friction is None or not can_slide(structure, conditions):
+        return structure
+    assert isinstance(structure, RigidBlock)
+    return SlidingBlock(
+        half_width=structure.half_width,
+        half_height=structure.half_height,
+        mass=structure.mass,
+        inertia=structure.parameters()["inertia"],
+        gravity=structure.gravity,
+        friction=conditions.friction,
+        restitution=0.0,
+    )
+
+
+def as_recorded(structure: Structure, conditions: Conditions) -> tuple[UnderRecord, ...]:
+    """The effect of each record as it was recorded."""
+    motions = conditions.motions
+    if not motions:
+        return ()
+    sweep = _sweep(structure, conditions, None)
+    theta = structure.module.STATES[structure.module.ROTATION]
+    right, left = (sweep[name].sel(state=theta).values for name in ("maximum", "minimum"))
+    parts = _parts(structure, right, -left)
+    slips = np.full(len(motions), np.nan)
+    if can_slide(structure, conditions):
+        slips = np.abs(sweep["final"].sel(state="x").values)
+    labels = outcome_labels(sweep).values.tolist()
+    rows = zip(motions, labels, np.maximum(right, -left).tolist(), parts, slips, strict=True)
+    return tuple(
+        UnderRecord(motion.name or "a ground motion", motion.peak, outcome, rotation, part, slip)
+        for motion, outcome, rotation, part, slip in rows
+    )
+
+
+def scaled(structure: Structure, conditions: Conditions, level: float) -> Trials:
+    """Outcomes under each record scaled to each intensity; level : of the intervals."""
+    if not conditions.motions:
+        return Trials((), None, "there is no horizontal record", 0)
+    sweep = _sweep(structure, conditions, conditions.levels)
+    theta = structure.module.STATES[structure.module.ROTATION]
+    labels = outcome_labels(sweep).values
+    fell, lifted = labels == FALLS, sweep["peak"].sel(state=theta).values > _LIFTED
+    known = fell | np.isin(labels, STANDS)
+    counts = known.sum(axis=0), fell.sum(axis=0), (lifted & known).sum(axis=0)
+    rows = []
+    columns = (column.tolist() for column in (conditions.levels, *counts))
+    for pga, n, hits, up in zip(*columns, strict=True):
+        bounds = proportion_interval(hits, n, level) if n else (0.0, 1.0)
+        rows.append(AtIntensity(pga, up, hits, n, *map(float, bounds)))
+    curve, reason = _fitted(conditions.levels, fell, known)
+    return Trials(tuple(rows), curve, reason, int((~known).sum()))
+
+
+def _sweep(structure: Structure, conditions: Conditions, levels: np.ndarray | None) -> Sweep:
+    """(n,) motions as they were recorded, or (n, m) scaled to levels."""
+    tried, impact = simulated(structure, conditions), conditions.impact
+
+    def case(motion: GroundMotion, pga: float | None = None) -> Case:
+        shaking = motion if pga is None else motion.scaled_to(pga)
+        return Case(tried, shaking, impact=impact, duration=motion.duration + QUIET)
+
+    over = {"motion": conditions.motions} | ({} if levels is None else {"pga": levels})
+    return simulate_many(case, over, progress=False)
+
+
+def _parts(structure: Structure, right: np.ndarray, left: np.ndarray) -> list[float]:
+    """Largest rotations over the overturning angle of their side."""
+    alpha = structure.slenderness or np.nan
+    angles = getattr(structure, "overturning_angles", (alpha, alpha))
+    found: list[float] = np.maximum(left / angles[0], right / angles[1]).tolist()
+    return found
+
+
+def _fitted(
+    levels: np.ndarray, fell: np.ndarray, known: np.ndarray
+) -> tuple[Fragility | None, str]:
+    """The curve of outcomes (n, m), or the reason why there is none."""
+    record = np.broadcast_to(np.arange(len(fell))[:, None], fell.shape)
+    pga = np.broadcast_to(levels, fell.shape)
+    if not fell[known].any():
+        return None, "no record overturns it: add higher intensities"
+    if fell[known].all():
+        return None, "every record overturns it at each intensity: add lower ones"
+    if len(fell) == 1:
+        return None, "one record says nothing of others: give several"
+    try:
+        curve = fit_fragility(
+            pga[known], fell[known], left_out=int((~known).sum()), group=record[known]
+        )
+    except ValueError as error:
+        return None, str(error).partition(": ")[2]
+    return curve, ""
