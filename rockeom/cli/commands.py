@@ -17,6 +17,7 @@ GROUPS = {
         "animate": "make a film of a simulation (.gif, .html, .mp4)",
     },
     "Many motions": {
+        "assess": "will it overturn? a verdict, and a page, under a set of records",
         "report": "write one page on a structure under a set of records",
     },
     "Equations": {
