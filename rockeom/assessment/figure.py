@@ -35,12 +35,12 @@ def draw(
     _draw_rotations(right, records)
     for ax in (left, right):
         ax.axvline(threshold / STANDARD_GRAVITY, color=style.INK, ls=":", lw=0.9)
-        ax.annotate(
-            "a foot lifts", (threshold / STANDARD_GRAVITY, 1.0), (2, 2), fontsize=7.5,
-            xycoords=("data", "axes fraction"), textcoords="offset points", color=style.INK,
-        )  # fmt: skip
         ax.set_xlim(0.0, None)
         ax.set_xlabel("peak ground acceleration [g]")
+    left.annotate(
+        "a foot lifts", (threshold / STANDARD_GRAVITY, 1.0), (0, 3), fontsize=7.5, ha="center",
+        xycoords=("data", "axes fraction"), textcoords="offset points", color=style.INK,
+    )  # fmt: skip
     return figure
 
 
@@ -67,24 +67,25 @@ def _draw_probability(ax: Axes, trials: Trials, remedies: Sequence[Remedy], leve
         lw=0.8, capsize=2, clip_on=False, zorder=4, label=f"records, {100 * level:g} %",
     )  # fmt: skip
     ax.set(ylabel="probability of overturning [-]", ylim=(0.0, 1.0), xlim=(0.0, end))
-    ax.legend(loc="upper left", bbox_to_anchor=(0.0, 0.97), fontsize=7.5)
+    ax.legend(loc="upper left", fontsize=7.5, frameon=True, edgecolor="none", borderpad=0.2)
 
 
 def _draw_rotations(ax: Axes, records: Sequence[UnderRecord]) -> None:
-    """Dots at the part of the overturning angle, triangles above where it overturned."""
+    """Dots at the part of the overturning angle, triangles in a band above where it overturned."""
     known = any(np.isfinite(one.part) for one in records)
+    sizes = [one.part if known else one.rotation for one in records if one.outcome != FALLS]
+    top = 1.05 * max([1.0 if known else 0.0, *sizes]) or 1.0
     for stands, marker, color in ((True, "o", style.LINES[0]), (False, "^", style.LINES[1])):
-        some = [one for one in records if (one.outcome != FALLS) == stands]
-        at = [one.peak / STANDARD_GRAVITY for one in some]
-        size = [(one.part if known else one.rotation) if stands else np.nan for one in some]
-        label = f"{len(some)} stand" if stands else f"{len(some)} overturn"
-        heights = size if stands else [1.06] * len(some)
-        ax.plot(
-            at, heights, marker, ms=4, color=color, mfc="white" if stands else color, label=label,
-            clip_on=False, transform=ax.transData if stands else ax.get_xaxis_transform(),
-        )  # fmt: skip
-    angle = r"largest $|\theta|/\alpha$ [-]" if known else r"largest $|\theta|$ [rad]"
-    ax.set_ylabel(angle)
-    ax.set_ylim(0.0, 1.0 if known else None)
-    ax.set_title("each record as it was recorded", fontsize=8.5, loc="right", pad=14)
-    ax.legend(loc="lower right", fontsize=7.5)
+        at = [one.peak / STANDARD_GRAVITY for one in records if (one.outcome != FALLS) == stands]
+        if at:
+            ax.plot(
+                at, sizes if stands else [1.06 * top] * len(at), marker, ms=4, color=color,
+                mfc="white" if stands else color, clip_on=False,
+                label=f"{len(at)} {'stand' if stands else 'overturn'}",
+            )  # fmt: skip
+    ax.set_ylabel(r"largest $|\theta|/\alpha$ [-]" if known else r"largest $|\theta|$ [rad]")
+    ax.set_ylim(0.0, 1.12 * top)
+    ax.axhspan(top, 1.12 * top, facecolor="0.95", lw=0, zorder=0)
+    ax.set_yticks([tick for tick in ax.get_yticks() if tick <= top])
+    ax.set_title("as recorded", fontsize=9, loc="right")
+    ax.legend(loc="center right", fontsize=7.5, frameon=True, edgecolor="none", borderpad=0.2)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from functools import cached_property
 from html import escape
@@ -33,6 +34,8 @@ from rockeom.structures.base import Structure
 
 FEW = 20
 """Number of records below which intervals of the curve are too short."""
+_UNIT = re.compile(r"(?<=\d) (?=(?:g|m|mm|k?N|%)(?![a-z]))")
+"""The blank between a number and its unit."""
 _SHOWN = 60
 """Records that the page lists."""
 
@@ -102,7 +105,7 @@ class Assessment:
 
     def _of_curve(self) -> str:
         found = [(p, self.pga_at(p)) for p in (0.05, 0.5)]
-        said = [f"{_percent(p)} at {_g(one.value)}" for p, one in found if one is not None]
+        said = [f"{_percent(p)} at {_g(one.value, 2)}" for p, one in found if one is not None]
         return f" The probability reaches {' and '.join(said)}." if said else ""
 
     def _none_overturns(self, top: AtIntensity) -> str:
@@ -167,9 +170,10 @@ class Assessment:
             beyond = ", below the intensities that were tried"
         elif found.value > self.conditions.levels[-1]:
             beyond = ", above the intensities that were tried"
+        interval = f"{_g(found.lower, 2)} to {_g(found.upper, 2)}"
         return (
-            f"Probability of overturning {_percent(probability)}: at a PGA of {_g(found.value)} "
-            f"({_percent(self.level)} interval {_g(found.lower)} to {_g(found.upper)}{beyond})."
+            f"Probability of overturning {_percent(probability)}: at a PGA of {_g(found.value, 2)} "
+            f"({_percent(self.level)} interval {interval}{beyond})."
         )
 
     @cached_property
@@ -181,7 +185,7 @@ class Assessment:
             text += f"{_g(one.statics.uplift_acceleration)} on, not {_g(self._threshold)}; "
             mine, other = self.pga_at(0.05), _pga(one.trials, 0.05, self.level)
             if mine is not None and other is not None:
-                said.append(f"{text}5 % overturn at {_g(other.value)}, not {_g(mine.value)}.")
+                said.append(f"{text}5 % overturn at {_g(other.value, 2)}, not {_g(mine.value, 2)}.")
             elif self.trials.intensities:
                 before, after = self.trials.intensities[-1], one.trials.intensities[-1]
                 said.append(
@@ -295,7 +299,7 @@ class Assessment:
     def summary(self) -> str:
         """All of it in lines of text."""
         rows = [
-            f"PGA {_g(row.pga)}: {row.overturned} of {row.number} overturn it, "
+            f"PGA {_g(row.pga)}: {row.overturned} of {row.number}, "
             f"{_percent(row.overturned / max(row.number, 1))} "
             f"({_percent(row.lower)} to {_percent(row.upper)})"
             for row in self.trials.intensities
@@ -357,7 +361,7 @@ class Assessment:
             if self._n
             else "",
         ]
-        return "".join(parts)
+        return _UNIT.sub("&nbsp;", "".join(parts))
 
     def _intensity_table(self) -> str:
         curve, level = self.trials.fragility, _percent(self.level)
@@ -373,7 +377,7 @@ class Assessment:
                 _percent(row.overturned / max(row.number, 1)),
                 f"{_percent(row.lower)} to {_percent(row.upper)}",
                 "–" if curve is None else _percent(float(curve.probability(row.pga))),
-                self._force(self.statics.hold_down(row.pga)),
+                self._force(force) if (force := self.statics.hold_down(row.pga)) else "–",
             )
             for row in self.trials.intensities
         ]
@@ -411,8 +415,8 @@ def _pga(trials: Trials, probability: float, level: float) -> Estimate | None:
     return None if curve is None else curve.quantile(probability, level)
 
 
-def _g(acceleration: float) -> str:
-    return f"{acceleration / STANDARD_GRAVITY:.3g} g"
+def _g(acceleration: float, digits: int = 3) -> str:
+    return f"{acceleration / STANDARD_GRAVITY:.{digits}g} g"
 
 
 def _percent(part: float) -> str:

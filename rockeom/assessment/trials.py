@@ -15,6 +15,7 @@ from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.structures.shipped.rigid_block import RigidBlock
 from rockeom.structures.shipped.sliding_block import SlidingBlock
 from rockeom.sweeps.dataset import Sweep
+from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.run import simulate_many
 
 QUIET = 10.0
@@ -113,7 +114,9 @@ def as_recorded(structure: Structure, conditions: Conditions) -> tuple[UnderReco
     if can_slide(structure, conditions):
         slips = np.abs(sweep["final"].sel(state="x").values)
     labels = outcome_labels(sweep).values.tolist()
-    rows = zip(motions, labels, np.maximum(right, -left).tolist(), parts, slips, strict=True)
+    rows = zip(
+        motions, labels, (np.maximum(right, -left) + 0.0).tolist(), parts, slips, strict=True
+    )
     return tuple(
         UnderRecord(motion.name or "a ground motion", motion.peak, outcome, rotation, part, slip)
         for motion, outcome, rotation, part, slip in rows
@@ -148,14 +151,14 @@ def _sweep(structure: Structure, conditions: Conditions, levels: np.ndarray | No
         return Case(tried, shaking, impact=impact, duration=motion.duration + QUIET)
 
     over = {"motion": conditions.motions} | ({} if levels is None else {"pga": levels})
-    return simulate_many(case, over, progress=False)
+    return simulate_many(case, over, sweep_options=SweepOptions(progress=False))
 
 
 def _parts(structure: Structure, right: np.ndarray, left: np.ndarray) -> list[float]:
     """Largest rotations over the overturning angle of their side."""
     alpha = structure.slenderness or np.nan
     angles = getattr(structure, "overturning_angles", (alpha, alpha))
-    found: list[float] = np.maximum(left / angles[0], right / angles[1]).tolist()
+    found: list[float] = (np.maximum(left / angles[0], right / angles[1]) + 0.0).tolist()
     return found
 
 

@@ -69,7 +69,8 @@ dt {{ color: #666 }} dd {{ margin: 0; text-align: right }}
 .wide {{ overflow-x: auto }}
 table {{ border-collapse: collapse; font-size: 0.85rem; width: 100% }}
 th, td {{ text-align: right; padding: 0.15rem 0.4rem; border-bottom: 1px solid #ddd }}
-th:first-child, td:first-child {{ text-align: left }}
+td {{ white-space: nowrap }}
+th:first-child, td:first-child {{ text-align: left; white-space: normal }}
 .verdict {{ font-size: 1.15rem; border-left: 4px solid #0072B2; padding-left: 0.8rem }}
 @media print {{ body {{ font-size: 10px; margin: 0 }} }}
 </style></head><body>
