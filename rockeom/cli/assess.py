@@ -76,7 +76,7 @@ def run(args: argparse.Namespace) -> int:
     if args.out is not None:
         check_page(args.out)  # before the simulations, not after
     motions = _motions(args)
-    print(f"simulating {len(motions)} records ...", file=sys.stderr)
+    print(f"simulating {len(motions)} record{'s' * (len(motions) > 1)} ...", file=sys.stderr)
     answer = assess(
         structure, motions, pga=_pga(args.pga), friction=args.friction, impact=law, level=args.level
     )
