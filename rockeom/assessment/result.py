@@ -307,7 +307,7 @@ class Assessment:
         blocks = {
             "Results": self.findings,
             "Overturning against intensity": rows,
-            "What helps": self.helps,
+            "Measures that help": self.helps,
             "Assumptions": self.assumptions,
         }
         lines = [self.title, self.verdict]
@@ -354,7 +354,7 @@ class Assessment:
             "<h2>Overturning against intensity</h2>" + page.wide(self._intensity_table())
             if self._n
             else "",
-            f"<h2>What helps</h2>{page.bullets(self.helps)}",
+            f"<h2>Measures that help</h2>{page.bullets(self.helps)}",
             f"<h2>Assumptions, and whether they held</h2>{page.bullets(self.assumptions)}",
             f"<h2>Structure</h2>{page.facts(facts)}",
             f"<h2>Each record as it was recorded</h2>{page.wide(self._record_table())}"
@@ -384,7 +384,7 @@ class Assessment:
         return page.table(heads, rows)
 
     def _record_table(self) -> str:
-        """Those that overturn first, then those that turn it furthest."""
+        """Records that overturn it first, then those that turn it furthest."""
         heads = ("record", "PGA", "outcome", "largest rotation", "of the overturning angle")
         order = sorted(self.records, key=lambda one: (one.outcome != FALLS, -one.rotation))
         rows = [

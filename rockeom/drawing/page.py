@@ -47,7 +47,7 @@ def facts(pairs: Iterable[tuple[str, str]]) -> str:
 
 
 def wide(content: str) -> str:
-    """What may be wider than a small screen, and scrolls there by itself."""
+    """Content that may be wider than a small screen, and scrolls there by itself."""
     return f'<div class="wide">{content}</div>'
 
 
