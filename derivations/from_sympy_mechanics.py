@@ -53,6 +53,7 @@ from rockeom.plots import draw_structure, use_style
 from rockeom.symbolic import Model, Rigid, rectangle
 from rockeom.symbolic.algebra import at_side
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.thesis.exercises import Exercises
 
 use_style()
 
@@ -427,3 +428,9 @@ period = 2 * math.pi * math.sqrt((400 + 3000 * 0.7**2) / (3000 * 9.81 * 0.7))
 assert round(period, 3) == 1.893
 (after,) = swings.at([period])["phi"]
 assert math.isclose(after, 1e-3, rel_tol=1e-4)
+exercises = Exercises({2: m_b * ell**2, 3: period})
+
+# %%
+# your answers
+exercises.check(2, ...)  # the term that changes, in m_b and ell
+exercises.check(3, ...)  # in seconds

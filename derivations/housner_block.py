@@ -50,6 +50,7 @@ from rockeom.plots import free_body as fb, use_style
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.reactions import reactions
 from rockeom.thesis import equation
+from rockeom.thesis.exercises import Exercises
 
 use_style()
 
@@ -661,3 +662,11 @@ slides_at = needed.subs(alpha, sp.atan(5 - sp.sqrt(21)))
 assert np.isclose(float(slides_at), 0.3, rtol=1e-12)
 late = p * (elliptic((1 - 1e-5) * block.alpha) - elliptic((1 - 1e-3) * block.alpha))
 assert np.isclose(late, np.log(100), rtol=1e-3)
+exercises = Exercises({3: 2, 4: sp.Rational(5, 12), 5: 5 - sp.sqrt(21), 6: sp.log(10)})
+
+# %%
+# your answers
+exercises.check(3, ...)  # quarter period of the large block over that of the small one
+exercises.check(4, ...)  # the factor of epsilon**2 next to 1
+exercises.check(5, ...)  # width over height below which it does not slide
+exercises.check(6, ...)  # growth of p times T for each tenth of the rest to the balance

@@ -44,6 +44,7 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.plots import free_body as fb, use_style
 from rockeom.thesis import equation
+from rockeom.thesis.exercises import Exercises
 
 use_style()
 
@@ -570,3 +571,11 @@ from_left = ratio_2**2 * about[B_2] / about[B_1]
 assert (ratio_1 / ratio_2).subs({B_1: 1, B_2: 2, H: 3, m: 1, I_G: 1}) != 1
 assert sp.cancel(from_right - from_left) == 0
 assert sp.cancel(from_right - ratio_1 * ratio_2) == 0
+exercises = Exercises({1: kept / whole, 2: sp.cos(2 * alpha), 4: half_lost, 5: 1})
+
+# %%
+# your answers
+exercises.check(1, ...)  # an expression in the symbols of `named`
+exercises.check(2, ...)  # an expression in alpha
+exercises.check(4, ...)  # alpha in radians
+exercises.check(5, ...)  # lambda of a base that touches along its edges

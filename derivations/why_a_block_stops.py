@@ -44,6 +44,7 @@ from scipy.integrate import solve_ivp
 
 import rockeom as rk
 from rockeom.plots import free_body as fb, use_style
+from rockeom.thesis.exercises import Exercises
 
 use_style()
 
@@ -556,3 +557,12 @@ pushed = rk.simulate(block, leaning, impact=rk.VelocityRatio(e), initial={"theta
 left = abs(pushed.impacts[0].after["theta_dot"])
 bounces = 2 * left / (p**2 * math.sin(alpha)) * (2 + 2 * e / 3) / (1 - e**2)
 assert math.isclose(pushed.events.rest_time - pushed.impacts[0].time, bounces, rel_tol=1e-3)
+speed_left, e_symbol = sp.symbols("v e", positive=True)
+leaning_time = speed_left * (4 + sp.Rational(4, 3) * e_symbol) / (1 - e_symbol**2)
+exercises = Exercises({1: needed, 4: by_speed * by_acceleration, 6: leaning_time})
+
+# %%
+# your answers
+exercises.check(1, ...)  # number of impacts
+exercises.check(4, ...)  # remaining time of the slender block over that of the rigid one
+exercises.check(6, ...)  # the time in units of 1/a, in the symbols speed_left and e_symbol

@@ -128,13 +128,19 @@ def test_every_exercise_has_a_solution_that_is_closed_and_checked(path):
     cells = notebook.cells
     (last,) = (n for n, cell in enumerate(cells) if "## Exercises" in cell.source)
     exercises = re.findall(r"^(\d+)\. ", cells[last].source.split("## Exercises")[1], re.MULTILINE)
-    solutions, checks = cells[last + 1 :]
+    solutions, checks, *answers = cells[last + 1 :]
     closed = r"<details><summary>Solution (\d+)</summary>\n\n(?:(?!<).+\n|\n)+</details>"
     assert re.findall(closed, solutions.source) == exercises
     assert checks.metadata["tags"] == ["hide-cell"]
     assert checks.source.startswith("# the solutions, checked\n")
     asserted = [n for n in ast.walk(ast.parse(checks.source)) if isinstance(n, ast.Assert)]
     assert len(asserted) >= len(exercises)
+    for cell in answers:  # of the student, by the number of the exercise
+        first, *rest = cell.source.splitlines()
+        numbers = [re.match(r"exercises\.check\((\d+), \.\.\.\)  # \S", line)[1] for line in rest]
+        assert first == "# your answers"
+        assert numbers == sorted(set(numbers) & set(exercises))
+    assert len(answers) == ("Exercises(" in checks.source)
 
 
 @NOTEBOOKS
