@@ -19,10 +19,10 @@ BY_DIFFERENCES = 21
 
 _START = ("initial theta", "initial theta_dot")
 _OF_BLOCK = ("half_width", "half_height", "mass", "gravity", "restitution", *_START)
-OF_BLOCK = (*_OF_BLOCK, "amplitude", "time_scale", "duration")
+OF_BLOCK = (*_OF_BLOCK, "scale", "time_scale", "duration")
 OF_COLUMN = (
     "mass", "height", "inertia", "base_mass", "base_height", "base_inertia", "half_width",
-    "stiffness", "damping", "amplitude",
+    "stiffness", "damping", "scale",
 )  # fmt: skip
 
 

@@ -19,6 +19,7 @@ from rockeom.motion.arguments import (
     positive as _positive,
 )
 from rockeom.motion.errors import FilePath, MotionError
+from rockeom.motion.formula import call_of, with_formulas
 from rockeom.motion.scaling import Acceleration, multiplier, named, scaled_name, target
 from rockeom.motion.segments import (
     ANTISYMMETRIC_RICKER,
@@ -61,6 +62,7 @@ _RICKER_HALF_WINDOW = 2  # periods; beyond, the wavelet is below 1e-8 of its pea
 _ABSURD_PEAK = 10 * STANDARD_GRAVITY  # the strongest recorded one is about 4 g
 
 
+@with_formulas
 @dataclass(frozen=True, eq=False, repr=False)
 class GroundMotion:
     """The acceleration of the ground in one direction, as a table of analytic segments.
@@ -809,7 +811,7 @@ class GroundMotion:
     def __reduce__(self) -> tuple[Any, ...]:
         # Arrays come back writable from a pickle; the constructor locks them again.
         fields = self.segments, self.name, self.source, self.dt, self.samples, self.is_vertical
-        return GroundMotion, fields
+        return GroundMotion, fields, call_of(self)
 
 
 # -- construction --------------------------------------------------------------------------------

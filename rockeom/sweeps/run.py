@@ -21,6 +21,7 @@ from rockeom.numbers.checks import described
 from rockeom.simulation.case import Case
 from rockeom.simulation.method_selection import DEFAULT, Choice, chosen
 from rockeom.simulation.options import SolverOptions
+from rockeom.sweeps.case_numbers import sweep_of
 from rockeom.sweeps.cases import Cases, first_of
 from rockeom.sweeps.dataset import Sweep, check_names, dataset
 from rockeom.sweeps.options import SweepOptions
@@ -42,7 +43,7 @@ ARRAYS = "leave it out, functions are called for many cases at once wherever tha
     "sweep_options", SweepOptions, "threads", "chunk", "progress", "lanes", "store", "executor"
 )
 def simulate_many(
-    case: Callable[..., Case],
+    case: Case | Callable[..., Case],
     over: Any,
     *,
     impact_times: int = 0,
@@ -54,18 +55,36 @@ def simulate_many(
 ) -> Sweep:
     """Simulate every combination of the values in `over`, labelled by them, or each row of a table.
 
-        def pulse(frequency, amplitude):
-            sine = rk.GroundMotion.single_sine(amplitude, 1 / frequency, duration=8.0)
-            return rk.Case(block, sine)
-
+        case = rk.Case(block, rk.GroundMotion.single_sine(amplitude=3.0, period=0.8, duration=8.0))
         rk.simulate_many(
-            pulse,
+            case,
             over={"frequency": np.linspace(0.5, 4, 100), "amplitude": np.linspace(1, 8, 100)},
             sweep_options=rk.SweepOptions(store="map.zarr"),
         )
 
-    case : makes one case from one value of each name in `over`. All cases are of one model. The
-        threads call it in turn, never two at a time.
+        def slender(slenderness, amplitude):
+            other = rk.RigidBlock.from_frequency(p=2.14, alpha=slenderness)
+            return rk.Case(other, rk.GroundMotion.half_sine(amplitude, 1.2))
+
+        rk.simulate_many(slender, over={"slenderness": [0.15, 0.2], "amplitude": [3.0, 4.0, 5.0]})
+
+    case : a case, whose numbers `over` names as `sensitivity` does: arguments of the structure,
+        such as "half_width", "masses[0]" and "support.stiffness"; of a pulse, such as "amplitude"
+        and "period" or "frequency", its reciprocal; "scale" and "time_scale", factors of the
+        acceleration and time of any motion and of the vertical one with it; of the impact law, such
+        as "r", or "restitution", the ratio e of the rates of rotation; "initial theta" of a state;
+        "duration". A name that two parts of the case have is written with the part, as
+        "motion.amplitude" and "vertical.amplitude". "motion", "structure", "vertical", "impact" and
+        "initial" are those parts as a whole.
+        Or a function that makes one case from one value of each name, where cases depend on them in
+        another way. Its result must follow from its arguments alone. It is called for many cases at
+        once, with arguments that calculate like numbers and hold the values of all; the threads
+        call it in turn, never two at a time. Where cases do not go the same way
+        (`if amplitude > 3`), or one number is asked for (`math.sin(x)`, a record scaled by x), it
+        is called again for those that do, and in the end for each; `np.sin(x)` is of all at once.
+        The first, the middle and the last case of each call are compared with calls for one case,
+        to the last bit: where they differ, it is called for each. That takes tens of microseconds a
+        case, at once a microsecond or two. All cases are of one model.
     over : a mapping of names to lists of values is a grid: the dataset is over its names. A table
         has a case in each row and is a DataFrame, a structured array, a list of dicts or a dataset
         over one dimension: the dataset is over "case", with the columns as coordinates. Numbers and
@@ -96,14 +115,18 @@ def simulate_many(
     quantity. Memory is bounded by the dataset. A keyboard interrupt ends the work early: what is
     done is returned, `attrs["interrupted"]` is 1.
 
-    Raises ValueError, with the case, for what cannot be simulated, with `lanes` or at all, and for
-    a store that holds another sweep; RuntimeError for one that is in use, ModuleNotFoundError
+    Raises ValueError for names that the case does not have, with all there are and their units;
+    with the values of the case for what cannot be simulated, with `lanes` or at all; and for a
+    store that holds another sweep. RuntimeError for a store that is in use, ModuleNotFoundError
     without zarr. The error of an executor that has lost its workers has a note that says which
     cases went with them.
     """
     cases = Cases.of(over)
     how = SweepOptions.of(sweep_options)
-    _check_function(case, cases)
+    if isinstance(case, Case):
+        case, cases = sweep_of(case, cases)
+    else:
+        _check_function(case, cases)
     first = first_of(case, cases)
     module = first.structure.module
     options = SolverOptions.of(options)
@@ -157,10 +180,10 @@ def _done(shown: Progress, on_disk: Store | None, rows: np.ndarray) -> None:
 def _check_function(case: Any, cases: Cases) -> None:
     """Raises TypeError for what is no function of the names of a sweep."""
     names = cases.values
-    if not callable(case) or isinstance(case, Case):
+    if not callable(case):
         raise TypeError(
-            f"case is {described(case)}: give a function that makes a case, such as "
-            f"lambda {', '.join(names)}: rk.Case(structure, motion)"
+            f"case is {described(case)}: give a case, rk.Case(structure, motion), or a function "
+            f"that makes one, such as lambda {', '.join(names)}: rk.Case(structure, motion)"
         )
     try:
         inspect.signature(case).bind(**names)

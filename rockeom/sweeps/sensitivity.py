@@ -3,26 +3,25 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rockeom import renamed
 from rockeom.codes import IMPACT, LANDING, REST
 from rockeom.motion.segments import KIND, scaled
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described, is_number, near
+from rockeom.numbers.checks import described, near
 from rockeom.numbers.dual import Dual, directions, duals, tangent_of, value_of, with_tangent
-from rockeom.numbers.functions import mathematics, of_compounds
+from rockeom.numbers.functions import of_compounds
 from rockeom.simulation.case import Case, ground_table, parted
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
-from rockeom.structures.base import Structure
-from rockeom.structures.declared import DeclaredStructure
 from rockeom.structures.evaluation import OF_ELEMENT
-from rockeom.structures.impact_laws import EnergyRatio, VelocityRatio
 from rockeom.structures.units import time_unit
+from rockeom.sweeps.case_numbers import Number, numbers_named, numbers_of, with_numbers
 from rockeom.sweeps.tangents import Tangents, of_problem
 
 if TYPE_CHECKING:
@@ -107,11 +106,12 @@ def sensitivity(
         time" and "rest time". Instead of theta any state, energy, displacement, or deformation,
         force and energy of an element, such as "storey_1_force".
     to : numbers that the structure was given, by their names, "masses[0]" for an item of a list
-        and "support.stiffness" for one of its support; those of the law of impact, such as "r";
-        "restitution", the ratio e of the rates of rotation, of a law of one ratio; "initial theta"
-        of what `initial` names, or any state of a structure whose feet do not slip; "amplitude", a
-        factor of the ground's acceleration, and "time_scale", one of its time, both of the vertical
-        motion, too; "duration".
+        and "support.stiffness" for one of its support; those of a pulse, "amplitude" and "period"
+        or "frequency"; those of the law of impact, such as "r"; "restitution", the ratio e of the
+        rates of rotation, of a law of one ratio; "initial theta" of what `initial` names, or any
+        state of a structure whose feet do not slip; "scale", a factor of the ground's acceleration,
+        and "time_scale", one of its time, both of the vertical motion, too; "duration". A name that
+        two parts have is one of "structure.height" and "impact.height".
     options : as for `simulate`.
 
         block = rk.RigidBlock(half_width=0.1, half_height=0.4)
@@ -125,23 +125,20 @@ def sensitivity(
     """
     _check_plain(case)
     wanted, given = _names("of", of), _names("to", to)
-    knobs = _knobs(case)
-    for name in given:
-        if name not in knobs:
-            raise ValueError(f"to: {_unknown(name, knobs)}")
-    if "restitution" in given and len({"restitution", "r", "e"} & {*given}) > 1:
-        raise ValueError("to: 'restitution' is the ratio of the law itself: name one of both")
-    seeds = duals(**{f"x{i}": knobs[name].value for i, name in enumerate(given)})
-    seeded = case
-    for name, seed in zip(given, seeds.values(), strict=True):
-        seeded = knobs[name].turn(seeded, seed)
+    numbers = _numbers(case, given)
+    seeds = duals(**{f"x{i}": number.value or 0.0 for i, number in enumerate(numbers)})
+    pairs = list(zip(numbers, seeds.values(), strict=True))
+    seeded = with_numbers(case, [(n, seed) for n, seed in pairs if not n.factor])
     problem, along = parted(seeded.problem(), len(given))
-    factors = {j: name for j, name in enumerate(given) if name in _FACTORS}
-    if factors:
-        along = along._replace(
-            horizontal=_of_ground(case.motion, factors, len(given)),
-            vertical=_of_ground(case.vertical, factors, len(given)),
-        )
+    for part, of_part in (("motion", "horizontal"), ("vertical", "vertical")):
+        factors = {
+            j: number.factor
+            for j, number in enumerate(numbers)
+            if number.factor and number.part in ("case", part)
+        }
+        if factors:
+            of_factors = _of_ground(getattr(case, part), factors, len(given))
+            along = along._replace(**{of_part: getattr(along, of_part) + of_factors})
     motion = of_problem(seeded, problem, along, SolverOptions.of(options))
     answers = [answer(name, motion) for name in wanted]
     return Sensitivity(
@@ -151,7 +148,7 @@ def sensitivity(
         np.array([float(seed.value) for seed in seeds.values()]),
         np.array([answer.tangent for answer in answers]) + 0.0,  # none is -0.0
         tuple(_unit_of(name, motion.response) for name in wanted),
-        tuple(knobs[name].unit for name in given),
+        tuple(number.unit for number in numbers),
         motion,
     )
 
@@ -171,89 +168,17 @@ def _names(what: str, names: Sequence[str]) -> tuple[str, ...]:
     return tuple(names)
 
 
-def _unknown(name: str, known: Mapping[str, Any]) -> str:
-    return f"{name!r} is unknown{near(name, known)}; there are {', '.join(known)}"
-
-
-# -- what is turned
-
-
-Turn = Callable[[Case, Any], Case]
-"""Makes a case with another number, such as a dual, in its place."""
-
-
-class _Knob(NamedTuple):
-    """A number of a case, with its unit."""
-
-    value: float
-    unit: str
-    turn: Turn
-
-
-def _knobs(case: Case) -> dict[str, _Knob]:
-    """All numbers of a case by name; where a name is used twice it is the structure's."""
-    return {
-        **_of_time(case),
-        **_of_start(case),
-        **_of_law(case),
-        **_of_structure(case.structure),
-    }
-
-
-def _of_structure(structure: Structure) -> dict[str, _Knob]:
-    module = structure.module
-    signs = dict(zip(module.PARAMETERS, module.PARAMETER_SIGNS, strict=True))
-    units = dict(zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True))
-    return {
-        name: _Knob(value, units.get(structure.parameter_at(path), ""), _turned("structure", path))
-        for name, path, value in _numbers(_made_of(structure))
-        if signs.get(name) != "n"  # whole ones
-    }
-
-
-def _of_law(case: Case) -> dict[str, _Knob]:
-    law: Any = case.impact
-    if not is_dataclass(law):
-        return {}
-    knobs = {
-        name: _Knob(value, "-" if len(path) == 1 and name != "height" else "", turn)
-        for name, path, value in _numbers(_made_of(law))
-        if name != "seed"
-        for turn in [_turned("impact", path)]
-    }
-    ratio = law.e if isinstance(law, VelocityRatio) else None
-    if isinstance(law, EnergyRatio) and law.r is not None:
-        ratio = float(mathematics.sqrt(law.r))
-    if ratio is not None:
-        knobs["restitution"] = _Knob(ratio, "-", lambda of, e: replace(of, impact=VelocityRatio(e)))
-    return knobs
-
-
-def _of_start(case: Case) -> dict[str, _Knob]:
-    structure, initial = case.structure, dict(case.initial or {})
-    named = initial if structure.has_landings else structure.states
-    units = dict(zip(structure.states, structure.module.STATE_UNITS, strict=True))
-
-    def turn(name: str) -> Turn:
-        return lambda of, x: replace(of, initial={**(of.initial or {}), name: x})
-
-    return {
-        f"initial {name}": _Knob(float(initial.get(name, 0.0)), units[name], turn(name))
-        for name in named
-    }
-
-
-def _of_time(case: Case) -> dict[str, _Knob]:
-    duration = case.motion.duration if case.duration is None else case.duration
-    unit = time_unit(case.structure.module)
-    return {
-        **{name: _Knob(1.0, "-", lambda of, _: of) for name in _FACTORS},
-        "duration": _Knob(float(duration), unit, lambda of, x: replace(of, duration=x)),
-    }
+def _numbers(case: Case, names: Sequence[str]) -> list[Number]:
+    """The numbers of these names, of those that have a value and a derivative."""
+    known = {name: n for name, n in numbers_of(case).items() if n.value is not None and not n.whole}
+    if "amplitude" in names and not any(name.endswith(".amplitude") for name in known):
+        renamed.warn("sensitivity: amplitude, a factor of the motion,", "scale")
+        names = ["scale" if name == "amplitude" else name for name in names]
+    return numbers_named("to", names, known)
 
 
 _TINY = 1e-100
-_FACTORS = {"amplitude": (_TINY * 1j, 0.0), "time_scale": (0.0, _TINY * 1j)}
+_FACTORS = {"scale": (_TINY * 1j, 0.0), "time_scale": (0.0, _TINY * 1j)}
 """Additions to the factors of the ground's acceleration and time, to derive by them: imaginary
 parts so small that their squares vanish (Lyness and Moler 1967). Records have thousands of rows."""
 
@@ -268,57 +193,7 @@ def _of_ground(motion: GroundMotion | None, factors: Mapping[int, str], m: int) 
     return np.moveaxis(derivatives, 0, -1)
 
 
-# -- a number within what something was made of
-
-_Path = tuple[Any, ...]
-
-
-def _made_of(x: Any) -> dict[str, Any]:
-    """The arguments of a structure, a support or a law, by name."""
-    if isinstance(x, DeclaredStructure):
-        return x.parameters()
-    return {field.name: getattr(x, field.name) for field in fields(x)}
-
-
-def _numbers(values: Mapping[str, Any]) -> Iterator[tuple[str, _Path, float]]:
-    """(name, path, value) of each number in values, in lists and in supports among them."""
-    for name, value in values.items():
-        yield from _numbers_at(name, (name,), value)
-
-
-def _numbers_at(name: str, path: _Path, value: Any) -> Iterator[tuple[str, _Path, float]]:
-    if is_number(value) and np.isfinite(value):
-        yield name, path, float(value)
-    elif isinstance(value, tuple | list):
-        for i, item in enumerate(value):
-            yield from _numbers_at(f"{name}[{i}]", (*path, i), item)
-    elif is_dataclass(value) and not isinstance(value, type):
-        for field, item in _made_of(value).items():
-            if not isinstance(item, int):  # how many there are of something
-                yield from _numbers_at(f"{name}.{field}", (*path, field), item)
-
-
-def _put(value: Any, path: _Path, x: Dual) -> Any:
-    """The same with x at a path."""
-    if not path:
-        return x
-    first, rest = path[0], path[1:]
-    if isinstance(value, tuple | list):
-        return tuple(_put(item, rest, x) if i == first else item for i, item in enumerate(value))
-    return _remade(value, path, x)
-
-
-def _remade(value: Any, path: _Path, x: Dual) -> Any:
-    """A structure, a support or a law made anew with x at a path."""
-    made = _made_of(value)
-    return type(value)(**{**made, path[0]: _put(made[path[0]], path[1:], x)})
-
-
-def _turned(part: str, path: _Path) -> Turn:
-    return lambda case, x: replace(case, **{part: _remade(getattr(case, part), path, x)})
-
-
-# -- quantities and parameters by name
+# -- quantities by name
 
 
 def answer(name: str, found: Tangents) -> Dual:

@@ -127,7 +127,7 @@ def test_extremes_at_corners_of_the_ground_at_the_end_and_at_impacts(end, places
         "peak displacement",
         "peak theta_dot",
     ]
-    to = ["half_width", "gravity", "amplitude", "time_scale", "restitution"]
+    to = ["half_width", "gravity", "scale", "time_scale", "restitution"]
     found = rk.sensitivity(make(**values), of, to, FINE)
     np.testing.assert_allclose(
         found.derivatives, differences(make, values, of), rtol=1e-6, atol=1e-7
@@ -153,7 +153,6 @@ def test_answers_of_a_column_on_springs_that_falls():
     to = ["mass", "stiffness", "support.stiffness", "amplitude", "gravity"]
     found = rk.sensitivity(case, of, to, FINE)
     expected = differences(make, values, of)
-    expected[:, 3] *= 5.0  # by the amplitude's factor
     expected *= found.parameters / found.values[:, None]
     np.testing.assert_allclose(found.elasticities, expected, rtol=1e-5, atol=1e-7)
     fallen = [found.of.index("end theta")]
@@ -168,7 +167,7 @@ def test_numbers_of_laws_and_lists():
     case = rk.Case(
         frame, STILL, impact=rk.EnergyRatio(left=0.8, right=0.9), initial={"theta": 0.05}
     )
-    with pytest.raises(ValueError, match=r"masses\[1\].*left, right"):
+    with pytest.raises(ValueError, match=r"masses\[1\] .kg.*left .*right"):
         rk.sensitivity(case, ["end theta"], ["masses"])
     block = rk.Case(
         BLOCK, STILL, impact=rk.EnergyRatio(left=0.8, right=0.9), initial={"theta": 0.1}
@@ -245,3 +244,21 @@ def test_arguments_of_another_kind_are_refused():
             ["peak theta"],
             ["mass"],
         )
+
+
+def test_the_factor_of_a_record_was_called_amplitude():
+    record = rk.GroundMotion.from_array(4.0 * np.sin(0.3 * np.arange(100.0)), dt=0.02)
+    case = rk.Case(BLOCK, record)
+    with pytest.warns(DeprecationWarning, match="amplitude.* is now called scale"):
+        former = rk.sensitivity(case, ["end theta"], ["amplitude"])
+    assert former.derivatives == rk.sensitivity(case, ["end theta"], ["scale"]).derivatives
+
+
+def test_the_amplitude_of_a_pulse_and_a_factor_of_it():
+    """Each by itself and together: neither takes the other's derivative away."""
+    case = rk.Case(BLOCK, rk.GroundMotion.single_sine(3.0, 0.8), duration=1.0)
+    found = rk.sensitivity(case, ["end theta"], ["amplitude", "scale", "motion.scale"])
+    by_amplitude, by_scale, by_its_own = found.derivatives[0]
+    assert found.parameter_units == ("m/s2", "-", "-")
+    assert by_amplitude * 3.0 == pytest.approx(by_scale, rel=1e-12)
+    assert by_scale == by_its_own

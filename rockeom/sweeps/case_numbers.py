@@ -1,0 +1,309 @@
+"""The numbers of a case by their names, and the case with other numbers in their places.
+
+`sensitivity` derives by them, and sweeps by names vary them. A name is that of the argument by
+which the number was given: "half_width", "masses[0]", "support.stiffness", "amplitude", "r". The
+part of the case in front of it, "structure.half_width", "motion.amplitude", tells apart those that
+two parts have.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass, replace
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from rockeom.motion import GroundMotion
+from rockeom.motion.formula import UNITS, formula_of
+from rockeom.numbers.checks import is_number, near
+from rockeom.numbers.functions import mathematics
+from rockeom.simulation.case import Case
+from rockeom.structures.base import Structure
+from rockeom.structures.declared import DeclaredStructure
+from rockeom.structures.impact_laws import AngularMomentum, EnergyRatio, Impulsive, VelocityRatio
+from rockeom.structures.units import dimensioned, in_udunits, time_unit
+from rockeom.sweeps.cases import Cases
+
+_Path = tuple[Any, ...]
+
+PARTS = ("structure", "motion", "impact", "initial", "vertical", "mode")
+"""Parts of a case that a sweep by names may vary as a whole."""
+
+FACTORS = ("scale", "time_scale")
+"""Factors of the acceleration and the time of a motion, or of both motions of a case."""
+
+_IN_FULL = {
+    f"{motion}.{name}" for motion in ("motion", "vertical") for name in (*FACTORS, "duration")
+}
+"""Names that are never shortened: factors of both motions, and the duration of the case."""
+
+
+class Number(NamedTuple):
+    """A number of a case: where it is, its value and unit.
+
+    part : a field of the case, or "case". path : within what that was made of. value : None where
+    the case has none yet and may be given one. whole : whether there is a whole number of it.
+    """
+
+    part: str
+    path: _Path
+    value: float | None
+    unit: str
+    whole: bool = False
+
+    @property
+    def factor(self) -> str:
+        """Whether it is "scale" or "time_scale"; "" for neither."""
+        of_motion = self.part in ("case", "motion", "vertical")
+        return str(self.path[0]) if of_motion and self.path[0] in FACTORS else ""
+
+
+def numbers_of(case: Case) -> dict[str, Number]:
+    """All numbers of a case by their names in full."""
+    return {
+        **_of_structure(case.structure),
+        **_of_motion("motion", case),
+        **_of_law(case),
+        **_of_start(case),
+        **_of_motion("vertical", case),
+        **_of_time(case),
+    }
+
+
+def numbers_named(where: str, names: Sequence[str], numbers: Mapping[str, Number]) -> list[Number]:
+    """Some of the numbers, by names in full or, where one part alone has it, without the part.
+
+    Raises ValueError for a name that is unknown or ambiguous, and for two names of one number;
+    where : the argument that has them.
+    """
+    found = [_named(where, name, numbers) for name in names]
+    places = [(number.part, number.path) for number in found]
+    for name, place in zip(names, places, strict=True):
+        if places.count(place) > 1:
+            raise ValueError(f"{where}: {name!r} is named twice, with and without its part")
+    return found
+
+
+def _named(where: str, name: str, numbers: Mapping[str, Number]) -> Number:
+    if name in numbers:
+        return numbers[name]
+    of_parts = [full for full in numbers if _short(full) == name]
+    if len(of_parts) == 1:
+        return numbers[of_parts[0]]
+    if of_parts:
+        raise ValueError(
+            f"{where}: {name!r} is a number of several parts of the case: name "
+            f"{' or '.join(map(repr, of_parts))}"
+        )
+    shorts = [_short(full) for full in numbers]
+    known = {
+        short if shorts.count(short) == 1 else full: number.unit
+        for (full, number), short in zip(numbers.items(), shorts, strict=True)
+    }
+    every = ", ".join(f"{name} [{unit}]" if unit else name for name, unit in known.items())
+    raise ValueError(f"{where}: {name!r} is unknown{_meant(name, known)}; there are {every}")
+
+
+def _short(name: str) -> str:
+    return name if name in _IN_FULL else name.partition(".")[2] or name
+
+
+def _meant(name: str, known: Mapping[str, str]) -> str:
+    if f"initial {name}" in known:
+        return f" (did you mean 'initial {name}'?)"
+    if name in ("r", "e"):
+        return (
+            " (name 'restitution', which is the ratio e of the rates of rotation, or give the case "
+            "a law that has it, such as impact=rk.EnergyRatio(r=0.8))"
+        )
+    if name in UNITS and not known.keys() & {"amplitude", "acceleration", "velocity"}:
+        return (
+            " (pulses have it, such as GroundMotion.single_sine; of others, and of those that were "
+            "changed after they were made, scale and time_scale are factors)"
+        )
+    return near(name, known)
+
+
+def with_numbers(case: Case, values: Iterable[tuple[Number, Any]]) -> Case:
+    """The case with other numbers, such as duals or those of many cases at once."""
+    of_parts: dict[str, dict[_Path, Any]] = {}
+    for number, x in values:
+        of_parts.setdefault(number.part, {})[number.path] = x
+    own = of_parts.pop("case", {})
+    changed: dict[str, Any] = {
+        part: _CHANGED[part](getattr(case, part), of_part) for part, of_part in of_parts.items()
+    }
+    factors = {path: x for path, x in own.items() if path[0] in FACTORS}
+    for name in ("motion", "vertical") if factors else ():
+        if (motion := changed.get(name, getattr(case, name))) is not None:
+            changed[name] = _changed_motion(motion, factors)
+    start = {path[1]: x for path, x in own.items() if path[0] == "initial"}
+    if start:
+        changed["initial"] = {**(case.initial or {}), **start}
+    if ("duration",) in own:
+        changed["duration"] = own["duration",]
+    return replace(case, **changed)
+
+
+@dataclass(frozen=True)
+class OtherCase:
+    """The function of a sweep by names: a case with other numbers, and other parts, in it."""
+
+    case: Case
+    names: tuple[str, ...]
+
+    @cached_property
+    def numbers(self) -> dict[str, Number]:
+        """The number of each name; raises ValueError as `numbers_named` does."""
+        names = [name for name in self.names if name not in PARTS]
+        numbers = numbers_named("over", names, numbers_of(self.case))
+        return dict(zip(names, numbers, strict=True))
+
+    def __call__(self, **values: Any) -> Case:
+        parts = {name: x for name, x in values.items() if name in PARTS}
+        case = replace(self.case, **parts) if parts else self.case
+        return with_numbers(case, [(n, values[name]) for name, n in self.numbers.items()])
+
+
+def sweep_of(case: Case, cases: Cases) -> tuple[OtherCase, Cases]:
+    """The function of a sweep by names, and its cases, whose values know their units."""
+    other = OtherCase(case, tuple(cases.values))
+    units = {name: {"units": in_udunits(n.unit)} for name, n in other.numbers.items() if n.unit}
+    if "restitution" in units:
+        units["restitution"]["long_name"] = "coefficient of restitution e"
+    attrs = {name: {**units.get(name, {}), **cases.attrs.get(name, {})} for name in cases.values}
+    return other, replace(cases, attrs=attrs)
+
+
+# -- the numbers of each part
+
+
+def _of_structure(structure: Structure) -> dict[str, Number]:
+    module = structure.module
+    signs = dict(zip(module.PARAMETERS, module.PARAMETER_SIGNS, strict=True))
+    units = dict(zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True))
+    made, found = _made_of(structure), {}
+    for name, path, value in _numbers(made):
+        unit, whole = units.get(structure.parameter_at(path), ""), signs.get(name) == "n"
+        found[f"structure.{name}"] = Number("structure", path, value, unit, whole)
+    for name in (name for name, value in made.items() if value is None):
+        if parameter := structure.parameter_at((name,)):  # which follows from others
+            found[f"structure.{name}"] = Number("structure", (name,), None, units[parameter])
+    return found
+
+
+def _of_motion(part: str, case: Case) -> dict[str, Number]:
+    motion: GroundMotion | None = getattr(case, part)
+    if motion is None:
+        return {}
+    formula = formula_of(motion)
+    values = dict(formula.numbers) if formula else {}
+    values |= dict.fromkeys(FACTORS, 1.0)
+    units = dimensioned(case.structure.module, {n: UNITS.get(n, "-") for n in values})
+    return {f"{part}.{n}": Number(part, (n,), x, units[n]) for n, x in values.items()}
+
+
+def _of_law(case: Case) -> dict[str, Number]:
+    law: Any = case.impact
+    found = {}
+    for name, path, value in _numbers(_made_of(law)) if is_dataclass(law) else ():
+        if name != "seed":
+            unit = "-" if len(path) == 1 and name != "height" else ""
+            found[f"impact.{name}"] = Number("impact", path, value, unit)
+    if not case.structure.has_impacts:
+        return found
+    ratio = law.e if isinstance(law, VelocityRatio) else None
+    if isinstance(law, EnergyRatio) and law.r is not None:
+        ratio = float(mathematics.sqrt(law.r))
+    if ratio is not None or law is None or isinstance(law, AngularMomentum | Impulsive):
+        found["impact.restitution"] = Number("impact", ("restitution",), ratio, "-")
+    return found
+
+
+def _of_start(case: Case) -> dict[str, Number]:
+    structure, initial = case.structure, dict(case.initial or {})
+    rest = None if structure.has_landings else 0.0  # heights follow from what is named
+    values = {name: initial.get(name, rest) for name in structure.states}
+    units = dict(zip(structure.states, structure.module.STATE_UNITS, strict=True))
+    return {
+        f"initial {name}": Number("case", ("initial", name), value, units[name])
+        for name, value in values.items()
+    }
+
+
+def _of_time(case: Case) -> dict[str, Number]:
+    duration = case.motion.duration if case.duration is None else case.duration
+    unit = time_unit(case.structure.module)
+    return {
+        **{f"case.{name}": Number("case", (name,), 1.0, "-") for name in FACTORS},
+        "case.duration": Number("case", ("duration",), float(duration), unit),
+    }
+
+
+# -- a number within what a part was made of
+
+
+def _made_of(x: Any) -> dict[str, Any]:
+    """The arguments of a structure, a support or a law, by name."""
+    if isinstance(x, DeclaredStructure):
+        return x.parameters()
+    return {field.name: getattr(x, field.name) for field in fields(x)}
+
+
+def _numbers(values: Mapping[str, Any]) -> Iterator[tuple[str, _Path, float]]:
+    """(name, path, value) of each number in values, in lists and in supports among them."""
+    for name, value in values.items():
+        yield from _numbers_at(name, (name,), value)
+
+
+def _numbers_at(name: str, path: _Path, value: Any) -> Iterator[tuple[str, _Path, float]]:
+    if is_number(value) and np.isfinite(value):
+        yield name, path, float(value)
+    elif isinstance(value, tuple | list):
+        for i, item in enumerate(value):
+            yield from _numbers_at(f"{name}[{i}]", (*path, i), item)
+    elif is_dataclass(value) and not isinstance(value, type):
+        for field, item in _made_of(value).items():
+            if not isinstance(item, int):  # how many there are of something
+                yield from _numbers_at(f"{name}.{field}", (*path, field), item)
+
+
+def _changed(value: Any, places: Mapping[_Path, Any]) -> Any:
+    """The same, made again with other numbers at some paths within it."""
+    if () in places:
+        return places[()]
+    inside: dict[Any, dict[_Path, Any]] = {}
+    for (first, *rest), x in places.items():
+        inside.setdefault(first, {})[tuple(rest)] = x
+    if isinstance(value, tuple | list):
+        return tuple(_changed(x, inside[i]) if i in inside else x for i, x in enumerate(value))
+    made = _made_of(value)
+    return type(value)(**{**made, **{n: _changed(made[n], of) for n, of in inside.items()}})
+
+
+def _changed_motion(motion: GroundMotion, places: Mapping[_Path, Any]) -> GroundMotion:
+    numbers = {name: x for (name,), x in places.items()}
+    scale, time = (numbers.pop(name, 1.0) for name in FACTORS)
+    if numbers:
+        formula = formula_of(motion)
+        assert formula is not None, f"{motion!r} has no formula"
+        motion = formula.with_numbers(numbers)
+    return motion.scaled(scale, time) if {*places} & {("scale",), ("time_scale",)} else motion
+
+
+def _changed_law(law: Any, places: Mapping[_Path, Any]) -> Any:
+    if ("restitution",) not in places:
+        return _changed(law, places)
+    if len(places) > 1:
+        raise ValueError("'restitution' is the ratio of the law itself: name one of both")
+    return VelocityRatio(places["restitution",])
+
+
+_CHANGED = {
+    "structure": _changed,
+    "motion": _changed_motion,
+    "vertical": _changed_motion,
+    "impact": _changed_law,
+}
