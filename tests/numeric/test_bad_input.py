@@ -427,7 +427,7 @@ def test_sweep_whose_function_returns_no_case(returned, words):
 @pytest.mark.parametrize(
     ("changes", "error", "words"),
     [
-        ({"case": rk.Case(BLOCK, SHAKE)}, TypeError, ("case is Case", "function")),
+        ({"case": rk.Case(BLOCK, SHAKE)}, ValueError, ("over: 'a' is unknown", "half_width")),
         ({"case": BLOCK}, TypeError, ("case is RigidBlock", "function", "lambda a")),
         ({"case": lambda b: None}, TypeError, ("over has a", "takes others", "'b'")),
         ({"over": [1.0, 2.0]}, TypeError, ("over is a list", "frequency")),
