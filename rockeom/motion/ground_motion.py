@@ -175,11 +175,8 @@ class GroundMotion:
         amplitude : [m/s2]; exactly one of frequency [Hz], angular_frequency [rad/s] and period
         [s]; phase : the phase angle [rad], pi/2 for a cosine.
         """
-        a, end, phase = (
-            _finite("amplitude", amplitude),
-            _positive("duration", duration),
-            _finite("phase", phase),
-        )
+        a, end = _finite("amplitude", amplitude), _positive("duration", duration)
+        phase = _finite("phase", phase)
         values = {
             "frequency": frequency,
             "angular_frequency": angular_frequency,
