@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from html import escape
 from pathlib import Path
+from textwrap import fill
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -129,10 +130,9 @@ class Assessment:
         if self.records:
             lift = sum(one.lifts for one in self.records)
             fall = sum(one.outcome == FALLS for one in self.records)
-            said.append(
-                f"As recorded: {lift} of {_records(self._n)} lift a foot, {fall or 'none'} "
-                f"overturn{'s' * (fall <= 1)} it."
-            )
+            lifts = f"{_count(lift)} of {_records(self._n)} lift{'s' * (lift <= 1)} a foot"
+            falls = f", {_count(fall)} overturn{'s' * (fall <= 1)} it" if lift else ""
+            said.append(f"As recorded: {lifts}{falls}.")
         said += [self._of_probability(p) for p in (0.05, 0.5)] if self.trials.fragility else []
         if self.trials.no_curve:
             said.append(f"Probability against intensity: no curve, {self.trials.no_curve}.")
@@ -158,22 +158,20 @@ class Assessment:
             )
         slips = [one.slip for one in self.records if one.outcome != FALLS]
         if slips and np.isfinite(slips).all():
-            moved = f"ends up to {1e3 * max(slips):.0f} mm from its place"
+            moved = f"ends up to {_mm(max(slips))} from its place"
             said += f" As recorded it {moved if max(slips) > 5e-4 else 'stays in its place'}."
         return said
 
     def _of_probability(self, probability: float) -> str:
         found = self.pga_at(probability)
         assert found is not None
-        beyond = ""
-        if found.value < self.conditions.levels[0]:
-            beyond = ", below the intensities that were tried"
-        elif found.value > self.conditions.levels[-1]:
-            beyond = ", above the intensities that were tried"
+        first, last = self.conditions.levels[[0, -1]]
+        beyond = ", below those tried" if found.value < first else ""
+        beyond += ", above those tried" if found.value > last else ""
         interval = f"{_g(found.lower, 2)} to {_g(found.upper, 2)}"
         return (
-            f"Probability of overturning {_percent(probability)}: at a PGA of {_g(found.value, 2)} "
-            f"({_percent(self.level)} interval {interval}{beyond})."
+            f"Probability of overturning {_percent(probability)}: at a PGA of {_g(found.value, 2)}"
+            f"{beyond} ({_percent(self.level)} interval {interval})."
         )
 
     @cached_property
@@ -181,22 +179,32 @@ class Assessment:
         """Changes that help, each with its figure."""
         said = []
         for one in self.remedies:
-            text = f"{one.change[0].upper()}{one.change[1:]}: a foot lifts from "
-            text += f"{_g(one.statics.uplift_acceleration)} on, not {_g(self._threshold)}; "
-            mine, other = self.pga_at(0.05), _pga(one.trials, 0.05, self.level)
-            if mine is not None and other is not None:
-                said.append(f"{text}5 % overturn at {_g(other.value, 2)}, not {_g(mine.value, 2)}.")
-            elif self.trials.intensities:
-                before, after = self.trials.intensities[-1], one.trials.intensities[-1]
-                said.append(
-                    f"{text}{after.overturned or 'none'} of {_records(after.number)} overturn it "
-                    f"at {_g(after.pga)}, not {before.overturned}."
-                )
-            else:
-                said.append(f"{text.removesuffix('; ')}.")
+            lifts = f"{_g(one.statics.uplift_acceleration)} instead of {_g(self._threshold)}"
+            said.append(
+                f"{one.change[0].upper()}{one.change[1:]}: a foot lifts from {lifts} on"
+                f"{self._gain(one.trials)}."
+            )
         if restraint := self._of_restraint():
             said.append(restraint)
         return tuple(said)
+
+    def _gain(self, changed: Trials) -> str:
+        """The effect of a change on overturning."""
+        mine, other = self.pga_at(0.05), _pga(changed, 0.05, self.level)
+        if mine is not None and other is not None:
+            gained = other.value > mine.value
+            effect = f"5 % overturn at {_g(other.value, 2)} instead of {_g(mine.value, 2)}"
+        elif self.trials.intensities and self.trials.intensities[-1].overturned:
+            before, after = self.trials.intensities[-1], changed.intensities[-1]
+            gained = after.overturned < before.overturned
+            effect = (
+                f"{_count(after.overturned)} of {_records(after.number)} overturn"
+                f"{'s' * (after.overturned <= 1)} it at {_g(after.pga)} instead of "
+                f"{before.overturned}"
+            )
+        else:
+            return ""
+        return f"; {effect}" + ("" if gained else ", no gain under these records")
 
     def _of_restraint(self) -> str:
         most = self.conditions.levels[-1]
@@ -289,6 +297,12 @@ class Assessment:
         return can_slide(self.structure, self.conditions)
 
     @property
+    def _moves(self) -> bool:
+        """Whether it ends anywhere else than it began, by a millimetre."""
+        slips = [row.slip for row in self.trials.intensities]
+        return any(slip > 5e-4 for slip in [*slips, *(one.slip for one in self.records)])
+
+    @property
     def _n(self) -> int:
         return len(self.conditions.motions)
 
@@ -302,6 +316,7 @@ class Assessment:
             f"PGA {_g(row.pga)}: {row.overturned} of {row.number}, "
             f"{_percent(row.overturned / max(row.number, 1))} "
             f"({_percent(row.lower)} to {_percent(row.upper)})"
+            + (f", it ends up to {_mm(row.slip)} from its place" if self._moves else "")
             for row in self.trials.intensities
         ]
         blocks = {
@@ -310,9 +325,12 @@ class Assessment:
             "Measures that help": self.helps,
             "Assumptions": self.assumptions,
         }
-        lines = [self.title, self.verdict]
+        lines = [self.title, fill(self.verdict, 100)]
         for name, sentences in blocks.items():
-            lines += [name, *(f"  {sentence}" for sentence in sentences)] if sentences else []
+            lines += ["", name] if sentences else []
+            lines += [
+                fill(one, 100, initial_indent="  ", subsequent_indent="    ") for one in sentences
+            ]
         return "\n".join(lines)
 
     def __str__(self) -> str:
@@ -367,7 +385,7 @@ class Assessment:
         curve, level = self.trials.fragility, _percent(self.level)
         heads = (
             *("PGA", "lift a foot", "overturn", "fraction", f"{level} interval", "curve"),
-            "hold-down of an edge",
+            *("hold-down of an edge", *(["ends from its place"] if self._moves else [])),
         )
         rows = [
             (
@@ -378,6 +396,7 @@ class Assessment:
                 f"{_percent(row.lower)} to {_percent(row.upper)}",
                 "–" if curve is None else _percent(float(curve.probability(row.pga))),
                 self._force(force) if (force := self.statics.hold_down(row.pga)) else "–",
+                *([_mm(row.slip)] if self._moves else []),
             )
             for row in self.trials.intensities
         ]
@@ -394,12 +413,12 @@ class Assessment:
                 one.outcome if one.lifts else "no foot lifts",
                 "–" if one.outcome == FALLS else f"{np.degrees(one.rotation):.2g}°",
                 "–" if one.outcome == FALLS or np.isnan(one.part) else _percent(one.part),
-                *([f"{1e3 * one.slip:.0f} mm"] if self._slides else []),
+                *([_mm(one.slip)] if self._moves else []),
             )
             for one in order
         ]
         rest = f"<p>{len(rows) - _SHOWN} more are not listed.</p>" if len(rows) > _SHOWN else ""
-        slip = ("ends from its place",) if self._slides else ()
+        slip = ("ends from its place",) if self._moves else ()
         return page.table((*heads, *slip), rows[:_SHOWN]) + rest
 
 
@@ -425,8 +444,16 @@ def _percent(part: float) -> str:
     return f"{percent:.{0 if whole else 1}f} %"
 
 
+def _mm(length: float) -> str:
+    return "–" if np.isnan(length) else f"{1e3 * length:.0f} mm"
+
+
 def _newton(force: float) -> str:
     return f"{force / 1e3:.3g} kN" if force >= 1e3 else f"{force:.3g} N"
+
+
+def _count(n: int) -> str:
+    return str(n) if n else "none"
 
 
 def _records(n: int) -> str:

@@ -59,7 +59,8 @@ class AtIntensity(NamedTuple):
     """Number of records, scaled to a PGA [m/s2], that lift a foot and that overturn.
 
     number : of records with an answer. lower, upper : interval of confidence of the probability of
-    overturning, Clopper and Pearson's.
+    overturning, Clopper and Pearson's. slip : largest distance from the place before, in the end,
+    of those that stand [m]; nan where there are none or feet do not slide.
     """
 
     pga: float
@@ -68,6 +69,7 @@ class AtIntensity(NamedTuple):
     number: int
     lower: float
     upper: float
+    slip: float
 
 
 class Trials(NamedTuple):
@@ -110,9 +112,7 @@ def as_recorded(structure: Structure, conditions: Conditions) -> tuple[UnderReco
     theta = structure.module.STATES[structure.module.ROTATION]
     right, left = (sweep[name].sel(state=theta).values for name in ("maximum", "minimum"))
     parts = _parts(structure, right, -left)
-    slips = np.full(len(motions), np.nan)
-    if can_slide(structure, conditions):
-        slips = np.abs(sweep["final"].sel(state="x").values)
+    slips = _slips(structure, conditions, sweep).tolist()
     labels = outcome_labels(sweep).values.tolist()
     rows = zip(
         motions, labels, (np.maximum(right, -left) + 0.0).tolist(), parts, slips, strict=True
@@ -133,11 +133,13 @@ def scaled(structure: Structure, conditions: Conditions, level: float) -> Trials
     fell, lifted = labels == FALLS, sweep["peak"].sel(state=theta).values > _LIFTED
     known = fell | np.isin(labels, STANDS)
     counts = known.sum(axis=0), fell.sum(axis=0), (lifted & known).sum(axis=0)
+    slips = np.where(fell, np.nan, _slips(structure, conditions, sweep))
+    farthest = [max(column[~np.isnan(column)], default=np.nan) for column in slips.T]
     rows = []
-    columns = (column.tolist() for column in (conditions.levels, *counts))
-    for pga, n, hits, up in zip(*columns, strict=True):
-        bounds = proportion_interval(hits, n, level) if n else (0.0, 1.0)
-        rows.append(AtIntensity(pga, up, hits, n, *map(float, bounds)))
+    columns = (np.asarray(column).tolist() for column in (conditions.levels, *counts, farthest))
+    for pga, n, hits, up, slip in zip(*columns, strict=True):
+        lower, upper = proportion_interval(hits, n, level) if n else (0.0, 1.0)
+        rows.append(AtIntensity(pga, up, hits, n, float(lower), float(upper), slip))
     curve, reason = _fitted(conditions.levels, fell, known)
     return Trials(tuple(rows), curve, reason, int((~known).sum()))
 
@@ -152,6 +154,13 @@ def _sweep(structure: Structure, conditions: Conditions, levels: np.ndarray | No
 
     over = {"motion": conditions.motions} | ({} if levels is None else {"pga": levels})
     return simulate_many(case, over, sweep_options=SweepOptions(progress=False))
+
+
+def _slips(structure: Structure, conditions: Conditions, sweep: Sweep) -> np.ndarray:
+    """Distances from the place before, in the end [m]; nan where feet do not slide."""
+    if not can_slide(structure, conditions):
+        return np.full(sweep["outcome"].shape, np.nan)
+    return np.abs(sweep["final"].sel(state="x").values)
 
 
 def _parts(structure: Structure, right: np.ndarray, left: np.ndarray) -> list[float]:
@@ -179,5 +188,10 @@ def _fitted(
             pga[known], fell[known], left_out=int((~known).sum()), group=record[known]
         )
     except ValueError as error:
-        return None, str(error).partition(": ")[2]
+        if "falls" in str(error):
+            return None, "fewer records overturn it at higher intensities: give more records"
+        return None, (
+            "too few intensities at which some records overturn it and others do not: add some "
+            "between those of none and all"
+        )
     return curve, ""

@@ -143,8 +143,10 @@ def test_remedies_are_assessments_of_changed_blocks(held):
     for one, block, said in zip(held.remedies, changed, held.helps, strict=False):
         other = rk.assess(block, RECORDS, pga=PGA)
         assert one.statics == other.statics
-        assert one.trials.intensities == other.trials.intensities
-        assert f"{other.statics.uplift_acceleration / G:.3g} g on, not 0.25 g" in said
+        assert [row[:-1] for row in one.trials.intensities] == [
+            row[:-1] for row in other.trials.intensities
+        ]
+        assert f"{other.statics.uplift_acceleration / G:.3g} g instead of 0.25 g on" in said
     assert "5 cm wider" in held.helps[0]
     assert "10 % lower" in held.helps[1]
     assert "2 m above the ground" in held.helps[2]
@@ -177,7 +179,7 @@ def test_none_and_all_overturned_are_answers():
 
 def test_separated_outcomes_and_one_record_are_answers():
     two = rk.assess(BLOCK, RECORDS[:2], pga=["0.2 g", "5 g"])
-    assert "separable" in two.findings[-1]
+    assert "too few intensities" in two.findings[-1]
     one = rk.assess(BLOCK, RECORDS[0], pga=["0.2 g", "5 g"])
     assert "one record says nothing of others" in one.findings[-1]
 
@@ -190,6 +192,7 @@ def test_vertical_components_are_left_out_and_named():
     alone = rk.assess(BLOCK, [up])
     assert "there is no horizontal one" in alone.verdict
     assert "a foot lifts from 0.25 g" in alone.summary()
+    assert max(map(len, alone.summary().splitlines())) <= 100
     assert alone.html().count("<h2>") == 3
 
 
@@ -219,7 +222,7 @@ def test_page_summary_and_notebook_say_the_same(sliding, tmp_path):
     for sentence in (sliding.verdict, *sliding.findings, *sliding.helps, *sliding.assumptions):
         assert sentence in text
         assert sentence in shown
-        assert sentence in str(sliding)
+        assert sentence in " ".join(str(sliding).split())
     assert sliding.verdict in repr(sliding)
     assert "record 3" in text
     assert len(sliding.plot().axes) == 2
