@@ -44,6 +44,7 @@ from scipy.special import erf
 import rockeom as rk
 from rockeom.plots import free_body as fb, use_style
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.teaching import Exercises
 from rockeom.thesis import equation
 
 use_style()
@@ -579,3 +580,10 @@ assert np.isclose(delay, np.pi**2 / 24 * width**2 / 0.8**3, rtol=0.03)
 
 (as_printed,), (as_it_should,) = equation("4-28").printed, equation("4-28").right
 assert sp.simplify(as_printed.rhs + as_it_should.rhs) == 0
+exercises = Exercises({2: highest, 3: 50, 4: second})
+
+# %%
+# your answers
+exercises.check(2, ...)  # x over n
+exercises.check(3, ...)  # in units of alpha p**2
+exercises.check(4, ...)  # error of the peak over n

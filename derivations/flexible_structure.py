@@ -43,6 +43,7 @@ import sympy as sp
 import rockeom as rk
 from rockeom.plots import free_body as fb, use_style
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.teaching import Exercises
 from rockeom.thesis import equation
 from rockeom.thesis.notation import (
     B,
@@ -750,3 +751,9 @@ for factor in (1, 10, 100):
 print([f"{len(gained)} impacts add {gained.sum():.0e} J" for gained in added])
 assert [len(gained) for gained in added] == [42, 37, 8]
 assert 1e-8 < added[2].sum() < 1e-3 < added[1].sum() < 0.2 * added[0].sum()
+exercises = Exercises({3: periods[1], 5: 17})
+
+# %%
+# your answers
+exercises.check(3, ...)  # period while it rocks, in seconds
+exercises.check(5, ...)  # sensitivity of rho over that of 5-14

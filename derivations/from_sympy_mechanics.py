@@ -53,7 +53,7 @@ from rockeom.plots import draw_structure, use_style
 from rockeom.symbolic import Model, Rigid, rectangle
 from rockeom.symbolic.algebra import at_side
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.thesis.exercises import Exercises
+from rockeom.teaching import Exercises
 
 use_style()
 

@@ -49,8 +49,8 @@ from rockeom import analysis
 from rockeom.plots import free_body as fb, use_style
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.reactions import reactions
+from rockeom.teaching import Exercises
 from rockeom.thesis import equation
-from rockeom.thesis.exercises import Exercises
 
 use_style()
 

@@ -40,7 +40,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.plots import free_body as fb, use_style
-from rockeom.thesis.exercises import Exercises
+from rockeom.teaching import Exercises
 
 use_style()
 

@@ -46,6 +46,7 @@ from scipy.optimize import brentq, minimize_scalar
 import rockeom as rk
 from rockeom.plots import free_body as fb, use_style
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.teaching import Exercises
 from rockeom.thesis import equation
 from rockeom.thesis.notation import (
     I_O,
@@ -716,3 +717,10 @@ largest = {
     for r in (0.74, 0.81)
 }
 assert [round(1e3 * value, 1) for value in largest.values()] == [6.4, 8.3]
+exercises = Exercises({2: inside, 4: column.uplift_acceleration, 6: 1.3})
+
+# %%
+# your answers
+exercises.check(2, ...)  # distance b in metres
+exercises.check(4, ...)  # in m/s2
+exercises.check(6, ...)  # largest displacement with r = 0.81 over that with 0.74

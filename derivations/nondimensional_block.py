@@ -46,6 +46,7 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.plots import free_body as fb, use_style
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.teaching import Exercises
 from rockeom.thesis import equation
 
 use_style()
@@ -719,3 +720,9 @@ broken, *doublings = cascade.values
 assert np.allclose(doublings, [3.1106, 3.2066, 3.2264], atol=5e-5)
 assert np.isclose((doublings[1] - doublings[0]) / (doublings[2] - doublings[1]), 4.83, atol=5e-3)
 assert np.allclose([broken, *doublings[:2]], [b.bifurcations[0].value for b in branches[:3]])
+exercises = Exercises({3: least, 6: doublings[0]})
+
+# %%
+# your answers
+exercises.check(3, ...)  # beta at which the branches meet
+exercises.check(6, ...)  # beta of the first doubling

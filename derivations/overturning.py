@@ -46,6 +46,7 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.plots import free_body as fb, use_style
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.teaching import Exercises
 from rockeom.thesis import equation
 
 use_style()
@@ -732,3 +733,10 @@ def lobe(omega, e):
 for ratio, end in [(0.81, 6.58), (0.64, 4.33)]:
     assert lobe(end - 0.01, math.sqrt(ratio))
     assert not lobe(end + 0.01, math.sqrt(ratio))
+exercises = Exercises({1: heavier, 5: math.log(1e6) / p_tall, 6: 6.58})
+
+# %%
+# your answers
+exercises.check(1, ...)  # an expression in g, upwards, B and H
+exercises.check(5, ...)  # in seconds
+exercises.check(6, ...)  # omega over p of the end of the lobe for r = 0.81

@@ -43,8 +43,8 @@ import sympy as sp
 import rockeom as rk
 from rockeom import analysis
 from rockeom.plots import free_body as fb, use_style
+from rockeom.teaching import Exercises
 from rockeom.thesis import equation
-from rockeom.thesis.exercises import Exercises
 
 use_style()
 

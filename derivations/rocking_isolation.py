@@ -45,6 +45,7 @@ from scipy import signal
 import rockeom as rk
 from rockeom import analysis
 from rockeom.plots import free_body as fb, use_style
+from rockeom.teaching import Exercises
 
 use_style()
 
@@ -448,3 +449,8 @@ for kind in ("near field pulse", "near field no pulse"):
         for name in names
     ]
     assert outcomes.count(rk.Outcome.OVERTURNED) == 1
+exercises = Exercises({2: one_foot})
+
+# %%
+# your answers
+exercises.check(2, ...)  # in Hz

@@ -44,6 +44,7 @@ import sympy as sp
 import rockeom as rk
 from rockeom import analysis
 from rockeom.plots import free_body as fb, use_style
+from rockeom.teaching import Exercises
 
 use_style()
 
@@ -766,3 +767,9 @@ def squat_family(beta):
 guess = squat_family(2.0).points({"x": 0.1}, cycles=60)[-1]
 of_squat = analysis.dynamics.period_doublings(squat_family, (2.0, 3.26), guess, number=2)
 assert np.allclose(of_squat.values, [2.435274, 3.110601, 3.206572], atol=1e-6)
+exercises = Exercises({4: 216, 6: of_squat.values[0]})
+
+# %%
+# your answers
+exercises.check(4, ...)  # number of digits for a thousand periods
+exercises.check(6, ...)  # beta at which the symmetry breaks

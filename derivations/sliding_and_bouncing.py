@@ -41,6 +41,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.plots import free_body as fb, use_style
+from rockeom.teaching import Exercises
 
 use_style()
 
@@ -730,3 +731,10 @@ flat = rk.simulate(
     sliding(0.0, alpha=0.7), still, initial={"theta": 1e-10, "theta_dot": -0.5}, duration=1e-6
 )
 assert flat.impacts[0].after["theta_dot"] == 0.0
+exercises = Exercises({2: 0.7, 3: landed(0.0, 0.0), 4: slides.final["x"]})
+
+# %%
+# your answers
+exercises.check(2, ...)  # factor of all borders
+exercises.check(3, ...)  # angular velocity after over before, for this block
+exercises.check(4, ...)  # in metres

@@ -42,6 +42,7 @@ import rockeom as rk
 from rockeom.plots import free_body as fb, use_style
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.statics import LOAD, pushover
+from rockeom.teaching import Exercises
 from rockeom.thesis import equation
 from rockeom.thesis.notation import (
     B,
@@ -682,3 +683,10 @@ assert round(S_**2 / I_C_) == 98
 
 slow = {"structure": P_crit * h / S_, "cart": P_crit / total_}
 assert [round(one, 2) for one in slow.values()] == [3.48, 2.62]
+exercises = Exercises({2: periods[1], 3: softest, 6: slow["structure"]})
+
+# %%
+# your answers
+exercises.check(2, ...)  # period of rocking in seconds
+exercises.check(3, ...)  # in N/m
+exercises.check(6, ...)  # of the structure, in m/s2

@@ -41,7 +41,7 @@ from scipy.integrate import solve_ivp
 
 import rockeom as rk
 from rockeom.plots import use_style
-from rockeom.thesis.exercises import Exercises
+from rockeom.teaching import Exercises
 
 use_style()
 

@@ -2,10 +2,11 @@
 
 import math
 
+import numpy as np
 import pytest
 import sympy as sp
 
-from rockeom.thesis.exercises import Exercises
+from rockeom.teaching import Exercises
 
 alpha = sp.Symbol("alpha", positive=True)
 exercises = Exercises({1: 4, 2: 0.45678, 3: sp.cos(2 * alpha), 4: 0.81})
@@ -19,6 +20,7 @@ exercises = Exercises({1: 4, 2: 0.45678, 3: sp.cos(2 * alpha), 4: 0.81})
         (1, 3, "not right yet"),
         (1, "four", "neither a number"),
         (2, 0.457, "is right."),
+        (2, np.float32(0.457), "is right."),
         (2, -0.457, "other sign"),
         (2, math.degrees(0.457), "in degrees"),
         (2, 1 / 0.457, "reciprocal"),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from numbers import Real
 from types import EllipsisType
 from typing import Any
 
@@ -39,7 +40,7 @@ class Exercises:
 def _verdict(answer: float | sp.Expr | EllipsisType, solution: sp.Expr) -> str:
     if answer is ...:
         return "write your answer in place of the dots."
-    if not isinstance(answer, int | float | sp.Expr):
+    if not isinstance(answer, Real | sp.Expr):
         return f"{answer!r} is neither a number nor an expression of SymPy."
     if _equal(sp.sympify(answer), solution):
         return f"{answer} is right."
