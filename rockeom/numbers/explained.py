@@ -12,7 +12,8 @@ as little as before.
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Mapping
+import re
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import FrozenInstanceError, is_dataclass
 from functools import wraps
 from traceback import walk_tb
@@ -39,7 +40,9 @@ def calls(**meant: str) -> Callable[[F], F]:
         if not isinstance(of, type):
             return _explained(of, meant)
         for name, member in list(vars(of).items()):
-            if isinstance(member, FunctionType) and (name == "__init__" or name[0] != "_"):
+            if name == "__init__":
+                setattr(of, name, _explained(member, meant, of))
+            if isinstance(member, FunctionType) and name[0] != "_":
                 setattr(of, name, _explained(member, meant))
             if isinstance(member, classmethod) and name[0] != "_":
                 setattr(of, name, classmethod(_explained(member.__func__, meant)))
@@ -48,7 +51,9 @@ def calls(**meant: str) -> Callable[[F], F]:
     return decorate
 
 
-def _explained(function: F, meant: Mapping[str, str]) -> F:
+def _explained(function: F, meant: Mapping[str, str], described_by: Any = None) -> F:
+    """The function, its arguments described by its own docstring or by that of a class."""
+
     @wraps(function)
     def call(*values: Any, **named: Any) -> Any:
         try:
@@ -56,7 +61,8 @@ def _explained(function: F, meant: Mapping[str, str]) -> F:
         except TypeError as error:
             if not _has_not_begun(function, error):
                 raise
-            message = _misfit(function, values, named, meant)
+            doc = (described_by or function).__doc__
+            message = _misfit(function, values, named, meant, doc)
         raise TypeError(message)
 
     return call  # type: ignore[return-value]
@@ -71,7 +77,7 @@ def _has_not_begun(function: Callable[..., Any], error: TypeError) -> bool:
 
 def _misfit(
     function: Callable[..., Any], values: tuple[Any, ...], named: Mapping[str, Any],
-    meant: Mapping[str, str],
+    meant: Mapping[str, str], doc: str | None,
 ) -> str:  # fmt: skip
     """A call that does not fit the arguments of a function, in words."""
     arguments = [*inspect.signature(function).parameters.values()]
@@ -84,8 +90,8 @@ def _misfit(
     unknown = [name for name in named if name not in names]
     unnamed = [a for a in names if a not in {*placed, *named}]
     text = [f"{name} is given twice" for name in placed[: len(values)] if name in named]
-    if missing := [name for name in required if name not in {*placed[: len(values)], *named}]:
-        text.append(f"missing {', '.join(missing)}")
+    if lacks := [name for name in required if name not in {*placed[: len(values)], *named}]:
+        text.append(f"missing {listed(lacks, doc)}")
     for name in unknown:
         hint = f" (give {meant[name]})" if name in meant else near(name, names)
         text.append(f"unknown {name}{hint}")
@@ -94,6 +100,20 @@ def _misfit(
         text.append(f"{described(value)} is given without a name{as_in}")
     what = function.__qualname__.removesuffix(".__init__")
     return f"{what}: {'; '.join(text)}. {_taken(required, [n for n in names if n not in required])}"
+
+
+def listed(names: Iterable[str], doc: str | None) -> str:
+    """Names of arguments, each with the unit and the meaning that a docstring gives it."""
+    items = {name: _item(doc or "", name) for name in names}
+    return ", ".join(f"{name} ({item})" if item else name for name, item in items.items())
+
+
+def _item(doc: str, name: str) -> str:
+    """What a docstring says of an argument behind its colon, up to the end of the clause."""
+    begin = rf"(?:^|\n *|; |, )`?{re.escape(name)}`?(?:, \w+)* : "
+    end = r"(?=; |\. |\.?\n\n|\.?\n *\w+(?:, \w+)* : |\.?\s*$)"
+    found = re.search(rf"{begin}(.+?){end}", doc, re.DOTALL)
+    return " ".join(found[1].split()) if found else ""
 
 
 def _taken(required: list[str], optional: list[str]) -> str:

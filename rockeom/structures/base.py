@@ -23,7 +23,7 @@ from rockeom.numbers.functions import for_arrays, isfinite
 from rockeom.structures import declared_modes, evaluation, linearised, modal, plausible, statics
 from rockeom.structures.impact_laws import ImpactLaw, TabulatedLaw, check_law, default_law
 from rockeom.structures.modes import modes_of
-from rockeom.structures.parameters import named_states
+from rockeom.structures.parameters import SYNONYMS, named_states
 from rockeom.structures.pickled import made_of
 
 
@@ -528,26 +528,6 @@ class Structure:
         return statics.pushover(self.equilibrium, rotations)
 
 
-_SYNONYMS = {
-    "r": "velocity_ratio",
-    "e": "velocity_ratio",
-    "m": "mass",
-    "g": "gravity",
-    "b": "half_width",
-    "B": "half_width",
-    "h": "half_height",
-    "H": "half_height",
-    "width": "2 * half_width",
-    "height": "2 * half_height",
-    "k": "stiffness",
-    "c": "damping",
-    "I": "inertia",
-    "mu": "friction",
-    "name": "model",
-}
-"""Symbols and names that people try first, and the attributes that they mean."""
-
-
 def missing(structure: Structure, name: str) -> Any:
     """Raise AttributeError for an attribute that a structure lacks; see `explained.missing`."""
     return explained.missing(structure, name, lambda: _synonyms(structure))
@@ -556,7 +536,7 @@ def missing(structure: Structure, name: str) -> Any:
 def _synonyms(structure: Structure) -> dict[str, str]:
     """Synonyms that lead to an attribute of this structure."""
     known = {*dir(structure)}
-    return {name: meant for name, meant in _SYNONYMS.items() if meant.split(" ")[-1] in known}
+    return {name: meant for name, meant in SYNONYMS.items() if meant.split(" ")[-1] in known}
 
 
 class _States(NamedTuple):

@@ -7,6 +7,7 @@ import functools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from inspect import signature
 from typing import Any, ClassVar, dataclass_transform
 
 import numpy as np
@@ -51,8 +52,8 @@ class StructureWithFields(Structure):
         dataclass(frozen=True, kw_only=True, repr=False, eq=False)(cls)
         plain: Any = cls.__init__
         defaults = cls.defaults()
-        known = set(defaults)
-        required = {n for n, default in defaults.items() if default is dataclasses.MISSING}
+        known = [*defaults]
+        required = [n for n, default in defaults.items() if default is dataclasses.MISSING]
 
         @functools.wraps(plain)
         def init(self: StructureWithFields, *unnamed: Any, **values: Any) -> None:
@@ -60,8 +61,8 @@ class StructureWithFields(Structure):
             if named_in_degrees(values):
                 values = in_radians(kind.__name__, values, kind.units())
             values = kind.complete(values)
-            check_named(kind.__name__, unnamed, known)
-            check_names(kind.__name__, required, known, set(values))
+            check_named(kind.__name__, unnamed, known, kind.__doc__)
+            check_names(kind.__name__, required, known, values, kind.__doc__, kind._taker_of)
             numbers = {name: v for name, v in values.items() if name not in kind.not_numbers}
             check_values(kind.__name__, numbers, kind.may_vanish, kind.may_be_negative)
             for name in kind.whole & set(values):
@@ -100,6 +101,16 @@ class StructureWithFields(Structure):
         return {cls.arguments.get(name, name): unit for name, unit in rows}
 
     @classmethod
+    def _taker_of(cls, name: str) -> str:
+        """Another constructor that takes an argument, in words; "" where none does."""
+        takers = [
+            other
+            for other in dir(cls)
+            if other.startswith("from_") and name in signature(getattr(cls, other)).parameters
+        ]
+        return f" ({cls.__name__}.{takers[0]} takes it)" if takers else ""
+
+    @classmethod
     def complete(cls, values: dict[str, Any]) -> dict[str, Any]:
         """The arguments of the fields, by those that the constructor is given."""
         return values
@@ -124,13 +135,13 @@ class DeclaredStructure(Structure):
     slenderness = None  # a parameter `alpha` may be anything
 
     def __init__(self, /, *unnamed: Any, **given: Any) -> None:
-        known = set(self.module.PARAMETERS)
+        known, doc = self.module.PARAMETERS, type(self).__doc__
         if named_in_degrees(given):
             rows = zip(self.module.PARAMETERS, self.module.PARAMETER_UNITS, strict=True)
             given = in_radians(self.model, given, dict(rows))
-        check_named(self.model, unnamed, known)
+        check_named(self.model, unnamed, known, doc)
         defaults = {n: v for n, v in self.defaults().items() if v is not dataclasses.MISSING}
-        check_names(self.model, known, known, set(defaults | given))
+        check_names(self.model, known, known, defaults | given, doc)
         values = {
             name: number(f"{self.model}: {name}", value, "give a number in SI units")
             for name, value in (defaults | given).items()

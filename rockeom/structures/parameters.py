@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any
 
 from rockeom.numbers.checks import described, near, number
 from rockeom.numbers.degrees import in_radians, named_in_degrees
+from rockeom.numbers.explained import listed
 from rockeom.numbers.functions import isfinite
 
 LARGEST = 1e50
@@ -30,27 +31,65 @@ def named_states(what: str, values: Any, module: Any) -> Mapping[str, Any]:
     return in_radians(what, values, dict(zip(module.STATES, module.STATE_UNITS, strict=True)))
 
 
-def check_names(what: str, required: set[str], known: set[str], given: set[str]) -> None:
-    """Raise ParameterError naming all that is missing and all that is unknown, with the remedy."""
-    missing = sorted(required - given)
-    unknown = sorted(given - known)
+SYNONYMS = {
+    "r": "velocity_ratio",
+    "e": "velocity_ratio",
+    "m": "mass",
+    "g": "gravity",
+    "b": "half_width",
+    "B": "half_width",
+    "h": "half_height",
+    "H": "half_height",
+    "width": "2 * half_width",
+    "height": "2 * half_height",
+    "k": "stiffness",
+    "c": "damping",
+    "I": "inertia",
+    "mu": "friction",
+    "name": "model",
+}
+"""Symbols and names that people try first, and the attributes that they mean."""
+
+_AS_ARGUMENTS = SYNONYMS | {
+    "e": "restitution",
+    "width": "half_width = width/2",
+    "height": "half_height = height/2",
+}
+
+
+def check_names(
+    what: str,
+    required: Collection[str],
+    known: Collection[str],
+    given: Collection[str],
+    doc: str | None = None,
+    others: Callable[[str], str] = lambda name: "",
+) -> None:
+    """Raise ParameterError naming all that is missing and all that is unknown, with the remedy.
+
+    doc : a docstring that has the units and meanings of the parameters.
+    others : gives another call that takes an unknown one, or "".
+    """
+    missing = [name for name in required if name not in given]
+    unknown = [name for name in given if name not in known]
     if not missing and not unknown:
         return
-    text = []
-    if missing:
-        text.append(f"missing {', '.join(missing)}")
-    text += [f"unknown {name}{near(name, known)}" for name in unknown]
-    raise ParameterError(
-        f"{what}: {'; '.join(text)}. Its parameters are {', '.join(sorted(known))}"
-    )
+    synonyms = {name: m for name, m in _AS_ARGUMENTS.items() if m.split(" ")[0] in known}
+    text = [f"missing {listed(missing, doc)}"] if missing else []
+    for name in unknown:
+        hint = near(name, {**synonyms, **dict.fromkeys(known)}, synonyms)
+        text.append(f"unknown {name}{others(name) or hint}")
+    raise ParameterError(f"{what}: {'; '.join(text)}. Its parameters are {', '.join(known)}")
 
 
-def check_named(what: str, unnamed: tuple[Any, ...], known: Iterable[str]) -> None:
+def check_named(
+    what: str, unnamed: tuple[Any, ...], known: Iterable[str], doc: str | None = None
+) -> None:
     """Raise ParameterError for parameters that are given by their place."""
     if unnamed:
         raise ParameterError(
             f"{what} takes its parameters by name, and {described(unnamed[0])} has none. "
-            f"Its parameters are {', '.join(sorted(known))}"
+            f"Its parameters are {listed(known, doc)}"
         )
 
 

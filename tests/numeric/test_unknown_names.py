@@ -9,7 +9,7 @@ import pytest
 
 import rockeom as rk
 import rockeom.symbolic
-from rockeom.structures import base as structures
+from rockeom.structures.parameters import SYNONYMS
 from tests.numeric.structures import column
 
 BLOCK = rk.RigidBlock(half_width=0.2, half_height=1.0)
@@ -48,7 +48,7 @@ def test_symbol_of_which_the_structure_has_nothing_is_not_offered():
 def test_every_synonym_leads_somewhere():
     sliding = rk.SlidingBlock(half_width=0.2, half_height=1.0, friction=0.5, restitution=0.0)
     known = {*dir(sliding), *dir(column())}
-    assert {meant.split(" ")[-1] for meant in structures._SYNONYMS.values()} <= known
+    assert {meant.split(" ")[-1] for meant in SYNONYMS.values()} <= known
     for meant in rk._SYNONYMS.values():
         operator.attrgetter(meant.removeprefix("rockeom."))(rk)
     assert not set(rk._SYNONYMS) & set(dir(rk))
