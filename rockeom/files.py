@@ -24,12 +24,21 @@ _KINDS = {
 }
 
 
+def check_path(path: object) -> None:
+    """Raise TypeError for what is no path of a file, ValueError for an empty one."""
+    if not isinstance(path, str | os.PathLike):
+        raise TypeError(f"path is {path!r:.60}: give the path of a file, as text or pathlib.Path")
+    if not os.fspath(path):
+        raise ValueError("path is empty: name a file")
+
+
 def check_target(path: str | os.PathLike[str]) -> Path:
     """The file behind a path and its links, which may not exist yet.
 
     Raises OSError where no file can be written there: the folder is missing, the path is a folder,
     a pipe, a socket or a device, or the file is read-only. To be called before long work.
     """
+    check_path(path)
     target = Path(os.path.realpath(path))
     if not target.parent.is_dir():
         folder = Path(path).parent if not os.path.islink(path) else target.parent

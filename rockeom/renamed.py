@@ -26,12 +26,12 @@ def warn(former: str, name: str) -> None:
     say(f"{former} is now called {name}")
 
 
-def say(message: str) -> None:
-    """Give a DeprecationWarning at the line outside the package that calls it."""
+def say(message: str, category: type[Warning] = DeprecationWarning) -> None:
+    """Give a warning at the line outside the package that calls it."""
     level, frame = 2, sys._getframe(1)
     while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == "rockeom":
         level, frame = level + 1, frame.f_back
-    warnings.warn(message, DeprecationWarning, stacklevel=level)
+    warnings.warn(message, category, stacklevel=level)
 
 
 def names(

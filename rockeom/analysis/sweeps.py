@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
+
+from rockeom.numbers.checks import described
 
 RESTS = "came to rest"
 STANDS = ("completed", RESTS)
@@ -11,6 +15,14 @@ STANDS = ("completed", RESTS)
 FALLS = "overturned"
 NOT_RUN = "not run"
 """Label, and no outcome, of a case that an interrupt left out."""
+
+
+def check_sweep(function: str, sweep: Any) -> None:
+    """Raise TypeError for anything but a dataset."""
+    if not isinstance(sweep, xr.Dataset):
+        raise TypeError(
+            f"{function}: sweep is {described(sweep)}: give the dataset of rk.simulate_many"
+        )
 
 
 def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
@@ -21,6 +33,7 @@ def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
 
     Raises ValueError where there is no such variable, and for numbers without a meaning.
     """
+    check_sweep("outcome_labels", sweep)
     if "outcome" not in sweep:
         raise ValueError("outcome_labels: the dataset has no `outcome`: give one of simulate_many")
     outcome = sweep["outcome"]

@@ -243,5 +243,5 @@ def pulse(kind: str, *pairs: str) -> GroundMotion:
         raise UsageError(f"--pulse {kind}: there are {', '.join(PULSES)}")
     make, required, optional = PULSES[kind]
     values = numbers(list(pairs), "--pulse", f"{kind} amplitude=4 period=0.5")
-    check_names(f"--pulse {kind}", required, required | optional, set(values))
+    check_names(f"--pulse {kind}", required, required | optional, values)
     return make(**values)

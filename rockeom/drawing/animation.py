@@ -23,7 +23,7 @@ from rockeom.drawing import film, free_body, style
 from rockeom.drawing.drawn import Impacts, Motion, Run, check_run
 from rockeom.drawing.positions import places
 from rockeom.drawing.sketch import Sketch, all_points
-from rockeom.files import check_target, write
+from rockeom.files import check_path, check_target, write
 from rockeom.numbers import explained
 from rockeom.numbers.checks import described, number
 
@@ -72,6 +72,7 @@ def animate(
         check_file(path)  # before the frames are drawn
     made = Animation(run, _times(run, start, end, frames_per_second, speed), speed, ground)
     if path is not None:
+        check_path(path)
         made.save(path)
     return made
 

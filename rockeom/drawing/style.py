@@ -69,6 +69,7 @@ def styled(draw: Callable[P, R]) -> Callable[P, R]:
     return inner
 
 
+@explained.calls()
 def use_style() -> None:
     """Draw all figures that follow, of pyplot too, in the style of these figures."""
     mpl.rcParams.update(_RC | {"axes.prop_cycle": cycler(color=LINES)})

@@ -9,7 +9,6 @@ from __future__ import annotations
 import dataclasses
 import json
 import os
-import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +16,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
+from rockeom import renamed
+from rockeom.files import check_path
 from rockeom.modelling.declared import class_of_model
 from rockeom.modelling.named import FAMILIES, SUPPORTS
 from rockeom.motion import GroundMotion
@@ -122,6 +123,11 @@ def load(
         raise TypeError(
             f"structure is {described(structure)}: give a declaration, or a structure of it"
         )
+    check_path(path)
+    if not os.path.exists(path):
+        raise FileNotFoundError(
+            f"{path}: there is no such file; relative paths start at {Path.cwd()}"
+        )
     check_engine()
     file = _File(Path(path), structure)
     try:
@@ -210,11 +216,11 @@ class _File:
                 f"it has in this one, {VERSION}"
             )
         if definition["source_hash"] != module.SOURCE_HASH:
-            warnings.warn(
+            renamed.say(
                 f"{self.path}: the equations of {made.model} were written by rockeom "
                 f"{self.version}, and differ in this one, {VERSION}: what is not in the file "
                 "follows from those of now",
-                stacklevel=4,
+                UserWarning,
             )
         return made
 

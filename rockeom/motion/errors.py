@@ -7,6 +7,34 @@ import os
 FilePath = str | os.PathLike[str]
 
 
+MEANT = {
+    "load": "read(path)",
+    "open": "read(path)",
+    "from_file": "read(path)",
+    "from_txt": "from_columns(path)",
+    "from_peer": "from_at2(path)",
+    "from_list": "from_array(values, dt)",
+    "from_numpy": "from_array(values, dt)",
+    "sine": "single_sine",
+    "cosine": "single_cosine",
+    "sinusoidal": "harmonic",
+    "pulse": "single_sine",
+    "noise": "kanai_tajimi",
+    "pga": "peak",
+    "pgv": "peak_velocity",
+    "pgd": "peak_displacement",
+    "t": "sampled(dt)",
+    "time": "sampled(dt)",
+    "times": "sampled(dt)",
+    "a": "acceleration(t)",
+    "values": "samples",
+    "scale": "scaled_to(pga=...)",
+    "spectrum": "response_spectrum(periods)",
+    "filter": "filtered(low, high)",
+}
+"""Names that people ask a ground motion or its class for, and what to write for each."""
+
+
 class MotionError(ValueError):
     """A ground motion that cannot be had as asked; the message says what, where and the remedy."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from types import ModuleType
@@ -12,13 +11,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom import renamed
 from rockeom.motion.arguments import (
     accelerations as _accelerations,
     array as _array,
     finite as _finite,
     positive as _positive,
 )
-from rockeom.motion.errors import FilePath, MotionError
+from rockeom.motion.errors import MEANT, FilePath, MotionError
 from rockeom.motion.formula import call_of, with_formulas
 from rockeom.motion.scaling import Acceleration, multiplier, named, scaled_name, target
 from rockeom.motion.segments import (
@@ -45,6 +45,7 @@ from rockeom.motion.segments import (
     velocity as _velocity,
 )
 from rockeom.motion.units import STANDARD_GRAVITY, factor
+from rockeom.numbers import explained
 from rockeom.numbers.batch import one_of
 from rockeom.numbers.checks import described, number
 from rockeom.numbers.dual import nominal
@@ -62,9 +63,11 @@ _RICKER_HALF_WINDOW = 2  # periods; beyond, the wavelet is below 1e-8 of its pea
 _ABSURD_PEAK = 10 * STANDARD_GRAVITY  # the strongest recorded one is about 4 g
 
 
+@explained.attributes(**MEANT)
+@explained.calls(frequency="period = 1/frequency", scale="units=, or multiply the motion")
 @with_formulas
 @dataclass(frozen=True, eq=False, repr=False)
-class GroundMotion:
+class GroundMotion(metaclass=explained.Constructors):
     """The acceleration of the ground in one direction, as a table of analytic segments.
 
     The class methods make motions: `none`, `constant`, `half_sine`, `single_sine`,
@@ -175,13 +178,9 @@ class GroundMotion:
         amplitude : [m/s2]; exactly one of frequency [Hz], angular_frequency [rad/s] and period
         [s]; phase : the phase angle [rad], pi/2 for a cosine.
         """
-        a, end = _finite("amplitude", amplitude), _positive("duration", duration)
-        phase = _finite("phase", phase)
-        values = {
-            "frequency": frequency,
-            "angular_frequency": angular_frequency,
-            "period": period,
-        }
+        a, phase = _finite("amplitude", amplitude), _finite("phase", phase)
+        end = _positive("duration", duration)
+        values = {"frequency": frequency, "angular_frequency": angular_frequency, "period": period}
         stated = [name for name, value in values.items() if value is not None]
         if len(stated) != 1:
             raise MotionError(
@@ -884,10 +883,10 @@ def _from_record(
         raise MotionError(f"{source}: {len(a)} sample(s), where a record needs two or more")
     largest = np.abs(a).max()
     if largest > _ABSURD_PEAK:
-        warnings.warn(
+        renamed.say(
             f"{source}: the peak of {largest:.4g} m/s2 ({largest / STANDARD_GRAVITY:.4g} g) "
             "is above the largest recorded one: check the units",
-            stacklevel=3,
+            UserWarning,
         )
     t = dt * np.arange(len(a))
     segments = np.zeros((len(a) - 1, COLUMNS), np.result_type(a, t))

@@ -22,6 +22,7 @@ from rockeom.motion.recordings import chosen, recordings
 from rockeom.motion.scaling import Acceleration, target
 from rockeom.motion.spectra import ResponseSpectrum
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described, near
 
 Intensity = str | Callable[[GroundMotion], float]
@@ -41,6 +42,8 @@ _MIDDLES: dict[str, Callable[[np.ndarray], float]] = {
 }
 
 
+@explained.attributes(motions="names", load="from_folder(path)", read="from_folder(path)")
+@explained.calls(directory="path=", folder="path=")
 class MotionSet(Sequence[GroundMotion]):
     """Ground motions in order, found by number or by name.
 
@@ -54,6 +57,8 @@ class MotionSet(Sequence[GroundMotion]):
     """
 
     def __init__(self, motions: Iterable[GroundMotion], name: str = "") -> None:
+        if isinstance(motions, GroundMotion) or not isinstance(motions, Iterable):
+            raise MotionError(f"motions is {described(motions)}: give a list of motions")
         self._motions = tuple(motions)
         self.name = name
         if not self._motions:
@@ -178,6 +183,8 @@ class MotionSet(Sequence[GroundMotion]):
         if isinstance(key, slice):
             return MotionSet(self._motions[key], self.name)
         if not isinstance(key, str):
+            if not -len(self) <= key < len(self):
+                raise IndexError(f"no motion {key}: the set has {len(self)}, from 0 on")
             return self._motions[key]
         if key not in self.names:
             raise KeyError(

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterable, Mapping, Sequence
 
+from rockeom import renamed
 from rockeom.motion.arguments import COMPONENTS
 from rockeom.motion.components import split
 from rockeom.motion.errors import MotionError
@@ -66,11 +66,11 @@ def chosen(
             f'components="{other}" for them'
         )
     if not wanted and len(kept) < len(motions):
-        warnings.warn(
+        renamed.say(
             f"{len(motions) - len(kept)} of {len(motions)} records of {where} are vertical "
             f"components and left out: {_shortened(motions.keys() - kept.keys())}; "
             'components="vertical" or "all" takes them',
-            stacklevel=3,
+            UserWarning,
         )
     return kept
 

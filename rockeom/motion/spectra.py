@@ -35,7 +35,9 @@ from rockeom.motion.segments import (
     of_row,
     within,
 )
+from rockeom.numbers import explained
 from rockeom.numbers.arguments import not_negative, positive, require
+from rockeom.numbers.checks import described
 from rockeom.numbers.functions import gauss_rule
 
 _PER_PERIOD = 16
@@ -88,6 +90,7 @@ class OscillatorHistory(NamedTuple):
     velocity: np.ndarray
 
 
+@explained.calls(damping="damping_ratio=", T="periods=", xi="damping_ratio=")
 def response_spectrum(
     motion: Motion, periods: ArrayLike, damping_ratio: float = 0.05
 ) -> ResponseSpectrum:
@@ -100,6 +103,11 @@ def response_spectrum(
     oscillator is free, too.
     Raises ValueError for a period that is not positive and for a damping_ratio outside [0, 1).
     """
+    if not hasattr(type(motion), "segments") and not hasattr(motion, "segments"):
+        raise TypeError(
+            f"motion is {described(motion)}: give a ground motion, such as "
+            "rk.GroundMotion.from_array(values, dt)"
+        )
     (periods,) = positive("response_spectrum", periods=np.atleast_1d(periods))
     xi = _damping("response_spectrum", damping_ratio)
     found = np.array([_oscillator(motion, float(t), xi).largest() for t in periods.ravel()])

@@ -16,6 +16,7 @@ from typing import Any, NoReturn
 
 import numpy as np
 
+from rockeom.numbers import explained
 from rockeom.numbers.batch import OPERATORS, boxed
 from rockeom.numbers.checks import described, number, numbers
 from rockeom.numbers.functions import FUNCTIONS, IN_NUMPY, Compound
@@ -241,6 +242,7 @@ def _dual(value: np.float64, tangent: np.ndarray) -> Dual:
 Real.register(Dual)
 
 
+@explained.calls()
 def duals(**values: float) -> dict[str, Any]:
     """Duals by name, each a direction of its own, in which it has the derivative 1.
 

@@ -17,8 +17,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import FrozenInstanceError, is_dataclass
 from functools import wraps
 from traceback import walk_tb
-from types import FunctionType
-from typing import Any, TypeVar
+from types import FunctionType, MappingProxyType
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from rockeom.numbers.checks import described, near
 
@@ -62,7 +62,7 @@ def _explained(function: F, meant: Mapping[str, str], described_by: Any = None) 
             if not _has_not_begun(function, error):
                 raise
             doc = (described_by or function).__doc__
-            message = _misfit(function, values, named, meant, doc)
+            message = misfit(function, values, named, meant, doc)
         raise TypeError(message)
 
     return call  # type: ignore[return-value]
@@ -75,14 +75,15 @@ def _has_not_begun(function: Callable[..., Any], error: TypeError) -> bool:
     return of.__code__ not in codes and str(error).startswith(f"{of.__qualname__}()")
 
 
-def _misfit(
+def misfit(
     function: Callable[..., Any], values: tuple[Any, ...], named: Mapping[str, Any],
-    meant: Mapping[str, str], doc: str | None,
+    meant: Mapping[str, str] = MappingProxyType({}), doc: str | None = None,
 ) -> str:  # fmt: skip
     """A call that does not fit the arguments of a function, in words."""
     arguments = [*inspect.signature(function).parameters.values()]
     if arguments and arguments[0].name in ("self", "cls"):
         arguments, values = arguments[1:], values[1:]
+    others = any(a.kind is a.VAR_KEYWORD for a in arguments)
     arguments = [a for a in arguments if a.kind not in (a.VAR_POSITIONAL, a.VAR_KEYWORD)]
     names = [a.name for a in arguments]
     placed = [a.name for a in arguments if a.kind is not a.KEYWORD_ONLY]
@@ -96,10 +97,12 @@ def _misfit(
         hint = f" (give {meant[name]})" if name in meant else near(name, names)
         text.append(f"unknown {name}{hint}")
     for value in values[len(placed) : len(placed) + 1]:
-        as_in = f": name it, as in {unnamed[0]}=..." if unnamed else ""
-        text.append(f"{described(value)} is given without a name{as_in}")
+        such_as = f", such as {unnamed[0]}=" if unnamed else ""
+        wrong = f"needs its name{such_as}" if unnamed or others else "is one too many"
+        text.append(f"{described(value)} {wrong}")
+    optional = [name for name in names if name not in required]
     what = function.__qualname__.removesuffix(".__init__")
-    return f"{what}: {'; '.join(text)}. {_taken(required, [n for n in names if n not in required])}"
+    return f"{what}: {'; '.join(text)}. {_taken(required, optional, others)}"
 
 
 def listed(names: Iterable[str], doc: str | None) -> str:
@@ -111,18 +114,16 @@ def listed(names: Iterable[str], doc: str | None) -> str:
 def _item(doc: str, name: str) -> str:
     """What a docstring says of an argument behind its colon, up to the end of the clause."""
     begin = rf"(?:^|\n *|; |, )`?{re.escape(name)}`?(?:, \w+)* : "
-    end = r"(?=; |\. |\.?\n\n|\.?\n *\w+(?:, \w+)* : |\.?\s*$)"
+    end = r"(?=; |\.\s|\n\n|\n *\w+(?:, \w+)* : |\.?\s*$)"
     found = re.search(rf"{begin}(.+?){end}", doc, re.DOTALL)
     return " ".join(found[1].split()) if found else ""
 
 
-def _taken(required: list[str], optional: list[str]) -> str:
-    if not (required or optional):
-        return "It takes no arguments"
-    if not required:
-        return f"Its arguments, all optional, are {', '.join(optional)}"
-    rest = f"; optional are {', '.join(optional)}" if optional else ""
-    return f"Its arguments are {', '.join(required)}{rest}"
+def _taken(required: list[str], optional: list[str], others: bool) -> str:
+    parts = [", ".join(required)] if required else []
+    parts += [f"optional: {', '.join(optional)}"] if optional else []
+    parts += ["others by name"] if others else []
+    return f"It takes {'; '.join(parts) or 'nothing'}"
 
 
 # -- attributes
@@ -176,6 +177,7 @@ def attributes(**meant: str) -> Callable[[C], C]:
         return missing(self, name, lambda: meant)
 
     def decorate(cls: C) -> C:
+        setattr(cls, "_meant", meant)  # noqa: B010
         if "__getattr__" not in vars(cls):
             setattr(cls, "__getattr__", explain)  # noqa: B010
         if is_dataclass(cls) and cls.__dataclass_params__.frozen:  # type: ignore[attr-defined]
@@ -183,6 +185,19 @@ def attributes(**meant: str) -> Callable[[C], C]:
         return cls
 
     return decorate
+
+
+class Constructors(type):
+    """A class that explains unknown attributes of its own, such as other constructors."""
+
+    if not TYPE_CHECKING:  # for type checkers an unknown attribute stays an error
+
+        def __getattr__(cls, name: str) -> Any:
+            message = f"type object {cls.__name__!r} has no attribute {name!r}"
+            if name.startswith("_"):
+                raise AttributeError(message)
+            offers = {**vars(cls).get("_meant", {}), **public_names(cls)}
+            raise UnknownAttributeError(message, name, lambda: offers)
 
 
 def refuse_assignments(cls: type) -> None:

@@ -22,8 +22,10 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis.design.isolation import Demands, demands, energy_balance
 from rockeom.drawing import page, style
+from rockeom.drawing.drawn import check_structure
 from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
+from rockeom.numbers import explained
 from rockeom.simulation.plausible import ROUGHEST, default_masses, forces, shaking
 from rockeom.simulation.response import Outcome, Response
 from rockeom.simulation.simulate import simulate
@@ -324,6 +326,7 @@ def check_name(path: Path) -> None:
         raise ValueError(f"{path}: a report is a {' or a '.join(FILES)} file; end the name so")
 
 
+@explained.calls()
 def design_report(
     structure: Structure,
     motions: Sequence[GroundMotion],
@@ -336,6 +339,9 @@ def design_report(
 
     Raises ValueError for no motions and for a structure without feet on rigid ground.
     """
+    check_structure("structure", structure)
+    if isinstance(motions, GroundMotion):
+        raise TypeError("motions is one motion: give a list of motions, [motion]")
     if not motions:
         raise ValueError("a report needs a motion: give one or more, as a list")
     if "left_uplift" not in structure.module.KINEMATICS or structure.module.STATE_UNITS[0] == "-":

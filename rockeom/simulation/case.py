@@ -315,6 +315,12 @@ class Case:
         return np.sign(turn) or -np.sign(first)
 
 
+def check_case(case: Any) -> None:
+    """Raise TypeError for anything but a case."""
+    if not isinstance(case, Case):
+        raise TypeError(f"case is {described(case)}: give a case, rk.Case(structure, motion)")
+
+
 def _check_motion(name: str, motion: Any) -> None:
     if not isinstance(motion, GroundMotion):
         raise TypeError(

@@ -12,6 +12,8 @@ import numpy as np
 from rockeom import renamed
 from rockeom.codes import ENERGY_ROUNDING, IMPACT, KIND_OF, LANDING, REST
 from rockeom.integrator.schema import has_landings
+from rockeom.numbers import explained
+from rockeom.numbers.checks import described
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import filled
 from rockeom.structures.modes import modes_of
@@ -65,6 +67,7 @@ class EventColumns(NamedTuple):
         return EventColumns(*(column[some] for column in self))
 
 
+@explained.attributes(time="times", speed="speeds", energy="energy_loss")
 @dataclass(frozen=True, eq=False, repr=False)
 class Events(Sequence[Event]):
     """Events in the order of time: a sequence of `Event`, and the same in `columns`.
@@ -87,7 +90,15 @@ class Events(Sequence[Event]):
     def __getitem__(self, which: slice) -> tuple[Event, ...]: ...
 
     def __getitem__(self, which: int | slice) -> Event | tuple[Event, ...]:
-        return self._events[which]
+        try:
+            return self._events[which]
+        except IndexError:
+            raise IndexError(f"no event {which}: there are {len(self)}, from 0 on") from None
+        except TypeError:
+            raise TypeError(
+                f"{described(which)} is no number of an event: give one from 0 on, or select by "
+                "kind, as in [event for event in run.events if event.kind == 'uplift']"
+            ) from None
 
     def __iter__(self) -> Iterator[Event]:
         return iter(self._events)

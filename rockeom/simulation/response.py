@@ -55,6 +55,13 @@ _SYNONYMS = {
 """Names that people try first, and what to write for each."""
 
 
+def _listed(names: Sequence[str]) -> Sequence[str]:
+    """Names of quantities; raises ValueError for one word, which is a sequence of letters."""
+    if isinstance(names, str):
+        raise ValueError(f"names is the word {names!r}: give a list of names, [{names!r}]")
+    return names
+
+
 @renamed.attributes(
     phase="mode",
     program="structure.module",
@@ -249,14 +256,14 @@ class Response:
         self._quantities.steps("at")
         if side not in ("left", "right"):
             raise ValueError(f"side is {side!r}: choose 'left' or 'right'")
-        times = np.asarray(times, dtype=float)
+        times = numbers("times", times)
         flat = times.ravel()
         if flat.size and (flat.min() < self.t[0] or flat.max() > self.t[-1]):
             raise ValueError(
                 f"times reach from {flat.min()} to {flat.max()} s, the response from "
                 f"{self.t[0]} to {self.t[-1]} s"
             )
-        names = self.states if names is None else names
+        names = self.states if names is None else _listed(names)
         values = self._quantities.at(flat, side, names)
         return {name: values[name].reshape(times.shape) for name in names}
 
@@ -269,7 +276,7 @@ class Response:
 
     def extremes_of(self, names: Sequence[str]) -> dict[str, Extremes]:
         """`extremes` of several quantities, faster than one after the other."""
-        return self._quantities.extremes_of(names)
+        return self._quantities.extremes_of(_listed(names))
 
     @cached_property
     def places(self) -> Places:
@@ -405,9 +412,7 @@ class Response:
     def _over_time(self, names: Sequence[str] | None, times: Any) -> xr.Dataset:
         from rockeom.simulation.tables import over_time, units_with_time  # xarray
 
-        if isinstance(names, str):
-            raise ValueError(f"names is the word {names!r}: give a list of names")
-        names = tuple(self.states if names is None else names)
+        names = tuple(self.states if names is None else _listed(names))
         if times is None:
             t, modes, values = self.t, self.mode, {name: self[name] for name in names}
         else:

@@ -10,14 +10,15 @@ import hashlib
 import io
 import json
 import os
-import warnings
 from collections.abc import Mapping
 from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
+from rockeom import renamed
 from rockeom.files import check_target, write
 from rockeom.numbers.checks import described, installed_by, is_number
 from rockeom.renamed import VERSION
@@ -85,10 +86,10 @@ def _encode_law(law: ImpactLaw | None) -> Any:
     if law is None or type(law) in LAWS.values():
         return encode("impact", law)
     name = type(law).__qualname__
-    warnings.warn(
+    renamed.say(
         f"the impact law, a {name}, is of your own: the file has its name, and all of the "
         "response; to go on from it give the law again",
-        stacklevel=5,
+        UserWarning,
     )
     return {"not_saved": name}
 
@@ -161,10 +162,20 @@ def checksum(definition: str, arrays: Mapping[str, np.ndarray]) -> str:
 # -- files -----------------------------------------------------------------------------------------
 
 
+OTHER_FORMATS = (".csv", ".txt", ".dat", ".xlsx", ".json", ".mat", ".npz", ".pkl", ".png", ".pdf")
+"""Endings that promise another file than that of a response."""
+
+
 def save(path: str | os.PathLike[str], made: Mapping[str, Any]) -> None:
     """Write the fields of a response, by name, to a file; see `Response.save`."""
     check_engine()
     check_target(path)
+    ending = Path(path).suffix.lower()
+    if ending in OTHER_FORMATS:
+        raise ValueError(
+            f"{path}: a response is saved as netCDF, not as {ending}: name the file .nc, or write "
+            "the quantities as a table, run.to_dataframe().to_csv(path)"
+        )
     arrays = _arrays(made)
     definition = json.dumps(_definition(made))
     file = xr.Dataset(

@@ -17,7 +17,7 @@ from rockeom.drawing.positions import Shapes, places, positions_of, rotations_of
 from rockeom.integrator.schema import GeneratedModule, has_landings
 from rockeom.integrator.transitions.declared import velocity_ratio_at
 from rockeom.numbers import explained
-from rockeom.numbers.checks import number, numbers
+from rockeom.numbers.checks import near, number, numbers
 from rockeom.numbers.dual import value_of
 from rockeom.numbers.functions import for_arrays, isfinite
 from rockeom.structures import declared_modes, evaluation, linearised, modal, plausible, statics
@@ -173,8 +173,8 @@ class Structure:
         unknown = [n for n in values if n not in self.states]
         if unknown:
             raise ValueError(
-                f"unknown state {', '.join(map(repr, unknown))}; {self.model} has "
-                f"{', '.join(self.states)}"
+                f"unknown state {', '.join(f'{n!r}{near(n, self.states)}' for n in unknown)}; "
+                f"{self.model} has {', '.join(self.states)}"
             )
         y = [number(f"state {name}", values.get(name, 0.0)) for name in self.states]
         for name, value in zip(self.states, y, strict=True):

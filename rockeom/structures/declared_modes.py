@@ -13,7 +13,7 @@ import numpy as np
 
 from rockeom.codes import UPLIFT
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import described, near
 from rockeom.numbers.dual import value_of
 from rockeom.numbers.functions import for_arrays, mathematics
 from rockeom.structures.statics import Equilibrium, balanced
@@ -159,7 +159,8 @@ def number_of(module: GeneratedModule, mode: Any) -> int:
     if not isinstance(mode, str):
         raise TypeError(f"mode is {described(mode)}: give one of {', '.join(module.MODES)}")
     if mode not in module.MODES:
-        raise ValueError(f"no mode {mode!r}; {module.NAME} has {', '.join(module.MODES)}")
+        hint = near(mode, module.MODES)
+        raise ValueError(f"no mode {mode!r}{hint}; {module.NAME} has {', '.join(module.MODES)}")
     return module.MODES.index(mode)
 
 

@@ -172,7 +172,12 @@ class EnergyRatio(TabulatedLaw):
 @explained.calls(r="rk.EnergyRatio(r)", restitution="e=")
 @dataclass(frozen=True)
 class VelocityRatio:
-    """Prescribed ratio e of the rates of rotation after and before an impact; e = sqrt(r)."""
+    """Prescribed ratio of the rates of rotation after and before an impact, e = sqrt(r).
+
+    e : coefficient of restitution, 0 to 1 [-].
+
+    Raises ValueError outside 0 to 1.
+    """
 
     e: float
 
@@ -612,4 +617,7 @@ def _are_pieces(pieces: Any) -> bool:
 
 def check_ratio(what: str, value: float) -> None:
     if not 0.0 <= number(what, value) <= 1.0:
-        raise ValueError(f"{what} is {value}: it must lie between 0 (no rebound) and 1 (no loss)")
+        percent = f"; {value:g} % is {value / 100:g}" if 1.0 < value <= 100.0 else ""
+        raise ValueError(
+            f"{what} is {value}: it must lie between 0 (no rebound) and 1 (no loss){percent}"
+        )

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
 
 from rockeom.codes import OUTCOMES
 from rockeom.integrator.schema import GeneratedModule
+from rockeom.numbers import explained
+from rockeom.numbers.checks import near
 from rockeom.simulation.quantities import units_of
 from rockeom.structures.units import in_udunits, time_unit
 from rockeom.sweeps.cases import ROW, Cases
@@ -37,10 +39,55 @@ def outcomes_of(flags: np.ndarray) -> np.ndarray:
     return flags.astype(np.int64) - PENDING + NOT_RUN
 
 
+_MEANT = {
+    "overturned": "outcome == 'overturned'",
+    "fallen": "outcome == 'overturned'",
+    "outcomes": "outcome",
+    "results": "outcome",
+    "max": "maximum",
+    "min": "minimum",
+    "plot": "rk.plots.overturning_map(sweep, x=..., y=...)",
+}
+"""Names that people ask a sweep for, and what to write for each."""
+
+
 class Sweep(xr.Dataset):
     """The dataset of `simulate_many`. Jupyter shows it with a count of outcomes."""
 
     __slots__ = ()
+
+    if not TYPE_CHECKING:  # for type checkers an unknown attribute stays an error
+
+        def __getattr__(self, name: str) -> Any:
+            try:
+                return super().__getattr__(name)
+            except AttributeError:
+                message = f"{type(self).__name__!r} object has no attribute {name!r}"
+                if name.startswith("_"):
+                    raise
+            raise explained.UnknownAttributeError(message, name, self._offers)
+
+    def __getitem__(self, key: Any) -> Any:
+        try:
+            return super().__getitem__(key)
+        except KeyError:
+            if not isinstance(key, str) or key in self.variables:
+                raise
+            offers = self._offers()
+        hint = near(key, offers, offers)
+        there = ", ".join(map(str, self.variables))
+        raise KeyError(f"the sweep has no variable {key!r}{hint}; there are {there}")
+
+    def _offers(self) -> dict[str, str]:
+        """Names that people ask a sweep for, and what to write for each."""
+        of_names = {
+            str(name): f'{peak}.sel({dim}="{name}")'
+            for dim, peak in (("quantity", "peak_quantity"), ("state", "peak"))
+            if dim in self.coords
+            for name in np.atleast_1d(self[dim].values).tolist()
+        }
+        own = {name: name for name in explained.public_names(self)}
+        return {**of_names, **_MEANT, **own, **{str(name): str(name) for name in self.variables}}
 
     def _repr_html_(self) -> str:
         from rockeom.drawing.notebook import page_of_sweep  # matplotlib

@@ -6,9 +6,12 @@ import os
 from dataclasses import dataclass
 from typing import Any
 
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described, whole_number
 
 
+@explained.attributes()
+@explained.calls(n_jobs="threads=", workers="threads=", rtol="options=rk.SolverOptions(rtol=...)")
 @dataclass(frozen=True)
 class SweepOptions:
     """How a sweep is run; results are the same to the last bit for any of these but `lanes`.

@@ -17,6 +17,7 @@ from rockeom import renamed
 from rockeom.codes import IMPACT
 from rockeom.integrator.program import program, revision
 from rockeom.integrator.schema import GeneratedModule
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described
 from rockeom.simulation.case import Case
 from rockeom.simulation.method_selection import DEFAULT, Choice, chosen
@@ -42,6 +43,7 @@ ARRAYS = "leave it out, functions are called for many cases at once wherever tha
 @renamed.moved(
     "sweep_options", SweepOptions, "threads", "chunk", "progress", "lanes", "store", "executor"
 )
+@explained.calls(vary="over=", parameters="over=", rtol="options=rk.SolverOptions(rtol=...)")
 def simulate_many(
     case: Case | Callable[..., Case],
     over: Any,

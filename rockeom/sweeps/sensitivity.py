@@ -16,7 +16,7 @@ from rockeom.numbers import explained
 from rockeom.numbers.checks import described, near
 from rockeom.numbers.dual import Dual, directions, duals, tangent_of, value_of, with_tangent
 from rockeom.numbers.functions import of_compounds
-from rockeom.simulation.case import Case, ground_table, parted
+from rockeom.simulation.case import Case, check_case, ground_table, parted
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.structures.evaluation import OF_ELEMENT
@@ -154,8 +154,7 @@ def sensitivity(
 
 
 def _check_plain(case: Any) -> None:
-    if not isinstance(case, Case):
-        raise TypeError(f"case is {described(case)}: give a case, rk.Case(structure, motion)")
+    check_case(case)
     if directions(*case.problem()):
         raise TypeError("the case holds duals already: give it to `rk.tangents`")
 

@@ -14,7 +14,6 @@ import os
 import shutil
 import sys
 import uuid
-import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict
@@ -23,6 +22,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
+from rockeom import renamed
 from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.checks import installed_by, is_number
@@ -295,10 +295,10 @@ def _alone(path: Path) -> Iterator[None]:
             except (BlockingIOError, PermissionError):
                 raise busy from None
             except OSError as error:
-                warnings.warn(
+                renamed.say(
                     f"{str(path)!r} cannot be locked ({error}): see to it that no other process "
                     "writes to it",
-                    stacklevel=5,
+                    UserWarning,
                 )
             yield
     finally:

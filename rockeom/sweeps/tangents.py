@@ -32,7 +32,7 @@ from rockeom.integrator.program import carrying
 from rockeom.numbers import explained
 from rockeom.numbers.checks import numbers
 from rockeom.numbers.dual import nominal, tangent_of, value_of
-from rockeom.simulation.case import Case, Problem, ProblemTangents, parted
+from rockeom.simulation.case import Case, Problem, ProblemTangents, check_case, parted
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Outcome, Response
 from rockeom.simulation.simulate import simulated
@@ -103,7 +103,13 @@ def tangents(case: Case, options: SolverOptions | None = None) -> Tangents:
     >>> flow.end.shape
     (2, 2)
     """
+    check_case(case)
     problem, along = parted(case.problem())
+    if not along.end.size:
+        raise ValueError(
+            "the case holds no duals: make its numbers by rk.duals, as in "
+            "rk.RigidBlock(**rk.duals(half_width=0.1), half_height=0.4)"
+        )
     return of_problem(case, problem, along, SolverOptions.of(options))
 
 

@@ -5,12 +5,15 @@ from __future__ import annotations
 import importlib
 import math
 import pkgutil
+import re
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache, partial
 from inspect import Parameter, signature
 from typing import Any
 
+from rockeom.numbers import explained
+from rockeom.numbers.checks import described, near
 from rockeom.symbolic import structures
 from rockeom.symbolic.rocking import RockingModel
 from rockeom.symbolic.valid import ArgumentError
@@ -80,6 +83,7 @@ def models() -> tuple[str, ...]:
     return tuple(SHIPPED)
 
 
+@explained.calls()
 def derive(name: str, **arguments: str | int) -> RockingModel:
     """A shipped structure by its name, derived once in a session.
 
@@ -89,8 +93,11 @@ def derive(name: str, **arguments: str | int) -> RockingModel:
     arguments that it does not take.
     """
     every = SHIPPED | FAMILIES
+    if not isinstance(name, str):
+        raise TypeError(f"name is {described(name)}: give the name of a shipped structure")
     if name not in every:
-        raise KeyError(f"no structure named {name!r}; shipped are {', '.join(every)}")
+        hint = near(re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name), every)  # of a class, too
+        raise KeyError(f"no structure named {name!r}{hint}; shipped are {', '.join(every)}")
     taken = signature(every[name])
     try:
         taken.bind(**arguments)

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from rockeom.motion import GroundMotion
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
@@ -66,6 +67,7 @@ class Isolation:
         }
 
 
+@explained.calls()
 def compare_with_fixed_base(
     structure: Structure,
     motion: GroundMotion,
@@ -122,6 +124,7 @@ def demands(run: Response) -> Demands:
     )
 
 
+@explained.calls()
 def energy_balance(run: Response) -> EnergyBalance:
     """The energies of a response `run`: work and losses by quadrature, and those of its states.
 

@@ -34,6 +34,7 @@ from rockeom.analysis.arguments import slenderness
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
 from rockeom.analysis.unfinished import check_finished, finished
 from rockeom.motion import GroundMotion
+from rockeom.numbers import explained
 from rockeom.numbers.arguments import positive
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
@@ -111,6 +112,7 @@ def _unit(function: str, structure: Structure, name: str, value: float | None) -
 
 
 @renamed.needless(arrays=ARRAYS)
+@explained.calls()
 def overturning_boundaries(
     case: Callable[..., Case],
     sweep: xr.Dataset,
@@ -383,6 +385,7 @@ def minimum_overturning(boundaries: xr.Dataset, x: str, y: str) -> xr.DataArray:
 # --- how far blocks rock
 
 
+@explained.calls()
 def rocking_spectrum(
     motions: GroundMotion | Sequence[GroundMotion],
     periods: ArrayLike,

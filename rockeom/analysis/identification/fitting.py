@@ -28,6 +28,7 @@ from rockeom.analysis.formulas.controlled_wall import RotationCentre
 from rockeom.analysis.identification.free_vibration import coefficient_of_determination
 from rockeom.analysis.identification.measured import rotation_centre
 from rockeom.analysis.identification.swings_of_response import swing_tangents, swings
+from rockeom.numbers import explained
 from rockeom.numbers.arguments import numbers, positive, require
 from rockeom.numbers.dual import duals
 from rockeom.simulation.case import Case
@@ -312,6 +313,7 @@ def _inverse(slopes: np.ndarray, names: tuple[str, ...]) -> np.ndarray:
 # -- free vibrations
 
 
+@explained.calls()
 def fit_free_vibration(
     case: Callable[..., Case],
     start: Mapping[str, float],

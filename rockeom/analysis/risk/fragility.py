@@ -13,8 +13,9 @@ import xarray as xr
 from numpy.typing import ArrayLike
 from scipy.special import betaincinv, log_ndtr, ndtr, ndtri
 
-from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.analysis.sweeps import FALLS, STANDS, check_sweep, outcome_labels, peaks_of
 from rockeom.analysis.unfinished import check_finished
+from rockeom.numbers import explained
 from rockeom.numbers.arguments import numbers, positive, require
 
 
@@ -122,6 +123,7 @@ class Fragility:
         )
 
 
+@explained.calls()
 def fit_fragility(
     intensity: ArrayLike,
     exceeded: ArrayLike,
@@ -177,6 +179,7 @@ def fit_fragility(
     return Fragility(float(median), float(dispersion), covariance, im, hits, of, left_out)
 
 
+@explained.calls()
 def fragility_of(
     sweep: xr.Dataset, *, intensity: str, limit: float | None = None, demand: str | None = None
 ) -> Fragility:
@@ -194,6 +197,7 @@ def fragility_of(
     """
     if (limit is None) != (demand is None):
         raise ValueError("fragility_of: demand and limit belong together: give both or neither")
+    check_sweep("fragility_of", sweep)
     if intensity not in sweep.coords:
         raise ValueError(
             f"fragility_of: the sweep has no coordinate {intensity!r}; it has "
