@@ -112,7 +112,7 @@ def listed(names: Iterable[str], doc: str | None) -> str:
 
 
 def _item(doc: str, name: str) -> str:
-    """What a docstring says of an argument behind its colon, up to the end of the clause."""
+    """The text of a docstring behind the colon of an argument, up to the end of the clause."""
     begin = rf"(?:^|\n *|; |, )`?{re.escape(name)}`?(?:, \w+)* : "
     end = r"(?=; |\.\s|\n\n|\n *\w+(?:, \w+)* : |\.?\s*$)"
     found = re.search(rf"{begin}(.+?){end}", doc, re.DOTALL)
