@@ -603,7 +603,7 @@ sp.Eq(F / N, needed)
 # <details><summary>Solution 3</summary>
 #
 # $p \propto 1/\sqrt R$ is half as large. All times are proportional to $1/p$: the quarter period
-# doubles. Rates of rotation are proportional to $p$, and the top corner is four times as far away,
+# doubles. Angular velocities are proportional to $p$, and the top corner is four times as far away,
 # so that it lands twice as fast.
 #
 # </details>

@@ -122,7 +122,11 @@ for name, block in (("small", small), ("large", large)):
     assert answers == [False, True]
 
 # %% [markdown]
-# The same: only the shape enters (2).
+# <details><summary>Compare with your prediction</summary>
+#
+# The same acceleration lifts both: only the shape enters (2).
+#
+# </details>
 #
 # ## 3. How long does it take to come back?
 #
@@ -156,8 +160,14 @@ ax.set(xlabel=r"$\theta_0/\alpha$", ylabel=r"$p\,T_{1/4}$", ylim=(0, None))
 plt.show()
 
 # %% [markdown]
-# *Figure 2. The quarter period grows from zero to infinity. A rocking block cannot be tuned to
-# resonate: it has no natural period.*
+# *Figure 2. The quarter period against the amplitude of the release.*
+#
+# <details><summary>Compare with your prediction</summary>
+#
+# Four times as long. The quarter period grows from zero to infinity: a rocking block has no natural
+# period, and cannot be tuned to resonate.
+#
+# </details>
 #
 # ## 4. Does it fall?
 #
@@ -183,8 +193,14 @@ ax.legend()
 plt.show()
 
 # %% [markdown]
-# *Figure 3. Two blocks of one shape under one pulse. Both lift at the same instant; the large one
-# turns more slowly, since $p \propto 1/\sqrt R$, and the pulse is over before it has turned far.*
+# *Figure 3. Two blocks of one shape under one pulse.*
+#
+# <details><summary>Compare with your prediction</summary>
+#
+# Only the small one falls. Both lift at the same instant, but the large one turns more slowly,
+# since $p \propto 1/\sqrt R$, and the pulse is over before it has turned far.
+#
+# </details>
 #
 # ## Exercises
 #

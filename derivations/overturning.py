@@ -455,8 +455,8 @@ plt.show()
 # ## 6. Digits, by Newton's method
 #
 # A block that is not slender has (4) as well. Without shaking its energy is conserved between
-# impacts, and the block creeps to its balance if it has the energy of the balance. As rate of
-# rotation,
+# impacts, and the block creeps to its balance if it has the energy of the balance. As an angular
+# velocity,
 #
 # $$\dot\theta = 2p\,\sin\frac{\alpha-\theta}2. \tag{12}$$
 

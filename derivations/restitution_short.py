@@ -130,8 +130,14 @@ ax.legend()
 plt.show()
 
 # %% [markdown]
-# *Figure 2. The squat block loses most. Neither size nor material is in (2): the landing edge stops
-# dead, and the energy of that motion is lost.*
+# *Figure 2. Ratios of energies and of velocities against the shape.*
+#
+# <details><summary>Compare with your prediction</summary>
+#
+# The squat block loses most. Neither size nor material is in (2): the landing edge stops dead, and
+# the energy of that motion is lost.
+#
+# </details>
 #
 # ## 3. r or e?
 #
@@ -149,8 +155,12 @@ for name, law in (("energies", rk.EnergyRatio(0.81)), ("velocities", rk.Velocity
 assert ends["energies"] > 1.5 * ends["velocities"]
 
 # %% [markdown]
-# An energy ratio of 0.81 is a velocity ratio of 0.9. In rockeom the name of the impact law says
-# which of the two is meant.
+# <details><summary>Compare with your prediction</summary>
+#
+# An energy ratio of 0.81 is a velocity ratio of 0.9: that block rocks about twice as long. In
+# rockeom the name of the impact law says which of the two is meant.
+#
+# </details>
 #
 # ## Exercises
 #

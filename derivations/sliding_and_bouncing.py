@@ -132,7 +132,7 @@ known = {
 
 
 def second_derivative(place):
-    """Of a place R f(phi), along the fall from rest."""
+    """Second derivative of a place R f(phi) along the fall from rest."""
     return sp.diff(R * place(angle), time, 2).subs(known).subs(angle, phi)
 
 
@@ -273,7 +273,7 @@ friction_to_rock = sp.lambdify(a, mu_c.subs({b_: half_width, h_: half_height, g:
 
 
 def begins(friction, a):
-    """What begins, by (4) and (5)."""
+    """The motion that begins, by (4) and (5)."""
     lifts = a > gravity * half_width / half_height
     if not lifts:
         return "rest" if a <= gravity * friction else "slide"
@@ -340,7 +340,7 @@ frictions = np.concatenate([np.linspace(0.15, 0.25, 8), np.linspace(0.252, 0.35,
 
 
 def swept(strength):
-    """Of the pinned block its response and what it asks for; of all frictions the responses."""
+    """Response and friction demand of the pinned block, and the responses for all frictions."""
     pulse = rk.GroundMotion.single_sine(strength * gravity * slim, 0.8, duration=12.0)
     held = rk.simulate(pinned, pulse)
     demand = max(held.support.friction_demand, held.support.impact_friction_demand)

@@ -16,7 +16,7 @@
 # ---
 
 # %% [markdown]
-# # A rigid structure on two springs that only press
+# # A rigid structure on two compression-only springs
 #
 # Ground yields. Under a structure that rocks on soil or on rubber, the pressure moves from one foot
 # to the other *before* a foot lifts. Model B of the thesis (Ma 2010, Section 5.3.2) puts the two

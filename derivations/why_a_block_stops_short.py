@@ -81,7 +81,14 @@ ax.set(xlabel="time [s]", ylabel=r"$\theta/\alpha$")
 plt.show()
 
 # %% [markdown]
-# *Figure 1. A free motion. The impacts follow one another ever faster, and end.*
+# *Figure 1. A free motion, and the time of rest.*
+#
+# <details><summary>Compare with your prediction</summary>
+#
+# About 150 are recorded. The impacts follow one another ever faster; when they have become tiny,
+# the program adds the rest of them in one step, and full contact begins.
+#
+# </details>
 #
 # ## 2. A finite time
 #
@@ -137,8 +144,12 @@ assert clock[-1] < by_sum + 1e-5
 assert np.ptp(clock[-50:]) < 1e-6
 
 # %% [markdown]
+# <details><summary>Compare with your prediction</summary>
+#
 # It does not. The flights become shorter than the spacing of floating-point numbers, and the clock
 # stands still. Nothing that happens after the rest, such as the next earthquake, is ever reached.
+#
+# </details>
 #
 # ## Exercises
 #

@@ -157,7 +157,7 @@ m, inertia, d, h, B, mu, g = (p.symbol for p in parameters)
 
 
 def placed(across, up):
-    """A point of the element, by its place when the element stands in the middle."""
+    """A point of the element, by its place when the element is upright at x = 0."""
     right, above = turned((across, up), (0, 0), theta.position)
     return x.position + right, y.position + above
 
