@@ -29,7 +29,7 @@ from rockeom.assessment.trials import (
     can_slide,
     scaled,
 )
-from rockeom.motion import GroundMotion
+from rockeom.motion import GroundMotion, MotionError
 from rockeom.motion.motion_set import MotionSet
 from rockeom.motion.units import acceleration
 from rockeom.numbers.arguments import not_negative, positive, require
@@ -114,7 +114,13 @@ def _motions(records: Any) -> tuple[GroundMotion, ...]:
     if isinstance(records, str | os.PathLike):
         if Path(records).is_file():
             return (GroundMotion.read(records),)
-        return tuple(MotionSet.from_folder(records))
+        try:
+            return tuple(MotionSet.from_folder(records))
+        except MotionError as error:
+            raise MotionError(
+                f"{error}; other files of a folder are read by "
+                f'rk.MotionSet.from_folder({os.fspath(records)!r}, pattern="*.txt", units="g")'
+            ) from None
     if isinstance(records, GroundMotion):
         return (records,)
     motions = tuple(records) if isinstance(records, Iterable) else ()

@@ -31,7 +31,7 @@ def draw(
     """
     figure = style.new_figure(8.2, 3.5)
     left, right = figure.subplots(1, 2, width_ratios=(1.25, 1.0))
-    _draw_probability(left, trials, remedies, level)
+    _draw_probability(left, trials, remedies, threshold, level)
     _draw_rotations(right, records)
     for ax in (left, right):
         ax.axvline(threshold / STANDARD_GRAVITY, color=style.INK, ls=":", lw=0.9)
@@ -44,12 +44,14 @@ def draw(
     return figure
 
 
-def _draw_probability(ax: Axes, trials: Trials, remedies: Sequence[Remedy], level: float) -> None:
+def _draw_probability(
+    ax: Axes, trials: Trials, remedies: Sequence[Remedy], threshold: float, level: float
+) -> None:
     rows = [row for row in trials.intensities if row.number]
     pga = np.array([row.pga for row in rows]) / STANDARD_GRAVITY
     fractions = np.array([row.overturned / row.number for row in rows])
     bounds = np.array([(row.lower, row.upper) for row in rows]).reshape(-1, 2)
-    end = 1.05 * max([*pga, 0.1])
+    end = 1.05 * max([*pga, threshold / STANDARD_GRAVITY])
     im = np.linspace(1e-3 * end, end, 300)
     curve = trials.fragility
     if curve is not None:
@@ -75,17 +77,22 @@ def _draw_rotations(ax: Axes, records: Sequence[UnderRecord]) -> None:
     known = any(np.isfinite(one.part) for one in records)
     sizes = [one.part if known else one.rotation for one in records if one.outcome != FALLS]
     top = 1.05 * max([1.0 if known else 0.0, *sizes]) or 1.0
-    for stands, marker, color in ((True, "o", style.LINES[0]), (False, "^", style.LINES[1])):
-        at = [one.peak / STANDARD_GRAVITY for one in records if (one.outcome != FALLS) == stands]
-        if at:
-            ax.plot(
-                at, sizes if stands else [1.06 * top] * len(at), marker, ms=4, color=color,
-                mfc="white" if stands else color, clip_on=False,
-                label=f"{len(at)} {'stand' if stands else 'overturn'}",
-            )  # fmt: skip
+    fell = np.array([one.outcome == FALLS for one in records])
+    peaks = np.array([one.peak / STANDARD_GRAVITY for one in records])
+    for which, heights, marker, color, inside in (
+        (~fell, np.array(sizes), "o", style.LINES[0], "white"),
+        (fell, np.full(fell.sum(), 1.06 * top), "^", style.LINES[1], style.LINES[1]),
+    ):
+        if which.any():  # an empty line that is not clipped breaks the layout
+            ax.plot(peaks[which], heights, marker, color=color, mfc=inside, ms=4, clip_on=False)
+    ax.axhspan(top, 1.12 * top, facecolor="0.95", lw=0, zorder=0)
+    ax.text(
+        0.01, 1.06 * top, "overturned", fontsize=7.5, va="center", color=style.INK,
+        transform=ax.get_yaxis_transform(),
+    )  # fmt: skip
     ax.set_ylabel(r"largest $|\theta|/\alpha$ [-]" if known else r"largest $|\theta|$ [rad]")
     ax.set_ylim(0.0, 1.12 * top)
-    ax.axhspan(top, 1.12 * top, facecolor="0.95", lw=0, zorder=0)
     ax.set_yticks([tick for tick in ax.get_yticks() if tick <= top])
-    ax.set_title("as recorded", fontsize=9, loc="right")
-    ax.legend(loc="center right", fontsize=7.5, frameon=True, edgecolor="none", borderpad=0.2)
+    n = int(fell.sum())
+    said = f"as recorded: {len(sizes)} stand, {n or 'none'} overturn{'s' * (n <= 1)}"
+    ax.set_title(said, fontsize=8, loc="right")

@@ -111,9 +111,12 @@ class Assessment:
 
     def _none_overturns(self, top: AtIntensity) -> str:
         if not any(row.lifted for row in self.trials.intensities):
-            return (
+            said = (
                 f"No: up to a PGA of {_g(top.pga)} none of {_records(self._n)} even lifts a foot."
             )
+            if LIKE_G[0] <= top.pga <= min(LIKE_G[1], self._threshold):
+                said += f' If {top.pga:.3g} was meant in g, write "{top.pga:.3g} g".'
+            return said
         return (
             f"Not under these records: none of {self._n} overturns it up to a PGA of "
             f"{_g(top.pga)}, where the probability is below {_percent(top.upper)}."
@@ -252,12 +255,6 @@ class Assessment:
             "their edges."
         )
         said += self._of_intervals()
-        strongest = self.conditions.levels[-1]
-        if LIKE_G[0] <= strongest <= min(LIKE_G[1], self._threshold):
-            said.append(
-                f"Hint: the largest PGA, {strongest:.3g} m/s2, is below what lifts a foot: was it "
-                f'meant in g? Write "{strongest:g} g".'
-            )
         return tuple(said)
 
     def _of_feet(self) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ from rockeom.assessment.result import check_page
 from rockeom.cli.errors import UsageError, numbers, words
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.simulate import impact_law
-from rockeom.motion import GroundMotion
+from rockeom.motion import GroundMotion, MotionError
 from rockeom.motion.motion_set import MotionSet
 from rockeom.structures.base import Structure
 from rockeom.structures.shipped.rigid_block import RigidBlock
@@ -116,5 +116,10 @@ def _motions(args: argparse.Namespace) -> list[GroundMotion]:
     if args.records is not None:
         return list(MotionSet.from_library(" ".join(args.records)))
     if args.folder is not None:
-        return list(MotionSet.from_folder(args.folder, units=args.units))
+        try:
+            return list(MotionSet.from_folder(args.folder, units=args.units))
+        except MotionError as error:
+            raise UsageError(
+                f"{error}; other files are given by --motion {args.folder}/*.txt --units g"
+            ) from None
     return [GroundMotion.read(path, units=args.units) for path in args.motion]
