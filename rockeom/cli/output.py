@@ -18,6 +18,7 @@ from rockeom.motion import GroundMotion
 from rockeom.renamed import VERSION
 from rockeom.simulation.events import MEASURABLE
 from rockeom.simulation.plausible import forces
+from rockeom.simulation.reserve import reserve_of
 from rockeom.simulation.response import Response
 from rockeom.simulation.tables import units_with_time
 from rockeom.structures.impact_laws import ImpactLaw
@@ -107,6 +108,7 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         "duration": run.duration,
         "end": float(run.t[-1]),
         "peaks": peaks,
+        "reserve": _reserve(run),
         "impacts": len(run.impacts),
         "impacts_above": {"rate": MEASURABLE, "number": len(run.impacts.above())},
         "uplifts": sum(e.kind == "uplift" for e in run.events),
@@ -120,6 +122,13 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
         "hints": [*run.hints, *forces(run.structure)],
         "statistics": run.statistics,
     }
+
+
+def _reserve(run: Response) -> dict[str, Any] | None:
+    """The largest theta/alpha, its side, and the part of the overturning angle that was left."""
+    rotation = run.extremes(run.states[run.structure.module.ROTATION])
+    found = reserve_of(run.structure, rotation)
+    return None if found is None else {**found._asdict(), "reserve": found.reserve}
 
 
 def _motion(motion: GroundMotion) -> dict[str, Any]:

@@ -28,6 +28,8 @@ def plot_comparison(
     labels : a name for each run; the structures' names if not given.
     figure, start, end : as in `plot_response`. title : what stands above.
 
+    Curves of motions that overturned end with a cross.
+
     Raises ValueError for no runs, for another number of labels than of runs, and for structures
     with and without units in one figure.
     """
@@ -56,14 +58,23 @@ def plot_comparison(
         max(run.t[-1] for run in runs) if end is None else end,
     )
     figure.align_ylabels(axes)
+    named = [f"{label}: {_end(run)}" for label, run in zip(labels, runs, strict=True)]
     figure.suptitle(style.wrapped(title or _title(runs)), fontsize=9.5)
     figure.legend(
         handles=[Line2D([], [], color=color, lw=2) for color in _colors(runs)],
-        labels=list(labels),
+        labels=named,
         loc="outside lower center",
-        ncols=len(runs) if sum(map(len, labels)) < 90 else 1,
+        ncols=len(runs) if sum(map(len, named)) < 90 else 1,
     )
     return figure
+
+
+def _end(run: Run) -> str:
+    """The outcome; where it has not overturned, the largest theta/alpha."""
+    if run.outcome == style.OVERTURNED or "rotation_ratio" not in run.names:
+        return str(run.outcome)
+    ratio = abs(run.extremes("rotation_ratio").peak)
+    return f"{run.outcome}, largest $\\theta/\\alpha$ {ratio:.2f}" if ratio else str(run.outcome)
 
 
 def _title(runs: Sequence[Run]) -> str:
@@ -89,6 +100,9 @@ def _lengths(ax: Axes, runs: Sequence[Run], name: str, label: str) -> None:
         if name in run.names:
             size = style.largest(run, name, factor, unit)
             ax.plot(run.t, run[name] * factor, color=color, label=size)
+    for run, color in zip(runs, _colors(runs), strict=True):
+        if name in run.names:
+            style.mark_overturning(ax, run, run[name] * factor, color=color)
     ax.set_ylabel(f"{label} [{unit}]")
     style.legend_above(ax)
 

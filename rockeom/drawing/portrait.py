@@ -42,9 +42,10 @@ def plot_phase_portrait(
         for side in _separatrix(first.structure):
             ax.plot(*side, "--", color=style.INK, lw=0.9)
         ax.plot([], [], "--", color=style.INK, lw=0.9, label="separatrix")
-        ax.legend(loc="upper right")
     for one, colour in zip(runs, cycle([*style.OTHERS[:1], *style.LINES[:2], *style.OTHERS[1:]])):
         _draw(ax, one, colour)
+    if ax.get_legend_handles_labels()[1]:
+        ax.legend(loc="upper right" if separatrix else "best")
     p = first.structure.module
     if len(runs) == 1:
         start = first.y[0, p.ROTATION], first.y[0, p.ROTATION_RATE]
@@ -67,6 +68,7 @@ def _draw(ax: Axes, run: Run, colour: str) -> None:
         ends = np.array([before, after])
         ax.plot(ends[:, p.ROTATION], ends[:, p.ROTATION_RATE], ":", color=style.OTHERS[1], lw=0.9)
     ax.plot(y[0], dy[0], "o", color=colour, ms=4)
+    style.mark_overturning(ax, run, dy, y, colour)
 
 
 _POINTS = 1000

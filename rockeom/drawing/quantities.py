@@ -43,6 +43,7 @@ def _draw(ax: Axes, run: Run, names: Sequence[str]) -> None:
     for name in names:
         label = f"{_word(name)}, {style.largest(run, name, factor, shown)}"
         ax.plot(run.t, run[name] * factor, label=label)
+        style.mark_overturning(ax, run, run[name] * factor)
     what = _word(names[0]) if len(names) == 1 else ""
     ax.set_ylabel(f"{what}\n[{shown}]".strip())
     style.legend_above(ax)

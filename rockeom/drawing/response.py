@@ -39,9 +39,10 @@ def plot_response(
     figure : an empty figure or subfigure to draw in; a new one if not given.
     start, end : the part of the time axis shown [s]; all of it if not given.
 
-    The time in full contact is shaded. Impacts are drawn as high as the rate of rotation just
-    before them, so that the endless small ones before rest do not hide the large ones. Returns the
-    figure, that of `ax` where axes are given.
+    The time in full contact is shaded. Curves of a motion that overturned end with a cross, and
+    overturning angles within reach of the rotation are dashed. Impacts are drawn as
+    high as the rate of rotation just before them, so that the endless small ones before rest do not
+    hide the large ones. Returns the figure, that of `ax` where axes are given.
 
     Raises KeyError for an unknown quantity, and ValueError for a start behind the end.
     """
@@ -113,12 +114,26 @@ def _rotation(ax: Axes, run: Run) -> None:
     what, factor, unit = ("displacement", 1e3, "mm") if unit == "m" else ("rotation", 1.0, unit)
     shown, size = style.symbol(name), style.largest(run, name, factor, unit)
     ax.plot(run.t, run[name] * factor, color=style.OTHERS[0], label=f"{shown}, {size}")
+    style.mark_overturning(ax, run, run[name] * factor)
     ax.set_ylabel(f"{what} {shown}\n[{unit}]")
+    if unit == "rad":
+        _overturning_angles(ax, run)
     style.legend_above(ax)
-    alpha: Any = run.structure.slenderness
-    if alpha is not None and unit == "rad":
-        right = ax.secondary_yaxis("right", functions=(lambda y: y / alpha, lambda y: y * alpha))
-        right.set_ylabel(r"$\theta/\alpha$ [-]")
+
+
+def _overturning_angles(ax: Axes, run: Run) -> None:
+    """A scale of theta/alpha where one alpha is that of both sides; dashed lines within reach."""
+    left, right = run.structure.overturning_angles or (np.nan, np.nan)
+    if not np.isfinite(left + right):
+        return
+    low, high = ax.get_ylim()
+    reached = [angle for angle in (-left, right) if low < angle < high]
+    for angle in reached:
+        label = r"$\alpha$" if angle == reached[0] else None
+        ax.axhline(angle, color=style.INK, lw=0.8, ls="--", zorder=1, label=label)
+    if np.isclose(left, right, rtol=1e-9):
+        functions = (lambda y: y / left, lambda y: y * left)
+        ax.secondary_yaxis("right", functions=functions).set_ylabel(r"$\theta/\alpha$ [-]")
         ax.spines["right"].set_visible(False)
 
 
@@ -127,6 +142,7 @@ def _displacement(ax: Axes, run: Run) -> None:
     factor, unit = style.length_scale(run)
     size = style.largest(run, "displacement", factor, unit)
     ax.plot(run.t, run["displacement"] * factor, color=style.OTHERS[0], label=f"load point, {size}")
+    style.mark_overturning(ax, run, run["displacement"] * factor)
     n = len(run.states) // 2
     lengths = [
         name
@@ -149,6 +165,8 @@ def _uplift(ax: Axes, run: Run) -> None:
         name = f"{foot}_uplift"
         label = f"{foot} foot, {style.largest(run, name, factor, unit)}"
         ax.plot(run.t, run[name] * factor, color=color, label=label)
+    for foot, color in style.FEET.items():
+        style.mark_overturning(ax, run, run[f"{foot}_uplift"] * factor, color=color)
     ax.set_ylabel(f"uplift of feet\n[{unit}]")
     style.legend_above(ax)
 

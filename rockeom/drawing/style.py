@@ -53,6 +53,9 @@ _RC: dict[Any, Any] = {
     "ytick.labelsize": 8.5,
 }
 
+OVERTURNED = "overturned"
+"""The outcome of motions whose curves end with a cross."""
+
 P = ParamSpec("P")
 R = TypeVar("R")
 
@@ -165,7 +168,8 @@ def rate_of(run: Run) -> tuple[str, str]:
 def largest(run: Run, name: str, factor: float, unit: str) -> str:
     """The largest size of a quantity, found within the steps and times a factor, in words."""
     size = abs(run.extremes(name).peak) * factor
-    return f"largest {size:.3g}{'' if unit == '-' else f' {unit}'}"
+    shown = f"{size:.3g}" if size < 1e3 else f"{size:.0f}"
+    return f"largest {shown}{'' if unit == '-' else f' {unit}'}"
 
 
 def wrapped(text: str, width: int = 105) -> str:
@@ -206,6 +210,19 @@ def shade_full_contact(axes: Sequence[Axes], run: Run) -> None:
         for (start, end), name in zip(spans, names, strict=True):
             if name == "both":
                 ax.axvspan(start, end, color="0.95", lw=0, zorder=0)
+
+
+def mark_overturning(
+    ax: Axes, run: Run, y: np.ndarray, x: np.ndarray | None = None, color: str = "k"
+) -> None:
+    """A cross where a curve y (n,) of a motion that overturned ends, against time or x (n,)."""
+    if run.outcome != OVERTURNED:
+        return
+    label = None if OVERTURNED in ax.get_legend_handles_labels()[1] else OVERTURNED
+    at = (run.t if x is None else x)[-1:]
+    ax.plot(
+        at, y[-1:], "X", color=color, ms=6, mec="w", mew=0.6, zorder=5, clip_on=False, label=label
+    )
 
 
 def legend_above(ax: Axes, **kwargs: Any) -> None:

@@ -68,4 +68,4 @@ def accepts_degrees(*angles: str) -> Callable[[F], F]:
 def with_degrees(value: float, unit: str) -> str:
     """A value with its unit, that of an angle with its degrees: "0.245 rad (14.0 degrees)"."""
     size = f"{value:.4g} {unit}".removesuffix(" -")
-    return f"{size} ({math.degrees(value):.3g} degrees)" if unit == "rad" else size
+    return f"{size} ({math.degrees(value):.3g} degrees)" if unit == "rad" and value else size

@@ -26,7 +26,9 @@ from rockeom.drawing.drawn import check_structure
 from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
 from rockeom.numbers import explained
+from rockeom.numbers.degrees import with_degrees
 from rockeom.simulation.plausible import ROUGHEST, default_masses, forces, shaking
+from rockeom.simulation.reserve import Reserve, reserve_of
 from rockeom.simulation.response import Outcome, Response
 from rockeom.simulation.simulate import simulate
 from rockeom.structures.base import FixedBase, Structure
@@ -69,12 +71,18 @@ class UnderRecord:
         runs = (self.run, self.fixed_run)
         return max(energy_balance(run).error for run in runs if run is not None)
 
+    @cached_property
+    def reserve(self) -> Reserve | None:
+        """Largest theta/alpha of the motion, if the structure has an overturning angle."""
+        rotation = self.run.states[self.run.structure.module.ROTATION]
+        return reserve_of(self.run.structure, self.run.extremes(rotation))
+
     @property
     def row(self) -> Row:
         """Its line in the table of the page."""
         peak = f"{self.run.motion.peak / STANDARD_GRAVITY:.3g}"
         if not self.stands:
-            return (_short(self.run.motion.name), peak, str(self.run.outcome), *("–",) * 6)
+            return (_short(self.run.motion.name), peak, str(self.run.outcome), *("–",) * 7)
         rocks, held = self.rocking, self.fixed
         return (
             _short(self.run.motion.name),
@@ -82,6 +90,7 @@ class UnderRecord:
             f"{1e3 * rocks.displacement:.3g}",
             "–" if held is None else f"{1e3 * held.displacement:.3g}",
             f"{1e3 * rocks.uplift:.3g}",
+            "–" if self.reserve is None else f"{self.reserve.ratio:.2f}",
             f"{rocks.base_shear:.4g}",
             "–" if held is None else f"{rocks.base_shear / held.base_shear:.2f}",
             "–" if held is None else f"{rocks.base_moment / held.base_moment:.2f}",
@@ -117,6 +126,7 @@ class DesignReport:
             "displ. [mm]",
             "fixed [mm]",
             "uplift [mm]",
+            "theta/alpha",
             f"shear [{self.force_unit}]",
             "shear ratio",
             "moment ratio",
@@ -167,6 +177,11 @@ class DesignReport:
             "Displacement of the load point: "
             + _spread([1e3 * one.rocking.displacement for one in self.standing], "mm")
         )
+        if ratios := [one.reserve.ratio for one in self.standing if one.reserve is not None]:
+            said.append(
+                f"Rotation over overturning angle, theta/alpha: {_spread(ratios, '')} The least "
+                f"reserve of those that stood is {100 * max(1 - max(ratios), 0.0):.3g} %."
+            )
         both = [(one.rocking, one.fixed) for one in self.standing if one.fixed is not None]
         for what, name in (("Base shear", "base_shear"), ("Base moment", "base_moment")):
             ratios = [getattr(a, name) / getattr(b, name) for a, b in both]
@@ -315,6 +330,7 @@ def facts_of(structure: Structure, impact: ImpactLaw | None) -> tuple[tuple[str,
     threshold = structure.uplift_acceleration
     if threshold is not None and math.isfinite(threshold):
         found.append(("a foot lifts from", f"{threshold / STANDARD_GRAVITY:.3g} g"))
+    found += _angles(structure)
     if structure.has_impacts:
         found.append(("law of impact", structure.describe_impact(impact)))
     return tuple(found)
@@ -377,6 +393,7 @@ def _draw_history(ax: Axes, one: UnderRecord) -> None:
             label="fixed base",
         )  # fmt: skip
     ax.plot(one.run.t, 1e3 * one.run["displacement"], color=style.LINES[0], label="rocking")
+    style.mark_overturning(ax, one.run, 1e3 * one.run["displacement"], color=style.LINES[0])
     ax.set_xlabel("time [s]")
     ax.set_ylabel("displacement [mm]")
     ax.set_xlim(0, one.run.t[-1])
@@ -416,7 +433,7 @@ def _draw_table(
     figure: Figure, top: float, columns: Row, rows: Sequence[Row], number: int
 ) -> float:
     """The table as text from `top` downwards; returns where it ends."""
-    places = (0.07, 0.42, 0.49, 0.56, 0.63, 0.70, 0.775, 0.85, 0.925)
+    places = (0.07, 0.395, 0.47, 0.535, 0.6, 0.665, 0.73, 0.795, 0.865, 0.935)
     y = top
     for n, row in enumerate((columns, *rows)):
         for i, (x, cell) in enumerate(zip(places, row, strict=True)):
@@ -450,6 +467,17 @@ def _spread(values: Sequence[float], unit: str) -> str:
     return (
         f"median {np.median(values):.3g}{unit}, from {min(values):.3g} to {max(values):.3g}{unit}."
     )
+
+
+def _angles(structure: Structure) -> list[tuple[str, str]]:
+    """Overturning angles, one where both sides have the same."""
+    angles = structure.overturning_angles
+    if angles is None or not np.isfinite(angles).all():
+        return []
+    if np.isclose(*angles, rtol=1e-9):
+        return [("overturning angle", with_degrees(angles[0], "rad"))]
+    sides = zip(("left", "right"), angles, strict=True)
+    return [(f"overturns {side} at", with_degrees(angle, "rad")) for side, angle in sides]
 
 
 def _least_foot(run: Response) -> float:

@@ -23,6 +23,7 @@ from rockeom.simulation.case import ground_table
 from rockeom.simulation.events import EventColumns
 from rockeom.simulation.extremes import Extremes, extremes
 from rockeom.simulation.recorder import Samples
+from rockeom.simulation.reserve import RATIO, rotation_ratio
 from rockeom.simulation.steps import Evaluate, Rows, Steps
 from rockeom.simulation.works import Works, names_of_works
 from rockeom.structures import evaluation
@@ -30,7 +31,7 @@ from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import OF_ELEMENT, elements, filled, motion_of_places
 from rockeom.structures.units import dimensioned, main_units
 
-PLACES, ELEMENTS, BASE, WORKS = "places", "elements", "base", "works"
+PLACES, ELEMENTS, BASE, WORKS, OF_ANGLE = "places", "elements", "base", "works", "of angle"
 
 _OF_PLACE = {
     "displacement": "m", "rise": "m", "velocity": "m/s", "vertical_velocity": "m/s",
@@ -59,6 +60,7 @@ def families(module: GeneratedModule) -> dict[str, dict[str, str]]:
         ],
         BASE: [*_OF_BASE.items()],
         WORKS: [(name, "J") for name in (*names_of_works(module), "impact_loss")],
+        OF_ANGLE: [(RATIO, "-")],
     }
     families_of = {}
     for family, names in of.items():
@@ -111,7 +113,12 @@ class Quantities:
     ) -> None:  # fmt: skip
         self.structure, self.ground, self.method = structure, ground, method
         self.record, self.events = record, events
-        self.units = units_of(structure.module)
+        self.families = dict(families(structure.module))
+        if not structure.has_overturning_angles:
+            del self.families[OF_ANGLE]
+        self.units = main_units(structure.module)
+        for units in self.families.values():
+            self.units |= units
         self.main_names = tuple(main_units(structure.module))
         # those of samples were found with them
         self.extremes = dict(record.extremes) if isinstance(record, Samples) else {}
@@ -134,7 +141,7 @@ class Quantities:
         """The family of a quantity, "" for main ones; raises KeyError for an unknown name."""
         if name in self.main_names:
             return ""
-        for family, units in families(self.structure.module).items():
+        for family, units in self.families.items():
             if name in units:
                 return family
         if not isinstance(name, str):
@@ -151,6 +158,8 @@ class Quantities:
             return dict(zip(self.structure.states, y.T, strict=True)) | self.of_program(rows)
         if family == WORKS:
             return self.works.at(rows)
+        if family == OF_ANGLE:
+            return {RATIO: rotation_ratio(self.structure, y[:, self.structure.module.ROTATION])}
         if family == ELEMENTS:
             return elements(self.structure.module, self.structure.vector, mode, y)
         of = _places if family == PLACES else _base

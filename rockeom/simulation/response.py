@@ -23,6 +23,7 @@ from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.outcome import Outcome
 from rockeom.simulation.quantities import Ground, Places, Quantities
 from rockeom.simulation.recorder import Samples
+from rockeom.simulation.reserve import reserve_of
 from rockeom.simulation.steps import Rows, Steps
 from rockeom.simulation.support import Support
 from rockeom.simulation.works import EnergyBalance
@@ -328,6 +329,8 @@ class Response:
             f"{largest.peak_time:.4g} s; "
             f"{self.impacts.describe()}.",
         ]
+        if (reserve := reserve_of(self.structure, largest)) is not None:
+            lines.append(reserve.describe(unit))
         lines += self._impact_law()
         lines += self._uplift()
         if (rest := self.events.rest_time) is not None:

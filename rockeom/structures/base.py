@@ -124,6 +124,11 @@ class Structure:
         """Whether points land, each by its own impact law, and may slide."""
         return has_landings(self.module)
 
+    @property
+    def has_overturning_angles(self) -> bool:
+        """Whether it has `overturning_angles`: it rocks, and its contacts do nothing else."""
+        return not self.has_landings
+
     @functools.cached_property
     def overturning_rotation(self) -> float:
         """Rotation at which the structure has fallen over, in the rotation's unit."""
@@ -470,10 +475,10 @@ class Structure:
         """(left, right) rotations beyond which it does not come back by itself, in their unit.
 
         alpha of a block on both sides; of others the rotation at which the force of `pushover`
-        has fallen to zero, or `overturning_rotation` where it stays above. None where contacts may
-        open otherwise than by rocking, nan where no equilibrium was found.
+        has fallen to zero, inf where it has not up to `overturning_rotation`. None where contacts
+        may open otherwise than by rocking, nan where no equilibrium was found.
         """
-        if self.has_landings:
+        if not self.has_overturning_angles:
             return None
         left, right = (
             statics.overturning_angle(self.equilibrium, side * self.overturning_rotation)
@@ -633,8 +638,8 @@ class FixedBase(Structure):
         return 0, 1.0
 
     @property
-    def overturning_angles(self) -> None:
-        """None: it does not turn."""
+    def has_overturning_angles(self) -> bool:
+        return False
 
     def pushover(self, rotations) -> np.ndarray:
         """Raises ValueError: it has no rotation by which it could be pushed."""

@@ -28,9 +28,10 @@ _GROWTH = 1.5
 
 
 def overturning_angle(equilibrium: Callable[[float], Equilibrium], farthest: float) -> float:
-    """Size of the rotation at which the holding force falls to zero, at most `farthest`.
+    """Size of the rotation at which the holding force falls to zero, inf where it does not.
 
-    farthest : a rotation with the sign of its side. nan where no equilibrium was found.
+    farthest : the rotation up to which it is sought, with the sign of its side. nan where no
+    equilibrium was found.
     """
 
     def holds(part: float) -> float:
@@ -42,7 +43,7 @@ def overturning_angle(equilibrium: Callable[[float], Equilibrium], farthest: flo
         while below < 1.0 and holds(below) > 0.0:
             above, below = below, min(_GROWTH * below, 1.0)
         if below == 1.0 and holds(1.0) > 0.0:
-            return abs(farthest)
+            return math.inf
         return float(abs(farthest) * _root(holds, above, below))
     except ValueError:
         return math.nan

@@ -40,6 +40,7 @@ def test_page_lists_the_demands_of_each_record_the_largest_first(page):
         1e3 * abs(rocking.extremes("displacement").peak),
         1e3 * abs(fixed.extremes("displacement").peak),
         1e3 * max(rocking.extremes(f"{foot}_uplift").maximum for foot in ("left", "right")),
+        abs(rocking.extremes("theta").peak) / column().overturning_angles[0],
         shears[0],
         shears[0] / shears[1],
         abs(rocking.support.base_moment.peak) / abs(fixed.support.base_moment.peak),

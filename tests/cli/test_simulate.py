@@ -76,6 +76,9 @@ def test_free_rocking_in_words_and_files(tmp_path, capsys):
     assert summary["impact_friction_demand"] == run.support.impact_friction_demand
     assert summary["impacts_above"] == {"rate": 1e-3, "number": len(run.impacts.above())}
     assert summary["uplift_acceleration"] == block.uplift_acceleration
+    ratio = summary["reserve"]["ratio"]
+    assert ratio == pytest.approx(abs(summary["peaks"]["theta"]["value"]) / block.alpha)
+    assert summary["reserve"]["reserve"] == pytest.approx(max(1 - ratio, 0.0))
     assert summary["assumptions"] == run.support.describe()
     assert not summary["never_lifted"]
     (hint,) = summary["hints"]  # the file holds forces, and no mass was given

@@ -275,11 +275,26 @@ def test_comparison_shows_each_run_and_its_label(run_of):
     shown = row(figure, "displacement")
     for line, run in zip(shown.lines, runs, strict=True):
         np.testing.assert_allclose(values(line), 1e3 * run["displacement"])
-    assert [text.get_text() for text in figure.legends[0].get_texts()] == ["one", "two"]
+    ends = [text.get_text() for text in figure.legends[0].get_texts()]
+    for end, name, run in zip(ends, ("one", "two"), runs, strict=True):
+        largest = abs(run.extremes("rotation_ratio").peak)
+        assert end == f"{name}: {run.outcome}, largest $\\theta/\\alpha$ {largest:.2f}"
     assert len(row(figure, "ground").lines) == 2  # one above the other
     lanes = [c for c in row(figure, "impacts").collections if hasattr(c, "get_segments")]
     counts = [len(c.get_segments()) for c in lanes if len(c.get_linewidths())]
     assert set(counts) >= {len(run.impacts) for run in runs}
+
+
+def test_curves_of_a_motion_that_overturned_end_with_a_cross(run_of):
+    stood, fell = run_of("rigid block"), run_of("overturned")
+    figure = drawn(plot_comparison([stood, fell], ["one", "two"]))
+    crosses = [line for line in row(figure, "displacement").lines if line.get_marker() == "X"]
+    ends = [(line.get_xdata()[-1], values(line)[-1]) for line in crosses]
+    assert ends == [(fell.t[-1], pytest.approx(1e3 * fell["displacement"][-1]))]
+    assert figure.legends[0].get_texts()[1].get_text() == "two: overturned"
+    for run, crossed in ((stood, False), (fell, True)):
+        for shown in (row(drawn(plot_response(run)), "rotation"), *plot_phase_portrait(run).axes):
+            assert any(line.get_marker() == "X" for line in shown.lines) == crossed
 
 
 def test_comparison_of_structures_with_and_without_feet(run_of):

@@ -28,6 +28,10 @@ class Block(StructureWithFields):
         return mathematics.sqrt(self.mass * self.gravity * self.radius / pivot_inertia)
 
     @property
+    def has_overturning_angles(self) -> bool:
+        return True
+
+    @property
     def overturning_angles(self: Any) -> tuple[float, float]:
         """(left, right) rotations beyond which the block does not come back, alpha both [rad]."""
         return self.alpha, self.alpha

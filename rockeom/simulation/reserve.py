@@ -1,0 +1,57 @@
+"""How near a motion came to overturning: theta/alpha, by the overturning angle of each side."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from rockeom.numbers.degrees import with_degrees
+from rockeom.simulation.extremes import Extremes
+from rockeom.structures.base import Structure
+
+RATIO = "rotation_ratio"
+"""Name of theta/alpha among the quantities of a response."""
+
+
+class Reserve(NamedTuple):
+    """The largest theta/alpha of a motion, its side, its time [s], and the angle of that side."""
+
+    ratio: float
+    side: str
+    time: float
+    angle: float
+
+    @property
+    def reserve(self) -> float:
+        """1 - theta/alpha, the part of the overturning angle that was left; 0 where none was."""
+        return max(1.0 - self.ratio, 0.0)
+
+    def describe(self, unit: str) -> str:
+        """A sentence; unit : of the rotation."""
+        angle = f"the overturning angle to the {self.side} is {with_degrees(self.angle, unit)}"
+        left = f"{100 * self.reserve:.3g} %" if self.ratio < 1.0 else "none"
+        return f"Largest theta/alpha: {self.ratio:.3g}; {angle}. Reserve: {left}."
+
+
+def reserve_of(structure: Structure, rotation: Extremes) -> Reserve | None:
+    """The reserve of a motion by the extremes of its rotation; None where there is no angle."""
+    if (angles := structure.overturning_angles) is None:
+        return None
+    sides = (
+        Reserve(max(size, 0.0) / angle if angle else math.nan, side, time, angle)
+        for size, side, time, angle in (
+            (-rotation.minimum, "left", rotation.minimum_time, angles[0]),
+            (rotation.maximum, "right", rotation.maximum_time, angles[1]),
+        )
+    )
+    nearest = max(sides, key=lambda one: (one.ratio, -one.angle))
+    return nearest if math.isfinite(nearest.ratio) and math.isfinite(nearest.angle) else None
+
+
+def rotation_ratio(structure: Structure, rotation: np.ndarray) -> np.ndarray:
+    """Rotations (n,) over the overturning angle of their side, with their sign."""
+    angles = structure.overturning_angles
+    assert angles is not None
+    return rotation / np.where(rotation < 0.0, *angles)
