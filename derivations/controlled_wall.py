@@ -206,9 +206,9 @@ sp.Eq(sp.Symbol(r"\Delta L"), extension.coeff(t, 1) * t + second * t**2)
 # $$ \Delta L = b\,\theta + O(\theta^2) : \tag{3} $$
 #
 # the tendon is stretched by the uplift at its own place. The term of second order depends on $h$
-# and $z$, which the text does not tell apart ($h + z = 3.1$ m). With $z = 0.5$ m it is 0.6 % of the
-# extension at 30 mm. The thesis's 4-15 has $\Delta L = u'_T/\cos\theta$ instead, with $u'_T$ the
-# uplift at the tendon.
+# and $z$, which the text does not distinguish ($h + z = 3.1$ m). With $z = 0.5$ m it is 0.6 % of
+# the extension at 30 mm. The thesis's 4-15 has $\Delta L = u'_T/\cos\theta$ instead, with $u'_T$
+# the uplift at the tendon.
 
 # %%
 at_30 = {t: wall.rotation(0.03), b_: wall.rotation_centre.distance(0.03), h: 2.6, z: 0.5}
@@ -360,7 +360,7 @@ plt.show()
 
 # %% [markdown]
 # *Figure 3. The force of a pushover (thesis Figure 4-35), with the tendon's yield at 42 mm. At a
-# peak the velocity is zero and the measured acceleration tells the force (4-42). The first peak, on
+# peak the velocity is zero and the measured acceleration gives the force (4-42). The first peak, on
 # the far left, still belongs to the shaking.*
 
 # %% [markdown]
@@ -691,7 +691,7 @@ plt.show()
 # *Figure 5. The free vibration with 4-31, both ways, with Table A-1 (thesis Figure 4-37). The
 # plateaus of the acceleration are the hump of Figure 3.*
 #
-# The peaks do not tell the two readings apart, the times do: with the speed of the instant the
+# The peaks do not distinguish the two readings, the times do: with the speed of the instant the
 # simulation keeps pace with the wall. That is also what the words say, and what we keep.
 #
 # Whichever it is, the fit sits on an edge. The first passages have about 0.78 m/s, where 4-31 jumps
@@ -761,7 +761,7 @@ assert light[1] < results["as in Figure 5, M = 2016/1.06"][1]
 #
 # Does the wall itself say what $M$ is? Give each passage the $r$ of Section 7, so that all peaks
 # are those measured; then the duration of a half-cycle is proportional to $\sqrt M$, and the
-# measured durations tell $M$.
+# measured durations give $M$.
 
 # %%
 half_cycles = np.diff(measured.time[measured.at_peak])[:8]

@@ -362,7 +362,7 @@ plt.show()
 # *Figure 2. The righting moment. It jumps at $\theta = 0$, where the pivot changes, and then falls:
 # the stiffness is negative. Beyond the balance point the moment overturns the block.*
 #
-# The jump also tells when the ground lifts a block at rest. At $\theta = 0$ the inertia force has
+# The jump also shows when the ground lifts a block at rest. At $\theta = 0$ the inertia force has
 # the lever $H$ and the weight the lever $B$, so the block stays down until
 #
 # $$|a_g| > g\,\frac{B}{H} = g\tan\alpha, \tag{9}$$
@@ -541,7 +541,7 @@ plt.show()
 # %% [markdown]
 # ## 9. Forces on the pivot
 #
-# The derivation took for granted that the edge neither slides nor lifts. The forces (3) tell when
+# The derivation took for granted that the edge neither slides nor lifts. The forces (3) show when
 # that is so. At the release they follow from $\dot\theta = 0$ and (8). A slender block needs little
 # friction, a squat one much:
 
@@ -595,8 +595,8 @@ sp.Eq(F / N, needed)
 # <details><summary>Solution 2</summary>
 #
 # The centroid rises by $y_g$ more, so that $N = m\,(g + a_v + \ddot y_G)$, and $F$ stays as it was.
-# In (4) $g$ stands nowhere but in $N$: wherever it was it is $g + a_v$ now. A block cannot tell
-# ground that accelerates upwards from more gravity.
+# In (4) $g$ occurs in $N$ only, and is replaced by $g + a_v$. For a block, ground that accelerates
+# upwards is the same as more gravity.
 #
 # </details>
 #

@@ -445,7 +445,7 @@ assert float(J_of[0.735]) < chosen < float(J_of[0.745])
 assert np.isclose(column.velocity_ratio**2, 0.74, atol=5e-4)
 
 # %% [markdown]
-# How $J$ is shared among its three parts the text does not tell, and it hardly matters: $H_b$
+# The text does not say how $J$ is shared among its three parts, and it hardly matters: $H_b$
 # enters the moment of the base's weight, which is small, and the rest nothing. The split that we
 # use is one choice among many.
 #

@@ -273,8 +273,8 @@ assert inside.mean() > 0.9
 # ## 5. Frequencies that change
 #
 # The block rocks faster and faster. A spectrum of the whole record would mix all of it, so we take
-# that of a window and move it along. A window of length $T$ cannot tell frequencies nearer than
-# about $1/T$ apart,
+# that of a window and move it along. A window of length $T$ cannot resolve frequencies nearer than
+# about $1/T$,
 #
 # $$\Delta f \approx \frac{1}{T}, \tag{7}$$
 #
@@ -310,8 +310,8 @@ plt.show()
 # 2. Filter the record with `record.low_pass(25.0)` before `noise_level`. What is wrong with what
 #    comes out, and what does `record.low_pass(25.0).noise` say instead?
 #    *Hint: (2) needs errors that know nothing of one another.*
-# 3. Give the block equal feet, r = 0.85, and noise of 0.2 degrees. Down to which energy can you
-#    tell r to 5 %? *Hint: (5) and `half_width`; use `threshold`.*
+# 3. Give the block equal feet, r = 0.85, and noise of 0.2 degrees. Down to which energy do you know
+#    r within 5 %? *Hint: (5) and `half_width`; use `threshold`.*
 # 4. Let the impact last: replace the jump of the rate by a straight fall over 20 ms. Which windows
 #    now give a force that is the impact's own?
 #    *Hint: the acceleration is then finite; compare windows below and above 20 ms.*

@@ -600,7 +600,7 @@ plt.show()
 #
 # More shaking is not more danger. Between the two ways to fall runs a thin seam of safety, in which
 # the second half of the pulse catches a block that the first half has thrown. No design should rest
-# upon it. But it tells how sensitive overturning is, and that the stones that stand or lie after an
+# upon it. But it shows how sensitive overturning is, and that the stones that stand or lie after an
 # earthquake are a poor seismograph.
 # The borders of Figure 4, with ten digits, are in [overturning](overturning.py).
 

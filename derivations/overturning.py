@@ -19,7 +19,7 @@
 # # Overturning, from Milne to maps
 #
 # How strong must shaking be to overturn a stone? In Japan, about 1880, John Milne asked it the
-# other way round: a fallen gravestone should tell how strong the earthquake was. The question has a
+# other way round: a fallen gravestone should show how strong the earthquake was. The question has a
 # simple answer that is only a bound, a good one that fits on a line, and an exact one that is a map
 # with three coasts. This notebook goes from the first to the last.
 #

@@ -30,7 +30,7 @@
 # 1. state the assumptions about the impact, one by one;
 # 2. derive the ratio of the angular velocities by angular momentum, and again by impulses;
 # 3. say where the energy goes, and how much of it;
-# 4. tell the ratio of energies $r$ from the ratio of velocities $e$;
+# 4. distinguish the ratio of energies $r$ from the ratio of velocities $e$;
 # 5. judge measured values of $r$: what they say, and what this law cannot say.
 
 # %%

@@ -332,7 +332,7 @@ assert (np.diff(stands.astype(int)) <= 0).all()  # the long ones overturn it
 #    section 3 has it. *Hint: in the equations of [the column that bends](flexible_structure.py)
 #    eliminate $\ddot\theta$; then look at the spectrum of $u$ while a foot is up.*
 # 3. Repeat section 3 with `rk.Impulsive()`, the exact law of impact. Who takes more energy now, the
-#    damper or the impacts? *Hint: `energy_balance` tells.*
+#    damper or the impacts? *Hint: `energy_balance` says.*
 # 4. Vary $k$, $c$ and $r$ by 10 % and tabulate the largest displacement. The thesis finds it
 #    insensitive to small changes of $r$; do you? *Hint: `dataclasses.replace(column, damping=...)`,
 #    and look for single impacts that come earlier or later.*

@@ -31,7 +31,7 @@
 # 1. draw the phase portrait of the block, with its separatrix and what impacts do to it;
 # 2. derive the saltation matrix of an impact, and say why it is not the derivative of the jump;
 # 3. compute the multipliers of a periodic motion in closed form, and where its symmetry breaks;
-# 4. follow a cascade of period doublings to its end, and tell how well you know that end;
+# 4. follow a cascade of period doublings to its end, and say how well you know that end;
 # 5. compute a Lyapunov exponent with its uncertainty, and check it without any theory.
 
 # %%
@@ -458,7 +458,7 @@ assert abs(end - cascade.accumulations[-2]) < 1e-4
 # %% [markdown]
 # The distances shrink by a factor that tends to Feigenbaum's 4.669, the same for all systems that
 # do this. With it the end of the series is extrapolated; how far the last two extrapolations differ
-# tells how well it is known. Now the picture: the engine runs the block at many amplitudes, forgets
+# says how well it is known. Now the picture: the engine runs the block at many amplitudes, forgets
 # the first 150 periods, and notes the rate at each impact of the next 32.
 
 # %%
@@ -499,10 +499,10 @@ plt.show()
 # Figure 2-12 of the thesis shows this for a squat block, $\alpha=\arctan\frac12$;
 # `rockeom thesis figure 2-12` draws it.
 #
-# ## 5. Chaos, and how to tell
+# ## 5. Chaos, and how to recognise it
 #
 # Behind the end of the cascade the dots fill bands. Is that chaos, or just a long period? A picture
-# cannot tell. The mean rate at which small differences grow can,
+# cannot decide. The mean rate at which small differences grow can,
 #
 # $$\lambda = \lim_{t\to\infty}\frac1t\,\ln\frac{|\boldsymbol\delta(t)|}{|\boldsymbol\delta(0)|},
 #   \tag{11}$$
@@ -665,7 +665,7 @@ assert max(lasted) > 10 * min(lasted)
 #   \qquad \det\mathbf S = \frac{g\,g'}{v_-}.$$
 #
 # The ratio of the rates rules the first entry, their derivative the others. Where fast impacts lose
-# more, $g' < g/v_-$, and areas shrink faster than the loss of speed tells.
+# more, $g' < g/v_-$, and areas shrink faster than by the loss of speed alone.
 #
 # </details>
 #

@@ -21,14 +21,14 @@
 # Housner's block stands on edges that neither slide nor jump. We wrote this down in
 # [the first notebook](housner_block.py) and went on. Now we ask what it costs: how much friction a
 # block that is pinned to the ground takes for granted, what the block does where there is less, and
-# how to tell from a response whether the pins were good enough.
+# how to see from a response whether the pins were good enough.
 #
 # ## Aims
 #
 # After this notebook you can
 #
 # 1. give the friction that a pinned block needs, as it starts, as it rocks and as it lands;
-# 2. tell which of five motions a block begins from rest, and derive the borders between them;
+# 2. say which of five motions a block begins from rest, and derive the borders between them;
 # 3. derive an impact with friction, and say what its law may do wrong;
 # 4. decide from a response whether sliding matters, and follow it where it does.
 

@@ -28,7 +28,7 @@
 # After this notebook you can
 #
 # 1. find settlement, lift-off and the pushover curve from equilibrium, exactly;
-# 2. tell what linearising does, and explain a jump of 0.14 % where nothing jumps;
+# 2. say what linearising does, and explain a jump of 0.14 % where nothing jumps;
 # 3. see that "rotates about its centre" and "rotates about its foot" are results, not assumptions,
 #    and that they leave something open;
 # 4. derive the dynamics of the structure, and say what an equivalent cart gets wrong.

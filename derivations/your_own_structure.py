@@ -450,7 +450,7 @@ plt.show()
 # <details><summary>Solution 5</summary>
 #
 # On three feet the two equations of statics leave one force open: each choice of it gives the same
-# motion, but other feet that lift. The message proposes springs, whose compression tells the
+# motion, but other feet that lift. The message proposes springs, whose compression gives the
 # forces.
 #
 # </details>
