@@ -182,7 +182,7 @@ def by_model(model, mode, coordinates):
 
 
 def difference(one, other):
-    return (one - other).applyfunc(lambda e: sp.simplify(sp.expand_trig(e)))
+    return (one - other).applyfunc(lambda e: sp.trigsimp(sp.expand(sp.expand_trig(e))))
 
 
 rocking, *_ = block_at(lambda A: b * N.x - b * A.x)

@@ -94,7 +94,9 @@ def lagrange(model: Model, bodies, forces=()) -> sp.Matrix:
     back = {}
     for c, x_t in zip(model.coordinates, q, strict=True):
         back |= {c.position: x_t, c.velocity: x_t.diff(), c.acceleration: x_t.diff().diff()}
-    return (theirs - flight.xreplace(back)).applyfunc(lambda e: sp.simplify(sp.expand_trig(e)))
+    return (theirs - flight.xreplace(back)).applyfunc(
+        lambda e: sp.trigsimp(sp.expand(sp.expand_trig(e)))
+    )
 
 
 def pendulum() -> tuple[Any, Any]:
