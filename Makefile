@@ -13,10 +13,8 @@ FIRST   ?= 0
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
-run: $(VENV)/.test ## derive, generate and simulate the flexible structure under El Centro 1940, into out/
-	$(BIN)/rockeom derive flexible_structure
-	$(BIN)/rockeom generate
-	$(BIN)/python -m rockeom.cli.demo --out $(OUT)
+run: $(VENV)/.test ## derive, check and simulate a flexible structure under El Centro 1940, into out/
+	@$(BIN)/python -m rockeom.cli.demo --out $(OUT)
 
 # with bytecode: both workers, and the processes that tests start, read the same files
 test: $(VENV)/.test ## run the tests

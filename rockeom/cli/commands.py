@@ -11,13 +11,14 @@ from typing import Protocol, cast
 
 GROUPS = {
     "Start here": {
+        "assess": "will it overturn? a verdict, and a page, under a set of records",
         "models": "list the structures, or explain one and its parameters",
         "records": "list recorded earthquakes, or show one",
         "simulate": "simulate a structure under a ground motion",
         "animate": "make a film of a simulation (.gif, .html, .mp4)",
     },
     "Many motions": {
-        "assess": "will it overturn? a verdict, and a page, under a set of records",
+        "fragility": "probability of overturning against intensity, from a set of records",
         "report": "write one page on a structure under a set of records",
     },
     "Equations": {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 from rockeom.files import check_target
@@ -82,6 +83,24 @@ def words(pairs: list[str], option: str, example: str) -> dict[str, str]:
 def lists(text: str, said: str, option: str, example: str) -> list[float]:
     """The numbers of a list such as "20e3,20e3"."""
     return [_number(one, said, option, example) for one in text.split(",")]
+
+
+def spread(text: str, said: str, example: str, of: Callable[[str], float] = float) -> list[float]:
+    """The numbers of "0.1:0.3:5", five from 0.1 to 0.3 at even distances, or of "1,2,3".
+
+    of : reads one number; its ValueError, or a wrong form, is a UsageError that names `said`.
+    """
+    remedy = f"write first:last:number or a list, as in {example}"
+    parts = text.split(":")
+    try:
+        if len(parts) == 1:
+            return [of(one) for one in text.split(",")]
+        first, last, number = of(parts[0]), of(parts[1]), int(parts[2])
+    except (IndexError, ValueError) as error:
+        raise UsageError(f"{said}: {remedy} ({error})") from None
+    if len(parts) > 3 or number < 2:
+        raise UsageError(f"{said}: {remedy}, and at least two of them")
+    return [first + (last - first) * i / (number - 1) for i in range(number)]
 
 
 PICTURES = (".png", ".pdf", ".svg")

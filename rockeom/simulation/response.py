@@ -334,7 +334,7 @@ class Response:
         lines += self._impact_law()
         lines += self._uplift()
         if (rest := self.events.rest_time) is not None:
-            lines.append(f"Infinitely many impacts came to an end at {rest:.9g} s.")
+            lines.append(f"It last came to rest at {rest:.4g} s, after infinitely many impacts.")
         return "\n".join([*lines, self.support.describe(), *(f"Hint: {h}" for h in self.hints)])
 
     def _fallen(self) -> str:

@@ -1,6 +1,7 @@
-"""The main job: the steel column under El Centro, flexible beside rigid."""
+"""The main job: the steel column under El Centro, flexible and rigid."""
 
 import csv
+import re
 from pathlib import Path
 
 import pytest
@@ -16,8 +17,16 @@ def test_picture_summary_and_tables(tmp_path, capsys):
     folder = tmp_path / "out"
     assert demo.main(["--out", str(folder)]) == 0
     assert (folder / "el_centro.png").read_bytes().startswith(b"\x89PNG")
+    said = capsys.readouterr().out
+    assert len(said.splitlines()) <= 30
+    assert max(map(len, said.replace(str(folder), "out").splitlines())) <= 100
+    for step in ("1. Derived", "2. Compared", "they agree", "3. Simulated", "4. Drew"):
+        assert step in said
     text = (folder / "summary.txt").read_text(encoding="utf-8")
-    assert text in capsys.readouterr().out
+    times = re.findall(r"came to rest at (\S+ s)", said)
+    assert times == re.findall(r"came to rest at (\S+ s)", text)
+    assert len(times) == 3
+    assert "Equations of motion" in (folder / "equations.txt").read_text(encoding="utf-8")
     for word in (
         "El Centro",
         "0.8 g",
