@@ -195,7 +195,7 @@ def _unknown(words: Sequence[str]) -> str:
 def _message(error: Exception) -> str:
     if isinstance(error, OSError) and error.filename is not None:
         return f"{error.filename}: {error.strerror}. Check the path and the permissions."
-    return in_options(str(error))
+    return str(error) if isinstance(error, UsageError) else in_options(str(error))
 
 
 def _show_warning(message, category, filename, lineno, file=None, line=None) -> None:

@@ -54,9 +54,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except (rk.MotionError, OSError) as error:
         print(f"rockeom.cli.demo: {error}", file=sys.stderr)
         return 2
-    print(
-        "3. Simulated the column under the record, its time scaled to 1/5 and its peak to 0.8 g,"
-    )
+    print("3. Simulated the column under the record, its time scaled to 1/5 and its peak to 0.8 g,")
     print(f"   through every uplift and impact, in {time.perf_counter() - start:.1f} s:\n")
     print(textwrap.indent(short(runs), "   "))
     for name, run in runs.items():

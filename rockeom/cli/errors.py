@@ -14,8 +14,8 @@ class UsageError(ValueError):
 
 
 _OPTIONS = (
-    "columns|components|damping_ratio|dt|duration|end|frames_per_second|impact|initial|period|pga|"
-    "sa|speed|start|units|vertical"
+    "columns|components|damping_ratio|dt|duration|end|frames_per_second|impact|initial|output_step|"
+    "period|pga|sa|speed|start|units|vertical"
 )
 """Arguments of Python that an option of the same name gives."""
 
@@ -26,7 +26,16 @@ _REMEDIES = (
     (r"read it with GroundMotion\.from_at2", "let its name end in .AT2"),
     (r"^start and end are", "--start and --end are"),
     (rf"^({_OPTIONS}) (?=is|has|needs)", r"--\1 "),
-    (r"acceleration_column", "--columns"),
+    (r"^time is", "--time-scale is"),
+    (r"^acceleration is", "--acceleration-scale is"),
+    (r"\(start, end\)", "(--start, --end)"),
+    (r"draw fewer frames_per_second", "draw fewer --frames-per-second"),
+    (r"name acceleration_column", "name it by --columns"),
+    (r" \(numpy\.interp\) and give the arrays", ""),
+    (r"give another pattern", "name the files themselves"),
+    (r"give each one of its own, by dataclasses.replace\(motion, name=\.\.\.\)", "name it once"),
+    (r'scaled_to\("([\d.]+) (\S+)"\)', r"--pga \1\2"),
+    (r"got an unexpected keyword argument", "no argument is called"),
     (r"(?:rk\.)?GroundMotion\.none\(duration\)", "--free --duration S"),
     (r"support=rk\.Sliding\(\.\.\.\)", "--set support=sliding"),
     (r"rk\.SlidingBlock", "sliding_block"),
@@ -37,16 +46,24 @@ _REMEDIES = (
 )
 """Words of Python in errors, and those of the command line."""
 
+_MOST_LISTED = 6
+
 
 def in_options(message: str) -> str:
     """An error or a hint of the package, its remedies in the words of the command line.
+
+    Long lists of records are cut: a command shows them.
 
     >>> in_options("the file does not say its units. Remedy: say units=, one of m/s2, g.")
     'the file does not say its units. Remedy: say --units, one of m/s2, g.'
     """
     for python, here in _REMEDIES:
         message = re.sub(python, here, message)
-    return message
+    first, *listed = message.split("\n  ")
+    if len(listed) <= _MOST_LISTED:
+        return message
+    shown = [*listed[:_MOST_LISTED], "... (rockeom records lists all, and searches them by words)"]
+    return "\n  ".join([first, *shown])
 
 
 def numbers(pairs: list[str], option: str, example: str) -> dict[str, float]:
@@ -88,19 +105,33 @@ def lists(text: str, said: str, option: str, example: str) -> list[float]:
 def spread(text: str, said: str, example: str, of: Callable[[str], float] = float) -> list[float]:
     """The numbers of "0.1:0.3:5", five from 0.1 to 0.3 at even distances, or of "1,2,3".
 
-    of : reads one number; its ValueError, or a wrong form, is a UsageError that names `said`.
+    of : reads one number. Raises UsageError, naming `said`, for another form, for what is no
+    number, and for one that is named twice.
     """
-    remedy = f"write first:last:number or a list, as in {example}"
     parts = text.split(":")
-    try:
-        if len(parts) == 1:
-            return [of(one) for one in text.split(",")]
-        first, last, number = of(parts[0]), of(parts[1]), int(parts[2])
-    except (IndexError, ValueError) as error:
-        raise UsageError(f"{said}: {remedy} ({error})") from None
-    if len(parts) > 3 or number < 2:
-        raise UsageError(f"{said}: {remedy}, and at least two of them")
+    if len(parts) == 1:
+        found = [_read(one, said, of) for one in text.split(",")]
+        if len({*found}) < len(found):
+            raise UsageError(f"{said}: a value is named twice")
+        return found
+    if len(parts) != 3 or not parts[2].isdecimal() or int(parts[2]) < 2:
+        raise UsageError(
+            f"{said}: write first:last:number, two values or more, or a list, as in {example}"
+        )
+    first, last, number = _read(parts[0], said, of), _read(parts[1], said, of), int(parts[2])
+    if first == last:
+        raise UsageError(f"{said}: the first value is the last: write one that differs")
     return [first + (last - first) * i / (number - 1) for i in range(number)]
+
+
+def _read(text: str, said: str, of: Callable[[str], float]) -> float:
+    try:
+        return of(text)
+    except UsageError:
+        raise
+    except ValueError as error:
+        why = f"{text!r} is no number" if of is float else str(error)
+        raise UsageError(f"{said}: {why}") from None
 
 
 PICTURES = (".png", ".pdf", ".svg")

@@ -89,6 +89,8 @@ def run(args: argparse.Namespace) -> int:
     structure, law, intensity = made(args), impact_law(args.impact), _intensity(args)
     if (args.demand is None) != (args.limit is None):
         raise UsageError("--demand and --limit belong together, as in --demand theta --limit 0.05")
+    if args.limit is not None and not args.limit > 0.0:
+        raise UsageError(f"--limit {args.limit:g}: give a positive number, a largest size")
     if args.demand not in (None, *structure.states):
         raise UsageError(f"--demand {args.demand}: there are {', '.join(structure.states)}")
     if args.out is not None:

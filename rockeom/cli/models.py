@@ -21,6 +21,7 @@ from rockeom.modelling.named import (
 from rockeom.structures.base import Structure
 from rockeom.structures.classes import SHIPPED
 from rockeom.structures.impact_laws import Impulsive, default_law
+from rockeom.structures.parameters import ParameterError
 
 DESCRIPTION = """\
 List the structures, or explain one: its states, its parameters with units and meanings, and its
@@ -109,7 +110,12 @@ def made(args: argparse.Namespace) -> Structure:
             values[name] = text
         else:
             values |= numbers([f"{name}={text}"], "--set", example)
-    return structure(args.name, **values)
+    try:
+        return structure(args.name, **values)
+    except ParameterError as error:
+        raise UsageError(
+            f"{error}. Write --set NAME=VALUE ...; rockeom models {args.name} explains them"
+        ) from None
 
 
 def _list() -> str:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from rockeom.cli.errors import UsageError, numbers
-from rockeom.motion import GroundMotion, MotionSet, units
+from rockeom.cli.errors import UsageError, words
+from rockeom.motion import GroundMotion, MotionError, MotionSet, units
 from rockeom.motion.arguments import COMPONENTS, positive
+from rockeom.numbers.checks import near
 from rockeom.structures.parameters import check_names
 
 PULSES: dict[str, tuple[Callable[..., GroundMotion], set[str], set[str]]] = {
@@ -183,7 +185,10 @@ def records(args: argparse.Namespace) -> MotionSet:
         raise UsageError(
             f"--components {args.components} is for --records and for a folder: leave it out"
         )
-    return MotionSet([from_file(path, args) for path in args.motion], "files")
+    read = [from_file(path, args) for path in args.motion]
+    if len({motion.name for motion in read}) < len(read):  # files of one name in several folders
+        read = [replace(motion, name=path) for motion, path in zip(read, args.motion, strict=True)]
+    return MotionSet(read, "files")
 
 
 def _of_folder(path: str, args: argparse.Namespace) -> MotionSet:
@@ -240,8 +245,22 @@ def pulse(kind: str, *pairs: str) -> GroundMotion:
     and unknown names.
     """
     if kind not in PULSES:
-        raise UsageError(f"--pulse {kind}: there are {', '.join(PULSES)}")
+        raise UsageError(f"--pulse {kind}{near(kind, PULSES)}: there are {', '.join(PULSES)}")
     make, required, optional = PULSES[kind]
-    values = numbers(list(pairs), "--pulse", f"{kind} amplitude=4 period=0.5")
-    check_names(f"--pulse {kind}", required, required | optional, values)
-    return make(**values)
+    given = words(list(pairs), "--pulse", f"{kind} amplitude=4 period=0.5")
+    check_names(f"--pulse {kind}", required, required | optional, given)
+    try:
+        return make(**{name: _of_pulse(name, text) for name, text in given.items()})
+    except MotionError as error:
+        raise UsageError(f"--pulse {kind}: {error}") from None
+
+
+def _of_pulse(name: str, text: str) -> float:
+    """A number of a pulse; that of an acceleration may have its unit, as amplitude=0.3g."""
+    try:
+        return float(text)
+    except ValueError:
+        if name in ("amplitude", "acceleration"):
+            return float(units.acceleration(name, text))
+        said = f"--pulse {name}={text}"
+        raise UsageError(f"{said}: {text!r} is no number; write it without a unit") from None

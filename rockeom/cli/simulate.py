@@ -11,6 +11,7 @@ from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import add_motion, motions
 from rockeom.files import check_target
+from rockeom.numbers.checks import near
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import METHODS, SolverOptions
 from rockeom.simulation.response import Response
@@ -90,7 +91,7 @@ def add_case(parser: argparse.ArgumentParser) -> None:
         action="extend",
         default=[],
         metavar="STATE=VALUE",
-        help="states at the start, as theta=0.1; what is not named is zero",
+        help="states at the start, as theta=0.1 [rad] or theta_degrees=6; the others are zero",
     )
     parser.add_argument(
         "--impact", metavar="LAW", help=f"what an impact does: {', '.join(LAWS)}; energy-ratio=0.9"
@@ -194,10 +195,17 @@ def _write(response: Response, one: Case, args: argparse.Namespace) -> list[Path
 def impact_law(text: str | None) -> ImpactLaw | None:
     """The law that "energy-ratio=0.74" and the like name; None for None.
 
-    Raises UsageError naming all laws for another text.
+    Raises UsageError naming all laws for another text, and for a ratio that cannot be.
     """
-    if text is None:
-        return None
+    try:
+        return None if text is None else _law(text)
+    except UsageError:
+        raise
+    except ValueError as error:
+        raise UsageError(f"--impact {text}: {error}") from None
+
+
+def _law(text: str) -> ImpactLaw:
     if text in _PLAIN:
         return _PLAIN[text]
     name, sign, value = text.partition("=")
@@ -208,6 +216,6 @@ def impact_law(text: str | None) -> ImpactLaw | None:
     if name in _RATIOS and sign:
         return _RATIOS[name](numbers([text], "--impact", f"{name}=0.8")[name])
     raise UsageError(
-        f"--impact {text}: there are {', '.join(_PLAIN)}, "
+        f"--impact {text}{near(text, LAWS)}: there are {', '.join(_PLAIN)}, "
         f"{' and '.join(f'{ratio}=NUMBER' for ratio in _RATIOS)}"
     )
