@@ -7,7 +7,6 @@ import csv
 import io
 import sys
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -16,9 +15,9 @@ import xarray as xr
 
 from rockeom.analysis.risk.fragility import Fragility, fragility_of
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
-from rockeom.cli.errors import UsageError, spread
+from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_structure, made
-from rockeom.cli.motions import SETS, acceleration, add_records, records
+from rockeom.cli.motions import SETS, accelerations, add_records, records
 from rockeom.cli.simulate import check_folder, impact_law
 from rockeom.drawing.style import save_figure
 from rockeom.files import write
@@ -44,12 +43,11 @@ examples:
   rockeom fragility rigid_block --set half_width=0.25 half_height=1.0 --records far field \\
       --pga 0.1g:1.0g:10 --out block
   rockeom fragility rigid_block --set half_width=0.25 half_height=1.0 --motion records/ \\
-      --sa 0.1g,0.2g,0.4g,0.8g --period 1.0
+      --sa 0.1g 0.2g 0.4g 0.8g --period 1.0
   rockeom fragility rigid_block --set half_width=0.25 half_height=1.0 --records far field \\
       --pga 0.1g:0.6g:6 --demand theta --limit 0.05
 """
-_EXAMPLE = "0.1g:1.0g:10 or 0.2g,0.4g,0.8g"
-_LEVELS = "0.1g:1.0g:10, ten from 0.1 to 1.0 g, or 0.2g,0.4g,0.8g; numbers alone are m/s2"
+_LEVELS = "0.1g:1.0g:10, ten from 0.1 to 1.0 g, or 0.2g 0.4g 0.8g; numbers alone are m/s2"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -60,9 +58,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_records(parser)
     intensity = parser.add_argument_group("intensities (one of the first two)")
     one = intensity.add_mutually_exclusive_group(required=True)
-    one.add_argument("--pga", metavar="VALUES", help=f"largest accelerations: {_LEVELS}")
+    one.add_argument("--pga", nargs="+", metavar="VALUES", help=f"largest accelerations: {_LEVELS}")
     one.add_argument(
-        "--sa", metavar="VALUES", help="spectral accelerations at --period, 5 %% damped, alike"
+        "--sa",
+        nargs="+",
+        metavar="VALUES",
+        help="spectral accelerations at --period, 5 %% damped, alike",
     )
     intensity.add_argument("--period", type=float, metavar="S", help="of --sa [s]")
     limit = parser.add_argument_group("limit; overturning if not given")
@@ -120,13 +121,12 @@ def run(args: argparse.Namespace) -> int:
 
 def _intensity(args: argparse.Namespace) -> Intensity:
     if (args.sa is None) != (args.period is None):
-        raise UsageError("--sa and --period belong together, as in --sa 0.2g,0.4g --period 1.0")
+        raise UsageError("--sa and --period belong together, as in --sa 0.2g 0.4g --period 1.0")
     name = "pga" if args.sa is None else "sa"
-    option, text = f"--{name}", getattr(args, name)
-    read = partial(acceleration, option=option)
-    values = [x / STANDARD_GRAVITY for x in spread(text, f"{option} {text}", _EXAMPLE, read)]
-    if len({*values}) < 2:
-        raise UsageError(f"{option} {text}: give two values or more, as {_EXAMPLE}")
+    given, option = getattr(args, name), f"--{name}"
+    values = [x / STANDARD_GRAVITY for x in accelerations(given, option)]
+    if not 1 < len({*values}) == len(values):
+        raise UsageError(f"{option} {' '.join(given)}: give two values or more, each once")
     if name == "pga":
         return Intensity(
             name, "peak ground acceleration", values, lambda motion, x: motion.scaled_to(pga=x)

@@ -111,11 +111,27 @@ def made(args: argparse.Namespace) -> Structure:
         else:
             values |= numbers([f"{name}={text}"], "--set", example)
     try:
+        if _FULL & values.keys() - of.defaults().keys() and hasattr(of, "from_dimensions"):
+            return _of_dimensions(of, values)
         return structure(args.name, **values)
     except ParameterError as error:
         raise UsageError(
             f"{error}. Write --set NAME=VALUE ...; rockeom models {args.name} explains them"
         ) from None
+
+
+_FULL = frozenset({"width", "height", "centroid_height", "offset"})
+"""Full dimensions of a block, by which it may be given as well."""
+
+
+def _of_dimensions(of: Any, values: dict[str, Any]) -> Structure:
+    missing = [name for name in ("width", "height") if name not in values]
+    if missing:
+        raise UsageError(
+            f"--set has no {' and no '.join(missing)}: write --set width=0.6 height=2.0, the full "
+            "dimensions [m], or half_width and half_height"
+        )
+    return of.from_dimensions(**values)
 
 
 def _list() -> str:

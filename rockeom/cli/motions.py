@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rockeom.cli.errors import UsageError, words
+from rockeom.cli.errors import UsageError, spread, words
 from rockeom.motion import GroundMotion, MotionError, MotionSet, units
 from rockeom.motion.arguments import COMPONENTS, positive
 from rockeom.numbers.checks import near
@@ -171,6 +172,16 @@ def acceleration(text: str, option: str) -> float:
     except ValueError:
         value = units.acceleration(option, text)
     return positive(option, value)
+
+
+def accelerations(given: Sequence[str], option: str) -> list[float]:
+    """Accelerations [m/s2], such as "0.2g", "0.4g", or "0.1g:1.0g:10", ten of them.
+
+    Raises UsageError, or MotionError as `acceleration`.
+    """
+    read = partial(acceleration, option=option)
+    example = f"{option} 0.1g:1.0g:10 or {option} 0.2g 0.4g 0.8g"
+    return [x for one in given for x in spread(one, f"{option} {one}", example, read)]
 
 
 def records(args: argparse.Namespace) -> MotionSet:

@@ -79,6 +79,6 @@ def test_structure_that_cannot_be_is_named(record, given, words, capsys):
 
 
 def test_folder_without_records_is_named(tmp_path, capsys):
-    for folder in (tmp_path, tmp_path / "none"):
-        assert main(["assess", *BLOCK, "--folder", str(folder)]) == 2
+    for folder in (tmp_path, tmp_path / "none.AT2"):
+        assert main(["assess", *BLOCK, "--motion", str(folder)]) == 2
         assert str(folder) in capsys.readouterr().err

@@ -294,7 +294,7 @@ BAD = {
     ),
     "output step of zero": (
         f"--set {WIDTH} {HEIGHT} {SHAKE} --output-step 0",
-        ["output_step", "0"],
+        ["--output-step", "0"],
     ),
     "file as folder": (
         f"--set {WIDTH} {HEIGHT} {SHAKE} --out {{files}}/nan.AT2",
