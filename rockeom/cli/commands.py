@@ -18,6 +18,7 @@ GROUPS = {
         "animate": "make a film of a simulation (.gif, .html, .mp4)",
     },
     "Many motions": {
+        "sweep": "vary numbers of a simulation and map what happens",
         "fragility": "probability of overturning against intensity, from a set of records",
         "report": "write one page on a structure under a set of records",
     },

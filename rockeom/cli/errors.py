@@ -26,6 +26,7 @@ _REMEDIES = (
     (r"read it with GroundMotion\.from_at2", "let its name end in .AT2"),
     (r"^start and end are", "--start and --end are"),
     (rf"^({_OPTIONS}) (?=is|has|needs)", r"--\1 "),
+    (r"^over: ", "--over: "),
     (r"^time is", "--time-scale is"),
     (r"^acceleration is", "--acceleration-scale is"),
     (r"\(start, end\)", "(--start, --end)"),

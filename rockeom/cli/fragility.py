@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from rockeom.analysis.risk.fragility import Fragility, fragility_of
+from rockeom.analysis.risk.fragility import Fragility, fit_fragility
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
 from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_structure, made
@@ -106,15 +106,12 @@ def run(args: argparse.Namespace) -> int:
     levels = xr.DataArray(intensity.values, dims=intensity.name, attrs=about)
     print(f"simulating {len(levels) * len(motions)} motions ...", file=sys.stderr)
     sweep = simulate_many(case, over={intensity.name: levels, "record": list(motions)})
-    print(_observed(sweep, args, intensity))
-    try:
-        curve = fragility_of(sweep, intensity=intensity.name, demand=args.demand, limit=args.limit)
-    except ValueError as error:
-        said = str(error).removeprefix("fit_fragility: ").replace("intensities", "values")
-        raise UsageError(f"no curve fits these observations: {said} (--{intensity.name})") from None
+    found = _observed(sweep, args)
+    print(_table(found, args, intensity))
+    curve = _fit(found, args, intensity)
     print(_fitted(curve))
     if args.out is not None:
-        for path in _write(sweep, curve, intensity, args):
+        for path in _write(found, curve, intensity, args):
             print(f"wrote {path}")
     return 0
 
@@ -139,62 +136,100 @@ def _intensity(args: argparse.Namespace) -> Intensity:
     )
 
 
-def _observed(sweep: xr.Dataset, args: argparse.Namespace, intensity: Intensity) -> str:
+class Observed(NamedTuple):
+    """Whether each motion exceeds the limit and whether it has an answer, (intensity, record)."""
+
+    exceeds: xr.DataArray
+    answered: xr.DataArray
+
+    @property
+    def counts(self) -> tuple[np.ndarray, np.ndarray]:
+        """(n,) numbers of records that exceed the limit, and of those with an answer."""
+        return (
+            (self.exceeds & self.answered).sum("record").values,
+            self.answered.sum("record").values,
+        )
+
+
+def _observed(sweep: xr.Dataset, args: argparse.Namespace) -> Observed:
+    labels = outcome_labels(sweep)
+    exceeds = fell = labels == FALLS
+    if args.demand is not None:
+        exceeds = fell | (peaks_of(sweep, args.demand) >= args.limit)
+    return Observed(exceeds, fell | labels.isin(STANDS))
+
+
+def _fit(found: Observed, args: argparse.Namespace, intensity: Intensity) -> Fragility:
+    """The curve; raises UsageError, with the option to change, where there is none."""
+    answered, exceeds = found.answered, found.exceeds
+    levels, records = xr.broadcast(answered[intensity.name], answered["record"])
+    rows = answered.values
+    try:
+        return fit_fragility(
+            levels.transpose(*answered.dims).values[rows],
+            exceeds.transpose(*answered.dims).values[rows],
+            left_out=int((~rows).sum()),
+            group=records.transpose(*answered.dims).values[rows],
+        )
+    except ValueError as error:
+        said = str(error).removeprefix("fit_fragility: ").replace("intensities", "values")
+        given = " ".join(getattr(args, intensity.name))
+        raise UsageError(
+            f"no curve fits these observations: {said} (--{intensity.name} {given})"
+        ) from None
+
+
+def _table(found: Observed, args: argparse.Namespace, intensity: Intensity) -> str:
     """How many records exceed the limit at each intensity."""
     what = "overturned" if args.demand is None else f"reached {args.demand} = {args.limit:g}"
-    exceeded, number = _counts(sweep, args)
+    exceeded, number = found.counts
     lines = [
-        f"{args.name} under {sweep.sizes['record']} records, each scaled to "
+        f"{args.name} under {found.answered.sizes['record']} records, each scaled to "
         f"{len(intensity.values)} values of {intensity.meaning}:"
     ]
     lines += [
         f"  {level:6.3g} g: {hits:3d} of {of} {what}"
         for level, hits, of in zip(intensity.values, exceeded, number, strict=True)
     ]
-    if lost := sweep.sizes["record"] * len(intensity.values) - number.sum():
+    if lost := int((~found.answered).sum()):
         lines.append(f"{lost} motions without an answer are left out.")
     return "\n".join(lines)
 
 
-def _counts(sweep: xr.Dataset, args: argparse.Namespace) -> tuple[np.ndarray, np.ndarray]:
-    """(n,) numbers of records that exceed the limit, and of those with an answer."""
-    labels = outcome_labels(sweep)
-    exceeds = fell = labels == FALLS
-    if args.demand is not None:
-        exceeds = fell | (peaks_of(sweep, args.demand) >= args.limit)
-    answered = fell | labels.isin(STANDS)
-    return (exceeds & answered).sum("record").values, answered.sum("record").values
-
-
 def _fitted(curve: Fragility) -> str:
-    doubt = 1.96 * np.sqrt(np.diag(curve.covariance))
-    return (
-        f"Median {curve.median:.3g} g (95 % interval {curve.median - doubt[0]:.3g} to "
-        f"{curve.median + doubt[0]:.3g} g), dispersion {curve.dispersion:.2g}: lognormal curve of "
-        "maximum likelihood."
-    )
+    """The intensities at 5 and 50 percent with their intervals."""
+    lines = ["Lognormal curve of maximum likelihood, with intervals of 95 % between records:"]
+    for part in (0.05, 0.5):
+        x = curve.quantile(part)
+        lines.append(f"  {part:.0%}: {x.value:.3g} g ({x.lower:.3g} to {x.upper:.3g} g)")
+    return "\n".join([*lines, f"  dispersion {curve.dispersion:.2g}"])
 
 
 def _write(
-    sweep: xr.Dataset, curve: Fragility, intensity: Intensity, args: argparse.Namespace
+    found: Observed, curve: Fragility, intensity: Intensity, args: argparse.Namespace
 ) -> list[Path]:
     args.out.mkdir(parents=True, exist_ok=True)
     table, picture = args.out / "fragility.csv", args.out / "fragility.png"
     low, high = curve.bounds(intensity.values)
-    columns = [
-        intensity.values,
-        *_counts(sweep, args),
-        curve.probability(intensity.values),
-        low,
-        high,
-    ]
+    exceeded, number = found.counts
     text = io.StringIO(newline="")
     writer = csv.writer(text)
     writer.writerow(
         [f"{intensity.name} [g]", "exceeded", "motions", "probability", "lower", "upper"]
     )
-    writer.writerows(zip(*(np.round(column, 9).tolist() for column in columns), strict=True))
+    for x, hits, of, *rest in zip(
+        intensity.values,
+        exceeded,
+        number,
+        curve.probability(intensity.values),
+        low,
+        high,
+        strict=True,
+    ):
+        writer.writerow([f"{x:.9g}", hits, of, *(f"{p:.6g}" for p in rest)])
     write(table, text.getvalue())
-    figure = fragility_curve(sweep, intensity=intensity.name, demand=args.demand, limit=args.limit)
+    figure = fragility_curve(curve, intensity=f"{intensity.meaning} [g]")
+    if args.demand is None:
+        figure.axes[0].set_ylabel("probability of overturning [-]")
     save_figure(figure, picture)
     return [table, picture]

@@ -305,7 +305,7 @@ def fragility_curve(
     result : a sweep, or a curve that `analysis.risk.fit_fragility` has fitted.
     intensity, demand, limit : as of `analysis.fragility_of`; of overturning without the latter two.
         `intensity` labels the axis of a curve that is given.
-    level : probability of the bounds at an intensity; they come from the Fisher information.
+    level : probability of the bounds at an intensity, which come from the covariance of the curve.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
 
     Dots are the fractions observed. Raises ValueError where no curve is most likely, as
@@ -323,7 +323,7 @@ def fragility_curve(
     im = np.linspace(1e-3 * end, end, 400)
     low, high = curve.bounds(im, level)
     ax.fill_between(
-        im, low, high, facecolor="#cfe0ee", lw=0, label=f"{100 * level:g} % confidence, Fisher"
+        im, low, high, facecolor="#cfe0ee", lw=0, label=f"{100 * level:g} % confidence"
     )
     ax.plot(im, curve.probability(im), color=style.LINES[0], lw=1.6, label="maximum likelihood")
     ax.plot(levels, fractions, "o", color=style.INK, mfc="white", ms=4.5, zorder=4,
