@@ -248,7 +248,7 @@ def test_fragility_curve_shows_the_fit_its_bounds_and_the_fractions():
     low, high = curve.bounds(line.get_xdata()[200], 0.8)
     there = corners[np.isclose(corners[:, 0], line.get_xdata()[200])]
     assert {*np.round(there[:, 1], 12)} == {*np.round([low, high], 12)}
-    assert "80 % confidence, Fisher" in band.get_label()
+    assert "80 % confidence" in band.get_label()
     assert ax.get_xlabel() == "peak ground acceleration [m/s2]"
     fit = f"median {curve.median:.4g} m/s2, dispersion {curve.dispersion:.3g}"
     assert ax.get_title() == f"{fit}, 11 motions, 1 without an answer left out"
