@@ -52,6 +52,10 @@ def run(args: argparse.Namespace) -> int:
     check_file(args.out)  # before the simulation, not after
     response = simulated(one, SolverOptions(args.method))
     print(response.outcome.sentence)
+    last = float(response.t[-1])
+    if args.end is not None and last < args.end <= response.duration:
+        print(f"It ends there, at {last:.4g} s.")  # before the shaking, as who overturns
+        args.end = last
     film: Animation = animate(
         response,
         start=args.start,

@@ -322,9 +322,7 @@ def fragility_curve(
     end = 1.05 * max(levels[-1], curve.median)
     im = np.linspace(1e-3 * end, end, 400)
     low, high = curve.bounds(im, level)
-    ax.fill_between(
-        im, low, high, facecolor="#cfe0ee", lw=0, label=f"{100 * level:g} % confidence"
-    )
+    ax.fill_between(im, low, high, facecolor="#cfe0ee", lw=0, label=f"{100 * level:g} % confidence")
     ax.plot(im, curve.probability(im), color=style.LINES[0], lw=1.6, label="maximum likelihood")
     ax.plot(levels, fractions, "o", color=style.INK, mfc="white", ms=4.5, zorder=4,
             label="observed", clip_on=False)  # fmt: skip
