@@ -27,7 +27,7 @@ Does a structure uplift, rock or overturn in an earthquake?
 {_GROUPS}
 
 A first simulation, and the options of a command:
-  rockeom simulate rigid_block --set half_width=0.3 half_height=1.2 --record El Centro 1940 180
+  rockeom simulate rigid_block --set width=0.6 height=2.4 --record El Centro 1940 180 --pga 0.4g
   rockeom simulate --help
 """
 _THESIS = f"""\

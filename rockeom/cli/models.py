@@ -185,9 +185,21 @@ def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
             *_aligned(facts),
             "",
             *_aligned(_parameters(of, module)),
+            *_by_dimensions(of),
             *_of_support(of, module, arguments),
         ]
     )
+
+
+def _by_dimensions(of: type[Structure]) -> list[str]:
+    """The other way to give a block, where there is one."""
+    if not hasattr(of, "from_dimensions"):
+        return []
+    return [
+        "",
+        "Or by full dimensions [m] in place of half_width and half_height:",
+        "  width= height= [centroid_height= above it] [offset= of the centroid, to the right]",
+    ]
 
 
 def _of_support(

@@ -35,7 +35,7 @@ rockeom simulate NAME --set PARAMETER=VALUE ... [--initial STATE=VALUE ...] [--i
          [--duration S] [--out DIR] [more options, see --help]
 """
 EPILOG = """\
-pulses (accelerations in m/s2, times in s; arguments in brackets may be left out):
+pulses (accelerations in m/s2, or as amplitude=0.3g; times in s; those in brackets may be left out):
   constant             acceleration= duration= [total_duration=]
   half-sine            amplitude= period= [duration=]
   single-sine          amplitude= period= [duration=]

@@ -232,7 +232,7 @@ def rocking_spectrum(
     rows = top * (1.0 + 0.2 * (np.arange(lines.shape[1]) + 0.5) / lines.shape[1])
     looks = _looks(ax, sweep, by, lines.shape[1])
     for line, lost, row, look in zip(lines.T, down.T, rows, looks, strict=True):
-        ax.plot(at, line, **look)
+        ax.plot(at, line, marker=".", markevery=_alone(line), **look)
         ax.plot(at[lost], np.full(lost.sum(), row), "^", color=look["color"], ms=3.5, mew=0)
     for part, dashes in zip(fractiles, _STYLES, strict=False):
         ax.plot(at, _not_exceeded(lines, down, part), ls=dashes, color=style.LINES[1], lw=1.8,
@@ -250,6 +250,12 @@ def rocking_spectrum(
         ax.legend(title=title, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
     _entitle(ax, sweep, lines.size)
     return style.parent_figure(ax)
+
+
+def _alone(line: np.ndarray) -> list[int]:
+    """Places of values that no line leads to: both neighbours are nan, or there is none."""
+    there = np.pad(np.isfinite(line), 1)
+    return np.flatnonzero(there[1:-1] & ~there[:-2] & ~there[2:]).tolist()
 
 
 def _not_exceeded(lines: np.ndarray, down: np.ndarray, part: float) -> np.ndarray:
