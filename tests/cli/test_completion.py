@@ -52,7 +52,7 @@ needs_bash = pytest.mark.skipif(BASH is None, reason="there is no bash here")
 @pytest.mark.parametrize(
     ("words", "expected"),
     [
-        (["rockeom", "s"], {"simulate"}),
+        (["rockeom", "s"], {"simulate", "sweep"}),
         (["rockeom", "simulate", "--m"], {"--motion", "--method"}),
         (["rockeom", "simulate", "rigid_block", "--method", ""], {"DOP853", "RK45", "Radau"}),
         (["rockeom", "simulate", "rigid_b"], {"rigid_block"}),
@@ -119,7 +119,7 @@ def test_other_shells_take_their_scripts(shell, tmp_path):
 @pytest.mark.parametrize(
     ("line", "expected"),
     [
-        ("rockeom s", {"simulate"}),
+        ("rockeom s", {"simulate", "sweep"}),
         ("rockeom thesis s", {"statements"}),
         ("rockeom simulate --m", {"--motion", "--method"}),
         ("rockeom simulate rigid_block --method ", {"DOP853", "RK45", "Radau"}),
