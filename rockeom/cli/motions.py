@@ -9,7 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rockeom.cli.errors import UsageError, spread, words
+from rockeom.cli.errors import UsageError, in_options, spread, words
 from rockeom.motion import GroundMotion, MotionError, MotionSet, units
 from rockeom.motion.arguments import COMPONENTS, positive
 from rockeom.numbers.checks import near
@@ -207,7 +207,11 @@ def _of_folder(path: str, args: argparse.Namespace) -> MotionSet:
         if getattr(args, option) is not None:
             raise UsageError(f"--{option} is for files: name them, as {path}/*.txt")
     components = args.components or "horizontal"
-    return MotionSet.from_folder(path, units=args.units, components=components)
+    try:
+        return MotionSet.from_folder(path, units=args.units, components=components)
+    except MotionError as error:
+        files = f"--motion {path}/*.txt --units g"
+        raise UsageError(f"{in_options(str(error))}; other files are given by {files}") from None
 
 
 def from_file(path: str, args: argparse.Namespace) -> GroundMotion:

@@ -81,4 +81,7 @@ def test_structure_that_cannot_be_is_named(record, given, words, capsys):
 def test_folder_without_records_is_named(tmp_path, capsys):
     for folder in (tmp_path, tmp_path / "none.AT2"):
         assert main(["assess", *BLOCK, "--motion", str(folder)]) == 2
-        assert str(folder) in capsys.readouterr().err
+        said = capsys.readouterr().err
+        assert str(folder) in said
+    assert main(["assess", *BLOCK, "--motion", str(tmp_path)]) == 2
+    assert f"--motion {tmp_path}/*.txt --units g" in capsys.readouterr().err
