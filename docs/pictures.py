@@ -1,41 +1,126 @@
 """Draw the pictures of README.md into docs/images: ``python docs/pictures.py``."""
 
+import io
 from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image
 
 import rockeom as rk
 from rockeom.cli import demo
-from rockeom.drawing.style import new_figure
-from rockeom.plots import draw_structure
+from rockeom.drawing import style
+from rockeom.plots import animate, draw_structure
 
 FOLDER = Path(__file__).parent / "images"
+FRAMES_PER_SECOND = 15.0
+SKETCH = 1.5, 1.4  # in
+
+COLUMN = {**demo.COLUMN, "stiffness": demo.STIFFNESS, "damping": demo.DAMPING}
+MAIN = {
+    "rigid_block": (rk.RigidBlock(half_width=0.2, half_height=0.7), {"theta": 0.12}),
+    "sliding_block": (
+        rk.SlidingBlock(half_width=0.3, half_height=0.5, friction=0.4, restitution=0),
+        {"theta": 0.1, "x": 0.1},
+    ),
+    "stacked_blocks": (
+        rk.StackedBlocks(
+            lower_half_width=0.4, lower_half_height=0.3, upper_half_width=0.2, upper_half_height=0.4
+        ),
+        {"phi": 0.15},
+    ),
+    "flexible_structure": (rk.FlexibleStructure(**COLUMN), {"theta": 0.1, "u": 0.1}),
+    "shear_frame": (
+        rk.ShearFrame(
+            masses=[20e3, 20e3, 15e3],
+            heights=[3.5, 7.0, 10.5],
+            stiffnesses=[30e6, 30e6, 20e6],
+            dampings=[150e3, 150e3, 100e3],
+            half_width=2.5,
+            base_mass=30e3,
+            base_inertia=4e4,
+        ),
+        {"theta": 0.06, "u_1": 0.2, "u_2": 0.4, "u_3": 0.5},
+    ),
+    "rocking_frame": (
+        rk.RockingFrame(
+            columns=3, half_width=0.5, half_height=3.0, column_mass=10e3, beam_mass=60e3
+        ),
+        {"theta": 0.1},
+    ),
+    "controlled_wall": (rk.ControlledWall.thesis(initial_force=111e3), {"theta": 0.03}),
+    "wall_with_frame": (
+        rk.WallWithFrame(
+            mass=40e3,
+            half_width=1.0,
+            height=4.0,
+            inertia=2e5,
+            frame_mass=60e3,
+            frame_stiffness=5e6,
+            frame_damping=5e4,
+            link_height=6.5,
+            link_stiffness=5e6,
+            link_damping=0.0,
+        ),
+        {"theta": 0.05, "u": 0.3},
+    ),
+}
+"""The structures of README.md, and the states in which they are drawn."""
 
 
-def structures():
-    """The four kinds of structure, tilted so far that their feet can be told apart."""
-    shown = {
-        "RigidBlock": (rk.RigidBlock(half_width=0.095, half_height=0.45), {"theta": 0.1}),
-        "LumpedMassStructure": (rk.LumpedMassStructure(**demo.COLUMN), {"theta": 0.1}),
-        "TwoSpringStructure": (
-            rk.TwoSpringStructure(
-                **demo.COLUMN, foundation_stiffness=550e3, foundation_damping=3e3
-            ),
-            {"theta": 0.07},
-        ),
-        "FlexibleStructure": (
-            rk.FlexibleStructure(**demo.COLUMN, stiffness=demo.STIFFNESS, damping=demo.DAMPING),
-            {"theta": 0.1, "u": 0.1},
-        ),
-    }
-    figure = new_figure(8.0, 2.5)
-    for ax, (name, (structure, state)) in zip(
-        figure.subplots(1, len(shown)), shown.items(), strict=True
-    ):
-        draw_structure(structure, state=state, ax=ax)
-        ax.set_title(name, fontsize=8)
+def sketch(name: str) -> Any:
+    structure, state = MAIN[name]
+    figure = style.new_figure(*SKETCH)
+    figure.set_layout_engine("none")
+    ax = figure.add_axes((0.0, 0.0, 1.0, 1.0))
+    draw_structure(structure, state=state, ax=ax)
+    for text in ax.texts:
+        text.remove()
+    ax.margins(0.15, 0.1)
     return figure
+
+
+def statue(end: float = 7.0) -> list[Image.Image]:
+    """A statue under El Centro 1940, which rocks at a peak of 0.5 g and falls at 0.6 g."""
+    block = rk.RigidBlock(half_width=0.25, half_height=0.9)
+    record = rk.GroundMotion.from_library("El Centro 1940 180")
+    runs = {g: rk.simulate(block, record.scaled_to(g * 9.81)) for g in (0.5, 0.6)}
+    times = np.arange(0.0, end, 1.0 / FRAMES_PER_SECOND)
+    return [_frame(runs, record, float(t)) for t in times]
+
+
+def _frame(runs: dict[float, rk.Response], record: rk.GroundMotion, t: float) -> Image.Image:
+    figure = style.new_figure(6.4, 3.4)
+    figure.set_layout_engine("none")
+    drawings = figure.subplots(
+        1, 2, gridspec_kw={"bottom": 0.27, "top": 0.9, "left": 0.02, "right": 0.98, "wspace": 0.02}
+    )
+    for ax, (g, run) in zip(drawings, runs.items(), strict=True):
+        now = min(t, float(run.t[-1]))
+        animate(run, start=now - 1e-3 if now else 0.0, end=now or 1e-3).draw(0, ax)
+        ax.set(xlim=(-2.2, 1.3), ylim=(-0.15, 2.1), title=f"peak {g} g")
+    trace = figure.add_axes((0.08, 0.07, 0.86, 0.16))
+    samples = np.linspace(0.0, 8.0, 1601)
+    trace.plot(samples, record.acceleration(samples), color=style.INK, lw=0.7)
+    trace.axvline(t, color=style.LINES[1], lw=1.5)
+    trace.set(xlim=(0.0, 8.0), yticks=[], xlabel="")
+    trace.text(1.01, -0.35, "s", transform=trace.transAxes)
+    data = io.BytesIO()
+    figure.savefig(data, dpi=80)
+    return Image.open(data).convert("P", palette=Image.Palette.ADAPTIVE, colors=32)
 
 
 if __name__ == "__main__":
     FOLDER.mkdir(exist_ok=True)
-    structures().savefig(FOLDER / "structures.png", dpi=110)
+    for name in MAIN:
+        sketch(name).savefig(FOLDER / f"{name}.png", dpi=110)
+    first, *others = statue()
+    first.save(
+        FOLDER / "statue.gif",
+        save_all=True,
+        append_images=[*others, *[others[-1]] * 15],
+        duration=1000.0 / FRAMES_PER_SECOND,
+        loop=0,
+        optimize=True,
+    )
     demo.draw(demo.simulate_all(demo.el_centro()), FOLDER / "el_centro.png", dpi=110)
