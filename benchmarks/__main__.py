@@ -219,7 +219,7 @@ def others(quick: bool) -> list[dict]:
         }
         for way in ("at once", "one by one")
     ]
-    rows += sliding(quick)
+    rows += [by_names(quick), *sliding(quick)]
     if (os.cpu_count() or 1) < 2:
         rows.append({"what": "two threads", "how": "", "measured": "one core only", "goal": ""})
     else:
@@ -239,6 +239,21 @@ def others(quick: bool) -> list[dict]:
             }
         )
     return rows
+
+
+def by_names(quick: bool) -> dict:
+    """A sweep by names against one of a function, whose results are the same to the last bit."""
+    progress("pulses by names and by a function")
+    n = 100 if quick else 400
+    runs = with_rockeom.names_and_function(n)
+    same = runs["names"]().equals(runs["function"]())
+    measured = timing.in_turns(runs, 3 if quick else 7)
+    return {
+        "what": "a sweep by names against one of a function",
+        "how": f"{n * n:,} pulses by rk.simulate_many, {'the same' if same else 'OTHER'} bits",
+        "measured": report.times(measured["names"].ratio_to(measured["function"])),
+        "goal": "1.1",
+    }
 
 
 def sliding(quick: bool) -> list[dict]:

@@ -134,6 +134,24 @@ def pulse_map(solver: rk.SolverOptions, threads: int = 1, stride: int = 1) -> Ca
     return call
 
 
+BY_NAMES = Case(w.BLOCK, rk.GroundMotion.single_sine(3.0, 0.8, duration=8.0))
+
+
+def _of_names(frequency: float, amplitude: float) -> Case:
+    return Case(w.BLOCK, rk.GroundMotion.single_sine(amplitude, 1 / frequency, duration=8.0))
+
+
+def map_by(case: Case | Callable[..., Case], n: int) -> Callable[[], rk.Sweep]:
+    """n times n pulses on one core, by the names of a case's numbers or by a function."""
+    over = {"frequency": np.linspace(0.5, 4.0, n), "amplitude": np.linspace(1.0, 8.0, n)}
+    how = rk.SweepOptions(threads=1, progress=False)
+    return lambda: rk.simulate_many(case, over, sweep_options=how)
+
+
+def names_and_function(n: int) -> dict[str, Callable[[], rk.Sweep]]:
+    return {"names": map_by(BY_NAMES, n), "function": map_by(_of_names, n)}
+
+
 def sweep(name: str, case: Callable[[float], Case], values, **changes) -> Callable:
     """A workload by simulate_many on one core, from the values to a labelled dataset."""
 

@@ -8,7 +8,7 @@ two parts have.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -165,6 +165,11 @@ class OtherCase:
         parts = {name: x for name, x in values.items() if name in PARTS}
         case = replace(self.case, **parts) if parts else self.case
         return with_numbers(case, [(n, values[name]) for name, n in self.numbers.items()])
+
+
+def function_of(case: Case | Callable[..., Case], names: Sequence[str]) -> Callable[..., Case]:
+    """A function of a sweep as it is, or that of the names of a case's numbers."""
+    return OtherCase(case, tuple(names)) if isinstance(case, Case) else case
 
 
 def sweep_of(case: Case, cases: Cases) -> tuple[OtherCase, Cases]:

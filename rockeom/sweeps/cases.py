@@ -278,12 +278,13 @@ def made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
 class Batch(NamedTuple):
     """Cases that a thread runs at a time, and their rows in the results.
 
-    cases : where they were made one by one; else none.
+    cases : where they were made one by one; else none. of : the cases of which these are some.
     """
 
     rows: np.ndarray
     problems: Problems
     cases: list[Case]
+    of: Cases | None = None
 
 
 @dataclass(frozen=True)
@@ -338,7 +339,8 @@ class Source:
     def one_by_one(self, rows: np.ndarray) -> Batch:
         points = zip(*(place.tolist() for place in self.cases.places(rows)), strict=True)
         pairs = [self.made(point) for point in points]
-        return Batch(rows, Problems.of([q for _, q in pairs]), [case for case, _ in pairs])
+        problems = Problems.of([q for _, q in pairs])
+        return Batch(rows, problems, [case for case, _ in pairs], self.cases)
 
     def together(self, rows: np.ndarray) -> Iterator[Batch]:
         """Cases that go the same way, at once; raises the error of the first that cannot be."""

@@ -19,7 +19,7 @@ from rockeom.codes import (
 )
 from rockeom.integrator import records
 from rockeom.integrator.program import Program
-from rockeom.simulation.case import Problems
+from rockeom.simulation.case import Case, Problems
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulate
 from rockeom.sweeps.cases import Batch
@@ -99,20 +99,28 @@ class Results:
         for row, case in zip(batch.rows, batch.cases, strict=True):
             if stop.is_set():
                 return
-            response = simulate(
-                case.structure, case.motion, impact=case.impact, initial=case.initial,
-                duration=case.duration, vertical=case.vertical, mode=case.mode,
-                options=task.options,
-            )  # fmt: skip
-            states = response.impacts.columns.states[: self.impact_states.shape[1]]
-            self.impact_states[row, : len(states)] = states
-            if task.quantities:
-                of_each = response.extremes_of(task.quantities).values()
-                self.extremes[row] = np.array([(e.minimum, e.maximum) for e in of_each]).T
-            if task.times.size:
-                reached = task.times <= response.t[-1]
-                history = response.at(task.times[reached], names=task.quantities)
-                self.histories[row, :, reached] = np.stack([*history.values()], axis=1)
+            try:
+                self._respond_to(case, row, task)
+            except Exception as error:
+                if batch.of is not None:
+                    batch.of.name(error, batch.of.named(row))
+                raise
+
+    def _respond_to(self, case: Case, row: int, task: Task) -> None:
+        response = simulate(
+            case.structure, case.motion, impact=case.impact, initial=case.initial,
+            duration=case.duration, vertical=case.vertical, mode=case.mode,
+            options=task.options,
+        )  # fmt: skip
+        states = response.impacts.columns.states[: self.impact_states.shape[1]]
+        self.impact_states[row, : len(states)] = states
+        if task.quantities:
+            of_each = response.extremes_of(task.quantities).values()
+            self.extremes[row] = np.array([(e.minimum, e.maximum) for e in of_each]).T
+        if task.times.size:
+            reached = task.times <= response.t[-1]
+            history = response.at(task.times[reached], names=task.quantities)
+            self.histories[row, :, reached] = np.stack([*history.values()], axis=1)
 
     def integrate(
         self,

@@ -5,8 +5,10 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
+from scipy import stats
 
 import rockeom as rk
+from rockeom import analysis
 from rockeom.motion.formula import FORMULAS, formula_of
 from rockeom.simulation.case import Problems
 from rockeom.structures.classes import SHIPPED
@@ -214,3 +216,30 @@ def test_a_structure_without_impacts_has_no_restitution():
     sprung = rk.TwoSpringStructure(**S1, foundation_stiffness=5e5, foundation_damping=1e3)
     with pytest.raises(ValueError, match="'restitution' is unknown"):
         rk.simulate_many(rk.Case(sprung, SINE), {"restitution": [0.9]})
+
+
+# -- analyses that make sweeps
+
+
+def test_boundaries_and_probabilities_of_a_case_are_those_of_a_function():
+    def pushed(amplitude):
+        return rk.Case(BLOCK, rk.GroundMotion.single_sine(amplitude, 0.8, duration=6.0))
+
+    over = {"amplitude": np.linspace(2.0, 9.0, 30)}
+    borders = [
+        analysis.overturning_boundaries(case, rk.simulate_many(case, over), accuracy=1e-3)
+        for case in (CASE, pushed)
+    ]
+    assert borders[0].sizes["boundary"] > 0
+    assert same_data(*borders)
+    random = {"amplitude": stats.norm(5.0, 1.5)}
+    by_name, by_function = (analysis.risk.monte_carlo(case, random, 50) for case in (CASE, pushed))
+    assert 0.0 < by_name.probability == by_function.probability < 1.0
+    by_name, by_function = (analysis.risk.reliability_of(case, random) for case in (CASE, pushed))
+    assert by_name.index == by_function.index
+
+
+def test_a_case_that_fails_when_it_is_run_is_named_by_its_values():
+    with pytest.raises(KeyError) as caught:
+        rk.simulate_many(CASE, {"half_width": [0.1, 0.2]}, quantities=["drift"])
+    assert "in the case half_width = 0.1 m" in caught.value.__notes__

@@ -114,7 +114,7 @@ def _unit(function: str, structure: Structure, name: str, value: float | None) -
 @renamed.needless(arrays=ARRAYS)
 @explained.calls()
 def overturning_boundaries(
-    case: Callable[..., Case],
+    case: Case | Callable[..., Case],
     sweep: xr.Dataset,
     along: str | Sequence[str] = (),
     *,
@@ -129,8 +129,8 @@ def overturning_boundaries(
         sweep = rk.simulate_many(case, {"amplitude": np.linspace(1.0, 6.0, 501)})
         analysis.overturning_boundaries(case, sweep, accuracy=1e-9)
 
-    case : the function of the sweep. sweep : a grid of `simulate_many`; or a previous result of
-        this function, to continue after an interrupt or with a finer accuracy.
+    case : the case or the function of the sweep. sweep : a grid of `simulate_many`; or a previous
+        result of this function, to continue after an interrupt or with a finer accuracy.
     along : names of the sweep along which neighbours are compared; all that hold numbers if not
         given.
     accuracy : of each value, in parts of it.
@@ -172,7 +172,7 @@ def overturning_boundaries(
 class _Fates:
     """Finds the fates of some cases; an interrupt is raised, without a result."""
 
-    case: Callable[..., Case]
+    case: Case | Callable[..., Case]
     most: int
     how: Mapping[str, Any]
 

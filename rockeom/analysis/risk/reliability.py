@@ -2,12 +2,10 @@
 
     from scipy import stats
 
-    def case(half_width, r, pga):
-        block = rk.RigidBlock(half_width=half_width, half_height=0.6)
-        return rk.Case(block, record.scaled(pga), rk.EnergyRatio(r), duration=12.0)
-
+    block = rk.RigidBlock(half_width=0.1, half_height=0.6)
+    case = rk.Case(block, record, rk.EnergyRatio(0.85), duration=12.0)
     random = {"half_width": stats.norm(0.1, 0.003), "r": stats.uniform(0.8, 0.1),
-              "pga": stats.lognorm(0.4, scale=2.0)}
+              "scale": stats.lognorm(0.4, scale=2.0)}
     found = analysis.risk.reliability_of(case, random)  # of overturning
     found.index, found.probability, found.design_point, found.importance
     analysis.risk.monte_carlo(case, random, 10_000).interval()
@@ -37,6 +35,7 @@ from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.simulation.simulate import simulate
+from rockeom.sweeps.case_numbers import function_of
 from rockeom.sweeps.dataset import Sweep
 from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.run import simulate_many
@@ -177,7 +176,7 @@ def first_order_reliability(
 
 
 def reliability_of(
-    case: Callable[..., Case],
+    case: Case | Callable[..., Case],
     random: Mapping[str, Any],
     *,
     demand: str | None = None,
@@ -190,8 +189,9 @@ def reliability_of(
         reliability_of(case, random)                               # overturning
         reliability_of(case, random, demand="theta", limit=0.05)   # or a rotation of 0.05 rad
 
-    case : a function of the parameters, by name, that returns a `Case`; it calculates with numbers
-        and with `rk.Dual`.
+    case : a `Case`, of whose numbers the names of `random` are some, as in `simulate_many`; or a
+        function of the parameters, by name, that returns one and calculates with numbers and with
+        `rk.Dual`.
     random, reach : as of `first_order_reliability`. options : of the simulations.
     demand, limit : of the state, energy, displacement or uplift whose largest size is to stay below
         the limit [its unit]; who overturns exceeds it. If neither is given, overturning is meant.
@@ -208,6 +208,7 @@ def reliability_of(
     without an answer.
     """
     space = _Space.of("reliability_of", random)
+    case = function_of(case, space.names)
     require(reach > 0, "reliability_of", "reach", reach, "it must be positive")
     condition = _Condition.of("reliability_of", demand, limit)
     fates = partial(_Fates, space, case, condition, reach, options)
@@ -221,7 +222,7 @@ def reliability_of(
 
 
 def monte_carlo(
-    case: Callable[..., Case],
+    case: Case | Callable[..., Case],
     random: Mapping[str, Any],
     number: int = 10_000,
     *,
@@ -245,7 +246,7 @@ def monte_carlo(
     require(number >= 1, "monte_carlo", "number", number, "draw one sample at least")
     condition = _Condition.of("monte_carlo", demand, limit)
     u = np.random.default_rng(seed).standard_normal((number, len(space.names)))
-    kept = condition.quantities(case(**space.values(u[0])))
+    kept = condition.quantities(function_of(case, space.names)(**space.values(u[0])))
     sweep = finished(simulate_many(case, space.table(u), quantities=kept, **how))
     fails, answered = condition.of_sweep(sweep)
     if not answered.any():
