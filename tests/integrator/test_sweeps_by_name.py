@@ -241,5 +241,8 @@ def test_boundaries_and_probabilities_of_a_case_are_those_of_a_function():
 
 def test_a_case_that_fails_when_it_is_run_is_named_by_its_values():
     with pytest.raises(KeyError) as caught:
-        rk.simulate_many(CASE, {"half_width": [0.1, 0.2]}, quantities=["drift"])
+        rk.simulate_many(
+            CASE, {"half_width": [0.1, 0.2]}, quantities=["drift"],
+            sweep_options=rk.SweepOptions(threads=1),
+        )  # fmt: skip
     assert "in the case half_width = 0.1 m" in caught.value.__notes__
