@@ -37,6 +37,8 @@ FEW = 20
 """Number of records below which intervals of the curve are too short."""
 _UNIT = re.compile(r"(?<=\d) (?=(?:g|m|mm|k?N|%)(?![a-z]))")
 """The blank between a number and its unit."""
+_WIDTH = 78
+"""Letters in a line of the summary."""
 _SHOWN = 60
 """Records that the page lists."""
 
@@ -127,7 +129,8 @@ class Assessment:
         """The results in sentences."""
         threshold = self.statics.uplift_acceleration
         said = [
-            f"Uplift: a foot lifts from {_g(threshold)} ({threshold:.3g} m/s2) on, pushed slowly.",
+            f"Uplift: a foot lifts from {_g(threshold)} ({threshold:.3g} m/s2) on, the static "
+            "threshold.",
             self._of_sliding(),
         ]
         if self.records:
@@ -146,18 +149,18 @@ class Assessment:
         if friction is None:
             return (
                 "Sliding: not judged, since no coefficient of friction was given; below "
-                f"{needed:.2g} it slides before it rocks."
+                f"{needed:.3g} it slides before it rocks."
             )
         if self.slides_first:
             slides = _g(self.statics.sliding_acceleration(friction))
             said = (
                 f"Sliding: it slides first, from {slides} on, since its friction, {friction:g}, is "
-                f"below {needed:.2g}."
+                f"below {needed:.3g}."
             )
         else:
             said = (
                 f"Sliding: it rocks first, since its friction, {friction:g}, is not below "
-                f"{needed:.2g}."
+                f"{needed:.3g}."
             )
         slips = [one.slip for one in self.records if one.outcome != FALLS]
         if slips and np.isfinite(slips).all():
@@ -217,10 +220,10 @@ class Assessment:
         height = 2 * self.statics.centroid_height
         pushed = self.statics.restraint(most, height)
         return (
-            f"A restraint: up to {_g(most)}, pushed slowly, no foot lifts if a horizontal force of "
-            f"{self._force(pushed)} holds it {height:.3g} m above the ground, twice the height of "
-            "the centroid (more force further down, in proportion), or if each edge is held down "
-            f"by {self._force(held)}."
+            f"A strap or an anchor: a horizontal force of {self._force(pushed)} "
+            f"{height:.3g} m above the ground, or {self._force(held)} of hold-down at each edge, "
+            f"keeps both feet down up to {_g(most)}, statically. The height is twice that of the "
+            "centroid; further down the force is larger in proportion."
         )
 
     def _force(self, force: float) -> str:
@@ -241,8 +244,8 @@ class Assessment:
                 for one in self.records
             ]
             said.append(
-                f"Records: scaled to each PGA, by {min(factors):.2g} to {max(factors):.2g}; their "
-                f"frequencies stay. {QUIET:g} s of quiet follow each, and count."
+                f"Records: scaled to each PGA, by {min(factors):.2g} to {max(factors):.2g}, which "
+                f"keeps their frequencies. {QUIET:g} s of quiet follow each."
             )
         if self.left_out:
             said.append(f"Vertical components were left out: {'; '.join(self.left_out)}.")
@@ -322,11 +325,12 @@ class Assessment:
             "Measures that help": self.helps,
             "Assumptions": self.assumptions,
         }
-        lines = [self.title, fill(self.verdict, 100)]
+        lines = [self.title, fill(self.verdict, _WIDTH)]
         for name, sentences in blocks.items():
             lines += ["", name] if sentences else []
             lines += [
-                fill(one, 100, initial_indent="  ", subsequent_indent="    ") for one in sentences
+                fill(one, _WIDTH, initial_indent="  ", subsequent_indent="    ")
+                for one in sentences
             ]
         return "\n".join(lines)
 

@@ -204,7 +204,7 @@ def test_vertical_components_are_left_out_and_named():
     alone = rk.assess(BLOCK, [up])
     assert "there is no horizontal one" in alone.verdict
     assert "a foot lifts from 0.25 g" in alone.summary()
-    assert max(map(len, alone.summary().splitlines())) <= 100
+    assert max(map(len, alone.summary().splitlines())) <= 80
     assert alone.html().count("<h2>") == 3
 
 
