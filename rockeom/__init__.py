@@ -23,7 +23,7 @@ _NAMES_OF = {
     "rockeom.assessment.result": ("Assessment",),
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
     "rockeom.numbers.dual": ("Dual", "duals"),
-    "rockeom.motion": ("GroundMotion", "MotionError", "MotionSet", "Recording"),
+    "rockeom.motion": ("DesignSpectrum", "GroundMotion", "MotionError", "MotionSet", "Recording"),
     "rockeom.motion.floor": ("floor_motion",),
     "rockeom.modelling.named": ("structure",),
     "rockeom.simulation.case": ("Case",),
@@ -121,6 +121,7 @@ if TYPE_CHECKING:
     )
     from rockeom.modelling.named import structure as structure
     from rockeom.motion import (
+        DesignSpectrum as DesignSpectrum,
         GroundMotion as GroundMotion,
         MotionError as MotionError,
         MotionSet as MotionSet,

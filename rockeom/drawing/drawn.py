@@ -64,6 +64,21 @@ class Spectrum(Protocol):
     def damping_ratio(self) -> float: ...
 
 
+class DesignSpectrum(Protocol):
+    """Pseudo-accelerations [m/s2] over periods [s], between the shortest and the longest."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def shortest(self) -> float: ...
+
+    @property
+    def longest(self) -> float: ...
+
+    def __call__(self, periods: np.ndarray) -> Any: ...
+
+
 class Structure(Protocol):
     """A structure with its parameters."""
 

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
 from rockeom.drawing import style
-from rockeom.drawing.drawn import Motion, Spectrum, check_motion
+from rockeom.drawing.drawn import DesignSpectrum, Motion, Spectrum, check_motion
 from rockeom.numbers.checks import described
 from rockeom.numbers.constants import STANDARD_GRAVITY
 
@@ -69,12 +69,14 @@ def plot_spectra(
     *,
     figure: Figure | SubFigure | None = None,
     title: str | None = None,
+    target: DesignSpectrum | None = None,
 ) -> Figure | SubFigure:
     """Pseudo-acceleration [g], relative velocity [m/s] and displacement [m] over the period [s].
 
     spectra : of one damping ratio and the same periods, such as those of `MotionSet`. More than
         six are drawn by their median and the band between the 16th and the 84th percentile.
-    figure : as in `plot_motion`. title : what stands above.
+    figure : as in `plot_motion`. title : what stands above. target : a design spectrum to compare
+        with, drawn where it is defined.
 
     Raises ValueError for no spectra, and for such of several dampings or periods.
     """
@@ -108,6 +110,8 @@ def plot_spectra(
     ):
         values = np.array([getattr(one, of) for one in spectra]) / scale
         _draw(ax, first.periods, values, [one.name for one in spectra])
+        if target is not None:
+            _draw_target(ax, first.periods, target, of)
         ax.set_xscale("log")
         ax.set_xlabel("period [s]")
         ax.set_ylabel(label)
@@ -120,6 +124,16 @@ def plot_spectra(
         f"{style.wrapped(title or 'Elastic response spectra')}, {damping}", fontsize=9.5
     )
     return figure
+
+
+def _draw_target(ax: Axes, periods: np.ndarray, target: DesignSpectrum, of: str) -> None:
+    """A design spectrum as ordinates of one kind; it has no relative velocity."""
+    t = periods[(periods >= target.shortest) & (periods <= target.longest)]
+    powers = {"pseudo_acceleration": 1.0 / STANDARD_GRAVITY, "displacement": (t / (2 * np.pi)) ** 2}
+    if of in powers:
+        ax.plot(
+            t, powers[of] * target(t), "--", color=style.INK, lw=1.4, label=target.name, zorder=4
+        )
 
 
 def _draw(ax: Axes, periods: np.ndarray, values: np.ndarray, names: Sequence[str]) -> None:

@@ -12,6 +12,8 @@ from rockeom.motion.segments import SegmentKind
 from rockeom.motion.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, see below
+    from rockeom.motion.design.checks import SpectrumCheck
+    from rockeom.motion.design.spectra import DesignSpectrum
     from rockeom.motion.intensity import Measures
     from rockeom.motion.motion_set import MotionSet
     from rockeom.motion.recording import Recording
@@ -19,6 +21,7 @@ if TYPE_CHECKING:  # and when a program runs, each where it is first asked for, 
 
 __all__ = [
     "STANDARD_GRAVITY",
+    "DesignSpectrum",
     "GroundMotion",
     "JenningsEnvelope",
     "Measures",
@@ -27,14 +30,17 @@ __all__ = [
     "Recording",
     "SegmentKind",
     "ShinozukaSatoEnvelope",
+    "SpectrumCheck",
 ]
 
 _HOMES = {
+    "DesignSpectrum": "design.spectra",
     "JenningsEnvelope": "synthetic",
     "Measures": "intensity",
     "MotionSet": "motion_set",
     "Recording": "recording",
     "ShinozukaSatoEnvelope": "synthetic",
+    "SpectrumCheck": "design.checks",
 }
 
 

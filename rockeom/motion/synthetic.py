@@ -121,7 +121,7 @@ def noise(
         raise MotionError(f"dt is {dt:g} s and the duration {length:g} s: give a shorter dt")
     a = _stationary(n, dt, s_0, ground, high_pass, start)
     if envelope is not None:
-        a = a * _factors(envelope, dt * np.arange(n))
+        a = a * factors(envelope, dt * np.arange(n))
     filters = "; ".join(f"{w:g} rad/s, {xi:g}" for w, xi in filter(None, (ground, high_pass)))
     source = f"{model}, S0 {s_0:g} m2/s3, filters {filters}"
     return Noise(a, dt, f"{model}, seed {start}", source)
@@ -146,7 +146,8 @@ def _stationary(
     return np.fft.irfft(m * amplitudes, m)[:n]
 
 
-def _factors(envelope: Callable[[np.ndarray], ArrayLike], t: np.ndarray) -> np.ndarray:
+def factors(envelope: Callable[[np.ndarray], ArrayLike], t: np.ndarray) -> np.ndarray:
+    """An envelope (n,) at times t (n,) [s]; raises MotionError for what is none."""
     if not callable(envelope):
         raise MotionError(
             f"envelope is {described(envelope)}: give a function of times, such as "

@@ -1,0 +1,1 @@
+"""Design spectra, motions that are compatible with one, and the check of a set against it."""

@@ -1,0 +1,345 @@
+"""`DesignSpectrum`: the elastic spectrum of a code or a table, and motions that have it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.motion.arguments import array, positive, whole
+from rockeom.motion.design import matching
+from rockeom.motion.design.checks import BAND, DAMPING, SpectrumCheck
+from rockeom.motion.errors import MotionError
+from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.motion_set import MotionSet
+from rockeom.motion.scaling import Acceleration
+from rockeom.motion.synthetic import JenningsEnvelope, factors
+from rockeom.motion.units import acceleration, factor
+from rockeom.numbers.checks import described
+
+_STRONG_PART = JenningsEnvelope(rise=3.0, until=13.0, decay=0.3)
+"""With the 10 s of stationary motion that EN 1998-1:2004, 3.2.3.1.2(3), asks for."""
+
+_EUROCODE = {
+    1: {  # table 3.2
+        "A": (1.0, 0.15, 0.4, 2.0),
+        "B": (1.2, 0.15, 0.5, 2.0),
+        "C": (1.15, 0.20, 0.6, 2.0),
+        "D": (1.35, 0.20, 0.8, 2.0),
+        "E": (1.4, 0.15, 0.5, 2.0),
+    },
+    2: {  # table 3.3
+        "A": (1.0, 0.05, 0.25, 1.2),
+        "B": (1.35, 0.05, 0.25, 1.2),
+        "C": (1.5, 0.10, 0.25, 1.2),
+        "D": (1.8, 0.10, 0.30, 1.2),
+        "E": (1.6, 0.05, 0.25, 1.2),
+    },
+}
+"""S, T_B, T_C and T_D [s] of EN 1998-1:2004 by type of the spectrum and of the ground."""
+_EUROCODE_LONGEST = 4.0  # s, 3.2.2.2(1)
+_LEAST_ETA = 0.55
+
+_WORST_MATCH = 0.25
+_CHECKED = 100
+
+
+@dataclass(frozen=True)
+class DesignSpectrum:
+    """An elastic design spectrum: pseudo-acceleration over the period.
+
+        spectrum = rk.DesignSpectrum.eurocode_8("0.25 g", "B")
+        spectrum([0.0, 0.5, 2.0])                           # m/s2
+        motions = spectrum.compatible_motions(7, seed=1)    # a MotionSet
+        print(spectrum.check(motions, period=0.6))
+
+    The class methods make spectra: `eurocode_8`, `asce_7`, `from_table`.
+
+    name; damping_ratio; shortest, longest : periods between which it is defined [s].
+    """
+
+    name: str
+    damping_ratio: float
+    shortest: float
+    longest: float
+    _shape: Callable[[np.ndarray], np.ndarray] = field(repr=False)
+
+    @classmethod
+    def eurocode_8(
+        cls,
+        ground_acceleration: Acceleration,
+        ground_type: str,
+        spectrum_type: int = 1,
+        *,
+        damping_ratio: float = 0.05,
+    ) -> DesignSpectrum:
+        """The horizontal elastic spectrum of EN 1998-1:2004, 3.2.2.2, with the recommended values.
+
+        ground_acceleration : a_g on ground of type A with the factor of importance, [m/s2] or a
+            text with its unit, "0.25 g". ground_type : A, B, C, D or E. spectrum_type : 1, or 2
+            where the earthquakes that govern have surface-wave magnitudes of at most 5.5.
+        damping_ratio : by eta = sqrt(10/(5 + xi)), at least 0.55, xi in per cent.
+
+        It is defined up to 4 s. Raises MotionError for other values.
+        """
+        a_g = positive("ground_acceleration", acceleration("a_g", ground_acceleration))
+        xi = positive("damping_ratio", damping_ratio)
+        kinds = _EUROCODE.get(spectrum_type) if isinstance(spectrum_type, int) else None
+        if kinds is None:
+            raise MotionError(f"spectrum_type is {described(spectrum_type)}: give 1 or 2")
+        if not isinstance(ground_type, str) or ground_type.upper() not in kinds:
+            raise MotionError(
+                f"ground_type is {described(ground_type)}: choose one of {', '.join(kinds)}"
+            )
+        s, t_b, t_c, t_d = kinds[ground_type.upper()]
+        eta = max(math.sqrt(10.0 / (5.0 + 100.0 * xi)), _LEAST_ETA)
+        shape = _Branches(a_g * s, 2.5 * eta * a_g * s, t_b, t_c, t_d)
+        name = f"EN 1998-1 type {spectrum_type}, ground {ground_type.upper()}, a_g {a_g:.4g} m/s2"
+        return cls(name, xi, 0.0, _EUROCODE_LONGEST, shape)
+
+    @classmethod
+    def asce_7(cls, s_ds: Acceleration, s_d1: Acceleration, t_l: float) -> DesignSpectrum:
+        """The two-period design spectrum of ASCE 7-16, 11.4.6, for 5 % damping.
+
+        s_ds, s_d1 : design spectral accelerations at short periods and at 1 s, [m/s2] or texts with
+            their unit, "1.0 g". t_l : the long-period transition period T_L [s].
+
+        Raises MotionError for values that are not positive, and for t_l below s_d1/s_ds.
+        """
+        short = positive("s_ds", acceleration("s_ds", s_ds))
+        at_one = positive("s_d1", acceleration("s_d1", s_d1))
+        t_s, last = at_one / short, positive("t_l", t_l)
+        if last <= t_s:
+            raise MotionError(f"t_l is {last:g} s, not above s_d1/s_ds = {t_s:.4g} s: give T_L")
+        name = f"ASCE 7, S_DS {short:.4g} m/s2, S_D1 {at_one:.4g} m/s2"
+        shape = _Branches(0.4 * short, short, 0.2 * t_s, t_s, last)
+        return cls(name, 0.05, 0.0, math.inf, shape)
+
+    @classmethod
+    def from_table(
+        cls,
+        periods: ArrayLike,
+        accelerations: ArrayLike,
+        *,
+        units: str = "m/s2",
+        damping_ratio: float = 0.05,
+        name: str = "design spectrum",
+    ) -> DesignSpectrum:
+        """A spectrum through points, linear between them.
+
+        periods (n,) [s], rising, from 0 where the peak of the ground is known; accelerations (n,)
+        in `units`, such as "g". damping_ratio : that they are for.
+
+        Raises MotionError for other than two points or more, and for values that cannot be.
+        """
+        t, a = array("periods", periods), array("accelerations", accelerations) * factor(units)
+        if t.ndim != 1 or t.shape != a.shape or len(t) < 2:
+            raise MotionError(
+                f"periods have the shape {t.shape} and accelerations {a.shape}: give two or more "
+                "of each"
+            )
+        if not (np.isfinite(t).all() and t[0] >= 0.0 and (np.diff(t) > 0.0).all()):
+            raise MotionError("periods do not rise from 0 or more: sort them, in s")
+        if not (np.isfinite(a) & (a > 0.0)).all():
+            raise MotionError("accelerations are not all positive: give finite, positive numbers")
+        xi = positive("damping_ratio", damping_ratio)
+        shape = _Points(tuple(t.tolist()), tuple(a.tolist()))
+        return cls(name, xi, float(t[0]), float(t[-1]), shape)
+
+    # -- values
+
+    def __call__(self, periods: ArrayLike) -> Any:
+        """Pseudo-acceleration [m/s2] at periods [s], of their shape.
+
+        Raises MotionError for periods at which the spectrum is not defined.
+        """
+        t = array("periods", periods)
+        outside = ~((t >= self.shortest) & (t <= self.longest))
+        if outside.any():
+            raise MotionError(
+                f"{self.name} is defined from {self.shortest:g} to {self.longest:g} s, and not at "
+                f"{t[outside].flat[-1]:g} s"
+            )
+        return self._shape(t)[()]
+
+    def displacement(self, periods: ArrayLike) -> Any:
+        """Displacement [m] at periods [s]: the pseudo-acceleration over omega**2."""
+        return self(periods) * (array("periods", periods) / (2.0 * np.pi)) ** 2
+
+    # -- motions
+
+    def compatible_motions(
+        self,
+        number: int,
+        *,
+        seed: int,
+        duration: float = 25.0,
+        dt: float = 0.01,
+        envelope: Callable[[np.ndarray], ArrayLike] = _STRONG_PART,
+        between: tuple[float, float] | None = None,
+    ) -> MotionSet:
+        """Artificial motions with this spectrum.
+
+        number : how many. seed : the same one gives the same motions.
+        duration, dt [s] : of each. envelope : a function of times [s], such as `JenningsEnvelope`,
+            that of the start; by default a rise of 3 s, 10 s of strong motion and a decay.
+        between : as of `matched`.
+
+        Each starts as noise with random phases (Gasparini and Vanmarcke 1976) and is `matched`.
+        Where the mean of their peaks is below the spectrum at the period 0, one factor on all of
+        them makes up for it. Raises MotionError as `matched` does.
+        """
+        n = round(positive("duration", duration) / positive("dt", dt)) + 1
+        entropy, target = whole("seed", seed, 0), self._target(between)
+        motions = []
+        for i in range(whole("number", number, 1)):
+            start = matching.noise(target, n, dt, np.random.default_rng([entropy, i]))
+            start = start * factors(envelope, dt * np.arange(n))
+            made = GroundMotion.from_array(start, dt)
+            random = replace(made, source=f"random phases, seed {entropy}")
+            name = f"{self.name}, seed {entropy}, motion {i + 1}"
+            motions.append(replace(self.matched(random, between=between), name=name))
+        found = MotionSet(motions, self.name)
+        return found if self.shortest > 0.0 else _with_peaks(found, float(self(0.0)))
+
+    def matched(
+        self, record: GroundMotion, *, between: tuple[float, float] | None = None
+    ) -> GroundMotion:
+        """A record to which wavelets were added that give it this spectrum.
+
+        between : shortest and longest period of the match [s]; from 0.04 to 4 s, or to the ends of
+            the spectrum, if not given.
+
+        The record is scaled by one factor first. The method is that of Al Atik and Abrahamson
+        (2010), Earthquake Spectra 26, 601-617, with oscillators 6 % apart in period (at 5 % of
+        damping), until these are within 7 %; between them the spectrum differs by some 10 %. The
+        baseline of the velocity is corrected. `source` of the motion has the largest difference at
+        the oscillators.
+
+        Raises MotionError for a motion without samples, for such coarse ones that they do not hold
+        the shortest period, and where a difference of more than 25 % is left.
+        """
+        if not isinstance(record, GroundMotion):
+            raise MotionError(f"record is {described(record)}: give a GroundMotion")
+        if record.samples is None or record.dt is None:
+            raise MotionError(
+                f"{record.name} has no samples to be matched: resampled(dt) gives it some"
+            )
+        target = self._target(between)
+        first, last = float(target.periods[0]), float(target.periods[-1])
+        if record.dt > 0.5 * first:
+            raise MotionError(
+                f"the samples of {record.name} are {record.dt:g} s apart, too coarse for a period "
+                f"of {first:g} s: give between=({2.0 * record.dt:g}, {last:g})"
+            )
+        own = record.response_spectrum(target.periods, self.damping_ratio).pseudo_acceleration
+        if not (own > 0.0).all():
+            raise MotionError(f"{record.name} does not shake: give a motion that does")
+        scale = math.exp(float(np.log(target.accelerations / own).mean()))
+        found = matching.matched(record.samples * scale, record.dt, target)
+        if not found.error <= _WORST_MATCH:
+            raise MotionError(
+                f"{record.name} differs by {100.0 * found.error:.0f} % from {self.name} after "
+                "matching: give another record, or a narrower band by between="
+            )
+        made = GroundMotion.from_array(found.samples, record.dt).baseline_corrected(degree=2)
+        within = f"within {100.0 * found.error:.0f} % from {first:.3g} to {last:.3g} s"
+        source = f"{record.source}, matched to {self.name} {within}"
+        name = f"{record.name}, matched"
+        return replace(made, name=name, source=source, is_vertical=record.is_vertical)
+
+    def _target(self, between: tuple[float, float] | None) -> matching.Target:
+        """The spectrum at the periods of the match."""
+        if between is None:
+            between = max(0.04, self.shortest), min(4.0, self.longest)
+        try:
+            first, last = (positive("a period of between", t) for t in between)
+        except (TypeError, ValueError) as error:
+            raise MotionError(
+                f"between is {described(between)}: give the shortest and the longest period [s]"
+            ) from error
+        if not first < last:
+            raise MotionError(f"between is {first:g} and {last:g} s: give the shorter one first")
+        periods = matching.periods(first, last, self.damping_ratio)
+        return matching.Target(periods, self(periods), self.damping_ratio)
+
+    # -- the check
+
+    def check(self, motions: Iterable[GroundMotion] | GroundMotion, period: float) -> SpectrumCheck:
+        """Whether motions have this spectrum, by EN 1998-1:2004, 3.2.3.1.2(4).
+
+        motions : horizontal ones. period : T_1, the fundamental one of the structure [s]; of a
+            structure that rocks, of the structure whose feet are held.
+
+        From 0.2 T_1 to 2 T_1 the spectra are compared at 100 periods. Raises MotionError for a
+        spectrum that is not for 5 % damping, is not defined at these periods or at the period 0.
+        """
+        t_1 = positive("period", period)
+        if self.damping_ratio != DAMPING:
+            raise MotionError(
+                f"{self.name} is for {100.0 * self.damping_ratio:g} % damping, and the rule is one "
+                "of spectra for 5 %: make it with damping_ratio=0.05"
+            )
+        several = [motions] if isinstance(motions, GroundMotion) else list(motions)
+        for one in several:
+            if not isinstance(one, GroundMotion):
+                raise MotionError(f"{described(one)} is among the motions: give GroundMotions")
+        if not several:
+            raise MotionError("there are no motions to check: give three or more")
+        periods = np.geomspace(BAND[0] * t_1, BAND[1] * t_1, _CHECKED)
+        spectra = [one.response_spectrum(periods, DAMPING).pseudo_acceleration for one in several]
+        return SpectrumCheck(
+            len(several),
+            float(np.mean([one.peak for one in several])),
+            float(self(0.0)),
+            periods,
+            np.mean(spectra, axis=0),
+            self(periods),
+        )
+
+
+def _with_peaks(motions: MotionSet, least: float) -> MotionSet:
+    """The motions, times the factor above one that the mean of their peaks needs [m/s2]."""
+    mean = float(np.mean([motion.peak for motion in motions]))
+    if mean >= least:
+        return motions
+    by = (1.0 + 1e-9) * least / mean
+    scaled = ((one, one.scaled(by)) for one in motions)
+    return MotionSet(
+        (
+            replace(new, name=one.name, source=f"{one.source}, times {by:.4g}")
+            for one, new in scaled
+        ),
+        motions.name,
+    )
+
+
+@dataclass(frozen=True)
+class _Branches:
+    """A rise from zero, a plateau, a fall by 1/T from t_c and by 1/T**2 from t_d [m/s2, s]."""
+
+    zero: float
+    plateau: float
+    t_b: float
+    t_c: float
+    t_d: float
+
+    def __call__(self, t: np.ndarray) -> np.ndarray:
+        rise = self.zero + (self.plateau - self.zero) * np.minimum(t / self.t_b, 1.0)
+        fall = self.t_c / np.maximum(t, self.t_c) * self.t_d / np.maximum(t, self.t_d)
+        return np.asarray(rise * fall)
+
+
+@dataclass(frozen=True)
+class _Points:
+    """Points of a table, linear between them [s, m/s2]."""
+
+    periods: tuple[float, ...]
+    accelerations: tuple[float, ...]
+
+    def __call__(self, t: np.ndarray) -> np.ndarray:
+        return np.asarray(np.interp(t, self.periods, self.accelerations))

@@ -1,0 +1,236 @@
+"""Design spectra by hand, motions that have them, and the check of Eurocode 8 made to fail."""
+
+import math
+import pickle
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import rockeom as rk
+from rockeom.motion import JenningsEnvelope
+from rockeom.motion.design import matching
+from rockeom.motion.spectra import largest_displacement, oscillator_history
+
+EUROCODE = rk.DesignSpectrum.eurocode_8("0.25 g", "B")
+G = 9.81
+
+
+def record(seed=0):
+    """Noise as of a firm ground, 12 s of it."""
+    envelope = JenningsEnvelope(rise=2.0, until=7.0, decay=0.6)
+    made = rk.GroundMotion.clough_penzien(
+        0.01, duration=12.0, seed=seed, envelope=envelope, dt=0.01
+    )
+    return replace(made, name="quake")
+
+
+# --- spectra by hand
+
+
+@pytest.mark.parametrize(
+    ("ground", "spectrum_type", "s", "corners"),
+    [
+        ("A", 1, 1.0, (0.15, 0.4, 2.0)), ("B", 1, 1.2, (0.15, 0.5, 2.0)),
+        ("C", 1, 1.15, (0.20, 0.6, 2.0)), ("D", 1, 1.35, (0.20, 0.8, 2.0)),
+        ("E", 1, 1.4, (0.15, 0.5, 2.0)), ("A", 2, 1.0, (0.05, 0.25, 1.2)),
+        ("b", 2, 1.35, (0.05, 0.25, 1.2)), ("C", 2, 1.5, (0.10, 0.25, 1.2)),
+        ("D", 2, 1.8, (0.10, 0.30, 1.2)), ("E", 2, 1.6, (0.05, 0.25, 1.2)),
+    ],
+)  # fmt: skip
+def test_eurocode_at_its_corners(ground, spectrum_type, s, corners):
+    spectrum = rk.DesignSpectrum.eurocode_8(2.0, ground, spectrum_type)
+    t_b, t_c, t_d = corners
+    by_hand = [2 * s, 2 * s * 1.75, 5 * s, 5 * s, 5 * s * t_c / t_d, 5 * s * t_c * t_d / 16]
+    assert spectrum([0.0, t_b / 2, t_b, t_c, t_d, 4.0]) == pytest.approx(by_hand)
+    displacement = 5 * s * t_c * t_d / (4 * math.pi**2)
+    assert spectrum.displacement([t_d, 4.0]) == pytest.approx([displacement] * 2)
+
+
+@pytest.mark.parametrize(
+    ("damping_ratio", "eta"), [(0.05, 1.0), (0.10, math.sqrt(10 / 15)), (0.30, 0.55)]
+)
+def test_eurocode_of_another_damping(damping_ratio, eta):
+    spectrum = rk.DesignSpectrum.eurocode_8(1.0, "A", damping_ratio=damping_ratio)
+    assert spectrum([0.0, 0.3]) == pytest.approx([1.0, 2.5 * eta])
+
+
+def test_asce_7_at_its_corners():
+    spectrum = rk.DesignSpectrum.asce_7("1.0 g", "0.6 g", 8.0)
+    found = spectrum([0.0, 0.06, 0.12, 0.6, 1.0, 8.0, 16.0]) / G
+    assert found == pytest.approx([0.4, 0.7, 1.0, 1.0, 0.6, 0.075, 0.6 * 8 / 256])
+
+
+def test_table_is_linear_between_its_points_and_defined_nowhere_else():
+    spectrum = rk.DesignSpectrum.from_table([0.1, 0.5, 2.0], [0.4, 0.8, 0.2], units="g")
+    found = spectrum([[0.1, 0.3], [0.5, 2.0]]) / G
+    assert found == pytest.approx(np.array([[0.4, 0.6], [0.8, 0.2]]))
+    for outside in (0.0, 2.1):
+        with pytest.raises(rk.MotionError, match=f"from 0.1 to 2 s, and not at {outside:g} s"):
+            spectrum(outside)
+
+
+def test_spectrum_is_compared_and_travels():
+    assert pickle.loads(pickle.dumps(EUROCODE)) == EUROCODE
+    assert rk.DesignSpectrum.eurocode_8("0.25 g", "C") != EUROCODE
+
+
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        (lambda s: s.eurocode_8(2.0, "F"), "ground_type is 'F': choose one of A, B, C, D, E"),
+        (lambda s: s.eurocode_8(2.0, "B", 3), "spectrum_type is 3: give 1 or 2"),
+        (lambda s: s.eurocode_8("2.0", "B"), "a text with its unit"),
+        (lambda s: s.eurocode_8(-2.0, "B"), "ground_acceleration is -2: give a positive"),
+        (lambda s: s.eurocode_8(2.0, "B", damping_ratio=0.0), "damping_ratio is 0"),
+        (lambda s: s.asce_7(9.0, 6.0, 0.5), r"t_l is 0\.5 s, not above s_d1/s_ds = 0\.6667 s"),
+        (lambda s: s.from_table([0.1], [1.0]), "give two or more of each"),
+        (lambda s: s.from_table([0.2, 0.1], [1.0, 1.0]), "periods do not rise"),
+        (lambda s: s.from_table([0.1, 0.2], [1.0, 0.0]), "accelerations are not all positive"),
+        (lambda s: s.from_table([0.1, 0.2], [1.0, 2.0], units="m"), "units 'm' are unknown"),
+    ],
+)
+def test_spectrum_that_cannot_be_is_refused(make, said):
+    with pytest.raises(rk.MotionError, match=said):
+        make(rk.DesignSpectrum)
+
+
+# --- motions that have one
+
+
+@pytest.mark.parametrize("period", [0.03, 0.2, 1.7])
+def test_largest_displacement_of_a_record(period):
+    motion = record()
+    time, value = largest_displacement(motion.samples, motion.dt, period, 0.05)
+    (exact,) = motion.response_spectrum(period, 0.05).displacement
+    assert abs(value) == pytest.approx(exact, rel=4e-3)
+    history = oscillator_history(motion, period, 0.05)
+    assert np.interp(time, history.time, history.displacement) == pytest.approx(value, rel=0.02)
+
+
+@pytest.mark.parametrize("period", [0.1, 0.5, 2.0])
+def test_wavelet_gives_one_oscillator_the_response_that_is_missing(period):
+    """By the exact response to the wavelet alone, which has a peak at the time asked for."""
+    t = 0.005 * np.arange(4000)
+    target = matching.Target(np.array([period]), np.array([1.0]), 0.05)
+    added = matching._adjustment(t, np.array([10.0]), np.array([0.7]), target)
+    motion = rk.GroundMotion.from_array(added, 0.005)
+    history = oscillator_history(motion, period, 0.05)
+    response = (2 * np.pi / period) ** 2 * history.displacement
+    assert np.interp(10.0, history.time, response) == pytest.approx(0.7, rel=0.01)
+    beside = np.abs(history.time - 10.0) < 0.2 * period
+    assert response[beside].max() == pytest.approx(0.7, rel=0.01)
+    assert abs(motion.velocity(20.0)) < 0.02 * motion.peak_velocity
+
+
+def test_noise_of_white_spectral_density():
+    """S_a**2/r**2 = G (omega (pi/(4 xi) - 1) + omega - omega_0) is that of a constant density G."""
+    periods, xi, density = np.geomspace(0.05, 2.0, 400), 0.05, 0.01
+    omega = 2 * np.pi / periods
+    variance = density * (omega * (np.pi / (4 * xi) - 1) + omega - omega[-1])
+    target = matching.Target(periods, 3.0 * np.sqrt(variance), xi)
+    made = matching.noise(target, 4000, 0.01, np.random.default_rng(3))
+    assert made.std() == pytest.approx(np.sqrt(density * (omega[0] - omega[-1])), rel=0.05)
+
+
+@pytest.mark.parametrize(
+    "spectrum",
+    [
+        EUROCODE,
+        rk.DesignSpectrum.asce_7("1.0 g", "0.6 g", 8.0),
+        rk.DesignSpectrum.from_table(
+            [0.05, 0.2, 0.6, 3.0], [3.0, 6.0, 6.0, 1.0], damping_ratio=0.1
+        ),
+    ],
+)
+def test_matched_record_has_the_spectrum(spectrum):
+    motion = spectrum.matched(record(), between=(0.1, 2.0))
+    periods = np.geomspace(0.1, 2.0, 150)
+    found = motion.response_spectrum(periods, spectrum.damping_ratio).pseudo_acceleration
+    ratio = found / spectrum(periods)
+    assert 0.85 < ratio.min() <= ratio.max() < 1.15
+    assert abs(ratio.mean() - 1.0) < 0.02
+    assert abs(motion.velocity(motion.duration)) < 0.1 * motion.peak_velocity
+    assert motion.name == "quake, matched"
+    assert f"matched to {spectrum.name} within" in motion.source
+
+
+def test_artificial_motions_meet_eurocode_and_come_again_with_their_seed():
+    motions = EUROCODE.compatible_motions(3, seed=4, duration=20.0, between=(0.1, 1.25))
+    check = EUROCODE.check(motions, period=0.6)
+    assert check.passed
+    assert check.clauses == {"a": True, "b": True, "c": True}
+    one = EUROCODE.compatible_motions(1, seed=4, duration=20.0, between=(0.1, 1.25))[0]
+    assert one.samples / one.peak == pytest.approx(motions[0].samples / motions[0].peak)
+    assert np.corrcoef(motions[0].samples, motions[1].samples)[0, 1] < 0.2
+    start, end = motions[0].significant_interval()
+    assert 8.0 < end - start < 14.0
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda s: s.matched(rk.GroundMotion.single_sine(1.0, 0.5)), r"resampled\(dt\) gives it"),
+        (lambda s: s.matched(record(), between=(0.01, 1.0)), r"too coarse.* between=\(0\.02, 1\)"),
+        (lambda s: s.matched(record(), between=(0.1, 5.0)), "from 0 to 4 s, and not at 5 s"),
+        (lambda s: s.matched(record(), between=(1.0, 0.1)), "give the shorter one first"),
+        (lambda s: s.matched(record(), between=0.1), r"shortest and the longest period \[s\]"),
+        (lambda s: s.matched("quake"), "record is 'quake': give a GroundMotion"),
+        (lambda s: s.matched(rk.GroundMotion.from_array(np.zeros(99), 0.01)), "does not shake"),
+        (lambda s: s.compatible_motions(0, seed=1), "number is 0"),
+        (lambda s: s.compatible_motions(1, seed=-1), "seed is -1"),
+        (lambda s: s.compatible_motions(1, seed=1, envelope=3.0), "give a function of times"),
+    ],
+)
+def test_motion_that_cannot_be_matched_is_refused(call, said):
+    with pytest.raises(rk.MotionError, match=said):
+        call(EUROCODE)
+
+
+def test_record_that_does_not_come_near_the_spectrum_is_refused():
+    """Half a second has no response at 4 s of which a wavelet could make the largest."""
+    short = rk.GroundMotion.from_array(np.sin(np.linspace(0.0, 12.0, 50)), 0.01)
+    with pytest.raises(rk.MotionError, match="after matching: give another record"):
+        EUROCODE.matched(short)
+
+
+# --- the check
+
+
+def own_spectrum(motion, raised=1.0, at=0.3):
+    """The spectrum of a motion, at the periods of a check for 0.5 s, raised about one of them."""
+    periods = np.append(0.0, np.geomspace(0.1, 1.0, 100))
+    values = np.append(motion.peak, motion.response_spectrum(periods[1:]).pseudo_acceleration)
+    values[np.abs(periods - at) < 0.02] *= raised
+    return rk.DesignSpectrum.from_table(periods, values)
+
+
+@pytest.mark.parametrize(("raised", "passed"), [(1.0, True), (1.09, True), (1.13, False)])
+def test_clause_c_of_the_check(raised, passed):
+    motion = record(3)
+    check = own_spectrum(motion, raised).check([motion] * 3, period=0.5)
+    assert check.clauses == {"a": True, "b": True, "c": passed}
+    assert check.ratio.min() == pytest.approx(1.0 / raised, abs=2e-3)
+    assert ("3.2.3.1.2(4): met" in str(check)) is passed
+    if not passed:
+        assert "(c) no   mean spectrum at least 88 % of the target, at 0." in str(check)
+
+
+def test_clauses_a_and_b_of_the_check():
+    motion = record(3)
+    spectrum = own_spectrum(motion)
+    assert spectrum.check([motion, motion], 0.5).clauses == {"a": False, "b": True, "c": True}
+    weaker = [0.98 * motion, 0.99 * motion, 1.02 * motion]
+    assert spectrum.check(weaker, 0.5).clauses == {"a": True, "b": False, "c": True}
+
+
+def test_check_that_has_no_answer_is_refused():
+    motion = record()
+    with pytest.raises(rk.MotionError, match="spectra for 5 %"):
+        rk.DesignSpectrum.eurocode_8(2.0, "A", damping_ratio=0.1).check([motion], 0.5)
+    with pytest.raises(rk.MotionError, match="not at 5 s"):
+        EUROCODE.check([motion] * 3, 2.5)
+    with pytest.raises(rk.MotionError, match="give three or more"):
+        EUROCODE.check([], 0.5)
+    with pytest.raises(rk.MotionError, match="is among the motions"):
+        EUROCODE.check(["quake"], 0.5)
