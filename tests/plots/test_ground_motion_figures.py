@@ -63,3 +63,17 @@ def test_spectra_that_do_not_belong_together_are_refused():
         plot_spectra([])
     with pytest.raises(ValueError, match="other periods or damping: draw them in figures"):
         plot_spectra([SET[0].response_spectrum(1.0), SET[1].response_spectrum(2.0)])
+
+
+def test_design_spectrum_is_drawn_over_the_spectra_where_it_is_defined():
+    target = rk.DesignSpectrum.eurocode_8(2.0, "B")
+    spectrum = rk.GroundMotion.single_sine(2.0, 0.5).response_spectrum([0.1, 0.5, 2.0, 5.0])
+    acceleration, velocity, displacement = plot_spectra([spectrum], target=target).axes
+    line = acceleration.lines[-1]
+    assert line.get_label() == target.name
+    np.testing.assert_allclose(line.get_xdata(), [0.1, 0.5, 2.0])
+    np.testing.assert_allclose(9.81 * line.get_ydata(), target([0.1, 0.5, 2.0]))
+    np.testing.assert_allclose(
+        displacement.lines[-1].get_ydata(), target.displacement([0.1, 0.5, 2])
+    )
+    assert len(velocity.lines) == 1
