@@ -151,6 +151,8 @@ def test_matched_record_has_the_spectrum(spectrum):
     assert 0.85 < ratio.min() <= ratio.max() < 1.15
     assert abs(ratio.mean() - 1.0) < 0.02
     assert abs(motion.velocity(motion.duration)) < 0.1 * motion.peak_velocity
+    if spectrum.shortest == 0.0:
+        assert motion.peak < 1.06 * spectrum(0.0)
     assert motion.name == "quake, matched"
     assert f"matched to {spectrum.name} within" in motion.source
 

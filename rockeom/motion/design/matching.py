@@ -29,11 +29,15 @@ _PEAK_FACTOR = 3.0
 
 
 class Target(NamedTuple):
-    """Pseudo-accelerations (n,) [m/s2] at periods (n,) [s], for a damping ratio."""
+    """Pseudo-accelerations (n,) [m/s2] at periods (n,) [s], for a damping ratio.
+
+    peak : largest acceleration of the ground [m/s2], at which each round cuts the record.
+    """
 
     periods: np.ndarray
     accelerations: np.ndarray
     damping_ratio: float
+    peak: float = math.inf
 
 
 class Matched(NamedTuple):
@@ -55,7 +59,7 @@ def periods(first: float, last: float, damping_ratio: float) -> np.ndarray:
 
 
 def noise(target: Target, n: int, dt: float, generator: np.random.Generator) -> np.ndarray:
-    """Stationary noise (n,) [m/s2] dt [s] apart, of random phases, roughly compatible.
+    """Stationary noise (n,) [m/s2] dt [s] apart, of random phase angles, roughly compatible.
 
     Its density G obeys S_a**2/r**2 = omega G (pi/(4 xi) - 1) + the integral of G up to omega, with
     the peak factor r: the variance of the response of a lightly damped oscillator (Vanmarcke 1976).
@@ -84,6 +88,7 @@ def matched(samples: np.ndarray, dt: float, target: Target) -> Matched:
     """
     best = Matched(samples, np.inf)
     for _ in range(_ROUNDS):
+        samples = np.clip(samples, -target.peak, target.peak)
         time, response = _largest(samples, dt, target)
         error = float(np.abs(np.abs(response) / target.accelerations - 1.0).max())
         if error < best.error:

@@ -45,6 +45,8 @@ _EUROCODE_LONGEST = 4.0  # s, 3.2.2.2(1)
 _LEAST_ETA = 0.55
 
 _WORST_MATCH = 0.25
+_PEAK = 1.05
+"""Largest acceleration of a matched motion, over the spectrum at the period 0."""
 _CHECKED = 100
 
 
@@ -189,9 +191,9 @@ class DesignSpectrum:
             that of the start; by default a rise of 3 s, 10 s of strong motion and a decay.
         between : as of `matched`.
 
-        Each starts as noise with random phases (Gasparini and Vanmarcke 1976) and is `matched`.
-        Where the mean of their peaks is below the spectrum at the period 0, one factor on all of
-        them makes up for it. Raises MotionError as `matched` does.
+        Each starts as noise with random phase angles (Gasparini and Vanmarcke 1976) and is
+        `matched`. Where the mean of their peaks is below the spectrum at the period 0, one factor
+        on all of them makes up for it. Raises MotionError as `matched` does.
         """
         n = round(positive("duration", duration) / positive("dt", dt)) + 1
         entropy, target = whole("seed", seed, 0), self._target(between)
@@ -200,7 +202,7 @@ class DesignSpectrum:
             start = matching.noise(target, n, dt, np.random.default_rng([entropy, i]))
             start = start * factors(envelope, dt * np.arange(n))
             made = GroundMotion.from_array(start, dt)
-            random = replace(made, source=f"random phases, seed {entropy}")
+            random = replace(made, source=f"random phase angles, seed {entropy}")
             name = f"{self.name}, seed {entropy}, motion {i + 1}"
             motions.append(replace(self.matched(random, between=between), name=name))
         found = MotionSet(motions, self.name)
@@ -216,9 +218,10 @@ class DesignSpectrum:
 
         The record is scaled by one factor first. The method is that of Al Atik and Abrahamson
         (2010), Earthquake Spectra 26, 601-617, with oscillators 6 % apart in period (at 5 % of
-        damping), until these are within 7 %; between them the spectrum differs by some 10 %. The
-        baseline of the velocity is corrected. `source` of the motion has the largest difference at
-        the oscillators.
+        damping), until these are within 7 %; between them the spectrum differs by some 10 %. Where
+        the spectrum has a value at the period 0, peaks more than 5 % above it are cut before each
+        round. The baseline of the velocity is corrected. `source` of the motion has the largest
+        difference at the oscillators.
 
         Raises MotionError for a motion without samples, for such coarse ones that they do not hold
         the shortest period, and where a difference of more than 25 % is left.
@@ -265,7 +268,8 @@ class DesignSpectrum:
         if not first < last:
             raise MotionError(f"between is {first:g} and {last:g} s: give the shorter one first")
         periods = matching.periods(first, last, self.damping_ratio)
-        return matching.Target(periods, self(periods), self.damping_ratio)
+        peak = math.inf if self.shortest > 0.0 else _PEAK * float(self(0.0))
+        return matching.Target(periods, self(periods), self.damping_ratio, peak)
 
     # -- the check
 
