@@ -253,7 +253,7 @@ def test_report_and_command_line_name_the_default_and_the_gains(tmp_path, capsys
     values = [f"{name}={value!r}" for name, value in PIER.parameters().items()]
     asked = ["simulate", "flexible_structure", "--record", "Pacoima 164", "--set", *values]
     assert main([*asked, "--out", str(tmp_path)]) == 0
-    assert "Impact law: Impulsive(), by default." in capsys.readouterr().out
+    assert "Impact law: impulsive, by default." in capsys.readouterr().out
     summary = json.loads((tmp_path / "summary.json").read_text())
     assert summary["impact"] == "Impulsive()"
     assert summary["statistics"]["impact_law"] == "Impulsive(), by default"
