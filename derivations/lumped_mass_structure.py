@@ -551,8 +551,9 @@ assert np.all((ratios > 0.925) & (ratios < 0.945))
 
 # %% [markdown]
 # All measured half cycles are 6 to 7 % shorter. The coefficient of restitution is not the cause,
-# and no fit of $r$ will mend it. By (3), times are proportional to $\sqrt{I_O}$ and depend on the
-# weights too. If the weights and heights are right, the test has a smaller moment of inertia:
+# and no fit of $r$ removes the difference. By (3), times are proportional to $\sqrt{I_O}$ and
+# depend on the weights too. If the weights and heights are right, the test has a smaller moment of
+# inertia:
 
 # %%
 measured_inertia = float(numbers[I_O]) * ratios.mean() ** 2

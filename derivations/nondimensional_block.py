@@ -442,7 +442,7 @@ for beta_run, number in [(3.05, 2), (3.18, 4), (3.22, 8)]:
 # image of the state at the next. A symmetric motion is a fixed point of $P$, an asymmetric one of
 # $P^2$, one of two cycles of $P^4$. Newton's method finds them from the derivative of $P$, which is
 # carried through the impacts, and a step along the curve of solutions leads from one $\beta$ to the
-# next. Where a multiplier, an eigenvalue of that derivative, passes $-1$, the motion stops to last
+# next. Where a multiplier, an eigenvalue of that derivative, passes $-1$, the motion ceases to last
 # and another one, twice as long, leaves it.
 
 # %%
@@ -497,7 +497,7 @@ plt.show()
 #
 # $$\dot q = q - 1 + \beta\sin\omega t \tag{8}$$
 #
-# (the push taken towards the right). After the pulse only $q-1$ counts: positive it grows for ever
+# (with the push towards the right). After the pulse only $q-1$ counts: positive it grows for ever
 # and the block falls; negative, the block turns back, and every impact leaves it less. So the
 # border is where $q$ reaches just 1 at the end. The block lifts at $t_0$, where $\beta\sin\omega
 # t_0=1$. Multiply (8) by $\mathrm e^{-t}$ and integrate:

@@ -255,8 +255,8 @@ print(f"the gravestone: more than {threshold / gravestone.gravity:.2f} g, or {sp
 # $$t_{\text{fall}} - t_1 \approx \ln\frac1{|\delta|} + \text{const}. \tag{8}$$
 #
 # Three things follow for computations. Each further digit of the border costs $\ln 10 = 2.3$ units
-# of time. A run that is cut off too early takes a falling block for a standing one. And an error of
-# the integration acts as an error of $\delta$: a tolerance of $10^{-6}$ gives six digits and no
+# of time. A run that is cut off too early mistakes a falling block for a standing one. And an error
+# of the integration acts as an error of $\delta$: a tolerance of $10^{-6}$ gives six digits and no
 # more, however long one bisects.
 
 # %%
@@ -365,7 +365,7 @@ plt.show()
 #   \qquad s = \operatorname{sgn} x, \tag{11}$$
 #
 # but the instants of impact are roots of (11), which must be found numerically. They can be found
-# to the last digit, and so the following short program is exact. It returns the number of impacts
+# up to rounding, and so the following short program is exact. It returns the number of impacts
 # before the block falls, which we call its *fate*; infinite if it does not fall.
 
 
@@ -471,10 +471,10 @@ assert sp.simplify(on_the_line - 1) == 0
 #
 # $$Q = \frac{|\dot\theta|}{2p} - \sin\frac{\alpha-|\theta|}2, \tag{13}$$
 #
-# positive for a block that falls. (Of a block that moves away from the ground; one on its way back
-# has $-|\dot\theta|$.) And the state is a smooth function of the amplitude, even through impacts:
-# `rk.tangents` gives its exact derivative. Then $Q = 0$ is a case for Newton's method, and no run
-# needs to last until the block has fallen.
+# positive for a block that falls. (This is for a block that moves away from the ground; one on its
+# way back has $-|\dot\theta|$.) And the state is a smooth function of the amplitude, even through
+# impacts: `rk.tangents` gives its exact derivative. Then $Q = 0$ is a case for Newton's method, and
+# no run needs to last until the block has fallen.
 #
 # We do it for the block of Figure 2-13 of the thesis, $B=1$ m, $H=8$ m (called 1 m wide and 8 m
 # high, an erratum), with the energy ratio $r=0.954$, under one sine of 2.192 s. The thesis finds
@@ -566,7 +566,7 @@ plt.show()
 # (full lines) and above (dashed). Dotted: the balances. The pulse is the grey band.*
 #
 # From the first of them to the second the block falls after an impact; then there is a *safe
-# window* of less than one hundredth of g, in which it swings far beyond its balance and is fetched
+# window* of less than one hundredth of g, in which it swings far beyond its balance and is brought
 # back; from the third on it falls at once. The same pulse, 2.6 times as strong, spares the block.
 # Do not build on it: the window is real, but no ground keeps an amplitude to one per cent.
 

@@ -613,7 +613,8 @@ plt.show()
 # On the ground $\ddot y = 0$ with $N \ge 0$, or $\ddot y \ge 0$ with $N = 0$. While $A > 0$ there
 # is just one of the two. But $r_y < 0$: with enough friction $A < 0$, and then slow blocks,
 # $\beta < 0$, have *none*, and fast ones, $\beta > 0$, have *both*. Rigid bodies with Coulomb's
-# friction just are like that (Painleve 1895), and the engine says so instead of making one up.
+# friction have this property (Painlevé 1895), and the engine reports it instead of inventing a
+# motion.
 
 
 # %%

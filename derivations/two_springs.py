@@ -21,7 +21,7 @@
 # Ground yields. Under a structure that rocks on soil or on rubber, the pressure moves from one foot
 # to the other *before* a foot lifts. Model B of the thesis (Ma 2010, Section 5.3.2) puts the two
 # masses of [Model A](lumped_mass_structure.py) on two springs that can press and cannot pull, finds
-# the curve of a pushover by statics, and then hangs the dynamics on this curve.
+# the curve of a pushover by statics, and then bases the dynamics on this curve.
 #
 # ## Aims
 #

@@ -14,6 +14,8 @@ import matplotlib.pyplot as plt
 import nbformat
 import pytest
 
+from tests.test_words import WORDS, prose, uses
+
 FOLDER = Path(__file__).parents[2] / "derivations"
 NOTEBOOKS = pytest.mark.parametrize("path", sorted(FOLDER.glob("*.py")), ids=lambda path: path.stem)
 
@@ -165,6 +167,24 @@ def test_needs_no_package_besides_those_that_rockeom_needs(path):
     imported |= {node.module for node in tree if isinstance(node, ast.ImportFrom)}
     needed = {"matplotlib", "numpy", "rockeom", "scipy", "sympy", *sys.stdlib_module_names}
     assert {name.split(".")[0] for name in imported} <= needed
+
+
+MEANT = ("What", "Of(", r"\A", "phase", "passage")
+"""Parts of banned phrases that a notebook may say: questions, phases of the shaking, passages
+through upright."""
+
+
+@NOTEBOOKS
+def test_prose_says_it_in_the_words_of_the_field(path):
+    cells = read(path).cells
+    texts = [
+        re.sub(r"\$[^$]*\$|`[^`]*`", "...", c.source) for c in cells if c.cell_type == "markdown"
+    ]
+    texts += [text for c in cells if c.cell_type == "code" for text in prose(c.source)]
+    for banned in WORDS["prose"]:
+        if not any(part in banned["phrase"] for part in MEANT):
+            found = [use for text in texts for use in uses(banned, " ".join(text.split()))]
+            assert not found, banned["say"]
 
 
 @NOTEBOOKS
