@@ -6,8 +6,9 @@ import dataclasses
 import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Self
 
+from rockeom.analysis.formulas.foundation import rectangular_footing
 from rockeom.codes import MOST_MODES
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
@@ -62,6 +63,24 @@ class _Springs(Support):
         _turns(what, inertia)
 
 
+def _of_soil(what: str, springs: int, match: str, footing: Mapping[str, Any]) -> float:
+    """Stiffness of each of equally spaced springs under a footing [N/m], as in `from_soil`."""
+    given = dict(footing)
+    young = given.pop("youngs_modulus")
+    if (young is None) == (given["shear_modulus"] is None):
+        raise ValueError(f"{what}: give one of shear_modulus and youngs_modulus of the soil [Pa]")
+    if young is not None:
+        check_values(what, {"youngs_modulus": young, "poisson_ratio": given["poisson_ratio"]})
+        given["shear_modulus"] = young / (2 * (1 + given["poisson_ratio"]))
+    if match not in ("rotation", "heave"):
+        raise ValueError(f'{what}: match is {described(match)}: give "rotation" or "heave"')
+    stiffness = rectangular_footing(**given)
+    if match == "heave":
+        return float(stiffness.vertical) / springs
+    squares = springs * (springs + 1) / (3 * (springs - 1))  # of places from -1 to 1
+    return float(stiffness.rotational) / (squares * given["half_width"] ** 2)
+
+
 @explained.attributes()
 @explained.calls(k="stiffness=", c="damping=")
 @dataclass(frozen=True, kw_only=True)
@@ -80,6 +99,37 @@ class TwoSprings(_Springs):
     kind: ClassVar[str] = "two_springs"
 
     guided: str = "centre"
+
+    @classmethod
+    def from_soil(
+        cls, *, half_width: float, half_length: float, poisson_ratio: float, damping: float,
+        shear_modulus: float | None = None, youngs_modulus: float | None = None,
+        match: str = "rotation", guided: str = "centre",
+    ) -> Self:  # fmt: skip
+        """Springs of a rigid rectangular footing on soil.
+
+        half_width [m] : of the footing in the plane, that of the base above; half_length [m] : at
+        right angles to the plane. Both are of the whole footing, as the masses of the structure
+        above are: a strip of one metre of a wall has a half_length of 0.5 m and the mass of a
+        metre, and lacks what the ground at its sides bears. shear_modulus or youngs_modulus [Pa],
+        poisson_ratio : of the soil. damping [N s/m] of each damper; guided : as above.
+        match : the stiffness of the footing that the springs have, of "rotation" or "heave". They
+        cannot have both: two springs that turn as a square footing are 15 % softer in heave.
+
+        Source of the stiffness: `analysis.formulas.rectangular_footing` (Pais and Kausel, 1988).
+        Raises ValueError for both moduli, or none, and values out of their range.
+
+        >>> TwoSprings.from_soil(
+        ...     half_width=1.2, half_length=2.0, shear_modulus=30e6, poisson_ratio=0.3, damping=50e3
+        ... ).stiffness  # N/m
+        157714285.7...
+        """
+        footing = {
+            "half_width": half_width, "half_length": half_length, "poisson_ratio": poisson_ratio,
+            "shear_modulus": shear_modulus, "youngs_modulus": youngs_modulus,
+        }  # fmt: skip
+        stiffness = _of_soil("TwoSprings.from_soil", 2, match, footing)
+        return cls(stiffness=stiffness, damping=damping, guided=guided)
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -108,6 +158,39 @@ class Winkler(_Springs):
     kind: ClassVar[str] = "winkler"
 
     springs: int
+
+    @classmethod
+    def from_soil(
+        cls, *, springs: int, half_width: float, half_length: float, poisson_ratio: float,
+        damping: float, shear_modulus: float | None = None, youngs_modulus: float | None = None,
+        match: str = "rotation",
+    ) -> Self:  # fmt: skip
+        """The bed of a rigid rectangular footing on soil.
+
+        half_width [m] : of the footing in the plane, that of the base above; half_length [m] : at
+        right angles to the plane. Both are of the whole footing, as the masses of the structure
+        above are: a strip of one metre of a wall has a half_length of 0.5 m and the mass of a
+        metre, and lacks what the ground at its sides bears. shear_modulus or youngs_modulus [Pa],
+        poisson_ratio : of the soil. damping [N s/m] of each damper; springs : how many.
+        match : the stiffness of the footing that the springs have, of "rotation" or "heave". They
+        cannot have both: a bed of
+        many that turns as a square footing is 2.6 times as stiff in heave.
+
+        Source of the stiffness: `analysis.formulas.rectangular_footing` (Pais and Kausel, 1988).
+        Raises ValueError for both moduli, or none, and values out of their range.
+
+        >>> bed = Winkler.from_soil(
+        ...     springs=11, half_width=1.2, half_length=2.0, youngs_modulus=80e6,
+        ...     poisson_ratio=0.3, damping=10e3,
+        ... )
+        """
+        footing = {
+            "half_width": half_width, "half_length": half_length, "poisson_ratio": poisson_ratio,
+            "shear_modulus": shear_modulus, "youngs_modulus": youngs_modulus,
+        }  # fmt: skip
+        what = "Winkler.from_soil"
+        stiffness = _of_soil(what, whole_number(f"{what}: springs", springs, 2), match, footing)
+        return cls(springs=springs, stiffness=stiffness, damping=damping)
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -100,6 +100,50 @@ def rectangular_mat(
     return FoundationSprings(stiffness, damping, half_width / np.sqrt(3))
 
 
+@dataclass(frozen=True)
+class FootingStiffness:
+    """Static stiffness of a rigid footing on an elastic half-space.
+
+    vertical [N/m]; rotational [N m], moment over rotation in the plane.
+    """
+
+    vertical: np.ndarray
+    rotational: np.ndarray
+
+
+def rectangular_footing(
+    half_width: ArrayLike,
+    half_length: ArrayLike,
+    shear_modulus: ArrayLike,
+    poisson_ratio: ArrayLike,
+) -> FootingStiffness:
+    """Static stiffness of a rigid rectangular footing at the surface of an elastic half-space.
+
+    half_width [m] in the plane in which the footing turns, half_length [m] at right angles to it;
+    shear_modulus G [Pa] and poisson_ratio of the ground, G at the strain of the earthquake; any
+    shapes, broadcast. With B the lesser and L the greater of the half sides
+
+        K_z = G B/(1 - nu) (3.1 (L/B)**0.75 + 1.6)
+        K_rot = G B**3/(1 - nu) (3.2 L/B + 0.8) where it turns about its longer side,
+        K_rot = G B**3/(1 - nu) (3.73 (L/B)**2.4 + 0.27) where it turns about its shorter side.
+
+    Embedment stiffens a footing, and layers and frequency change it: all are left out.
+    Sources: A. Pais and E. Kausel, Approximate formulas for dynamic stiffnesses of rigid
+    foundations, Soil Dyn. Earthq. Eng. 7 (1988) 213-227; NIST GCR 12-917-21 (2012), Table 2-2a.
+    FEMA 356 (2000), Figure 4-4, and ASCE 41 have the same in the whole sides, with fewer digits.
+    """
+    where = "rectangular_footing"
+    width, length, modulus = positive(
+        where, half_width=half_width, half_length=half_length, shear_modulus=shear_modulus
+    )
+    rest = 1 - _poisson(where, poisson_ratio)
+    b, ratio = np.minimum(width, length), np.maximum(width, length) / np.minimum(width, length)
+    factor = np.where(width <= length, 3.2 * ratio + 0.8, 3.73 * ratio**2.4 + 0.27)
+    return FootingStiffness(
+        modulus * b / rest * (3.1 * ratio**0.75 + 1.6), modulus * b**3 / rest * factor
+    )
+
+
 def _poisson(where: str, value: ArrayLike) -> np.ndarray:
     (ratio,) = numbers(where, poisson_ratio=value)
     rule = "Poisson's ratio of the ground lies between 0 and 0.5"

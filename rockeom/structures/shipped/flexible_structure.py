@@ -2,11 +2,50 @@
 
 from __future__ import annotations
 
+import math
+from typing import Any, Self
+
+from rockeom.structures.parameters import check_values
 from rockeom.structures.shipped.declarations import flexible_structure as declared
 from rockeom.structures.supports import SupportedStructure
 
 
 class FlexibleStructure(SupportedStructure, declared.FlexibleStructure):
+    @classmethod
+    def from_period(
+        cls, period: float, damping_ratio: float, *, mass: float, **others: Any
+    ) -> Self:
+        """The structure whose column has this period and damping on a fixed base.
+
+        period T [s] and damping_ratio zeta, a part of critical damping such as 0.05, with the base
+        held: k = m (2 pi/T)**2, c = 2 zeta m 2 pi/T. mass : of the superstructure [kg].
+        others : the parameters that are left.
+
+        >>> pier = FlexibleStructure.from_period(
+        ...     0.5, damping_ratio=0.05, mass=200e3, height=10.0, inertia=0.0, base_mass=80e3,
+        ...     base_height=0.5, base_inertia=60e3, half_width=2.5,
+        ... )
+        >>> pier.fixed_base().periods  # s
+        array([0.5...])
+
+        From the section of a column: `analysis.formulas.cantilever_stiffness(E, I, L)` is k, and
+        T = 2 pi sqrt(m/k).
+
+        Raises ValueError for a damping ratio of one or more, which may be meant in percent.
+        """
+        name = f"{cls.__name__}.from_period"
+        given = {"period": period, "damping_ratio": damping_ratio, "mass": mass}
+        check_values(name, given, frozenset({"damping_ratio"}))
+        if damping_ratio >= 1:
+            raise ValueError(
+                f"{name}: damping_ratio is {damping_ratio}: give a part of critical damping, such "
+                "as 0.05 for 5 %"
+            )
+        omega = 2 * math.pi / period
+        return cls(
+            mass=mass, stiffness=mass * omega**2, damping=2 * damping_ratio * mass * omega, **others
+        )
+
     def of_base(self) -> tuple[float, float]:
         inertia = self.inertia + self.base_inertia + self.base_mass * self.base_height**2
         return self.base_mass, inertia
