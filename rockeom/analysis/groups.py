@@ -14,6 +14,8 @@ from pkgutil import iter_modules
 from types import ModuleType
 from typing import Any
 
+from rockeom.numbers import explained
+
 
 def attributes(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
     """`__getattr__` and `__dir__` of the group with the `__name__` given."""
@@ -33,7 +35,10 @@ def attributes(package: str) -> tuple[Callable[[str], Any], Callable[[], list[st
             if name in _defined(load(module)):
                 setattr(group, name, getattr(load(module), name))
                 return getattr(group, name)
-        raise AttributeError(f"module {package!r} has no attribute {name!r}")
+        message = f"module {package!r} has no attribute {name!r}"
+        if name.startswith("_"):
+            raise AttributeError(message)
+        raise explained.UnknownAttributeError(message, name, lambda: {n: n for n in get("__all__")})
 
     return get, lambda: sorted({*get("__all__"), *modules})
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import described, near
 
 RESTS = "came to rest"
 STANDS = ("completed", RESTS)
@@ -61,6 +61,7 @@ def peaks_of(sweep: xr.Dataset, name: str) -> xr.DataArray:
 
     Raises ValueError, naming all there are, for a name that the dataset does not have.
     """
+    check_sweep("peaks_of", sweep)
     there = list(map(str, sweep.data_vars))
     for variable, of in (("peak", "state"), ("peak_quantity", "quantity")):
         if variable in sweep and of in sweep[variable].dims:
@@ -71,6 +72,6 @@ def peaks_of(sweep: xr.Dataset, name: str) -> xr.DataArray:
     if name in sweep.data_vars:
         return sweep[name]
     raise ValueError(
-        f"the sweep has no {name!r}: choose among {', '.join(there)}, or give simulate_many "
-        f"quantities=[{name!r}]"
+        f"the sweep has no {name!r}{near(name, there)}: choose among {', '.join(there)}, or give "
+        f"simulate_many quantities=[{name!r}]"
     )

@@ -32,6 +32,7 @@ from rockeom.assessment.trials import (
 from rockeom.motion import GroundMotion, MotionError
 from rockeom.motion.motion_set import MotionSet
 from rockeom.motion.units import acceleration
+from rockeom.numbers import explained
 from rockeom.numbers.arguments import not_negative, positive, require
 from rockeom.numbers.checks import described
 from rockeom.simulation.response import Response
@@ -45,6 +46,7 @@ MULTIPLES = (1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0)
 """PGA in uplift accelerations, where none is given."""
 
 
+@explained.calls()
 def assess(
     structure: Structure,
     records: Records,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.scaling import Acceleration, multiplier, target
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described
 
 if TYPE_CHECKING:
@@ -22,6 +23,8 @@ _HALF_TURN = 180
 """Directions of a horizontal component, a degree apart, of RotD50 and RotD100."""
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class Recording:
     """The components that one station recorded in one earthquake.
@@ -48,6 +51,10 @@ class Recording:
 
     def __post_init__(self) -> None:
         one = isinstance(self.horizontal, GroundMotion)
+        if not (one or isinstance(self.horizontal, Iterable)):
+            raise MotionError(
+                f"horizontal is {described(self.horizontal)}: give one ground motion or two"
+            )
         horizontal = (self.horizontal,) if one else tuple(self.horizontal)
         object.__setattr__(self, "horizontal", horizontal)
         for motion in (*horizontal, *(() if self.vertical is None else (self.vertical,))):

@@ -33,7 +33,7 @@ def generated_module(name: str) -> GeneratedModule:
 
 
 @renamed.attributes(stands_on_points="has_landings", contact="mode_number")
-class Structure:
+class Structure(metaclass=explained.Constructors):
     """A rocking structure with its parameters.
 
     Methods take a state as a mapping of state names; what is not named is zero. An angle may be
@@ -176,9 +176,10 @@ class Structure:
         """
         values = named_states("state", values, self.module)
         unknown = [n for n in values if n not in self.states]
+        known = [*self.states, *(f"{n}_degrees" for n in self.states)]
         if unknown:
             raise ValueError(
-                f"unknown state {', '.join(f'{n!r}{near(n, self.states)}' for n in unknown)}; "
+                f"unknown state {', '.join(f'{n!r}{near(n, known)}' for n in unknown)}; "
                 f"{self.model} has {', '.join(self.states)}"
             )
         y = [number(f"state {name}", values.get(name, 0.0)) for name in self.states]

@@ -19,7 +19,7 @@ from rockeom.numbers.checks import number
 from rockeom.numbers.degrees import in_radians, named_in_degrees
 from rockeom.numbers.dual import directions
 from rockeom.structures.base import Structure, generated_module, missing
-from rockeom.structures.parameters import check_named, check_names, check_values
+from rockeom.structures.parameters import check_named, check_names, check_slenderness, check_values
 
 
 @dataclass_transform(kw_only_default=True, frozen_default=True)
@@ -65,6 +65,8 @@ class StructureWithFields(Structure):
             check_names(kind.__name__, required, known, values, kind.__doc__, kind._taker_of)
             numbers = {name: v for name, v in values.items() if name not in kind.not_numbers}
             check_values(kind.__name__, numbers, kind.may_vanish, kind.may_be_negative)
+            if "alpha" in numbers:
+                check_slenderness(kind.__name__, numbers["alpha"])
             for name in kind.whole & set(values):
                 check_whole(kind.__name__, name, values[name])
             plain(self, **values)

@@ -617,7 +617,7 @@ def _are_pieces(pieces: Any) -> bool:
 
 def check_ratio(what: str, value: float) -> None:
     if not 0.0 <= number(what, value) <= 1.0:
-        percent = f"; {value:g} % is {value / 100:g}" if 1.0 < value <= 100.0 else ""
+        percent = f"; {value:g} % is {value / 100:g}" if 2.0 <= value <= 100.0 else ""
         raise ValueError(
             f"{what} is {value}: it must lie between 0 (no rebound) and 1 (no loss){percent}"
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any
 
@@ -123,6 +124,14 @@ def check_values(
                 f"{what}: {name} is {value}, {limits}, so that products of it leave the range of "
                 "numbers: give it in SI units"
             )
+
+
+def check_slenderness(what: str, alpha: float) -> None:
+    """Raise ValueError for an angle of a block that is a right one or more, such as degrees."""
+    if not alpha < math.pi / 2:
+        raise ValueError(
+            f"{what}: alpha is {alpha} rad: it must be below pi/2; alpha_degrees= takes degrees"
+        )
 
 
 def check_restitution(what: str, restitution: float) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from rockeom import renamed
+from rockeom.numbers import explained
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Contact, Force, Pinned, Rigid, feet
 from rockeom.symbolic.elements import Spring, Unilateral, Yielding
@@ -37,7 +38,11 @@ def __getattr__(name: str) -> Any:
     """The function that declares a shipped structure, such as `controlled_wall`."""
     if name in SHIPPED:
         return SHIPPED[name]
-    return _former(name)
+    if name in FORMER or name.startswith("_"):
+        return _former(name)
+    message = f"module {__name__!r} has no attribute {name!r}"
+    offers = {one: one for one in (*__all__, *SHIPPED)}
+    raise explained.UnknownAttributeError(message, name, lambda: offers)
 
 
 __all__ = [

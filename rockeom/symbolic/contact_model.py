@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from rockeom.numbers import explained
 from rockeom.symbolic import valid
 from rockeom.symbolic.checks.contacts import check_items
 from rockeom.symbolic.checks.declaration import check
@@ -23,6 +24,8 @@ from rockeom.symbolic.rocking import Declared, RockingModel
 _LISTS = ("parameters", "coordinates", "bodies", "contacts", "elements", "forces", "members")
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True, kw_only=True)
 class Model(Declared, ContactDeclaration):
     """A structure that is free to move but for its contacts and elements.

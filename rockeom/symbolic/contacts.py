@@ -13,6 +13,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from rockeom.numbers import explained
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.elements import (
@@ -33,6 +34,8 @@ from rockeom.symbolic.model import (
 )
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class Rigid:
     """A rigid contact: it opens, sticks or slips.
@@ -61,6 +64,8 @@ class Rigid:
         return self.friction is not None and bool(sp.sympify(self.friction).is_zero)
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class Pinned(Rigid):
     """The law of a pair of feet that open, and neither slip nor bounce at any force.
@@ -74,6 +79,8 @@ class Pinned(Rigid):
     friction: sp.Expr | None = field(default=None, init=False, repr=False)
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class Contact:
     """A point that may close.
@@ -132,6 +139,7 @@ class Force:
         valid.expressions(what, value=self.value, displacement=self.displacement)
 
 
+@explained.calls()
 def feet(
     *,
     gap: Callable[[sp.Expr], sp.Expr],

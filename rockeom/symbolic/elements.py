@@ -15,6 +15,7 @@ from typing import ClassVar, NamedTuple, Self
 import sympy as sp
 
 from rockeom import renamed
+from rockeom.numbers import explained
 from rockeom.symbolic import valid
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import Coordinate, InternalVariable, Point, internal_variable
@@ -38,6 +39,8 @@ class Ending(NamedTuple):
 
 
 @renamed.attributes(told_displacement="output_displacement")
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class Unilateral:
     """A spring and a damper that press, k d + c d', while d and that sum are positive.
@@ -149,6 +152,8 @@ class Unilateral:
 
 
 @renamed.attributes(told_displacement="output_displacement")
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class Yielding:
     """A bar or a tendon that is elastic up to a strength, and then yields.
@@ -321,6 +326,8 @@ class Yielding:
 
 
 @renamed.attributes(told_displacement="output_displacement")
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class Spring:
     """A spring and a damper that always act: a storey's columns, a bearing, a tendon that is tight.

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from rockeom.numbers import explained
 from rockeom.symbolic import valid
 
 Point = tuple[sp.Expr, sp.Expr]
@@ -20,6 +21,8 @@ GROUND_X, GROUND_Y = sp.symbols("a_x a_y", real=True)
 """Horizontal and vertical ground acceleration [m/s2], positive to the right and upwards."""
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class Parameter:
     """A constant of a structure. It has no default: physics is never assumed silently."""
@@ -74,6 +77,8 @@ class NamedFunction:
         valid.laws(what, symbol=self.symbol)
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class Coordinate:
     """A generalised coordinate with its velocity and acceleration symbols."""
@@ -116,6 +121,8 @@ class InternalVariable:
         return sp.Symbol(rf"\dot{{{_tex(str(self.symbol))}}}", real=True)
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class Body:
     """A rigid body: `mass` at `position` (x, y), with rotary `inertia` about its centroid.
@@ -199,6 +206,7 @@ class Foot:
             valid.expressions("foot", force=self.force)
 
 
+@explained.calls()
 def coordinate(symbol: str, name: str, unit: str, meaning: str) -> Coordinate:
     """A coordinate; its velocity and acceleration are typeset with one and two dots."""
     return Coordinate(
@@ -211,11 +219,13 @@ def coordinate(symbol: str, name: str, unit: str, meaning: str) -> Coordinate:
     )
 
 
+@explained.calls()
 def internal_variable(symbol: str, name: str, unit: str, meaning: str) -> InternalVariable:
     """An internal variable, of either sign."""
     return InternalVariable(sp.Symbol(symbol, real=True), name, unit, meaning)
 
 
+@explained.calls()
 def parameter(symbol: str, name: str, unit: str, meaning: str) -> Parameter:
     """A positive parameter."""
     return Parameter(sp.Symbol(symbol, positive=True), name, unit, meaning)
@@ -225,6 +235,7 @@ def _tex(symbol: str) -> str:
     return sp.latex(sp.Symbol(symbol))
 
 
+@explained.calls()
 def rectangle(half_width: sp.Expr, below: sp.Expr, above: sp.Expr | None = None) -> Outline:
     """The corners of a rectangle that reaches `below` and `above` a body's centre, or as far."""
     low, high = -sp.sympify(below), sp.sympify(below if above is None else above)
@@ -232,6 +243,7 @@ def rectangle(half_width: sp.Expr, below: sp.Expr, above: sp.Expr | None = None)
     return (-b, low), (b, low), (b, high), (-b, high)
 
 
+@explained.calls()
 def turned(point, about, angle) -> tuple[sp.Expr, sp.Expr]:
     """`point` (x, y) turned clockwise through `angle` about the point `about`."""
     point = tuple(point)

@@ -9,6 +9,7 @@ from typing import Any, TypedDict, Unpack
 import sympy as sp
 
 from rockeom import renamed
+from rockeom.numbers import explained
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.checks.declaration import check
@@ -50,6 +51,8 @@ class Declared:
 
 @renamed.attributes(mechanism="mode", contacts="mode_names", in_contact="in_mode")
 @renamed.fields(mechanisms="modes")
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
 class RockingModel(HybridModel, Declared):
     """A structure: parameters, coordinates, modes and the transitions between them.
@@ -95,6 +98,7 @@ class Rocking(Description, total=False):
     elements: Iterable[Spring]
 
 
+@explained.calls()
 def rocking_structure(
     *,
     name: str,

@@ -131,4 +131,6 @@ def energy_balance(run: Response) -> EnergyBalance:
     Work and losses are integrals over the steps, the energies those of the states at the ends:
     their difference measures the accuracy of the integration. The same as `run.energy_balance()`.
     """
+    if not isinstance(run, Response):
+        raise TypeError(f"run is {described(run)}: give the response of rk.simulate")
     return run.energy_balance()

@@ -25,6 +25,7 @@ from rockeom.analysis.identification.free_vibration import FreeVibration, resolv
 from rockeom.analysis.identification.noise import Noise, noise_level
 from rockeom.motion.readers import FilePath, read_channels
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers import explained
 from rockeom.numbers.arguments import not_negative, numbers, positive, require
 
 # --- a record
@@ -43,6 +44,7 @@ class Velocities(NamedTuple):
     spread: float
 
 
+@explained.calls()
 @dataclass(frozen=True, eq=False)
 class MeasuredRecord:
     """Channels of a test, sampled at even steps, in SI units, and the noise of each.

@@ -17,6 +17,7 @@ from rockeom.analysis.sweeps import FALLS, STANDS, check_sweep, outcome_labels, 
 from rockeom.analysis.unfinished import check_finished
 from rockeom.numbers import explained
 from rockeom.numbers.arguments import numbers, positive, require
+from rockeom.numbers.checks import near
 
 
 class Estimate(NamedTuple):
@@ -200,7 +201,8 @@ def fragility_of(
     check_sweep("fragility_of", sweep)
     if intensity not in sweep.coords:
         raise ValueError(
-            f"fragility_of: the sweep has no coordinate {intensity!r}; it has "
+            f"fragility_of: the sweep has no coordinate {intensity!r}"
+            f"{near(intensity, map(str, sweep.coords))}; it has "
             f"{', '.join(map(str, sweep.coords))}"
         )
     check_finished("fragility_of", sweep)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from typing import Self
 
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.degrees import accepts_degrees
 from rockeom.numbers.functions import mathematics
-from rockeom.structures.parameters import check_values
+from rockeom.structures.parameters import check_slenderness, check_values
 from rockeom.structures.shipped.blocks import Block
 from rockeom.structures.shipped.declarations import rigid_block as declared
 from rockeom.structures.shipped.offset_block import OffsetBlock
@@ -30,8 +29,7 @@ class RigidBlock(Block, declared.RigidBlock):
         p**2 = m g R/I_o = 3 g/(4 R). others : the parameters that are left.
         """
         check_values(cls.__name__, {"p": p, "alpha": alpha, "gravity": gravity})
-        if not alpha < math.pi / 2:
-            raise ValueError(f"{cls.__name__}: alpha is {alpha}: it must be below pi/2")
+        check_slenderness(cls.__name__, alpha)
         radius = 0.75 * gravity / p**2
         return cls(
             half_width=radius * mathematics.sin(alpha),

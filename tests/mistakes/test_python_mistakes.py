@@ -1,0 +1,681 @@
+"""Mistakes of newcomers at every public entry: each is answered by the package, with a remedy.
+
+None is silent, and none is answered by Python, NumPy or another library: the error is raised in a
+file of the package, and its message names the argument, the value or what to write instead.
+"""
+
+from __future__ import annotations
+
+import traceback
+from collections import Counter
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pytest
+import sympy as sp
+import xarray as xr
+
+import rockeom as rk
+from rockeom import analysis, plots, symbolic
+
+PACKAGE = Path(rk.__file__).parent
+GM = rk.GroundMotion
+BLOCK = rk.RigidBlock(half_width=0.1, half_height=0.4)
+SINE = GM.single_sine(3.0, 0.5, duration=2.0)
+RECORD = GM.from_array([0.0, 1.0, 2.0, -1.0, 0.0], 0.01)
+CASE = rk.Case(BLOCK, SINE)
+SET = rk.MotionSet([SINE])
+
+
+@cache
+def run() -> rk.Response:
+    return rk.simulate(BLOCK, SINE)
+
+
+def pulse(amplitude: float) -> rk.Case:
+    return rk.Case(BLOCK, GM.single_sine(amplitude, 0.5, duration=2.0))
+
+
+@cache
+def sweep() -> Any:
+    return rk.simulate_many(pulse, {"amplitude": [1.0, 5.0]})
+
+
+def lumped(**changes: Any) -> rk.Structure:
+    values = {
+        "mass": 1e3, "height": 2.0, "inertia": 0.0, "base_mass": 500.0, "base_height": 0.0,
+        "base_inertia": 100.0, "half_width": 0.5,
+    }  # fmt: skip
+    return rk.LumpedMassStructure(**values | changes)
+
+
+def frame(**changes: Any) -> rk.Structure:
+    values = {
+        "masses": [2e4, 2e4], "heights": [3.0, 6.0], "stiffnesses": [2e7, 2e7],
+        "dampings": [1e4, 1e4], "half_width": 1.0, "base_mass": 1e4,
+    }  # fmt: skip
+    return rk.ShearFrame(**values | changes)
+
+
+class Mistake(NamedTuple):
+    """A call that is wrong, its kind, the error that answers it, and what the message says."""
+
+    kind: str
+    call: Callable[[], Any]
+    error: type[Exception]
+    says: tuple[str, ...]
+
+
+NAME, TYPE, UNIT, SIGN = "wrong name", "wrong type", "wrong unit", "wrong sign"
+SHAPE, VALUE, MISSING, FILE = "wrong shape", "wrong value", "missing value", "missing file"
+KINDS = (NAME, TYPE, UNIT, SIGN, SHAPE, VALUE, MISSING, FILE)
+
+
+def mistake(kind: str, call: Callable[[], Any], error: type[Exception], *says: str) -> Mistake:
+    return Mistake(kind, call, error, says)
+
+
+STRUCTURES = [
+    mistake(
+        MISSING, lambda: rk.RigidBlock(half_width=0.1), TypeError,
+        "RigidBlock: missing half_height", "height of the centroid above the base [m]",
+    ),
+    mistake(
+        MISSING, lambda: rk.FlexibleStructure(mass=1.0, height=1.0), TypeError,
+        "stiffness (flexural stiffness of the column [N/m])", "half_width",
+    ),
+    mistake(
+        NAME, lambda: rk.RigidBlock(width=0.2, height=0.8), TypeError,
+        "unknown width", "RigidBlock.from_dimensions takes it",
+    ),
+    mistake(
+        NAME, lambda: rk.RigidBlock(b=0.1, h=0.4), TypeError,
+        "unknown b (did you mean half_width?)", "unknown h (did you mean half_height?)",
+    ),
+    mistake(
+        NAME, lambda: rk.SlidingBlock(half_width=0.2, half_height=1.0, mu=0.5, e=0.0), TypeError,
+        "unknown mu (did you mean friction?)", "unknown e (did you mean restitution?)",
+    ),
+    mistake(
+        NAME, lambda: rk.SlenderBlock(p=2.0, alpha=0.2), TypeError,
+        "unknown p", "SlenderBlock.from_frequency takes it",
+    ),
+    mistake(
+        NAME, lambda: rk.RigidBlock.from_dimensions(width=0.6, heigth=2.0), TypeError,
+        "missing height (of the whole block [m])", "did you mean height?",
+    ),
+    mistake(
+        MISSING, lambda: rk.RigidBlock(0.1, 0.4), TypeError,
+        "takes its parameters by name", "0.1", "half_width (half of the width of the base [m])",
+    ),
+    mistake(
+        SIGN, lambda: rk.RigidBlock(half_width=-0.1, half_height=0.4), ValueError,
+        "half_width is -0.1", "positive",
+    ),
+    mistake(
+        SIGN, lambda: rk.RigidBlock.from_dimensions(width=-0.6, height=2.0), ValueError,
+        "width is -0.6", "positive",
+    ),
+    mistake(
+        SIGN,
+        lambda: rk.SlidingBlock(half_width=0.2, half_height=1.0, friction=-0.5, restitution=0.0),
+        ValueError, "friction is -0.5", "zero or positive",
+    ),
+    mistake(
+        VALUE,
+        lambda: rk.SlidingBlock(half_width=0.2, half_height=1.0, friction=0.5, restitution=1.2),
+        ValueError, "restitution is 1.2", "0 to 1",
+    ),
+    mistake(
+        UNIT, lambda: rk.RigidBlock(half_width="10 cm", half_height=0.4), TypeError,
+        "half_width is '10 cm'", "SI units",
+    ),
+    mistake(
+        UNIT, lambda: rk.RigidBlock.from_frequency(p=2.0, alpha=14), ValueError,
+        "alpha is 14 rad", "below pi/2", "alpha_degrees",
+    ),
+    mistake(
+        UNIT, lambda: rk.SlenderBlock(radius=1.0, alpha=14), ValueError,
+        "alpha is 14 rad", "alpha_degrees",
+    ),
+    mistake(
+        SHAPE, lambda: rk.RigidBlock(half_width=[0.1, 0.2], half_height=0.4), TypeError,
+        "half_width is a list of length 2", "give a number",
+    ),
+    mistake(
+        SHAPE, lambda: frame(heights=[3.0]), ValueError,
+        "masses are 2 and heights 1", "one for each storey",
+    ),
+    mistake(
+        VALUE, lambda: frame(heights=[3.0, 3.0]), ValueError,
+        "heights[1] is 3.0", "height of each floor above the feet",
+    ),
+    mistake(
+        TYPE, lambda: frame(masses=2e4), TypeError,
+        "masses is 20000.0", "list with a number for each storey",
+    ),
+    mistake(
+        TYPE, lambda: lumped(support=1e6), TypeError, "support is 1000000.0", "rk.Pinned()",
+    ),
+    mistake(
+        MISSING, lambda: rk.TwoSprings(stiffness=1e6), TypeError, "TwoSprings: missing damping",
+    ),
+    mistake(
+        NAME, lambda: rk.Winkler(springs=4, k=1e6, c=0.0), TypeError,
+        "unknown k (give stiffness=)", "unknown c (give damping=)",
+    ),
+    mistake(
+        NAME, lambda: rk.structure("RigidBlock", **{"half_width": 0.1}), ValueError,
+        "no structure named 'RigidBlock'", "did you mean rigid_block?",
+    ),
+    mistake(
+        TYPE, lambda: rk.structure(rk.RigidBlock, half_width=0.1), TypeError,
+        "the class RigidBlock", "the name of a structure",
+    ),
+    mistake(
+        NAME, lambda: BLOCK.widht, AttributeError, "'widht'", "did you mean 2 * half_width?",
+    ),
+    mistake(
+        VALUE, lambda: setattr(BLOCK, "half_width", 0.2), AttributeError,
+        "half_width cannot be set", "dataclasses.replace(it, half_width=0.2)",
+    ),
+    mistake(
+        TYPE, lambda: BLOCK.energies(0.1), TypeError, "state is 0.1", "{'theta': 0.01}",
+    ),
+    mistake(
+        NAME, lambda: rk.FlexibleStructure.from_perid(0.5), AttributeError,
+        "'FlexibleStructure' has no attribute 'from_perid'",
+    ),
+]  # fmt: skip
+
+NAMES = [
+    mistake(NAME, lambda: rk.RigidBlok, AttributeError, "did you mean RigidBlock?"),
+    mistake(NAME, lambda: rk.Restitution, AttributeError, "did you mean VelocityRatio?"),
+    mistake(NAME, lambda: rk.plot_response, AttributeError, "did you mean plots.plot_response?"),
+    mistake(NAME, lambda: rk.fragility, AttributeError, "did you mean analysis.fragility_of?"),
+    mistake(NAME, lambda: rk.Model, AttributeError, "did you mean rockeom.symbolic.Model?"),
+    mistake(NAME, lambda: rk.Ricker, AttributeError, "did you mean GroundMotion.ricker?"),
+    mistake(NAME, lambda: plots.plot_respons, AttributeError, "did you mean plot_response?"),
+    mistake(NAME, lambda: symbolic.rigid_blok, AttributeError, "did you mean rigid_block?"),
+    mistake(
+        NAME, lambda: analysis.formulas.energy_ratio_of_blok, AttributeError,
+        "did you mean energy_ratio_of_block?",
+    ),
+]  # fmt: skip
+
+MOTIONS = [
+    mistake(SIGN, lambda: GM.none(-1), rk.MotionError, "duration is -1", "positive"),
+    mistake(
+        MISSING, lambda: GM.single_sine(3.0), TypeError,
+        "GroundMotion.single_sine: missing period", "It takes amplitude, period",
+    ),
+    mistake(
+        NAME, lambda: GM.single_sine(amplitude=3.0, frequency=2.0), TypeError,
+        "unknown frequency (give period = 1/frequency)",
+    ),
+    mistake(UNIT, lambda: GM.single_sine("3 m/s2", 0.5), rk.MotionError, "amplitude is '3 m/s2'"),
+    mistake(
+        VALUE, lambda: GM.single_sine(3.0, 0.5, duration=0.1), rk.MotionError,
+        "duration is 0.1 s", "give a longer duration",
+    ),
+    mistake(
+        MISSING, lambda: GM.harmonic(3.0, duration=10.0), rk.MotionError,
+        "no frequency", "exactly one of frequency [Hz], angular_frequency [rad/s] and period [s]",
+    ),
+    mistake(
+        MISSING, lambda: GM.kanai_tajimi(0.01, duration=10.0), TypeError,
+        "missing seed (equal seeds give equal motions)",
+    ),
+    mistake(MISSING, lambda: GM.from_array([0.0, 1.0]), TypeError, "from_array: missing dt"),
+    mistake(
+        SHAPE, lambda: GM.from_array([[0, 1], [1, 2]], 0.01), rk.MotionError,
+        "acceleration has shape (2, 2)", "one dimension",
+    ),
+    mistake(SHAPE, lambda: GM.from_array([], 0.01), rk.MotionError, "0 sample(s)", "two or more"),
+    mistake(
+        SHAPE, lambda: GM.from_array([0, 0.1, 0.2], [0, 1, 0]), rk.MotionError,
+        "dt is a list of length 3", "give a number",
+    ),
+    mistake(
+        VALUE, lambda: GM.from_array([0, np.nan, 0], 0.01), rk.MotionError,
+        "acceleration[1] is nan", "finite",
+    ),
+    mistake(SIGN, lambda: GM.from_array([0, 1, 0], -0.01), rk.MotionError, "dt is -0.01"),
+    mistake(
+        NAME, lambda: GM.from_array([0, 1, 0], 0.01, unit="g"), TypeError,
+        "unknown unit (did you mean units?)",
+    ),
+    mistake(
+        UNIT, lambda: GM.from_array([0, 1, 0], 0.01, units="G's"), rk.MotionError,
+        "units \"G's\" are unknown", "m/s2, g, cm/s2",
+    ),
+    mistake(TYPE, lambda: GM.from_array("a.txt", 0.01), rk.MotionError, "'a.txt'", ".read"),
+    mistake(TYPE, lambda: GM("El Centro"), rk.MotionError, "'El Centro'", "GroundMotion.read"),
+    mistake(
+        FILE, lambda: GM.read("nofile.AT2"), rk.MotionError,
+        "nofile.AT2: there is no such file", "check the path",
+    ),
+    mistake(FILE, lambda: GM.read("words.txt"), rk.MotionError, "words.txt, line 2", "two are"),
+    mistake(FILE, lambda: GM.read("columns.csv"), rk.MotionError, "say its units", "units="),
+    mistake(
+        FILE, lambda: GM.from_csv("columns.csv", time_column="t", acceleration_column="acc"),
+        rk.MotionError, "'acc'", "the names are 't', 'a'",
+    ),
+    mistake(TYPE, lambda: GM.read(3), TypeError, "path is 3", "GroundMotion.from_array"),
+    mistake(NAME, lambda: GM.from_file("a.AT2"), AttributeError, "did you mean read(path)?"),
+    mistake(NAME, lambda: SINE.pga, AttributeError, "did you mean peak?"),
+    mistake(NAME, lambda: SINE.time, AttributeError, "did you mean sampled(dt)?"),
+    mistake(SIGN, lambda: SINE.scaled_to(-1), rk.MotionError, "peak is -1", "positive"),
+    mistake(MISSING, lambda: SINE.scaled_to(), rk.MotionError, "no intensity", 'pga="0.4 g"'),
+    mistake(UNIT, lambda: SINE.scaled_to(pga="0.4"), rk.MotionError, "pga is '0.4'", '"0.4 g"'),
+    mistake(
+        UNIT, lambda: SINE.scaled_to(pga="0.4 gs"), rk.MotionError,
+        "'gs' are unknown", "cm/s2",
+    ),
+    mistake(
+        MISSING, lambda: SINE.scaled_to(sa=3.0), rk.MotionError,
+        "sa needs the period", "period=",
+    ),
+    mistake(VALUE, lambda: GM.none(1.0).scaled_to(3.0), rk.MotionError, "zero acceleration"),
+    mistake(TYPE, lambda: SINE * "2", TypeError, "multiplied by '2'", "2 * motion"),
+    mistake(
+        VALUE, lambda: RECORD.filtered(low=10, high=1), rk.MotionError,
+        "low is 10 Hz", "smaller",
+    ),
+    mistake(TYPE, lambda: SINE.filtered(low=0.1), rk.MotionError, "no samples", "resampled(dt)"),
+    mistake(SIGN, lambda: SINE.response_spectrum([-1.0]), ValueError, "periods[0] is -1.0"),
+    mistake(
+        UNIT, lambda: SINE.response_spectrum([1.0], damping_ratio=5), ValueError,
+        "damping_ratio is 5", "give less",
+    ),
+    mistake(TYPE, lambda: rk.MotionSet(SINE), rk.MotionError, "motions is", "give a list"),
+    mistake(TYPE, lambda: rk.MotionSet([3.0]), rk.MotionError, "3.0 is in a set", "GroundMotions"),
+    mistake(MISSING, lambda: rk.MotionSet([]), rk.MotionError, "no motions", "one or more"),
+    mistake(
+        FILE, lambda: rk.MotionSet.from_folder("nowhere"), rk.MotionError,
+        "nowhere is no folder",
+    ),
+    mistake(
+        FILE, lambda: rk.MotionSet.from_folder(".", "*.xyz"), rk.MotionError,
+        "'*.xyz'", ".csv",
+    ),
+    mistake(NAME, lambda: SET.scaled_to("pgaa", 3.0), rk.MotionError, "did you mean pga?"),
+    mistake(VALUE, lambda: SET[3], IndexError, "no motion 3", "the set has 1"),
+    mistake(
+        SHAPE, lambda: rk.Recording("A", [SINE] * 3), rk.MotionError,
+        "3 horizontal", "one or two",
+    ),
+]  # fmt: skip
+
+LAWS = [
+    mistake(
+        NAME, lambda: rk.VelocityRatio(r=0.9), TypeError,
+        "missing e (coefficient of restitution, 0 to 1 [-])", "give rk.EnergyRatio(r)",
+    ),
+    mistake(NAME, lambda: rk.EnergyRatio(e=0.9), TypeError, "give rk.VelocityRatio(e)"),
+    mistake(MISSING, lambda: rk.EnergyRatio(), TypeError, "EnergyRatio(left=..., right=...)"),
+    mistake(VALUE, lambda: rk.EnergyRatio(1.2), ValueError, "r is 1.2", "1 (no loss)"),
+    mistake(SIGN, lambda: rk.VelocityRatio(-0.1), ValueError, "e is -0.1", "0 (no rebound)"),
+    mistake(UNIT, lambda: rk.EnergyRatio(90), ValueError, "r is 90", "90 % is 0.9"),
+    mistake(TYPE, lambda: rk.EnergyRatio("0.9"), TypeError, "'0.9'", "give a number"),
+    mistake(TYPE, lambda: rk.Impulsive(0.9), TypeError, "Impulsive: 0.9 is one too many"),
+    mistake(SHAPE, lambda: rk.EnergyRatioAtSpeed([0.9]), TypeError, "three numbers for each"),
+    mistake(VALUE, lambda: rk.RandomEnergyRatio([1.2]), ValueError, "values", "measured"),
+]  # fmt: skip
+
+SIMULATIONS = [
+    mistake(MISSING, lambda: rk.simulate(BLOCK), TypeError, "simulate: missing motion"),
+    mistake(
+        NAME, lambda: rk.simulate(BLOCK, SINE, restitution=0.9), TypeError,
+        "unknown restitution (give impact=rk.VelocityRatio(e))",
+    ),
+    mistake(
+        NAME, lambda: rk.simulate(BLOCK, SINE, durations=3.0), TypeError,
+        "unknown durations (did you mean duration?)",
+    ),
+    mistake(
+        NAME, lambda: rk.simulate(BLOCK, SINE, theta=0.1), TypeError, 'give initial={"theta": ...}',
+    ),
+    mistake(
+        MISSING, lambda: rk.simulate(BLOCK, SINE, rk.EnergyRatio(0.9)), TypeError,
+        "EnergyRatio(r=0.9) needs its name", "impact=",
+    ),
+    mistake(
+        SIGN, lambda: rk.simulate(BLOCK, SINE, duration=-1), ValueError,
+        "duration is -1", "positive",
+    ),
+    mistake(
+        UNIT, lambda: rk.simulate(BLOCK, SINE, duration="10 s"), TypeError,
+        "duration is '10 s'",
+    ),
+    mistake(
+        TYPE, lambda: rk.simulate(BLOCK, 3.0), TypeError,
+        "motion is 3.0", "from_array(values, dt)",
+    ),
+    mistake(TYPE, lambda: rk.simulate(BLOCK, [0, 1, 0]), TypeError, "motion is a list of length 3"),
+    mistake(TYPE, lambda: rk.simulate(BLOCK, SET), TypeError, "motion is MotionSet"),
+    mistake(
+        TYPE, lambda: rk.simulate(rk.RigidBlock, SINE), TypeError,
+        "the class RigidBlock", "half_width=",
+    ),
+    mistake(
+        TYPE, lambda: rk.simulate("rigid_block", SINE), TypeError,
+        "structure is 'rigid_block'",
+    ),
+    mistake(TYPE, lambda: rk.simulate(SINE, BLOCK), TypeError, "swapped", "structure comes first"),
+    mistake(TYPE, lambda: rk.simulate(BLOCK, SINE, vertical=0.5), TypeError, "vertical is 0.5"),
+    mistake(TYPE, lambda: rk.simulate(BLOCK, SINE, impact=0.9), TypeError, "rk.EnergyRatio(0.9)"),
+    mistake(
+        SHAPE, lambda: rk.simulate(BLOCK, SINE, initial=[0.1, 0.0]), TypeError,
+        "name the states",
+    ),
+    mistake(
+        NAME, lambda: rk.simulate(BLOCK, SINE, initial={"tetha": 0.1}), ValueError,
+        "unknown state 'tetha' (did you mean theta?)",
+    ),
+    mistake(
+        UNIT, lambda: rk.simulate(BLOCK, SINE, initial={"theta": 10}), ValueError,
+        "initial theta is 10", "theta_degrees",
+    ),
+    mistake(
+        NAME, lambda: rk.simulate(BLOCK, SINE, mode="rigth"), ValueError,
+        "did you mean right?",
+    ),
+    mistake(
+        VALUE, lambda: rk.simulate(BLOCK, SINE, keep="some"), ValueError,
+        "keep is 'some'", "'all'",
+    ),
+    mistake(
+        TYPE, lambda: rk.simulate(BLOCK, SINE, options=1e-8), TypeError,
+        "rk.SolverOptions(rtol",
+    ),
+    mistake(NAME, lambda: rk.SolverOptions(rtoll=1e-8), TypeError, "did you mean rtol?"),
+    mistake(NAME, lambda: rk.SolverOptions(dt=0.01), TypeError, "give output_step= or max_step="),
+    mistake(VALUE, lambda: rk.SolverOptions(method="rk45"), ValueError, "'rk45'", "'RK45'"),
+    mistake(SIGN, lambda: rk.SolverOptions(rtol=-1), ValueError, "rtol is -1", "positive"),
+    mistake(MISSING, lambda: rk.Case(BLOCK), TypeError, "Case: missing motion"),
+    mistake(NAME, lambda: CASE.simulate(), AttributeError, "rk.simulate(structure, motion)"),
+]  # fmt: skip
+
+RESPONSES = [
+    mistake(NAME, lambda: run()["tetha"], KeyError, "no quantity 'tetha' (did you mean theta?)"),
+    mistake(NAME, lambda: run().displacments, AttributeError, "did you mean displacement?"),
+    mistake(NAME, lambda: run().to_csv("a.csv"), AttributeError, "to_dataframe().to_csv(path)"),
+    mistake(TYPE, lambda: run()[0], KeyError, "0 is no quantity", "'theta'"),
+    mistake(VALUE, lambda: run().at(100.0), ValueError, "100.0", "from 0.0 to 2.0 s"),
+    mistake(TYPE, lambda: run().at("end"), TypeError, "times is 'end'", "give numbers"),
+    mistake(
+        SHAPE, lambda: run().at(1.0, names="theta"), ValueError,
+        "names is the word", "['theta']",
+    ),
+    mistake(VALUE, lambda: run().at(1.0, side="both"), ValueError, "side is 'both'", "'left'"),
+    mistake(VALUE, lambda: run().impacts[1000], IndexError, "no event 1000", "from 0 on"),
+    mistake(TYPE, lambda: run().events["uplift"], TypeError, "event.kind == 'uplift'"),
+    mistake(VALUE, lambda: setattr(run(), "theta", 0.0), AttributeError, "theta cannot be set"),
+    mistake(
+        FILE, lambda: run().save("nowhere/run.nc"), FileNotFoundError,
+        "no folder nowhere", "make it",
+    ),
+    mistake(FILE, lambda: run().save("run.csv"), ValueError, "netCDF", "to_dataframe().to_csv"),
+    mistake(MISSING, lambda: run().save(), TypeError, "Response.save: missing path"),
+    mistake(TYPE, lambda: run().save(3), TypeError, "path is 3", "give the path"),
+    mistake(
+        FILE, lambda: rk.load("nofile.nc"), FileNotFoundError,
+        "nofile.nc: there is no such file",
+    ),
+    mistake(FILE, lambda: rk.load("junk.nc"), ValueError, "junk.nc cannot be loaded", "cut off"),
+    mistake(FILE, lambda: rk.load("foreign.nc"), ValueError, "not written by `run.save(path)`"),
+    mistake(TYPE, lambda: rk.load(None), TypeError, "path is None"),
+    mistake(NAME, lambda: run().plot("thet"), KeyError, "no quantity 'thet' (did you mean theta?)"),
+    mistake(NAME, lambda: run().plot(axes=3), TypeError, "unknown axes (give ax)"),
+    mistake(TYPE, lambda: run().plot(ax=3), TypeError, "ax is 3", "plt.subplots()"),
+    mistake(
+        UNIT, lambda: run().plot("theta", "left_uplift", ax=plt.figure().subplots()), ValueError,
+        "theta [rad], left_uplift [m]", "axes of its own",
+    ),
+    mistake(
+        VALUE, lambda: run().plot(start=1.0, end=0.5), ValueError,
+        "start is 1 s and end 0.5 s",
+    ),
+    mistake(FILE, lambda: run().animate("run.xyz"), ValueError, "run.xyz", ".gif, .html"),
+    mistake(NAME, lambda: run().animate(fps=30), TypeError, "unknown fps (give frames_per_second)"),
+    mistake(TYPE, lambda: plots.draw_structure(rk.RigidBlock), TypeError, "the class RigidBlock"),
+    mistake(MISSING, lambda: plots.draw_structure(BLOCK, {"theta": 0.1}), TypeError, "state="),
+    mistake(
+        TYPE, lambda: plots.plot_response(BLOCK), TypeError,
+        "run is RigidBlock", "rk.simulate",
+    ),
+    mistake(
+        TYPE, lambda: plots.plot_motion([0, 1, 0]), TypeError,
+        "motion is a list", "from_array",
+    ),
+    mistake(
+        TYPE, lambda: plots.plot_comparison(run()), TypeError,
+        "runs is", "a list of responses",
+    ),
+    mistake(TYPE, lambda: plots.design_report(BLOCK, SINE), TypeError, "[motion]"),
+]  # fmt: skip
+
+SWEEPS = [
+    mistake(
+        MISSING, lambda: rk.simulate_many(pulse), TypeError,
+        "missing over (a mapping of names to lists of values",
+    ),
+    mistake(
+        TYPE, lambda: rk.simulate_many(pulse, [1, 2]), TypeError,
+        "over is a list", '{"frequency":',
+    ),
+    mistake(MISSING, lambda: rk.simulate_many(pulse, {}), ValueError, "`over` is empty"),
+    mistake(
+        SHAPE, lambda: rk.simulate_many(pulse, {"amplitude": 3.0}), TypeError,
+        "list of values",
+    ),
+    mistake(
+        NAME, lambda: rk.simulate_many(pulse, {"amp": [1.0]}), TypeError,
+        "over has amp", "'amplitude'",
+    ),
+    mistake(TYPE, lambda: rk.simulate_many(BLOCK, {"a": [1.0]}), TypeError, "case is RigidBlock"),
+    mistake(
+        NAME, lambda: rk.simulate_many(CASE, {"half_widht": [0.1]}), ValueError,
+        "'half_widht' is unknown (did you mean half_width?)",
+    ),
+    mistake(
+        SIGN, lambda: rk.simulate_many(CASE, {"half_width": [0.1, -1.0]}), ValueError,
+        "half_width = -1", "must be finite and positive",
+    ),
+    mistake(
+        VALUE, lambda: rk.simulate_many(CASE, {"restitution": [1.2]}), ValueError,
+        "restitution = 1.2", "between 0",
+    ),
+    mistake(
+        NAME, lambda: rk.simulate_many(pulse, {"amplitude": [1.0]}, quantities=["thet"]), KeyError,
+        "did you mean theta?",
+    ),
+    mistake(
+        TYPE, lambda: rk.simulate_many(pulse, {"amplitude": [1.0]}, sweep_options={"threads": 2}),
+        TypeError, "sweep_options is a dict", "rk.SweepOptions(threads=4)",
+    ),
+    mistake(NAME, lambda: rk.SweepOptions(thread=2), TypeError, "did you mean threads?"),
+    mistake(VALUE, lambda: rk.SweepOptions(threads=0), ValueError, "threads is 0", "at least 1"),
+    mistake(NAME, lambda: sweep().theta, AttributeError, 'peak.sel(state="theta")'),
+    mistake(NAME, lambda: sweep()["theta"], KeyError, 'peak.sel(state="theta")'),
+    mistake(NAME, lambda: sweep().overturned, AttributeError, "outcome == 'overturned'"),
+    mistake(
+        NAME, lambda: rk.sensitivity(CASE, of=["peak thet"], to=["half_width"]), ValueError,
+        "did you mean theta?",
+    ),
+    mistake(
+        NAME, lambda: rk.sensitivity(CASE, of=["peak theta"], to=["half_widht"]), ValueError,
+        "did you mean half_width?",
+    ),
+    mistake(
+        SHAPE, lambda: rk.sensitivity(CASE, of="peak theta", to="half_width"), TypeError,
+        "of is 'peak theta'", '["peak theta"]',
+    ),
+    mistake(TYPE, lambda: rk.tangents(BLOCK), TypeError, "case is RigidBlock", "rk.Case("),
+    mistake(MISSING, lambda: rk.tangents(CASE), ValueError, "no duals", "rk.duals(half_width=0.1)"),
+    mistake(TYPE, lambda: rk.duals(0.1), TypeError, "duals: 0.1 needs its name"),
+]  # fmt: skip
+
+ANALYSES = [
+    mistake(MISSING, lambda: rk.assess(BLOCK), TypeError, "assess: missing records"),
+    mistake(UNIT, lambda: rk.assess(BLOCK, [SINE], pga="0.4"), rk.MotionError, '"0.4 g"'),
+    mistake(UNIT, lambda: rk.assess(BLOCK, [SINE], level=95), ValueError, "level is 95", "0.95"),
+    mistake(SIGN, lambda: rk.assess(BLOCK, [SINE], friction=-1), ValueError, "friction is -1"),
+    mistake(FILE, lambda: rk.assess(BLOCK, "nowhere"), rk.MotionError, "nowhere is no folder"),
+    mistake(TYPE, lambda: rk.assess(rk.RigidBlock, [SINE]), TypeError, "the class RigidBlock"),
+    mistake(
+        NAME, lambda: analysis.fragility_of(sweep(), intensity="amplitud"), ValueError,
+        "did you mean amplitude?",
+    ),
+    mistake(
+        MISSING, lambda: analysis.fragility_of(sweep()), TypeError,
+        "fragility_of: missing intensity",
+    ),
+    mistake(
+        TYPE, lambda: analysis.fragility_of(run(), intensity="pga"), TypeError,
+        "sweep is", "rk.simulate_many",
+    ),
+    mistake(
+        VALUE, lambda: analysis.risk.fit_fragility([1, 2, 3], [False] * 3), ValueError,
+        "none of 3 motions exceeded", "higher intensities",
+    ),
+    mistake(
+        SHAPE, lambda: analysis.risk.fit_fragility([1, 2], [1, 0, 1]), ValueError,
+        "intensity (2,), exceeded (3,)",
+    ),
+    mistake(
+        NAME, lambda: analysis.overturning_boundaries(pulse, sweep(), along="period"), ValueError,
+        "along has 'period'", "it is over amplitude",
+    ),
+    mistake(
+        UNIT, lambda: analysis.rocking_spectrum(SINE, [1.0], 14), ValueError,
+        "alpha is 14", "in radians",
+    ),
+    mistake(
+        TYPE, lambda: analysis.response_spectrum([0, 1, 0], [1.0]), TypeError,
+        "motion is a list",
+    ),
+    mistake(MISSING, lambda: analysis.response_spectrum(SINE), TypeError, "missing periods"),
+    mistake(
+        NAME, lambda: plots.overturning_map(sweep(), x="amplitude", y="period"), ValueError,
+        "no coordinate 'period'",
+    ),
+]  # fmt: skip
+
+DECLARATIONS = [
+    mistake(NAME, lambda: rk.derive("rigid_blok"), KeyError, "did you mean rigid_block?"),
+    mistake(TYPE, lambda: rk.derive(BLOCK), TypeError, "name is RigidBlock", "shipped structure"),
+    mistake(SIGN, lambda: rk.derive("shear_frame", storeys=-1), ValueError, "storeys is -1"),
+    mistake(MISSING, lambda: rk.derive("shear_frame"), TypeError, "'storeys'", "it takes storeys="),
+    mistake(
+        MISSING, lambda: symbolic.parameter("m", "mass"), TypeError,
+        "parameter: missing unit, meaning",
+    ),
+    mistake(
+        UNIT, lambda: symbolic.parameter("m", "mass", 3, "mass"), ValueError,
+        "unit is 3", "a text",
+    ),
+    mistake(
+        TYPE, lambda: symbolic.Body("b", "m", (0, 1)), ValueError,
+        "mass is 'm'", "parameter(...).symbol",
+    ),
+    mistake(
+        SHAPE, lambda: symbolic.Body("b", sp.Symbol("m"), (0, 1, 2)), ValueError,
+        "position is (0, 1, 2)", "(x, y)",
+    ),
+    mistake(VALUE, lambda: symbolic.Rigid(restitution=2), ValueError, "restitution is 2", "0 to 1"),
+    mistake(
+        MISSING, lambda: symbolic.Model(name="mine"), TypeError,
+        "Model: missing title, parameters",
+    ),
+]  # fmt: skip
+
+GROUPS = {
+    "structures": STRUCTURES,
+    "names": NAMES,
+    "motions": MOTIONS,
+    "laws": LAWS,
+    "simulations": SIMULATIONS,
+    "responses": RESPONSES,
+    "sweeps": SWEEPS,
+    "analyses": ANALYSES,
+    "declarations": DECLARATIONS,
+}
+MISTAKES = [
+    pytest.param(one, id=f"{group}-{i}") for group, of in GROUPS.items() for i, one in enumerate(of)
+]
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path, monkeypatch):
+    """A folder with files that are no records and no responses."""
+    monkeypatch.chdir(tmp_path)
+    Path("words.txt").write_text("hello\nworld\n")
+    Path("columns.csv").write_text("t,a\n0,0.1\n0.01,0.2\n0.02,0.3\n")
+    Path("junk.nc").write_bytes(b"junk")
+    yield
+    plt.close("all")
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_mistake_is_answered_by_the_package_with_a_remedy(mistake):
+    if mistake in RESPONSES:
+        xr.Dataset({"a": ("x", [1, 2])}).to_netcdf("foreign.nc", engine="h5netcdf")
+    with pytest.raises(mistake.error) as caught:
+        mistake.call()
+    message = str(caught.value)
+    for words in mistake.says:
+        assert words in message
+    raised_in = Path(traceback.extract_tb(caught.value.__traceback__)[-1].filename)
+    assert raised_in.is_relative_to(PACKAGE)
+    assert len(message) < 1500
+
+
+def test_mistakes_are_spread_over_their_kinds():
+    count = Counter(one.kind for of in GROUPS.values() for one in of)
+    assert {*count} == {*KINDS}
+    assert count.total() >= 72
+    assert min(count.values()) >= 9
+
+
+# -- values that are allowed and hardly meant
+
+
+def shaken(peak: float, **units: str) -> rk.GroundMotion:
+    return GM.from_array(peak * np.sin(0.04 * np.arange(300)), 0.01, **units)
+
+
+SLIPS = {
+    "record in g as m/s2": (lambda: rk.simulate(lumped(), shaken(0.3)).hints, 'units="g"'),
+    "peak in g as m/s2": (lambda: rk.simulate(BLOCK,
+        SINE.scaled_to(0.4)).hints, "0.4 g are 3.924 m/s2"),
+    "lengths in millimetres": (
+        lambda: rk.RigidBlock(half_width=95.0, half_height=450.0, mass=1.0).hints(), "cm or mm",
+    ),
+    "damping ratio as a damper": (lambda: frame(dampings=[0.05, 0.05]).hints(), "damping ratio"),
+    "damping ratio as a foundation's": (
+        lambda: lumped(support=rk.TwoSprings(stiffness=1e6, damping=0.05)).hints(), "N s/m",
+    ),
+    "inertia beyond the body": (
+        lambda: rk.RigidBlock(half_width=0.1, half_height=0.4, inertia=1.0).hints(), "inertia",
+    ),
+    "vertical record as horizontal": (
+        lambda: rk.simulate(BLOCK, GM(SINE.segments, "UP", is_vertical=True)).hints, "vertical",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_slip_that_is_allowed_gives_a_hint(slip):
+    call, words = SLIPS[slip]
+    assert any(words in hint for hint in call())
+
+
+def test_record_in_cm_per_s2_that_is_given_as_m_per_s2_gives_a_warning():
+    with pytest.warns(UserWarning, match="350 m/s2.*check the units"):
+        GM.from_array([0.0, 350.0, 0.0], 0.01)
