@@ -52,8 +52,8 @@ class StructureWithFields(Structure):
         dataclass(frozen=True, kw_only=True, repr=False, eq=False)(cls)
         plain: Any = cls.__init__
         defaults = cls.defaults()
-        known = [*defaults]
         required = [n for n, default in defaults.items() if default is dataclasses.MISSING]
+        needed = frozenset(required)
 
         @functools.wraps(plain)
         def init(self: StructureWithFields, *unnamed: Any, **values: Any) -> None:
@@ -61,8 +61,10 @@ class StructureWithFields(Structure):
             if named_in_degrees(values):
                 values = in_radians(kind.__name__, values, kind.units())
             values = kind.complete(values)
-            check_named(kind.__name__, unnamed, known, kind.__doc__)
-            check_names(kind.__name__, required, known, values, kind.__doc__, kind._taker_of)
+            if unnamed or not needed <= values.keys() <= defaults.keys():  # most fit, and fast
+                check_named(kind.__name__, unnamed, defaults, kind.__doc__)
+                explain = kind.__doc__, kind._taker_of
+                check_names(kind.__name__, required, defaults, values, *explain)
             numbers = {name: v for name, v in values.items() if name not in kind.not_numbers}
             check_values(kind.__name__, numbers, kind.may_vanish, kind.may_be_negative)
             if "alpha" in numbers:
