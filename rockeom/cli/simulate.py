@@ -94,7 +94,9 @@ def add_case(parser: argparse.ArgumentParser) -> None:
         help="states at the start, as theta=0.1 [rad] or theta_degrees=6; the others are zero",
     )
     parser.add_argument(
-        "--impact", metavar="LAW", help=f"what an impact does: {', '.join(LAWS)}; energy-ratio=0.9"
+        "--impact",
+        metavar="LAW",
+        help="what an impact does: angular-momentum, impulsive, energy-ratio=0.9, velocity-ratio=0.95",
     )
     parser.add_argument("--duration", type=float, metavar="S", help="of the simulation [s]")
     add_motion(parser.add_argument_group("ground motion (one of the first four)"))
