@@ -3,16 +3,19 @@
 import dataclasses
 import io
 import os
+import re
+import shlex
 import subprocess
 import sys
 import unicodedata
+from pathlib import Path
 
 import pytest
 
 import rockeom as rk
 from rockeom import __version__
-from rockeom.cli import main
-from rockeom.cli.commands import HELP, OF_THESIS
+from rockeom.cli import _parser, main
+from rockeom.cli.commands import HELP, OF_THESIS, command as command_of
 from rockeom.cli.text.plain import mathematics
 from rockeom.codegen.write import write_generated
 from rockeom.modelling.named import FAMILIES, SUPPORTS, parameters_of
@@ -112,6 +115,30 @@ def test_pipe_of_few_letters_gets_the_equations_all_the_same(monkeypatch):
     assert main(["derive", "rigid_block"]) == 0
     pipe.flush()
     assert b"Equations of motion" in pipe.buffer.getvalue()
+
+
+DOCS = Path(__file__).resolve().parents[2] / "docs"
+
+
+def commands_of_pages() -> list[str]:
+    """The lines of pages and of help texts that call the command."""
+    blocks = [
+        block
+        for page in sorted(DOCS.rglob("*.md"))
+        for block in re.findall(r"^```sh\n(.*?)^```", page.read_text("utf-8"), re.M | re.S)
+    ]
+    blocks += [command_of(name).EPILOG.partition("examples:\n")[2] for name in COMMANDS]
+    joined = [re.sub(r"\s*\\\n\s*", " ", block) for block in blocks]
+    lines = (line.strip() for block in joined for line in block.split("\n"))
+    return list(dict.fromkeys(line for line in lines if line.startswith("rockeom ")))
+
+
+@pytest.mark.parametrize("line", commands_of_pages())
+def test_commands_of_pages_and_of_help_are_understood(line):
+    words = shlex.split(re.split(r"\s{2,}| >", line)[0], comments=True)[1:]
+    args, unknown = _parser(words).parse_known_args(words)
+    assert args.run
+    assert unknown == []
 
 
 # --- models
