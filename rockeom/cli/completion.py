@@ -15,6 +15,7 @@ from rockeom.modelling.declared import module_of
 from rockeom.modelling.named import FAMILIES, SUPPORTS, parameters_of, takes_support
 from rockeom.motion import MotionError, library, units
 from rockeom.structures.classes import SHIPPED
+from rockeom.structures.units import main_units
 from rockeom.thesis import EQUATIONS
 from rockeom.thesis.figures import FIGURES
 from rockeom.thesis.tables import TABLES
@@ -158,7 +159,8 @@ def _states() -> dict[str, tuple[str, ...]]:
 
 
 def _demands() -> dict[str, tuple[str, ...]]:
-    return {name: module_of(name).STATES for name in SHIPPED}
+    """States and quantities of each shipped structure."""
+    return {name: tuple(main_units(module_of(name))) for name in SHIPPED}
 
 
 _OF_EACH = {"set": _parameters, "initial": _states, "demand": _demands}

@@ -24,8 +24,10 @@ from rockeom.drawing.style import save_figure
 from rockeom.files import write
 from rockeom.motion import GroundMotion
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.checks import near
 from rockeom.plots.sweeps import fragility_curve
 from rockeom.simulation.case import Case
+from rockeom.structures.units import main_units
 from rockeom.sweeps.run import simulate_many
 
 DESCRIPTION = """\
@@ -68,7 +70,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     intensity.add_argument("--period", type=float, metavar="S", help="of --sa [s]")
     limit = parser.add_argument_group("limit; overturning if not given")
-    limit.add_argument("--demand", metavar="NAME", help="a state whose largest size is limited")
+    limit.add_argument(
+        "--demand",
+        metavar="NAME",
+        help="a state, or a quantity such as displacement, whose largest size is limited",
+    )
     limit.add_argument("--limit", type=float, metavar="X", help="of --demand, in its unit")
     parser.add_argument(
         "--out", type=Path, metavar="DIR", help="write fragility.csv and .png into this folder"
@@ -93,8 +99,11 @@ def run(args: argparse.Namespace) -> int:
         raise UsageError("--demand and --limit belong together, as in --demand theta --limit 0.05")
     if args.limit is not None and not args.limit > 0.0:
         raise UsageError(f"--limit {args.limit:g}: give a positive number, a largest size")
-    if args.demand not in (None, *structure.states):
-        raise UsageError(f"--demand {args.demand}: there are {', '.join(structure.states)}")
+    known = {**main_units(structure.module)}
+    if args.demand not in (None, *known):
+        meant = near(args.demand, known)
+        raise UsageError(f"--demand {args.demand}{meant}: there are {', '.join(known)}")
+    quantities = () if args.demand in (None, *structure.states) else (args.demand,)
     if args.out is not None:
         check_folder(args.out)
     motions = {motion.name: motion for motion in records(args)}
@@ -106,7 +115,8 @@ def run(args: argparse.Namespace) -> int:
     about = {"units": "g", "long_name": intensity.meaning}
     levels = xr.DataArray(intensity.values, dims=intensity.name, attrs=about)
     print(f"simulating {len(levels) * len(motions)} motions ...", file=sys.stderr)
-    sweep = finished(simulate_many(case, over={intensity.name: levels, "record": list(motions)}))
+    over = {intensity.name: levels, "record": list(motions)}
+    sweep = finished(simulate_many(case, over=over, quantities=quantities))
     found = _observed(sweep, args)
     print(_table(found, args, intensity))
     curve = _fit(found, args, intensity)

@@ -96,7 +96,7 @@ def add_case(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--impact",
         metavar="LAW",
-        help="what an impact does: angular-momentum, impulsive, energy-ratio=0.9, velocity-ratio=0.95",
+        help="what an impact does: angular-momentum, impulsive, energy-ratio=R, velocity-ratio=E",
     )
     parser.add_argument("--duration", type=float, metavar="S", help="of the simulation [s]")
     add_motion(parser.add_argument_group("ground motion (one of the first four)"))
