@@ -10,6 +10,7 @@ from rockeom.analysis.risk.fragility import Fragility, fit_fragility, proportion
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
 from rockeom.motion import GroundMotion
 from rockeom.simulation.case import Case
+from rockeom.simulation.reserve import rotation_ratio
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.structures.shipped.rigid_block import RigidBlock
@@ -110,8 +111,8 @@ def as_recorded(structure: Structure, conditions: Conditions) -> tuple[UnderReco
         return ()
     sweep = _sweep(structure, conditions, None)
     theta = structure.module.STATES[structure.module.ROTATION]
-    right, left = (sweep[name].sel(state=theta).values for name in ("maximum", "minimum"))
-    parts = _parts(structure, right, -left)
+    left, right = (sweep[name].sel(state=theta).values for name in ("minimum", "maximum"))
+    parts = _parts(structure, left, right)
     slips = _slips(structure, conditions, sweep).tolist()
     labels = outcome_labels(sweep).values.tolist()
     rows = zip(
@@ -163,11 +164,12 @@ def _slips(structure: Structure, conditions: Conditions, sweep: Sweep) -> np.nda
     return np.abs(sweep["final"].sel(state="x").values)
 
 
-def _parts(structure: Structure, right: np.ndarray, left: np.ndarray) -> list[float]:
-    """Largest rotations over the overturning angle of their side."""
-    alpha = structure.slenderness or np.nan
-    angles = getattr(structure, "overturning_angles", (alpha, alpha))
-    found: list[float] = (np.maximum(left / angles[0], right / angles[1]) + 0.0).tolist()
+def _parts(structure: Structure, smallest: np.ndarray, largest: np.ndarray) -> list[float]:
+    """Largest rotations over the overturning angle of their side; nan where there is none."""
+    if structure.overturning_angles is None:
+        return np.full(len(largest), np.nan).tolist()
+    left, right = (rotation_ratio(structure, one) for one in (smallest, largest))
+    found: list[float] = (np.maximum(-left, right) + 0.0).tolist()
     return found
 
 
