@@ -24,6 +24,7 @@ from rockeom.assessment.trials import (
     Trials,
     UnderRecord,
     can_slide,
+    simulated,
 )
 from rockeom.drawing import page
 from rockeom.files import check_target, write
@@ -162,8 +163,8 @@ class Assessment:
                 f"Sliding: it rocks first, since its friction, {friction:g}, is not below "
                 f"{needed:.3g}."
             )
-        slips = [one.slip for one in self.records if one.outcome != FALLS]
-        if slips and np.isfinite(slips).all():
+        slips = [one.slip for one in self.records if np.isfinite(one.slip)]
+        if slips:
             moved = f"ends up to {_mm(max(slips))} from its place"
             said += f" As recorded it {moved if max(slips) > 5e-4 else 'stays in its place'}."
         return said
@@ -363,7 +364,8 @@ class Assessment:
         return f'<div class="rockeom">{title}{self._body()}</div>'
 
     def _body(self) -> str:
-        facts = facts_of(self.structure, self.conditions.impact)
+        shaken = simulated(self.structure, self.conditions)
+        facts = facts_of(shaken, self.conditions.impact)
         parts = [
             f'<p class="verdict">{escape(self.verdict)}</p>',
             page.bullets(self.findings),
@@ -412,7 +414,7 @@ class Assessment:
                 one.name,
                 _g(one.peak),
                 one.outcome if one.lifts else "no foot lifts",
-                "–" if one.outcome == FALLS else f"{np.degrees(one.rotation):.2g}°",
+                "–" if one.outcome == FALLS else f"{np.degrees(one.rotation):.1f}°",
                 "–" if one.outcome == FALLS or np.isnan(one.part) else _percent(one.part),
                 *([_mm(one.slip)] if self._moves else []),
             )

@@ -41,7 +41,8 @@ class UnderRecord(NamedTuple):
     """A record as it was recorded, and its effect.
 
     peak : PGA [m/s2]. rotation : largest [rad]. part : of the overturning angle, nan where it is
-    not known. slip : distance from the place before, in the end [m]; nan where feet do not slide.
+    not known. slip : distance from the place before, in the end [m]; nan where it overturned or
+    feet do not slide.
     """
 
     name: str
@@ -113,11 +114,11 @@ def as_recorded(structure: Structure, conditions: Conditions) -> tuple[UnderReco
     theta = structure.module.STATES[structure.module.ROTATION]
     left, right = (sweep[name].sel(state=theta).values for name in ("minimum", "maximum"))
     parts = _parts(structure, left, right)
-    slips = _slips(structure, conditions, sweep).tolist()
-    labels = outcome_labels(sweep).values.tolist()
-    rows = zip(
-        motions, labels, (np.maximum(right, -left) + 0.0).tolist(), parts, slips, strict=True
-    )
+    labels = outcome_labels(sweep).values
+    slips = np.where(labels == FALLS, np.nan, _slips(structure, conditions, sweep))
+    largest = np.maximum(right, -left) + 0.0
+    columns = (column.tolist() for column in (labels, largest, parts, slips))
+    rows = zip(motions, *columns, strict=True)
     return tuple(
         UnderRecord(motion.name or "a ground motion", motion.peak, outcome, rotation, part, slip)
         for motion, outcome, rotation, part, slip in rows
@@ -164,13 +165,12 @@ def _slips(structure: Structure, conditions: Conditions, sweep: Sweep) -> np.nda
     return np.abs(sweep["final"].sel(state="x").values)
 
 
-def _parts(structure: Structure, smallest: np.ndarray, largest: np.ndarray) -> list[float]:
+def _parts(structure: Structure, smallest: np.ndarray, largest: np.ndarray) -> np.ndarray:
     """Largest rotations over the overturning angle of their side; nan where there is none."""
     if structure.overturning_angles is None:
-        return np.full(len(largest), np.nan).tolist()
+        return np.full(len(largest), np.nan)
     left, right = (rotation_ratio(structure, one) for one in (smallest, largest))
-    found: list[float] = (np.maximum(-left, right) + 0.0).tolist()
-    return found
+    return np.maximum(-left, right) + 0.0
 
 
 def _fitted(
@@ -192,8 +192,9 @@ def _fitted(
     except ValueError as error:
         if "falls" in str(error):
             return None, "fewer records overturn it at higher intensities: give more records"
+        where = "between" if fell[:, -1].all() else "higher"
         return None, (
             "too few intensities at which some records overturn it and others do not: add some "
-            "between those of none and all"
+            f"{where}"
         )
     return curve, ""
