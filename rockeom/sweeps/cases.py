@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -18,11 +19,11 @@ from rockeom.numbers.checks import described, is_number
 from rockeom.simulation.case import Case, Problem, Problems, without_duals
 
 FEW, MANY = 256, 2048
-"""Cases in a batch at most: made one by one, and made at once."""
+"""Cases in a batch at most; and where they are made at once and run within a second."""
 
 LAST_FEW, LAST_MANY = 32, 256
-"""The least number of cases in a batch, in the end. A batch costs as much as some 60 pulses, since
-the lanes run empty behind it."""
+"""The least number of cases in a batch, in the end, of both. A batch costs as much as some 60
+pulses, since the lanes run empty behind it."""
 
 WORTHWHILE = 12
 """Number of cases from which making them at once is faster than one by one."""
@@ -311,8 +312,11 @@ class Source:
 
     def __iter__(self) -> Iterator[Batch]:
         first, total, arrays = 0, self.total, self.arrays
+        ends, started = [0], time.monotonic()
         while first < total:
-            end = min(first + self.size(total - first, arrays), total)
+            ran = ends[-self.threads] if len(ends) >= self.threads else 0  # others are under way
+            many = arrays and ran > MANY * self.threads * (time.monotonic() - started)
+            end = min(first + self.size(total - first, many), total)
             rows = np.arange(first, end) if self.rows is None else self.rows[first:end]
             alone = 0
             for batch in self.together(rows) if arrays else map(self.one_by_one, [rows]):
@@ -320,9 +324,10 @@ class Source:
                 yield batch
             arrays &= 2 * alone <= len(rows)
             first = end
+            ends.append(end)
 
-    def size(self, left: int, arrays: bool) -> int:
-        """How many cases a thread takes of those that are left.
+    def size(self, left: int, many: bool) -> int:
+        """How many cases a thread takes of those that are left; many : whether they run fast.
 
         Half of its share at first and ever fewer, but not so few that there are many parts. Cases
         may take ten times as long as others, and those that do often come last: whoever finds no
@@ -330,7 +335,7 @@ class Source:
         """
         if self.chunk is not None:
             return self.chunk
-        least, most = (LAST_MANY, MANY) if arrays else (LAST_FEW, FEW)
+        least, most = (LAST_MANY, MANY) if many else (LAST_FEW, FEW)
         if self.threads == 1:
             return most
         half = 2 * self.threads

@@ -82,16 +82,16 @@ ALIKE, RISING, FALLING = (lambda x: 1 + 0 * x, lambda x: 1 + 9 * x, lambda x: 10
 
 
 @pytest.mark.parametrize("costs", [ALIKE, RISING, FALLING], ids=["alike", "rising", "falling"])
-@pytest.mark.parametrize(("total", "arrays", "each"), [(10_000, True, 60.0), (400, False, 0.0)])
-def test_no_thread_waits_long_for_the_last_part(total, arrays, each, costs):
+@pytest.mark.parametrize(("total", "many", "each"), [(10_000, True, 60.0), (400, False, 0.0)])
+def test_no_thread_waits_long_for_the_last_part(total, many, each, costs):
     """Two threads take the parts in turn, on cores of their own: beside an even share of the work.
 
     each : what a part costs besides its cases, in cases; measured of pulses in lanes.
     """
-    source = Source(pulse, Cases({"n": [0] * total}), None, BLOCK.module, arrays, 2)
+    source = Source(pulse, Cases({"n": [0] * total}), None, BLOCK.module, True, 2)
     cost, ends, first = costs(np.linspace(0, 1, total)), [0.0, 0.0], 0
     while first < total:
-        n = source.size(total - first, arrays)
+        n = source.size(total - first, many)
         ends[int(np.argmin(ends))] += each * cost.mean() + cost[first : first + n].sum()
         first += n
     assert max(ends) < 1.1 * cost.sum() / 2

@@ -533,3 +533,20 @@ def test_many_numbers_calculate_as_each_of_them(data, numbers, whole):
         ]
         expected = [outcome(function, point) for point in points]
         assert each(function, len(points), *columns) == expected
+
+
+# -- how many at a time
+
+
+@pytest.mark.parametrize(("pause", "sizes"), [(0.0, {256, 2048}), (0.2, {256})])
+def test_only_cases_that_run_fast_are_run_by_thousands(pause, sizes):
+    """Whoever waits, interrupts or is killed loses little."""
+    many = Source(pulsed, Cases({"amplitude": spaced(1.0, 6.0, 5000)}), None, BLOCK.module, True)
+    found = []
+    for part in many:
+        found.append(len(part.rows))
+        time.sleep(pause)
+        if len(found) == 3:
+            break
+    assert found[0] == 256
+    assert {*found} == sizes
