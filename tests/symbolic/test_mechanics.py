@@ -61,16 +61,21 @@ def block(angle: sp.Expr = -theta) -> Block:
 
 
 def declared(*bodies, coordinates=(x, y, theta), **changes) -> Model:
+    words = coordinates if isinstance(coordinates, dict) else {q: WORDS[q] for q in coordinates}
+    return from_mechanics(bodies=bodies or (block().body,), coordinates=words, **changes)
+
+
+def from_mechanics(**changes) -> Model:
     its = block()
     law = Rigid(restitution=0, friction=sp.Rational(3, 10))
     arguments = {
+        "bodies": [its.body], "coordinates": {q: WORDS[q] for q in (x, y, theta)},
         "name": "declared", "title": "Declared by mechanics", "frame": N, "origin": O,
         "gravity": g, "rotation": theta,
         "parameters": PARAMETERS,
         "contacts": {"left": (its.left, law), "right": (its.right, law)},
     } | changes  # fmt: skip
-    words = coordinates if isinstance(coordinates, dict) else {q: WORDS[q] for q in coordinates}
-    return Model.from_mechanics(bodies or (its.body,), words, **arguments)
+    return Model.from_mechanics(**arguments)
 
 
 def lagrange(model: Model, bodies, forces=()) -> sp.Matrix:
@@ -188,6 +193,11 @@ def test_particles_forces_and_further_places_are_written_in_the_coordinates():
     assert model.bodies[0].outline == symbolic.rectangle(b, h)
 
 
+def test_gravity_may_be_a_number():
+    used = {symbol: PARAMETERS[symbol] for symbol in SYMBOLS[:4]}
+    assert declared(gravity=9.81, parameters=used).gravity == 9.81
+
+
 # --- declarations that are refused
 
 
@@ -249,6 +259,12 @@ REFUSED = {
         lambda: declared(parameters=FORGOTTEN), "parameters lacks I, b, g: give each symbol",
     ),
     "weight counted twice": (lambda: declared(heavy()), "potential energy of body 'load' contains"),
+    "one body and no list": (lambda: from_mechanics(bodies=block().body), "give a list"),
+    "one contact and no list": (
+        lambda: declared(contacts=Contact("left", y, x, Rigid())), "contacts is Contact(",
+    ),
+    "parameters as a list": (lambda: declared(parameters=[m, h]), "give a mapping, such as {m: ("),
+    "gravity as a text": (lambda: declared(gravity="9.81"), "gravity is '9.81'"),
     "rotation is no coordinate": (lambda: declared(rotation=phi), "name one of `coordinates`"),
     "contact without a law": (
         lambda: declared(contacts={"left": block().left}), "give (Point, law)",

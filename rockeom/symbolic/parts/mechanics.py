@@ -61,13 +61,15 @@ class Writer:
         declared: dict[str, Any],
     ) -> dict[str, Any]:
         """Arguments of `Model`, see `Model.from_mechanics`."""
-        bodies = tuple(bodies)
+        bodies = _items(self.name, "bodies", bodies)
         self._check_bodies(bodies, outlines)
+        _check_mapping(self.name, "parameters", parameters, '{m: ("mass", "kg", "mass")}')
         rotation = declared.pop("rotation")
         if rotation not in self.coordinates:
             names = ", ".join(map(str, self.coordinates))
             fail(self.name, f"rotation is {rotation!r}: name one of `coordinates`, {names}")
-        potential = sum(self.potential_energy(b, declared["gravity"]) for b in bodies)
+        gravity = self.expression("gravity", declared["gravity"])
+        potential = sum(self.potential_energy(b, gravity) for b in bodies)
         declared["elastic_energy"] = declared.get("elastic_energy", sp.S.Zero) + potential
         moving = tuple(self.body(b, outlines.get(b, ())) for b in bodies)
         self._check_coordinates(moving)
@@ -186,7 +188,7 @@ class Writer:
     def contacts(self, contacts: Any) -> tuple[Contact, ...]:
         """Points above level ground by their laws, or contacts as they are declared."""
         if not isinstance(contacts, Mapping):
-            return tuple(self.written("contacts", tuple(contacts)))
+            return tuple(self.written("contacts", _items(self.name, "contacts", contacts)))
         found = []
         for name, pair in contacts.items():
             if not (isinstance(pair, tuple) and len(pair) == 2 and hasattr(pair[0], "pos_from")):
@@ -240,12 +242,8 @@ def _check_ground(name: str, frame: Any, origin: Any) -> None:
 
 
 def _coordinates(name: str, given: Mapping[sp.Expr, Words]) -> dict[sp.Expr, Coordinate]:
-    if not isinstance(given, Mapping) or not given:
-        fail(
-            name,
-            f"coordinates is {given!r}: give a mapping, such as "
-            '{theta: ("theta", "rad", "rotation, positive clockwise")}',
-        )
+    example = '{theta: ("theta", "rad", "rotation, positive clockwise")}'
+    _check_mapping(name, "coordinates", given, example)
     for q in given:
         if not isinstance(q, AppliedUndef) or len(q.args) != 1:
             fail(
@@ -253,6 +251,17 @@ def _coordinates(name: str, given: Mapping[sp.Expr, Words]) -> dict[sp.Expr, Coo
                 f"coordinates holds {q!r}: give what `dynamicsymbols` returns, and no derivative",
             )
     return {q: coordinate(str(q.func), *_words(name, q, words)) for q, words in given.items()}
+
+
+def _check_mapping(name: str, what: str, given: Any, example: str) -> None:
+    if not isinstance(given, Mapping) or not given:
+        fail(name, f"{what} is {given!r}: give a mapping, such as {example}")
+
+
+def _items(name: str, what: str, given: Any) -> tuple[Any, ...]:
+    if not isinstance(given, Iterable) or isinstance(given, str):
+        fail(name, f"{what} is {given!r}: give a list, [...]")
+    return tuple(given)
 
 
 def _words(name: str, symbol: sp.Expr, words: Words) -> Words:
