@@ -8,6 +8,7 @@ from pathlib import Path
 
 from rockeom.assessment.assess import assess
 from rockeom.assessment.result import check_page
+from rockeom.cli.errors import in_options
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, accelerations, add_records, records
 from rockeom.cli.simulate import impact_law
@@ -66,7 +67,7 @@ def run(args: argparse.Namespace) -> int:
     answer = assess(
         structure, motions, pga=pga, friction=args.friction, impact=law, level=args.level
     )
-    print(answer)
+    print(in_options(str(answer)))
     if args.out is not None:
         answer.save(args.out)
         print(f"wrote {args.out}")

@@ -27,6 +27,7 @@ _REMEDIES = (
     (r"^start and end are", "--start and --end are"),
     (rf"^({_OPTIONS}) (?=is|has|needs)", r"--\1 "),
     (r"^over: ", "--over: "),
+    (r"^assess: (?=level|friction)", "--"),
     (r"^time is", "--time-scale is"),
     (r"^acceleration is", "--acceleration-scale is"),
     (r"\(start, end\)", "(--start, --end)"),
@@ -66,7 +67,7 @@ def in_options(message: str) -> str:
     for python, here in _REMEDIES:
         message = re.sub(python, here, message)
     first, *listed = message.split("\n  ")
-    if len(listed) <= _MOST_LISTED:
+    if len(listed) <= _MOST_LISTED or not first.endswith("choose from"):
         return message
     shown = [*listed[:_MOST_LISTED], "... (rockeom records lists all, and searches them by words)"]
     return "\n  ".join([first, *shown])
