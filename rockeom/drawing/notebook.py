@@ -26,7 +26,7 @@ def page_of_structure(shown: Structure) -> str:
     """A sketch beside a table of the parameters, as HTML."""
     m, values = shown.module, shown.parameters()
     rows = [
-        (name.replace("_", " "), f"{values[name]:.6g}", unit, meaning)
+        (name.replace("_", " "), _value(values[name], unit), unit, meaning)
         for name, unit, meaning in zip(
             m.PARAMETERS, m.PARAMETER_UNITS, m.PARAMETER_MEANINGS, strict=True
         )
@@ -83,6 +83,11 @@ def _history(motion: Motion) -> Figure:
 
 
 # --- pieces of a page
+
+
+def _value(value: float, unit: str) -> str:
+    """A number, that of an angle with its degrees."""
+    return f"{value:.6g} ({np.degrees(value):.3g} degrees)" if unit == "rad" else f"{value:.6g}"
 
 
 def _page(title: str, body: str) -> str:

@@ -109,10 +109,10 @@ class TwoSprings(_Springs):
         """Springs of a rigid rectangular footing on soil.
 
         half_width [m] : of the footing in the plane, that of the base above; half_length [m] : at
-        right angles to the plane. Both are of the whole footing, as the masses of the structure
-        above are: a strip of one metre of a wall has a half_length of 0.5 m and the mass of a
-        metre, and lacks what the ground at its sides bears. shear_modulus or youngs_modulus [Pa],
-        poisson_ratio : of the soil. damping [N s/m] of each damper; guided : as above.
+        right angles to the plane. Both are of the whole footing, which carries the whole mass of
+        the structure above; of one metre of a long wall, divide the springs of the whole footing
+        by its length, as the mass. shear_modulus or youngs_modulus [Pa], poisson_ratio : of the
+        soil. damping [N s/m] of each damper; guided : as above.
         match : the stiffness of the footing that the springs have, of "rotation" or "heave". They
         cannot have both: two springs that turn as a square footing are 15 % softer in heave.
 
@@ -168,10 +168,10 @@ class Winkler(_Springs):
         """The bed of a rigid rectangular footing on soil.
 
         half_width [m] : of the footing in the plane, that of the base above; half_length [m] : at
-        right angles to the plane. Both are of the whole footing, as the masses of the structure
-        above are: a strip of one metre of a wall has a half_length of 0.5 m and the mass of a
-        metre, and lacks what the ground at its sides bears. shear_modulus or youngs_modulus [Pa],
-        poisson_ratio : of the soil. damping [N s/m] of each damper; springs : how many.
+        right angles to the plane. Both are of the whole footing, which carries the whole mass of
+        the structure above; of one metre of a long wall, divide the springs of the whole footing
+        by its length, as the mass. shear_modulus or youngs_modulus [Pa], poisson_ratio : of the
+        soil. damping [N s/m] of each damper; springs : how many.
         match : the stiffness of the footing that the springs have, of "rotation" or "heave". They
         cannot have both: a bed of
         many that turns as a square footing is 2.6 times as stiff in heave.

@@ -10,6 +10,7 @@ import math
 import numpy as np
 
 from rockeom.motion import GroundMotion
+from rockeom.numbers.degrees import with_degrees
 from rockeom.simulation.events import Impacts
 from rockeom.simulation.steps import Rows
 from rockeom.simulation.support import Support
@@ -131,7 +132,8 @@ def beyond_balance(structure: Structure, rows: Rows) -> tuple[str, ...]:
     if potential[1] >= potential[0]:
         return ()
     name, unit = m.STATES[m.ROTATION], m.STATE_UNITS[m.ROTATION]
-    text = f"The initial {name}, {start[m.ROTATION]:.4g} {unit}, lies beyond the balance"
-    alpha = structure.slenderness if unit == "rad" else None
-    text += "" if alpha is None else f", alpha = {alpha:.4g} rad"
+    rotation = float(start[m.ROTATION])
+    text = f"The initial {name}, {with_degrees(rotation, unit)}, lies beyond the overturning angle"
+    if (angles := structure.overturning_angles) is not None:
+        text += f", {with_degrees(angles[rotation > 0.0], unit)}"
     return (f"{text}: released at rest it falls over.",)

@@ -7,6 +7,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.structures.base import Structure
+from rockeom.symbolic import Body, Model, Rigid, coordinate, feet, parameter, turned
 
 SIZE = {"half_width": 0.3, "half_height": 0.9, "mass": 400.0}
 STATUE = rk.RigidBlock.from_dimensions(width=0.6, height=1.8, offset=0.05, mass=400.0)
@@ -133,3 +134,56 @@ def test_a_ratio_of_energies_is_refused_where_the_feet_differ():
     with pytest.raises(ValueError, match="VelocityRatio"):
         rk.simulate(STATUE, PULSE, impact=rk.EnergyRatio(0.9))
     assert rk.simulate(STATUE, PULSE, impact=rk.VelocityRatio(0.9)).impacts
+
+
+def on_contacts() -> Model:
+    """The same body, free in the plane, with two contacts that never slip."""
+    x = coordinate("x", "x", "m", "place of the middle of the base")
+    y = coordinate("y", "y", "m", "height of the middle of the base")
+    theta = coordinate("theta", "theta", "rad", "rotation, positive clockwise")
+    units = {"mass": "kg", "inertia": "kg m2", "offset": "m", "height": "m", "half_width": "m"}
+    parameters = [
+        parameter(f"{name[:3]}_1", name, unit, name)
+        for name, unit in {**units, "gravity": "m/s2"}.items()
+    ]
+    m, inertia, d, h, b, g = (p.symbol for p in parameters)
+
+    def placed(across, up):
+        right, above = turned((across, up), (0, 0), theta.position)
+        return x.position + right, y.position + above
+
+    return Model(
+        name="offset_on_contacts",
+        title="Block with its centroid off the middle, on contacts",
+        parameters=[*parameters],
+        coordinates=[x, y, theta],
+        bodies=[Body("block", m, placed(d, h), inertia, theta.position)],
+        gravity=g,
+        rotation=theta,
+        contacts=feet(
+            gap=lambda side: placed(side * b, 0)[1],
+            slip=lambda side: placed(side * b, 0)[0],
+            law=Rigid(restitution=0, friction=None),
+        ),
+        load_point=placed(d, h),
+    )
+
+
+def test_random_blocks_move_as_on_contacts_whose_modes_are_searched():
+    """Complementarity of impulses, not the impact map of declared modes."""
+    model, rng = on_contacts(), np.random.default_rng(11)
+    for _ in range(8):
+        b, h = rng.uniform(0.04, 0.4), rng.uniform(0.8, 1.5)
+        offset, inertia = rng.uniform(0.0, 0.9) * b, rng.uniform(0.1, 0.3) * (b**2 + h**2)
+        size = {"half_width": b, "offset": offset, "inertia": inertia}
+        block = rk.OffsetBlock(half_height=h, **size)
+        peak = rng.uniform(1.0, 1.6) * block.uplift_acceleration
+        pulse = rk.GroundMotion.single_sine(amplitude=peak, period=0.5, duration=8.0)
+        run = rk.simulate(block, pulse)
+        free = rk.simulate(rk.structure(model, mass=1.0, height=h, **size), pulse)
+        assert run.outcome == free.outcome
+        times = np.linspace(0.0, min(run.t[-1], free.t[-1]), 200)
+        apart = np.abs(run.at(times)["theta"] - free.at(times)["theta"]).max()
+        assert apart < 1e-6 * np.abs(run["theta"]).max()
+        if run.events.rest_time:
+            assert run.events.rest_time == pytest.approx(free.events.rest_time, rel=1e-8)
