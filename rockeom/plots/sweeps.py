@@ -359,6 +359,8 @@ def _event(demand: str | None, limit: float | None, found: xr.Dataset | Fragilit
 
 _FRACTILES = ((0.16, "--"), (0.50, "-"), (0.84, "-."))
 _FEW_NAMES = 12
+_LINE = 0.035
+"""Height of a line of small text, over that of the axes."""
 
 
 @style.styled
@@ -505,12 +507,16 @@ def _name_fallen(
     for (im, d), name in zip(curves, names, strict=True):
         if np.isposinf(d).any():
             first.setdefault(float(im[np.isposinf(d)][0]), []).append(name)
-    for level, those in first.items():
-        text = coordinates.short(those[0]) + (
-            f"\nand {len(those) - 1} more" if len(those) > 1 else ""
-        )
-        ax.annotate(style.plain(text), (edge, level), xytext=(5, 0), textcoords="offset points",
-                    fontsize=7, va="center", annotation_clip=False)  # fmt: skip
+    line, free = _LINE * ax.get_ylim()[1], 0.0
+    for level, those in sorted(first.items()):
+        more = f"\nand {len(those) - 1} more" if len(those) > 1 else ""
+        half = 0.5 * line * (2 if more else 1)
+        place = max(level, free + half)  # of a name whose neighbour below leaves no room: above it
+        free = place + half
+        ax.annotate(style.plain(coordinates.short(those[0]) + more), (edge, level),
+                    xytext=(1.03 * edge, place), fontsize=7, va="center", annotation_clip=False,
+                    arrowprops={"arrowstyle": "-", "lw": 0.4, "color": "0.5", "relpos": (0.0, 0.5),
+                                "shrinkA": 0.0, "shrinkB": 0.0})  # fmt: skip
 
 
 # --- names
