@@ -22,15 +22,16 @@ from rockeom.assessment.remedies import remedies
 from rockeom.assessment.result import Assessment
 from rockeom.assessment.statics import statics_of
 from rockeom.assessment.trials import (
-    QUIET,
     Conditions,
     UnderRecord,
     as_recorded,
     can_slide,
+    case_of,
     scaled,
 )
 from rockeom.motion import GroundMotion, MotionError
 from rockeom.motion.motion_set import MotionSet
+from rockeom.motion.recording import Recording
 from rockeom.motion.units import acceleration
 from rockeom.numbers import explained
 from rockeom.numbers.arguments import not_negative, positive, require
@@ -40,7 +41,7 @@ from rockeom.simulation.simulate import simulate
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 
-Records = GroundMotion | Iterable[GroundMotion] | str | os.PathLike[str]
+Records = GroundMotion | Recording | Iterable[GroundMotion | Recording] | str | os.PathLike[str]
 
 MULTIPLES = (1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0)
 """PGA in uplift accelerations, where none is given."""
@@ -65,8 +66,10 @@ def assess(
         answer.pga_at(0.05)  # m/s2, with its interval
 
     structure : rigid or elastic, on rigid ground that its feet may leave.
-    records : a MotionSet, a list of motions, one motion, a file, or a folder of .AT2 files;
-        horizontal. Vertical components are left out, and named.
+    records : a MotionSet, a list of motions or recordings, one of them, a file, or a folder of .AT2
+        files. Each horizontal component is a record by itself; those of `Recording`, such as of
+        `motions.recordings()`, shake vertically, too. Vertical components that are no part of a
+        recording are left out, and named.
     pga : peak ground accelerations that each record is scaled to, numbers [m/s2] or texts such as
         "0.4 g"; eight from 1.25 to 6 times the one that lifts a foot, if not given.
     friction : coefficient of friction below the feet. With it a rigid block with the default law of
@@ -94,9 +97,16 @@ def assess(
     if friction is not None:
         not_negative("assess", friction=friction)
     statics = statics_of(structure)
-    motions = _motions(records)
-    horizontal = tuple(motion for motion in motions if not motion.is_vertical)
-    conditions = Conditions(horizontal, _levels(pga, statics.uplift_acceleration), friction, impact)
+    given = _given(records)
+    alone = [one.name for one in given if isinstance(one, GroundMotion) and one.is_vertical]
+    pairs = [(i, pair) for i, one in enumerate(given) for pair in _in_plane(one)]
+    conditions = Conditions(
+        tuple(pair for _, pair in pairs),
+        tuple(i for i, _ in pairs),
+        _levels(pga, statics.uplift_acceleration),
+        friction,
+        impact,
+    )
     found = as_recorded(structure, conditions)
     return Assessment(
         structure,
@@ -107,12 +117,12 @@ def assess(
         scaled(structure, conditions, level),
         remedies(structure, conditions, level),
         _furthest(structure, conditions, found),
-        tuple(motion.name for motion in motions if motion.is_vertical),
+        tuple(alone),
     )
 
 
-def _motions(records: Any) -> tuple[GroundMotion, ...]:
-    """The motions of a set, a list, a file or a folder."""
+def _given(records: Any) -> tuple[GroundMotion | Recording, ...]:
+    """The motions and recordings of a set, a list, a file or a folder."""
     if isinstance(records, str | os.PathLike):
         if Path(records).is_file():
             return (GroundMotion.read(records),)
@@ -123,15 +133,22 @@ def _motions(records: Any) -> tuple[GroundMotion, ...]:
                 f"{error}; other files of a folder are read by "
                 f'rk.MotionSet.from_folder({os.fspath(records)!r}, pattern="*.txt", units="g")'
             ) from None
-    if isinstance(records, GroundMotion):
+    if isinstance(records, GroundMotion | Recording):
         return (records,)
-    motions = tuple(records) if isinstance(records, Iterable) else ()
-    if not motions or not all(isinstance(one, GroundMotion) for one in motions):
+    given = tuple(records) if isinstance(records, Iterable) else ()
+    if not given or not all(isinstance(one, GroundMotion | Recording) for one in given):
         raise TypeError(
             f"assess: records is {described(records)}: give ground motions, such as "
             'rk.MotionSet.from_folder("records"), [rk.GroundMotion.read("one.at2")], or a folder'
         )
-    return motions
+    return given
+
+
+def _in_plane(one: GroundMotion | Recording) -> tuple[Recording, ...]:
+    """A recording of one horizontal component for each; none for a vertical motion."""
+    if isinstance(one, Recording):
+        return one.in_plane()
+    return () if one.is_vertical else (Recording(one.name, (one,)),)
 
 
 def _levels(pga: Any, threshold: float) -> np.ndarray:
@@ -153,5 +170,7 @@ def _furthest(
     if not standing or can_slide(structure, conditions):
         return None
     motion = conditions.motions[max(standing, key=lambda i: found[i].rotation)]
-    duration = motion.duration + QUIET
-    return simulate(structure, motion, impact=conditions.impact, duration=duration)
+    case = case_of(structure, motion, conditions.impact)
+    return simulate(
+        structure, case.motion, impact=case.impact, duration=case.duration, vertical=case.vertical
+    )

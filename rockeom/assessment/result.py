@@ -35,7 +35,7 @@ from rockeom.simulation.response import Response
 from rockeom.structures.base import Structure
 
 FEW = 20
-"""Number of records below which intervals of the curve are too short."""
+"""Number of stations below which intervals of the curve are too short."""
 _UNIT = re.compile(r"(?<=\d) (?=(?:g|m|mm|k?N|%)(?![a-z]))")
 """The blank between a number and its unit."""
 _WIDTH = 78
@@ -249,14 +249,20 @@ class Assessment:
                 f"keeps their frequencies. {QUIET:g} s of quiet follow each."
             )
         if self.left_out:
-            said.append(f"Vertical components were left out: {'; '.join(self.left_out)}.")
+            said.append(
+                f"Vertical components were left out: {'; '.join(self.left_out)}. Those of "
+                "recordings count, see MotionSet.recordings()."
+            )
         if self.trials.unanswered:
             said.append(
                 f"{self.trials.unanswered} motions had no end that is an answer, and do not count."
             )
+        shaken = sum(motion.vertical is not None for motion in self.conditions.motions)
+        if shaken:
+            said.append(f"Vertical shaking: that of {shaken} of {_records(self._n)}, scaled along.")
+        still = "" if shaken else "no vertical shaking, "
         said.append(
-            "Not checked: rigid ground, motion in one plane, no vertical shaking, feet that keep "
-            "their edges."
+            f"Not checked: rigid ground, motion in one plane, {still}feet that keep their edges."
         )
         said += self._of_intervals()
         return tuple(said)
@@ -281,14 +287,14 @@ class Assessment:
         )
 
     def _of_intervals(self) -> tuple[str, ...]:
-        level = _percent(self.level)
+        level, n = _percent(self.level), len(set(self.conditions.stations))
         said = [f"Intervals of fractions: {level}, Clopper and Pearson."]
         if self.trials.fragility is not None:
             said.append(
                 "Curve: lognormal, maximum likelihood. Its intervals: "
                 f"{level}, delta method, with a covariance by record (Liang and Zeger), since the "
                 "same records are scaled to each PGA"
-                + (f"; {self._n} records are few, and the intervals too short." if self._n < FEW
+                + (f"; those of {n} stations are few, and the intervals too short." if n < FEW
                    else ".")
             )  # fmt: skip
         return tuple(said)

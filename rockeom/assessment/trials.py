@@ -8,7 +8,7 @@ import numpy as np
 
 from rockeom.analysis.risk.fragility import Fragility, fit_fragility, proportion_interval
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
-from rockeom.motion import GroundMotion
+from rockeom.motion.recording import Recording
 from rockeom.simulation.case import Case
 from rockeom.simulation.reserve import rotation_ratio
 from rockeom.structures.base import Structure
@@ -27,11 +27,15 @@ _LIFTED = 1e-9  # rad; less is rounding
 class Conditions(NamedTuple):
     """The conditions under which structures are compared.
 
-    motions (n) : horizontal. levels (m,) : PGA that each is scaled to [m/s2]. friction : below the
-    feet [-]; None where it is not known. impact : law of impact; None for the default.
+    motions (n) : one horizontal component each, with the vertical one if it was given.
+    stations (n) : a number for each, the same for both components of a recording.
+    levels (m,) : PGA that each is scaled to [m/s2].
+    friction : below the feet [-]; None where it is not known.
+    impact : law of impact; None for the default.
     """
 
-    motions: tuple[GroundMotion, ...]
+    motions: tuple[Recording, ...]
+    stations: tuple[int, ...]
     levels: np.ndarray
     friction: float | None
     impact: ImpactLaw | None
@@ -120,7 +124,14 @@ def as_recorded(structure: Structure, conditions: Conditions) -> tuple[UnderReco
     columns = (column.tolist() for column in (labels, largest, parts, slips))
     rows = zip(motions, *columns, strict=True)
     return tuple(
-        UnderRecord(motion.name or "a ground motion", motion.peak, outcome, rotation, part, slip)
+        UnderRecord(
+            motion.name or "a ground motion",
+            motion.horizontal[0].peak,
+            outcome,
+            rotation,
+            part,
+            slip,
+        )
         for motion, outcome, rotation, part, slip in rows
     )
 
@@ -142,17 +153,23 @@ def scaled(structure: Structure, conditions: Conditions, level: float) -> Trials
     for pga, n, hits, up, slip in zip(*columns, strict=True):
         lower, upper = proportion_interval(hits, n, level) if n else (0.0, 1.0)
         rows.append(AtIntensity(pga, up, hits, n, float(lower), float(upper), slip))
-    curve, reason = _fitted(conditions.levels, fell, known)
+    curve, reason = _fitted(conditions, fell, known)
     return Trials(tuple(rows), curve, reason, int((~known).sum()))
+
+
+def case_of(structure: Structure, motion: Recording, impact: ImpactLaw | None) -> Case:
+    """The structure under a motion and quiet time after it."""
+    horizontal, vertical = motion.horizontal[0], motion.vertical
+    longest = max(one.duration for one in (horizontal, vertical) if one is not None)
+    return Case(structure, horizontal, impact, duration=longest + QUIET, vertical=vertical)
 
 
 def _sweep(structure: Structure, conditions: Conditions, levels: np.ndarray | None) -> Sweep:
     """(n,) motions as they were recorded, or (n, m) scaled to levels."""
-    tried, impact = simulated(structure, conditions), conditions.impact
+    tried = simulated(structure, conditions)
 
-    def case(motion: GroundMotion, pga: float | None = None) -> Case:
-        shaking = motion if pga is None else motion.scaled_to(pga)
-        return Case(tried, shaking, impact=impact, duration=motion.duration + QUIET)
+    def case(motion: Recording, pga: float | None = None) -> Case:
+        return case_of(tried, motion if pga is None else motion.scaled_to(pga), conditions.impact)
 
     over = {"motion": conditions.motions} | ({} if levels is None else {"pga": levels})
     return simulate_many(case, over, sweep_options=SweepOptions(progress=False))
@@ -174,20 +191,20 @@ def _parts(structure: Structure, smallest: np.ndarray, largest: np.ndarray) -> n
 
 
 def _fitted(
-    levels: np.ndarray, fell: np.ndarray, known: np.ndarray
+    conditions: Conditions, fell: np.ndarray, known: np.ndarray
 ) -> tuple[Fragility | None, str]:
     """The curve of outcomes (n, m), or the reason why there is none."""
-    record = np.broadcast_to(np.arange(len(fell))[:, None], fell.shape)
-    pga = np.broadcast_to(levels, fell.shape)
+    station = np.broadcast_to(np.array(conditions.stations)[:, None], fell.shape)
+    pga = np.broadcast_to(conditions.levels, fell.shape)
     if not fell[known].any():
         return None, "no record overturns it: add higher intensities"
     if fell[known].all():
         return None, "every record overturns it at each intensity: add lower ones"
-    if len(fell) == 1:
+    if len(set(conditions.stations)) == 1:
         return None, "one record says nothing of others: give several"
     try:
         curve = fit_fragility(
-            pga[known], fell[known], left_out=int((~known).sum()), group=record[known]
+            pga[known], fell[known], left_out=int((~known).sum()), group=station[known]
         )
     except ValueError as error:
         if "falls" in str(error):

@@ -201,12 +201,28 @@ def test_vertical_components_are_left_out_and_named():
     up = dataclasses.replace(RECORDS[0], name="up", is_vertical=True)
     answer = rk.assess(BLOCK, [*RECORDS[:2], up], pga=PGA)
     assert answer.trials.intensities[0].number == 2
-    assert "Vertical components were left out: up." in answer.assumptions
+    (said,) = (one for one in answer.assumptions if one.startswith("Vertical components"))
+    assert "were left out: up." in said
     alone = rk.assess(BLOCK, [up])
     assert "there is no horizontal one" in alone.verdict
     assert "a foot lifts from 0.25 g" in alone.summary()
     assert max(map(len, alone.summary().splitlines())) <= 80
     assert alone.html().count("<h2>") == 3
+
+
+def test_recordings_shake_vertically_too_and_count_once():
+    up = dataclasses.replace(RECORDS[5].scaled(0.6), name="up", is_vertical=True)
+    both = [rk.Recording(f"site {i}", RECORDS[i : i + 2], up) for i in (0, 2)]
+    answer = rk.assess(BLOCK, both, pga=PGA)
+    assert [one.name for one in answer.records] == [f"record {i}" for i in range(4)]
+    for one, motion in zip(answer.records, RECORDS, strict=False):
+        run = rk.simulate(BLOCK, motion, vertical=up, duration=motion.duration + 10.0)
+        assert (one.outcome, one.peak) == (run.outcome, motion.peak)
+        assert one.rotation == pytest.approx(abs(run.extremes("theta").peak), rel=1e-6)
+    assert "Vertical shaking: that of 4 of 4 records, scaled along." in answer.assumptions
+    assert answer.conditions.stations == (0, 0, 1, 1)
+    alone = rk.assess(BLOCK, both[:1], pga=PGA)
+    assert "one record says nothing of others" in alone.findings[-1]
 
 
 def test_accelerations_in_m_s2_that_look_like_g_have_a_hint():
