@@ -412,20 +412,19 @@ def test_every_place_in_a_page_has_a_writer(catalogue, monkeypatch):
 # --- the script from records to a fragility curve
 
 
-def test_fragility_script_is_short_and_asks_for_what_its_frame_tells(tmp_path, monkeypatch):
+def test_sweep_of_the_fragility_guide_asks_for_what_its_frame_has(tmp_path, monkeypatch):
     """Under two weak pulses in place of its 440 motions, which take minutes."""
     text = (DOCS / "how-to" / "fragility.md").read_text("utf-8")
-    script = text.split("```python\n")[1].split("```")[0]
-    assert len(script.splitlines()) <= 30
-    names = {"__name__": "frame"}
-    exec(compile(script, "frame.py", "exec"), names)
+    declared = text.split("ipython3\n")[1].split("records = ")[0]
+    asked, _, of_cases = text.split("```python\n")[1].split("```")[0].partition("over = ")
+    scaled = of_cases[of_cases.index("def scaled") : of_cases.index("rk.simulate_many")]
+    names: dict = {}
+    exec(compile(declared + asked + scaled, "frame.py", "exec"), names)
     pulses = [rockeom.GroundMotion.single_sine(1.0, period) for period in (0.4, 0.8)]
     sweep = rockeom.simulate_many(
-        names["scaled"],
-        {"motion": pulses, "pga": [2.0, 4.0]},
-        quantities=[*names["asked"], "left_uplift"],
+        names["scaled"], {"motion": pulses, "pga": [2.0, 4.0]}, quantities=names["quantities"]
     )
-    assert sweep.sizes["quantity"] == 7
+    assert sweep.sizes["quantity"] == 3
     assert (sweep.peak_quantity > 0.0).all()
     assert (sweep.impacts > 0).any()
     monkeypatch.chdir(tmp_path)
