@@ -2,7 +2,7 @@
 
 Whatever has the unit rad or rad/s may be named with `_degrees` behind its name: a parameter
 (`alpha_degrees=14`), a state (`initial={"theta_degrees": 5}`), its rate
-(`theta_dot_degrees`, degrees per second).
+(`theta_dot_degrees`, degrees per second), a number of a sweep (`over={"alpha_degrees": [12, 14]}`).
 """
 
 from __future__ import annotations
@@ -18,8 +18,10 @@ from rockeom.numbers.checks import number, numbers
 
 F = TypeVar("F", bound=Callable[..., Any])
 SUFFIX = "_degrees"
-ANGLES = ("rad", "rad/s")
-"""Units of what may be named in degrees, or in degrees per second."""
+ANGLES = {"rad": "degree", "rad/s": "degree/s"}
+"""Units of what may be named in degrees, and those that it has then."""
+RADIANS = math.pi / 180.0
+"""One degree."""
 
 
 def in_radians(what: str, values: Mapping[str, Any], units: Mapping[str, str]) -> dict[str, Any]:
@@ -40,7 +42,7 @@ def in_radians(what: str, values: Mapping[str, Any], units: Mapping[str, str]) -
                 "leave one out"
             )
         read = number if np.ndim(value) == 0 else numbers
-        converted[plain] = read(f"{what}: {name}", value) * (math.pi / 180.0)
+        converted[plain] = read(f"{what}: {name}", value) * RADIANS
     return converted
 
 

@@ -18,6 +18,7 @@ import numpy as np
 from rockeom.motion import GroundMotion
 from rockeom.motion.formula import UNITS, formula_of
 from rockeom.numbers.checks import is_number, near
+from rockeom.numbers.degrees import ANGLES, RADIANS, SUFFIX
 from rockeom.numbers.functions import mathematics
 from rockeom.simulation.case import Case
 from rockeom.structures.base import Structure
@@ -156,15 +157,25 @@ class OtherCase:
 
     @cached_property
     def numbers(self) -> dict[str, Number]:
-        """The number of each name; raises ValueError as `numbers_named` does."""
+        """The number of each name; raises ValueError as `numbers_named` does.
+
+        A name in degrees is that of an angle, whose unit is degrees then.
+        """
         names = [name for name in self.names if name not in PARTS]
-        numbers = numbers_named("over", names, numbers_of(self.case))
-        return dict(zip(names, numbers, strict=True))
+        plain = [name.removesuffix(SUFFIX) for name in names]
+        every = numbers_of(self.case)
+        numbers = dict(zip(names, numbers_named("over", plain, every), strict=True))
+        for name in (name for name in names if name.endswith(SUFFIX)):
+            if numbers[name].unit not in ANGLES:
+                numbers_named("over", [name], every)
+            numbers[name] = numbers[name]._replace(unit=ANGLES[numbers[name].unit])
+        return numbers
 
     def __call__(self, **values: Any) -> Case:
         parts = {name: x for name, x in values.items() if name in PARTS}
         case = replace(self.case, **parts) if parts else self.case
-        return with_numbers(case, [(n, values[name]) for name, n in self.numbers.items()])
+        given = ((n, values[name], name.endswith(SUFFIX)) for name, n in self.numbers.items())
+        return with_numbers(case, [(n, x * RADIANS if degrees else x) for n, x, degrees in given])
 
 
 def function_of(case: Case | Callable[..., Case], names: Sequence[str]) -> Callable[..., Case]:

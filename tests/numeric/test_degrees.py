@@ -38,6 +38,19 @@ def test_states_are_named_in_degrees():
     assert (found == BLOCK.accelerations({"theta": np.radians(angles)})["theta"]).all()
 
 
+def test_a_sweep_varies_angles_in_degrees():
+    case = rk.Case(rk.SlenderBlock(radius=1.0, alpha_degrees=14), STILL, initial={"theta": 0.1})
+    over = {"alpha_degrees": [12.0, 14.0], "initial theta_degrees": [3.0, 5.0]}
+    found = rk.simulate_many(case, over=over)
+    assert found["alpha_degrees"].attrs["units"] == "degree"
+    plain = rk.simulate_many(
+        case, over={name.removesuffix("_degrees"): np.radians(x) for name, x in over.items()}
+    )
+    np.testing.assert_allclose(found.final.values, plain.final.values, rtol=1e-12)
+    with pytest.raises(ValueError, match="'radius_degrees' is unknown"):
+        rk.simulate_many(case, over={"radius_degrees": [1.0]})
+
+
 @pytest.mark.parametrize(
     ("call", "error", "message"),
     [
