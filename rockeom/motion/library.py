@@ -8,7 +8,7 @@ from functools import cache
 
 from rockeom.motion.errors import MotionError
 from rockeom.motion.stored import COLLECTIONS, Stored
-from rockeom.numbers.checks import described, installed_by
+from rockeom.numbers.checks import described, installed_by, near
 
 
 @cache
@@ -41,7 +41,7 @@ def names(words: str) -> tuple[str, ...]:
     wanted = set(_words(words))
     matches = tuple(name for name in records() if wanted <= set(name.split("_")))
     if not matches:
-        raise MotionError(f"no record has all the words of {words!r}{_choose(records())}")
+        raise MotionError(f"no record has all the words of {words!r}{_nearest(wanted)}")
     return matches
 
 
@@ -62,6 +62,15 @@ def find(words: str) -> Stored:
 def _words(text: str) -> list[str]:
     """The words of a text; "no pulse" is one: its set has not all the words of the pulse set."""
     return re.findall(r"[a-z0-9]+", re.sub(r"\bno[ _-]pulse\b", "nopulse", text.lower()))
+
+
+def _nearest(wanted: set[str]) -> str:
+    """Words that no name has, with the ones meant, and the names that have all other words."""
+    of_each = {name: set(name.split("_")) for name in records()}
+    there = set[str]().union(*of_each.values())
+    strange = "".join(f"; {w!r} is in no name{near(w, there)}" for w in sorted(wanted - there))
+    others = [name for name, has in of_each.items() if wanted & there <= has]
+    return strange + _choose(others or of_each)
 
 
 def _choose(among: Iterable[str]) -> str:

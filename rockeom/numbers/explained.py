@@ -101,7 +101,7 @@ def misfit(
         wrong = f"needs its name{such_as}" if unnamed or others else "is one too many"
         text.append(f"{described(value)} {wrong}")
     optional = [name for name in names if name not in required]
-    what = function.__qualname__.removesuffix(".__init__")
+    what = getattr(function, "__qualname__", "").removesuffix(".__init__")
     return f"{what}: {'; '.join(text)}. {_taken(required, optional, others)}"
 
 

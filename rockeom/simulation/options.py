@@ -8,7 +8,7 @@ from functools import cache
 
 from rockeom.integrator.methods.coefficients import PAIRS
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described, number, whole_number
+from rockeom.numbers.checks import described, near, number, whole_number
 
 METHODS = (*PAIRS, "Radau")
 """Explicit ones, and the implicit one of implicit.py."""
@@ -70,7 +70,10 @@ class SolverOptions:
     def __post_init__(self) -> None:
         if self.method is not None and self.method not in METHODS:
             *others, last = map(repr, METHODS)
-            raise ValueError(f"method is {self.method!r}: choose {', '.join(others)} or {last}")
+            hint = near(self.method, METHODS)
+            raise ValueError(
+                f"method is {self.method!r}{hint}: choose {', '.join(others)} or {last}"
+            )
         # Compiled code knows a number by its type: kept are float and int, whatever was given.
         for name in ("rtol", "atol", "max_step", "rest_tolerance", "output_step"):
             if name == "output_step" and self.output_step is None:

@@ -189,9 +189,10 @@ def _check_function(case: Any, cases: Cases) -> None:
         )
     try:
         inspect.signature(case).bind(**names)
-    except TypeError as error:
+    except TypeError:
         raise TypeError(
-            f"over has {', '.join(names)}, and the function of the sweep takes others: {error}"
+            f"over has {', '.join(names)}, and the function of the sweep takes others: "
+            f"{explained.misfit(case, (), names).partition(': ')[2]}"
         ) from None
     except ValueError:  # a function in C may not tell what it takes
         pass

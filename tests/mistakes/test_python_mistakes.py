@@ -267,6 +267,10 @@ MOTIONS = [
     ),
     mistake(TYPE, lambda: GM.read(3), TypeError, "path is 3", "GroundMotion.from_array"),
     mistake(NAME, lambda: GM.from_file("a.AT2"), AttributeError, "did you mean read(path)?"),
+    mistake(
+        NAME, lambda: GM.from_library("El Centroo 1940 180"), rk.MotionError,
+        "'centroo' is in no name (did you mean centro?)",
+    ),
     mistake(NAME, lambda: SINE.pga, AttributeError, "did you mean peak?"),
     mistake(NAME, lambda: SINE.time, AttributeError, "did you mean sampled(dt)?"),
     mistake(SIGN, lambda: SINE.scaled_to(-1), rk.MotionError, "peak is -1", "positive"),
@@ -395,7 +399,7 @@ SIMULATIONS = [
     ),
     mistake(NAME, lambda: rk.SolverOptions(rtoll=1e-8), TypeError, "did you mean rtol?"),
     mistake(NAME, lambda: rk.SolverOptions(dt=0.01), TypeError, "give output_step= or max_step="),
-    mistake(VALUE, lambda: rk.SolverOptions(method="rk45"), ValueError, "'rk45'", "'RK45'"),
+    mistake(VALUE, lambda: rk.SolverOptions(method="rk45"), ValueError, "did you mean RK45?"),
     mistake(SIGN, lambda: rk.SolverOptions(rtol=-1), ValueError, "rtol is -1", "positive"),
     mistake(MISSING, lambda: rk.Case(BLOCK), TypeError, "Case: missing motion"),
     mistake(NAME, lambda: CASE.simulate(), AttributeError, "rk.simulate(structure, motion)"),
@@ -476,7 +480,7 @@ SWEEPS = [
     ),
     mistake(
         NAME, lambda: rk.simulate_many(pulse, {"amp": [1.0]}), TypeError,
-        "over has amp", "'amplitude'",
+        "over has amp", "missing amplitude", "unknown amp",
     ),
     mistake(TYPE, lambda: rk.simulate_many(BLOCK, {"a": [1.0]}), TypeError, "case is RigidBlock"),
     mistake(

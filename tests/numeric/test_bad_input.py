@@ -429,7 +429,7 @@ def test_sweep_whose_function_returns_no_case(returned, words):
     [
         ({"case": rk.Case(BLOCK, SHAKE)}, ValueError, ("over: 'a' is unknown", "half_width")),
         ({"case": BLOCK}, TypeError, ("case is RigidBlock", "function", "lambda a")),
-        ({"case": lambda b: None}, TypeError, ("over has a", "takes others", "'b'")),
+        ({"case": lambda b: None}, TypeError, ("over has a", "takes others", "missing b")),
         ({"over": [1.0, 2.0]}, TypeError, ("over is a list", "frequency")),
         ({"over": None}, TypeError, ("over is None", "frequency")),
         ({"over": {1: [1.0]}}, TypeError, ("over has the name 1", "argument")),
