@@ -15,8 +15,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rockeom.motion import GroundMotion
+from rockeom.motion import GroundMotion, MotionError
 from rockeom.motion.formula import UNITS, formula_of
+from rockeom.motion.recording import Recording
+from rockeom.motion.scaling import target
 from rockeom.numbers.checks import is_number, near
 from rockeom.numbers.degrees import ANGLES, RADIANS, SUFFIX
 from rockeom.numbers.functions import mathematics
@@ -45,14 +47,14 @@ class Number(NamedTuple):
     """A number of a case: where it is, its value and unit.
 
     part : a field of the case, or "case". path : within what that was made of. value : None where
-    the case has none yet and may be given one. whole : whether there is a whole number of it.
+    the case has none yet and may be given one. smooth : whether derivatives are found by it.
     """
 
     part: str
     path: _Path
     value: float | None
     unit: str
-    whole: bool = False
+    smooth: bool = True
 
     @property
     def factor(self) -> str:
@@ -122,7 +124,7 @@ def _meant(name: str, known: Mapping[str, str]) -> str:
     if name in UNITS and not known.keys() & {"amplitude", "acceleration", "velocity"}:
         return (
             " (pulses have it, such as GroundMotion.single_sine; of others, and of those that were "
-            "changed after they were made, scale and time_scale are factors)"
+            "changed after they were made, pga is the peak, scale and time_scale are factors)"
         )
     return near(name, known)
 
@@ -136,7 +138,7 @@ def with_numbers(case: Case, values: Iterable[tuple[Number, Any]]) -> Case:
     changed: dict[str, Any] = {
         part: _CHANGED[part](getattr(case, part), of_part) for part, of_part in of_parts.items()
     }
-    factors = {path: x for path, x in own.items() if path[0] in FACTORS}
+    factors = _factors(changed.get("motion", case.motion), own)
     for name in ("motion", "vertical") if factors else ():
         if (motion := changed.get(name, getattr(case, name))) is not None:
             changed[name] = _changed_motion(motion, factors)
@@ -173,6 +175,8 @@ class OtherCase:
 
     def __call__(self, **values: Any) -> Case:
         parts = {name: x for name, x in values.items() if name in PARTS}
+        if isinstance(parts.get("motion"), Recording):  # which is both motions
+            parts.setdefault("vertical", None)
         case = replace(self.case, **parts) if parts else self.case
         given = ((n, values[name], name.endswith(SUFFIX)) for name, n in self.numbers.items())
         return with_numbers(case, [(n, x * RADIANS if degrees else x) for n, x, degrees in given])
@@ -202,8 +206,8 @@ def _of_structure(structure: Structure) -> dict[str, Number]:
     units = dict(zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True))
     made, found = _made_of(structure), {}
     for name, path, value in _numbers(made):
-        unit, whole = units.get(structure.parameter_at(path), ""), signs.get(name) == "n"
-        found[f"structure.{name}"] = Number("structure", path, value, unit, whole)
+        unit, smooth = units.get(structure.parameter_at(path), ""), signs.get(name) != "n"
+        found[f"structure.{name}"] = Number("structure", path, value, unit, smooth)
     for name in (name for name, value in made.items() if value is None):
         if parameter := structure.parameter_at((name,)):  # which follows from others
             found[f"structure.{name}"] = Number("structure", (name,), None, units[parameter])
@@ -252,8 +256,10 @@ def _of_start(case: Case) -> dict[str, Number]:
 def _of_time(case: Case) -> dict[str, Number]:
     duration = case.motion.duration if case.duration is None else case.duration
     unit = time_unit(case.structure.module)
+    acceleration = dimensioned(case.structure.module, {"pga": "m/s2"})["pga"]
     return {
         **{f"case.{name}": Number("case", (name,), 1.0, "-") for name in FACTORS},
+        "case.pga": Number("case", ("pga",), case.motion.peak, acceleration, smooth=False),
         "case.duration": Number("case", ("duration",), float(duration), unit),
     }
 
@@ -307,6 +313,18 @@ def _changed_motion(motion: GroundMotion, places: Mapping[_Path, Any]) -> Ground
         assert formula is not None, f"{motion!r} has no formula"
         motion = formula.with_numbers(numbers)
     return motion.scaled(scale, time) if {*places} & {("scale",), ("time_scale",)} else motion
+
+
+def _factors(motion: GroundMotion, own: Mapping[_Path, Any]) -> dict[_Path, Any]:
+    """The factors of both motions, of which "pga" makes one for the peak of the horizontal one."""
+    factors = {(name,): own[name,] for name in FACTORS if (name,) in own}
+    if ("pga",) in own:
+        if ("scale",) in factors:
+            raise ValueError("pga and scale are one factor of the motions: name one of both")
+        if motion.peak == 0.0:
+            raise MotionError("no factor makes a motion of zero acceleration shake")
+        factors["scale",] = target(None, own["pga",], None, None).value / motion.peak
+    return factors
 
 
 def _changed_law(law: Any, places: Mapping[_Path, Any]) -> Any:

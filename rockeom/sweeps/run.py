@@ -73,7 +73,8 @@ def simulate_many(
     case : a case, whose numbers `over` names as `sensitivity` does: arguments of the structure,
         such as "half_width", "masses[0]" and "support.stiffness"; of a pulse, such as "amplitude"
         and "period" or "frequency", its reciprocal; "scale" and "time_scale", factors of the
-        acceleration and time of any motion and of the vertical one with it; of the impact law, such
+        acceleration and time of any motion and of the vertical one with it, and "pga", for which
+        both are scaled; of the impact law, such
         as "r", or "restitution", the ratio e of the rates of rotation; "initial theta" of a state;
         "duration". A name that two parts of the case have is written with the part, as
         "motion.amplitude" and "vertical.amplitude". "motion", "structure", "vertical", "impact" and

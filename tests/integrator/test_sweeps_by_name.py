@@ -88,6 +88,20 @@ def test_a_record_is_scaled_and_the_vertical_one_with_it():
     )  # fmt: skip
 
 
+def test_records_and_pairs_have_a_peak():
+    """As `scaled_to` scales them, a vertical component along."""
+    pairs = [rk.Recording(f"site {x}", (RECORD.scaled(x),), 0.5 * RECORD) for x in (1.0, 2.0)]
+    for case, motions in ((CASE, [RECORD, *pairs]), (rk.Case(BLOCK, pairs[0]), pairs)):
+        over = {"motion": motions, "pga": [4.0, 8.0]}
+        found = rk.simulate_many(case, over)
+        assert same_data(found, rk.simulate_many(
+            lambda motion, pga: rk.Case(BLOCK, motion.scaled_to(pga=pga)), over
+        ))  # fmt: skip
+    assert found.pga.attrs["units"] == "m/s2"
+    with pytest.raises(ValueError, match="pga and scale are one factor"):
+        rk.simulate_many(CASE, {"pga": [4.0], "scale": [2.0]})
+
+
 def test_start_duration_and_whole_parts():
     over = {"initial theta": [0.05, 0.1], "duration": [1.0, 2.0], "motion": [RECORD, SINE]}
     found = rk.simulate_many(CASE, over)
@@ -108,7 +122,7 @@ def test_each_number_of_each_structure(model):
     case = rk.Case(structure, SINE)
     numbers = {n: x for n, x in numbers_of(case).items() if x.part == "structure"}
     assert {name.partition(".")[2].partition("[")[0] for name in numbers} >= {*plain(model)}
-    names = [name for name, number in numbers.items() if not number.whole]
+    names = [name for name, number in numbers.items() if number.smooth]
     for name in names:
         (_, argument) = name.split(".", 1)
         value = numbers[name].value
@@ -184,7 +198,10 @@ MISTAKES = {
     "half_widht": (CASE, r"did you mean half_width\?.*half_width \[m\], .*amplitude \[m/s2\]"),
     "theta": (CASE, r"did you mean 'initial theta'\?"),
     "r": (CASE, r"'restitution', which is the ratio e .* impact=rk.EnergyRatio\(r=0\.8\)"),
-    "amplitude": (rk.Case(BLOCK, RECORD), "pulses have it, .*scale and time_scale are factors"),
+    "amplitude": (
+        rk.Case(BLOCK, RECORD),
+        "pulses have it, .*pga is the peak, scale and time_scale are factors",
+    ),
     "period": (ON_BASE, r"several parts of the case: name 'motion\.period' or 'vertical\.period'"),
     "height": (ON_BASE, r"name 'structure\.height' or 'impact\.height'"),
 }
