@@ -40,9 +40,8 @@ examples:
 _NAME_IN_MODEL = {"half_height": "height"}
 
 
-# Arguments by which a family is explained, where none are given, and its states in the list.
+# Arguments by which a family is explained, where none are given.
 _EXAMPLES: dict[str, dict[str, int | str]] = {"shear_frame": {"storeys": 2}}
-_STATES = {"shear_frame": "theta, u_1, u_2, ..., and their rates"}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -135,19 +134,24 @@ def _of_dimensions(of: Any, values: dict[str, Any]) -> Structure:
 
 
 def _list() -> str:
-    rows = [("NAME", "STATES", "TITLE")]
-    for name, of in SHIPPED.items():
-        module = _module(of, {})
-        rows.append((name, ", ".join(module.STATES), _title(module)))
+    rows = [(name, _title(_module(of, {}))) for name, of in SHIPPED.items()]
     notes = []
     for name, of in FAMILIES.items():
         arguments = " ".join(f"{n}=N" for n in _EXAMPLES[name])
-        rows.append((name, _STATES[name], (of.__doc__ or "").partition(",")[0]))
+        rows.append((name, (of.__doc__ or "").partition(",")[0]))
         notes.append(f"  {name} takes {arguments}, and is derived for each")
     standing = [n for n, s in {**SHIPPED, **FAMILIES}.items() if takes_support(s)]
     notes += [f"  {', '.join(standing)} take a support:"]
     notes += [f"    {line}" for line in _aligned(_supports())]
-    return "\n".join([*_aligned(rows), "", *notes, "", "rockeom models NAME explains one of them."])
+    return "\n".join(
+        [
+            *_aligned(rows),
+            "",
+            *notes,
+            "",
+            "rockeom models NAME explains one: its states, parameters and modes.",
+        ]
+    )
 
 
 def _supports() -> list[tuple[str, str]]:
