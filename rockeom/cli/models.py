@@ -134,7 +134,8 @@ def _of_dimensions(of: Any, values: dict[str, Any]) -> Structure:
 
 
 def _list() -> str:
-    rows = [(name, _title(_module(of, {}))) for name, of in SHIPPED.items()]
+    rows = [("NAME", "TITLE")]
+    rows += [(name, _title(_module(of, {}))) for name, of in SHIPPED.items()]
     notes = []
     for name, of in FAMILIES.items():
         arguments = " ".join(f"{n}=N" for n in _EXAMPLES[name])
