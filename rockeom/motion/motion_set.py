@@ -215,7 +215,8 @@ class MotionSet(Sequence[GroundMotion]):
         read with components="all" has the vertical components.
 
             for recording in rk.MotionSet.from_folder("records", components="all").recordings():
-                rk.simulate(block, recording.horizontal[0], vertical=recording.vertical)
+                for pair in recording.in_plane():
+                    rk.simulate(block, pair)
 
         Raises MotionError for a vertical component without a horizontal one, for more components
         than three of one name, and for two azimuths that are not at right angles.

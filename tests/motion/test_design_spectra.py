@@ -70,6 +70,13 @@ def test_table_is_linear_between_its_points_and_defined_nowhere_else():
             spectrum(outside)
 
 
+def test_spectrum_of_a_function():
+    spectrum = rk.DesignSpectrum("site", 0.05, 0.1, 2.0, shape=lambda t: 3.0 / t)
+    assert spectrum([0.5, 1.0]) == pytest.approx([6.0, 3.0])
+    with pytest.raises(AttributeError, match=r"did you mean .*eurocode_8"):
+        rk.DesignSpectrum.eurocode8(2.0, "B")
+
+
 def test_spectrum_is_compared_and_travels():
     assert pickle.loads(pickle.dumps(EUROCODE)) == EUROCODE
     assert rk.DesignSpectrum.eurocode_8("0.25 g", "C") != EUROCODE
@@ -93,6 +100,20 @@ def test_spectrum_is_compared_and_travels():
 def test_spectrum_that_cannot_be_is_refused(make, said):
     with pytest.raises(rk.MotionError, match=said):
         make(rk.DesignSpectrum)
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda: rk.DesignSpectrum.eurocode_8(0.25, "B"),
+        lambda: rk.DesignSpectrum.asce_7(0.25, 0.1, 8.0),
+    ],
+)
+def test_acceleration_that_was_hardly_meant_in_m_s2_is_questioned(make):
+    with pytest.warns(
+        UserWarning, match=r'0\.25 m/s2, .*: was it meant in g\? Then write "0\.25 g"'
+    ):
+        make()
 
 
 # --- motions that have one
@@ -236,3 +257,7 @@ def test_check_that_has_no_answer_is_refused():
         EUROCODE.check([], 0.5)
     with pytest.raises(rk.MotionError, match="is among the motions"):
         EUROCODE.check(["quake"], 0.5)
+    with pytest.raises(rk.MotionError, match="give three ground motions or more"):
+        EUROCODE.check(motion, 0.5)
+    with pytest.raises(rk.MotionError, match="quake is a vertical component"):
+        EUROCODE.check([replace(motion, is_vertical=True)], 0.5)

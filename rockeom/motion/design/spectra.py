@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -18,7 +19,8 @@ from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.motion_set import MotionSet
 from rockeom.motion.scaling import Acceleration
 from rockeom.motion.synthetic import JenningsEnvelope, factors
-from rockeom.motion.units import acceleration, factor
+from rockeom.motion.units import STANDARD_GRAVITY, acceleration, factor
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described
 
 _STRONG_PART = JenningsEnvelope(rise=3.0, until=13.0, decay=0.3)
@@ -43,6 +45,8 @@ _EUROCODE = {
 """S, T_B, T_C and T_D [s] of EN 1998-1:2004 by type of the spectrum and of the ground."""
 _EUROCODE_LONGEST = 4.0  # s, 3.2.2.2(1)
 _LEAST_ETA = 0.55
+_VERY_LOW = 0.04 * STANDARD_GRAVITY
+_CATEGORY_A = 0.167 * STANDARD_GRAVITY
 
 _WORST_MATCH = 0.25
 _PEAK = 1.05
@@ -50,8 +54,10 @@ _PEAK = 1.05
 _CHECKED = 100
 
 
+@explained.attributes()
+@explained.calls()
 @dataclass(frozen=True)
-class DesignSpectrum:
+class DesignSpectrum(metaclass=explained.Constructors):
     """An elastic design spectrum: pseudo-acceleration over the period.
 
         spectrum = rk.DesignSpectrum.eurocode_8("0.25 g", "B")
@@ -61,14 +67,15 @@ class DesignSpectrum:
 
     The class methods make spectra: `eurocode_8`, `asce_7`, `from_table`.
 
-    name; damping_ratio; shortest, longest : periods between which it is defined [s].
+    name; damping_ratio; shortest, longest : periods between which it is defined [s]. shape : a
+    function of such periods, (n,) [s], that gives the pseudo-accelerations, (n,) [m/s2].
     """
 
     name: str
     damping_ratio: float
     shortest: float
     longest: float
-    _shape: Callable[[np.ndarray], np.ndarray] = field(repr=False)
+    shape: Callable[[np.ndarray], np.ndarray] = field(repr=False)
 
     @classmethod
     def eurocode_8(
@@ -89,6 +96,7 @@ class DesignSpectrum:
         It is defined up to 4 s. Raises MotionError for other values.
         """
         a_g = positive("ground_acceleration", acceleration("a_g", ground_acceleration))
+        _question(ground_acceleration, "a_g", _VERY_LOW, "very low seismicity, EN 1998-1, 3.2.1(5)")
         xi = positive("damping_ratio", damping_ratio)
         kinds = _EUROCODE.get(spectrum_type) if isinstance(spectrum_type, int) else None
         if kinds is None:
@@ -114,6 +122,7 @@ class DesignSpectrum:
         """
         short = positive("s_ds", acceleration("s_ds", s_ds))
         at_one = positive("s_d1", acceleration("s_d1", s_d1))
+        _question(s_ds, "s_ds", _CATEGORY_A, "seismic design category A, ASCE 7-16, table 11.6-1")
         t_s, last = at_one / short, positive("t_l", t_l)
         if last <= t_s:
             raise MotionError(f"t_l is {last:g} s, not above s_d1/s_ds = {t_s:.4g} s: give T_L")
@@ -166,7 +175,7 @@ class DesignSpectrum:
                 f"{self.name} is defined from {self.shortest:g} to {self.longest:g} s, and not at "
                 f"{t[outside].flat[-1]:g} s"
             )
-        return self._shape(t)[()]
+        return self.shape(t)[()]
 
     def displacement(self, periods: ArrayLike) -> Any:
         """Displacement [m] at periods [s]: the pseudo-acceleration over omega**2."""
@@ -201,9 +210,9 @@ class DesignSpectrum:
         for i in range(whole("number", number, 1)):
             start = matching.noise(target, n, dt, np.random.default_rng([entropy, i]))
             start = start * factors(envelope, dt * np.arange(n))
-            made = GroundMotion.from_array(start, dt)
-            random = replace(made, source=f"random phase angles, seed {entropy}")
             name = f"{self.name}, seed {entropy}, motion {i + 1}"
+            made = GroundMotion.from_array(start, dt, name=name)
+            random = replace(made, source=f"random phase angles, seed {entropy}")
             motions.append(replace(self.matched(random, between=between), name=name))
         found = MotionSet(motions, self.name)
         return found if self.shortest > 0.0 else _with_peaks(found, float(self(0.0)))
@@ -273,7 +282,7 @@ class DesignSpectrum:
 
     # -- the check
 
-    def check(self, motions: Iterable[GroundMotion] | GroundMotion, period: float) -> SpectrumCheck:
+    def check(self, motions: Iterable[GroundMotion], period: float) -> SpectrumCheck:
         """Whether motions have this spectrum, by EN 1998-1:2004, 3.2.3.1.2(4).
 
         motions : horizontal ones. period : T_1, the fundamental one of the structure [s]; of a
@@ -288,10 +297,14 @@ class DesignSpectrum:
                 f"{self.name} is for {100.0 * self.damping_ratio:g} % damping, and the rule is one "
                 "of spectra for 5 %: make it with damping_ratio=0.05"
             )
-        several = [motions] if isinstance(motions, GroundMotion) else list(motions)
+        if isinstance(motions, GroundMotion) or not isinstance(motions, Iterable):
+            raise MotionError(f"motions is {described(motions)}: give three ground motions or more")
+        several = list(motions)
         for one in several:
             if not isinstance(one, GroundMotion):
                 raise MotionError(f"{described(one)} is among the motions: give GroundMotions")
+            if one.is_vertical:
+                raise MotionError(f"{one.name} is a vertical component: give horizontal ones")
         if not several:
             raise MotionError("there are no motions to check: give three or more")
         periods = np.geomspace(BAND[0] * t_1, BAND[1] * t_1, _CHECKED)
@@ -303,6 +316,15 @@ class DesignSpectrum:
             periods,
             np.mean(spectra, axis=0),
             self(periods),
+        )
+
+
+def _question(given: Acceleration, name: str, least: float, rule: str) -> None:
+    """Warn of a number that is small in m/s2 and usual in g."""
+    if not isinstance(given, str) and given < least:
+        warnings.warn(
+            f'{name} is {given:g} m/s2, {rule}: was it meant in g? Then write "{given:g} g"',
+            stacklevel=4,
         )
 
 
