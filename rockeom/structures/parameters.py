@@ -41,6 +41,8 @@ SYNONYMS = {
     "B": "half_width",
     "h": "half_height",
     "H": "half_height",
+    "alpha": "overturning_angles",
+    "p": "frequency_parameters",
     "width": "2 * half_width",
     "height": "2 * half_height",
     "k": "stiffness",

@@ -47,7 +47,8 @@ def test_symbol_of_which_the_structure_has_nothing_is_not_offered():
 
 def test_every_synonym_leads_somewhere():
     sliding = rk.SlidingBlock(half_width=0.2, half_height=1.0, friction=0.5, restitution=0.0)
-    known = {*dir(sliding), *dir(column())}
+    offset = rk.OffsetBlock(half_width=0.2, half_height=1.0, offset=0.05)
+    known = {*dir(sliding), *dir(column()), *dir(offset)}
     assert {meant.split(" ")[-1] for meant in SYNONYMS.values()} <= known
     for meant in rk._SYNONYMS.values():
         operator.attrgetter(meant.removeprefix("rockeom."))(rk)
