@@ -75,13 +75,15 @@ def numbers_of(case: Case) -> dict[str, Number]:
     }
 
 
-def numbers_named(where: str, names: Sequence[str], numbers: Mapping[str, Number]) -> list[Number]:
+def numbers_named(
+    where: str, names: Sequence[str], numbers: Mapping[str, Number], structure: Structure
+) -> list[Number]:
     """Some of the numbers, by names in full or, where one part alone has it, without the part.
 
     Raises ValueError for a name that is unknown or ambiguous, and for two names of one number;
-    where : the argument that has them.
+    where : the argument that has them. structure : of the case.
     """
-    found = [_named(where, name, numbers) for name in names]
+    found = [_named(where, name, numbers, structure) for name in names]
     places = [(number.part, number.path) for number in found]
     for name, place in zip(names, places, strict=True):
         if places.count(place) > 1:
@@ -89,7 +91,7 @@ def numbers_named(where: str, names: Sequence[str], numbers: Mapping[str, Number
     return found
 
 
-def _named(where: str, name: str, numbers: Mapping[str, Number]) -> Number:
+def _named(where: str, name: str, numbers: Mapping[str, Number], structure: Structure) -> Number:
     if name in numbers:
         return numbers[name]
     of_parts = [full for full in numbers if _short(full) == name]
@@ -106,14 +108,17 @@ def _named(where: str, name: str, numbers: Mapping[str, Number]) -> Number:
         for (full, number), short in zip(numbers.items(), shorts, strict=True)
     }
     every = ", ".join(f"{name} [{unit}]" if unit else name for name, unit in known.items())
-    raise ValueError(f"{where}: {name!r} is unknown{_meant(name, known)}; there are {every}")
+    meant = _meant(name, known, structure)
+    raise ValueError(f"{where}: {name!r} is unknown{meant}; there are {every}")
 
 
 def _short(name: str) -> str:
     return name if name in _IN_FULL else name.partition(".")[2] or name
 
 
-def _meant(name: str, known: Mapping[str, str]) -> str:
+def _meant(name: str, known: Mapping[str, str], structure: Structure) -> str:
+    if name.isidentifier() and is_number(getattr(structure, name, None)):
+        return " (it follows from others: name those, or let a function make the case of it)"
     if f"initial {name}" in known:
         return f" (did you mean 'initial {name}'?)"
     if name in ("r", "e"):
@@ -166,10 +171,12 @@ class OtherCase:
         names = [name for name in self.names if name not in PARTS]
         plain = [name.removesuffix(SUFFIX) for name in names]
         every = numbers_of(self.case)
-        numbers = dict(zip(names, numbers_named("over", plain, every), strict=True))
+        numbers = dict(
+            zip(names, numbers_named("over", plain, every, self.case.structure), strict=True)
+        )
         for name in (name for name in names if name.endswith(SUFFIX)):
             if numbers[name].unit not in ANGLES:
-                numbers_named("over", [name], every)
+                numbers_named("over", [name], every, self.case.structure)
             numbers[name] = numbers[name]._replace(unit=ANGLES[numbers[name].unit])
         return numbers
 

@@ -81,7 +81,10 @@ class Cases:
     def name(self, error: Exception, named: Mapping[str, Any]) -> None:
         """Let an error say by the values of each name, with their units, which case it is of."""
         units = {name: self.attrs.get(name, {}).get("units", "-") for name in named}
-        values = {n: _short(v) + f" {units[n]}" * (units[n] not in "-1") for n, v in named.items()}
+        values = {
+            n: _short(v) + f" {units[n]}" * (is_number(v) and units[n] not in "-1")
+            for n, v in named.items()
+        }
         case = f"case {', '.join(f'{name} = {value}' for name, value in values.items())}"
         if error.args == (str(error),):
             error.args = (f"{case}: {error}",)

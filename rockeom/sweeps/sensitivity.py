@@ -173,7 +173,7 @@ def _numbers(case: Case, names: Sequence[str]) -> list[Number]:
     if "amplitude" in names and not any(name.endswith(".amplitude") for name in known):
         renamed.warn("sensitivity: amplitude, a factor of the motion,", "scale")
         names = ["scale" if name == "amplitude" else name for name in names]
-    return numbers_named("to", names, known)
+    return numbers_named("to", names, known, case.structure)
 
 
 _TINY = 1e-100

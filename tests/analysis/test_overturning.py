@@ -8,6 +8,7 @@ from rockeom import analysis
 from rockeom.analysis import dynamics, formulas
 from rockeom.motion import STANDARD_GRAVITY as GRAVITY
 from tests.interrupts import interrupted_at
+from tests.numeric.structures import S1
 
 from .exact_slender import exact_fates
 
@@ -145,8 +146,8 @@ def test_what_is_no_grid_of_numbers_is_refused():
 
 
 def test_structure_without_a_frequency_parameter_asks_for_one():
-    with pytest.raises(ValueError, match="slender_block has no p of its own: give p"):
-        dynamics.dimensionless_pulses(SLENDER)
+    with pytest.raises(ValueError, match="lumped_mass_structure has no p of its own: give p"):
+        dynamics.dimensionless_pulses(rk.LumpedMassStructure(**S1))
 
 
 def test_spectrum_of_overturning_asks_for_names_it_has(boundaries):

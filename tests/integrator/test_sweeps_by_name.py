@@ -196,6 +196,7 @@ ON_BASE = rk.Case(
 
 MISTAKES = {
     "half_widht": (CASE, r"did you mean half_width\?.*half_width \[m\], .*amplitude \[m/s2\]"),
+    "alpha": (CASE, "follows from others: name those, or let a function make the case of it"),
     "theta": (CASE, r"did you mean 'initial theta'\?"),
     "r": (CASE, r"'restitution', which is the ratio e .* impact=rk.EnergyRatio\(r=0\.8\)"),
     "amplitude": (
