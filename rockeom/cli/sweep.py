@@ -18,7 +18,7 @@ from rockeom.cli.errors import spread, words
 from rockeom.cli.simulate import add_case, case, check_folder
 from rockeom.drawing.style import save_figure
 from rockeom.files import write
-from rockeom.plots.sweeps import overturning_map, rocking_spectrum
+from rockeom.plots.sweeps import overturning_map, rocking_spectrum as draw_spectrum
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.sweeps.case_numbers import OtherCase
@@ -141,7 +141,7 @@ def _picture(sweep: xr.Dataset, one: Case) -> Figure | None:
         print("no picture: the structure has no overturning angle to compare with", file=sys.stderr)
         return None
     alpha = [min(map(abs, pair)) for pair in angles if pair is not None]
-    return rocking_spectrum(sweep.assign_coords(alpha=(name, alpha)), x=name, alpha="alpha")
+    return draw_spectrum(sweep.assign_coords(alpha=(name, alpha)), x=name, alpha="alpha")
 
 
 def _csv(sweep: xr.Dataset) -> str:
