@@ -29,6 +29,8 @@ from rockeom.assessment.trials import (
 from rockeom.drawing import page
 from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY
+from rockeom.numbers import explained
+from rockeom.numbers.arguments import require
 from rockeom.plots.design_report import facts_of
 from rockeom.simulation.plausible import LIKE_G, default_masses
 from rockeom.simulation.response import Response
@@ -44,6 +46,8 @@ _SHOWN = 60
 """Records that the page lists."""
 
 
+@explained.attributes(fragility="trials.fragility", pga="pga_at(probability)")
+@explained.calls()
 @dataclass(frozen=True, eq=False)
 class Assessment:
     """Results of `rockeom.assess`; print it, or look at `plot()`, or `save("page.html")`.
@@ -71,7 +75,11 @@ class Assessment:
     # -- numbers
 
     def pga_at(self, probability: float) -> Estimate | None:
-        """PGA that overturns with a probability [m/s2], and its interval; None without a curve."""
+        """PGA that overturns with a probability [m/s2], and its interval; None without a curve.
+
+        Raises ValueError for a probability outside 0 to 1.
+        """
+        require(0.0 < probability < 1.0, "pga_at", "probability", probability, "as 0.05 for 5 %")
         return _pga(self.trials, probability, self.level)
 
     @property

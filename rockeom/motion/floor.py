@@ -19,6 +19,7 @@ from rockeom.motion.arguments import array, finite, positive
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.spectra import oscillator_history
+from rockeom.numbers import explained
 from rockeom.numbers.checks import described
 
 _PER_PERIOD = 32
@@ -27,6 +28,7 @@ _FADED = 0.01
 """Part of the vibration in the first mode that is left when the motion ends."""
 
 
+@explained.calls(period="periods=", damping="damping_ratio=")
 def floor_motion(
     record: GroundMotion,
     periods: ArrayLike,

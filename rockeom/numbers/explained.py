@@ -94,7 +94,8 @@ def misfit(
     if lacks := [name for name in required if name not in {*placed[: len(values)], *named}]:
         text.append(f"missing {listed(lacks, doc)}")
     for name in unknown:
-        hint = f" (give {meant[name]})" if name in meant else near(name, names)
+        known = {**dict.fromkeys(names), **meant}
+        hint = f" (give {meant[name]})" if name in meant else near(name, known, meant)
         text.append(f"unknown {name}{hint}")
     for value in values[len(placed) : len(placed) + 1]:
         such_as = f", such as {unnamed[0]}=" if unnamed else ""

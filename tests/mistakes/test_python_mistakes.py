@@ -45,6 +45,11 @@ def sweep() -> Any:
     return rk.simulate_many(pulse, {"amplitude": [1.0, 5.0]})
 
 
+@cache
+def assessment() -> rk.Assessment:
+    return rk.assess(BLOCK, [SINE], pga=[3.0])
+
+
 def lumped(**changes: Any) -> rk.Structure:
     values = {
         "mass": 1e3, "height": 2.0, "inertia": 0.0, "base_mass": 500.0, "base_height": 0.0,
@@ -187,6 +192,18 @@ STRUCTURES = [
         TYPE, lambda: BLOCK.energies(0.1), TypeError, "state is 0.1", "{'theta': 0.01}",
     ),
     mistake(
+        UNIT, lambda: rk.FlexibleStructure.from_period(0.5, 5, mass=1e3), ValueError,
+        "damping_ratio is 5", "0.05 for 5 %",
+    ),
+    mistake(
+        NAME, lambda: rk.FlexibleStructure.from_period(0.5, damping=0.05, mass=1e3), TypeError,
+        "missing damping_ratio", "did you mean damping_ratio?",
+    ),
+    mistake(
+        VALUE, lambda: rk.OffsetBlock(half_width=0.3, half_height=1.0, offset=0.5), ValueError,
+        "offset is 0.5", "not above the base",
+    ),
+    mistake(
         NAME, lambda: rk.FlexibleStructure.from_perid(0.5), AttributeError,
         "'FlexibleStructure' has no attribute 'from_perid'",
     ),
@@ -313,6 +330,25 @@ MOTIONS = [
         SHAPE, lambda: rk.Recording("A", [SINE] * 3), rk.MotionError,
         "3 horizontal", "one or two",
     ),
+    mistake(
+        MISSING, lambda: rk.DesignSpectrum.eurocode_8(), TypeError,
+        "missing ground_acceleration", "ground_type",
+    ),
+    mistake(VALUE, lambda: rk.DesignSpectrum.eurocode_8(3.0, "Z"), rk.MotionError, "A, B, C, D, E"),
+    mistake(NAME, lambda: rk.DesignSpectrum.ec8(3.0, "B"), AttributeError, "eurocode_8"),
+    mistake(
+        SHAPE, lambda: rk.DesignSpectrum.from_table([0, 1], [1]), rk.MotionError,
+        "shape (2,)", "(1,)",
+    ),
+    mistake(MISSING, lambda: rk.floor_motion(RECORD), TypeError, "floor_motion: missing periods"),
+    mistake(
+        UNIT, lambda: rk.floor_motion(RECORD, 0.5, height=3.0), rk.MotionError,
+        "height is 3", "from 0 to 1",
+    ),
+    mistake(
+        VALUE, lambda: rk.floor_motion(RECORD, [0.2, 0.6]), rk.MotionError,
+        "periods are [0.2, 0.6]", "longest first",
+    ),
 ]  # fmt: skip
 
 LAWS = [
@@ -336,6 +372,10 @@ SIMULATIONS = [
     mistake(
         NAME, lambda: rk.simulate(BLOCK, SINE, restitution=0.9), TypeError,
         "unknown restitution (give impact=rk.VelocityRatio(e))",
+    ),
+    mistake(
+        NAME, lambda: rk.simulate(BLOCK, SINE, restitutoin=0.9), TypeError,
+        "unknown restitutoin (did you mean impact=rk.VelocityRatio(e)?)",
     ),
     mistake(
         NAME, lambda: rk.simulate(BLOCK, SINE, durations=3.0), TypeError,
@@ -530,6 +570,8 @@ ANALYSES = [
     mistake(UNIT, lambda: rk.assess(BLOCK, [SINE], pga="0.4"), rk.MotionError, '"0.4 g"'),
     mistake(UNIT, lambda: rk.assess(BLOCK, [SINE], level=95), ValueError, "level is 95", "0.95"),
     mistake(SIGN, lambda: rk.assess(BLOCK, [SINE], friction=-1), ValueError, "friction is -1"),
+    mistake(UNIT, lambda: assessment().pga_at(5), ValueError, "probability is 5", "0.05 for 5 %"),
+    mistake(FILE, lambda: assessment().save("page.xyz"), ValueError, "page.xyz", ".html"),
     mistake(FILE, lambda: rk.assess(BLOCK, "nowhere"), rk.MotionError, "nowhere is no folder"),
     mistake(TYPE, lambda: rk.assess(rk.RigidBlock, [SINE]), TypeError, "the class RigidBlock"),
     mistake(

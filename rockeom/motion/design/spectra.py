@@ -54,8 +54,10 @@ _PEAK = 1.05
 _CHECKED = 100
 
 
-@explained.attributes()
-@explained.calls()
+@explained.attributes(
+    eurocode8="eurocode_8", ec8="eurocode_8", asce7="asce_7", match="matched(record)"
+)
+@explained.calls(soil="ground_type=", pga="ground_acceleration=")
 @dataclass(frozen=True)
 class DesignSpectrum(metaclass=explained.Constructors):
     """An elastic design spectrum: pseudo-acceleration over the period.
