@@ -62,7 +62,7 @@ NEVER_SLIPS = 1e300
 ENERGY_ROUNDING = 1e-9
 """An impact gains energy where the kinetic energy grows by more than this part of itself."""
 
-# Impact laws prescribe the ratio of the rates of rotation; or the directions in which momentum is
+# Impact laws prescribe the ratio of the angular velocities; or the directions in which momentum is
 # conserved; or the ratio of the kinetic energies, in a table by the speed alone; or in one by which
 # an impact may lose next to nothing where the next one, on the other foot, loses much
 RATIO, IMPULSIVE, TABULATED, UNEVEN = range(4)
@@ -75,7 +75,7 @@ RATIO, IMPULSIVE, TABULATED, UNEVEN = range(4)
     STEPS,  # steps so far, with those refused
     IDLE,  # events since time last moved
     GUARD_DUE,  # 1 where a guard may be due
-    RATE_STALE,  # 1 where the rate must be found anew
+    RATE_STALE,  # 1 where the rate must be found again
     STEPS_KEPT,  # in the record, since it was emptied
     EVENTS_KEPT,
     REFINED,  # segments in which equal steps would have been too long

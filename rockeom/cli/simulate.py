@@ -51,7 +51,7 @@ impact laws:
   impulsive            the exact law, also for a flexible structure, whose default it is
   energy-ratio=R       kinetic energies after and before, between 0 and 1
   energy-ratio=R,R     of impacts of the left foot and of the right one
-  velocity-ratio=E     rates of rotation after and before, between 0 and 1; E squared is R
+  velocity-ratio=E     angular velocities after and before, between 0 and 1; E squared is R
 
 supports (of flexible_structure, lumped_mass_structure and shear_frame), within --set:
   support=two_springs  foundation_stiffness= foundation_damping= [guided=foot]

@@ -74,8 +74,9 @@ def _folder() -> Path | None:
         return folder
     _warn_once(
         f"rockeom: the cache folder {folder} {danger}; what it holds is run as code, so nothing "
-        "is read from it or stored in it, and each process compiles anew. Set ROCKEOM_CACHE_DIR to "
-        f"a folder that only you can write to or, if this one is yours, run `chmod go-w '{folder}'`"
+        "is read from it or stored in it, and each process compiles again. Set ROCKEOM_CACHE_DIR "
+        "to a folder that only you can write to or, if this one is yours, run "
+        f"`chmod go-w '{folder}'`"
     )
     return None
 

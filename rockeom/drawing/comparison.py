@@ -128,7 +128,7 @@ def _impact_lanes(ax: Axes, runs: Sequence[Run]) -> None:
     unit = style.rate_of(runs[0])[1]
     ax.set_title(
         f"{counts} impacts, {faster} of them faster than {runs[0].impacts.measurable:g} {unit}\n"
-        f"as high as the rate of rotation before them (up to {fastest:.3g} {unit}); "
+        f"as high as the angular velocity before them (up to {fastest:.3g} {unit}); "
         "grey: full contact",
         fontsize=8,
         loc="right",

@@ -23,7 +23,7 @@ _table = partial(table, style="text-align:left")
 
 
 def page_of_structure(shown: Structure) -> str:
-    """A sketch beside a table of the parameters, as HTML."""
+    """A sketch next to a table of the parameters, as HTML."""
     m, values = shown.module, shown.parameters()
     rows = [
         (name.replace("_", " "), _value(values[name], unit), unit, meaning)
@@ -48,7 +48,7 @@ def page_of_response(shown: Run) -> str:
 
 
 def page_of_motion(shown: Motion) -> str:
-    """The acceleration beside a table of properties, as HTML."""
+    """The acceleration next to a table of properties, as HTML."""
     rows = [("duration", f"{shown.duration:.6g}", "s"), ("peak", f"{shown.peak:.6g}", "m/s2")]
     if shown.dt is not None and shown.samples is not None:
         rows.append(("time step", f"{shown.dt:.6g}", "s"))

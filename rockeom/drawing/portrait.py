@@ -17,7 +17,7 @@ from rockeom.drawing.drawn import Run, Structure, check_run
 def plot_phase_portrait(
     run: Run | Sequence[Run], *, separatrix: bool = False, ax: Axes | None = None
 ) -> Figure:
-    """Rate of rotation against rotation; impacts are the dotted jumps.
+    """Angular velocity against rotation; impacts are the dotted jumps.
 
         plot_phase_portrait([released(theta) for theta in (0.05, 0.1)], separatrix=True)
 

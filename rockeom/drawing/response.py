@@ -41,7 +41,7 @@ def plot_response(
 
     The time in full contact is shaded. Curves of a motion that overturned end with a cross, and
     overturning angles within reach of the rotation are dashed. Impacts are drawn as
-    high as the rate of rotation just before them, so that the endless small ones before rest do not
+    high as the angular velocity just before them, so that the endless small ones before rest do not
     hide the large ones. Returns the figure, that of `ax` where axes are given.
 
     Raises KeyError for an unknown quantity, and ValueError for a start behind the end.

@@ -80,7 +80,7 @@ class Sketch:
     """A drawing of a structure in a state (N,) and the mode of that number.
 
     size : of the structure at rest, in proportion to which springs and hatches are drawn.
-    copies : where each of a body that stands for several is drawn, beside its place.
+    copies : where each of a body that stands for several is drawn, next to its place.
     supports : places along the ground, and its level there.
     """
 
@@ -169,7 +169,7 @@ class Sketch:
         ax.plot(x, y, "o", color=style.INK, ms=4, zorder=4)
 
     def _sprung(self, ax: Axes, x: float, top: float, damped: bool) -> None:
-        """A spring, and a damper beside it, as wide as there is room between feet."""
+        """A spring, and a damper next to it, as wide as there is room between feet."""
         sprung = [name for name in self.feet if self.kinds[name] in _SPRUNG]
         lowest = min(self.now.places[name][1] for name in sprung)
         low = min(-0.12 * self.size, lowest - 0.04 * self.size)
@@ -196,7 +196,7 @@ class Sketch:
             self._line(ax, member, start + away, end + away)
 
     def _anchor(self, ax: Axes, kind: str, at: np.ndarray, away: np.ndarray) -> None:
-        """Where the ground holds a member: below a column, beside a level spring."""
+        """Where the ground holds a member: below a column, next to a level spring."""
         if kind in _BENDING:
             self.supports.append((at[0], at[1]))
             ax.plot(*at, "s", color=style.INK, ms=4, zorder=4)

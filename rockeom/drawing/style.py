@@ -159,7 +159,7 @@ def symbol(name: str) -> str:
 
 
 def rate_of(run: Run) -> tuple[str, str]:
-    """Mathematics and unit of the rate of rotation."""
+    """Mathematics and unit of the angular velocity."""
     p = run.structure.module
     name = symbol(run.states[p.ROTATION]).strip("$")
     return rf"\dot{{{name}}}", "-" if is_dimensionless(run) else p.STATE_UNITS[p.ROTATION_RATE]

@@ -33,9 +33,9 @@ FILLED = ("out", "dy", "g", "matrix", "forces")
 MEANINGS = {
     "mode": "number of the mode, see above",
     "guard": "number of the guard that fell, from 0",
-    "law": "0: the rate of rotation is multiplied by `ratio`; 1: the impulsive form of\n"
+    "law": "0: the angular velocity is multiplied by `ratio`; 1: the impulsive form of\n"
     "Lagrange's equations",
-    "ratio": "of the rates of rotation after and before the impact; used where law is 0",
+    "ratio": "of the angular velocities after and before the impact; used where law is 0",
     "number": "of the coordinate that may fall, from 0",
     "y": "states, in the order above",
     "p": "what `prepare` makes of the parameters",

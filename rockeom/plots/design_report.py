@@ -349,7 +349,7 @@ def design_report(
     impact: ImpactLaw | None = None,
     duration: float | None = None,
 ) -> DesignReport:
-    """Simulate a structure on rigid ground under each of the motions, beside its fixed base.
+    """Simulate a structure on rigid ground under each of the motions, and on a fixed base.
 
     impact, duration : as in `simulate`. A rigid structure has no fixed base and stands alone.
 

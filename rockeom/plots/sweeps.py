@@ -502,7 +502,7 @@ def _fractile(
 def _name_fallen(
     ax: Axes, curves: Sequence[tuple[np.ndarray, np.ndarray]], names: Sequence[str], edge: float
 ) -> None:
-    """Records, beside the intensity at which each overturns first."""
+    """Records, each with the intensity at which it overturns first."""
     first: dict[float, list[str]] = {}
     for (im, d), name in zip(curves, names, strict=True):
         if np.isposinf(d).any():

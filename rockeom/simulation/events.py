@@ -24,7 +24,7 @@ KINDS = (*KIND_OF, "rest", *HAPPENED.values())
 """Words of the kinds of events, by number."""
 
 MEASURABLE = 1e-3
-"""Rate of rotation above which an impact is counted by itself [rad/s, or the rotation's unit/s]."""
+"""Angular velocity above which an impact is counted by itself [rad/s, or the rotation's unit/s]."""
 
 
 @renamed.fields(phase_before="mode_before", phase_after="mode_after")
@@ -162,7 +162,7 @@ class Impacts(Events):
 
     @cached_property
     def speeds(self) -> np.ndarray:
-        """(k,) sizes of the rates of rotation just before [rad/s, or the rotation's unit/s].
+        """(k,) sizes of the angular velocities just before [rad/s, or the rotation's unit/s].
 
         Where points land, the speed of the fastest [m/s].
         """

@@ -42,7 +42,7 @@ IMPLICIT = 8.0
 most that were counted on springs from which a structure lifts off."""
 
 MANY, FAR = 20_000, 4.0
-"""Explicit steps, and their number beside that of implicit ones, from which on they are too many.
+"""Explicit steps, and their number over that of implicit ones, from which on they are too many.
 Fewer take no longer than a blink, and less than compiling another method."""
 
 

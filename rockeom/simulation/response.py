@@ -291,7 +291,7 @@ class Response:
         return Support(self._quantities, self.events, self._rows, overturned)
 
     def energy_balance(self) -> EnergyBalance:
-        """Works and losses by quadrature of the motion, beside the energy of its states [J].
+        """Works and losses by quadrature of the motion, and the energy of its states [J].
 
         The error measures the accuracy of the integration.
 

@@ -180,7 +180,7 @@ class _Bench:
         self.y, self.rate, self.atol = np.zeros(n), np.zeros(n), np.zeros(n)
         self.steps = np.empty((rows, 2)), np.empty(rows, np.int64), np.empty((rows, 8, n))
         self.events = np.empty(_EVENTS), np.empty((_EVENTS, 4), np.int64), np.empty((_EVENTS, 2, n))
-        p, peaks = np.zeros(1), np.empty((0, n))  # bound anew; not asked for
+        p, peaks = np.zeros(1), np.empty((0, n))  # bound again; not asked for
         self.integrate = compiled.integrate.bound(
             self.status, self.clock, self.y, self.rate, 0.0, STILL, STILL, p, 0, 0.0, 0.0,
             self.atol, 0.0, 0, 0.0, 0.0, 0, 0, *self.steps, *self.events, peaks,

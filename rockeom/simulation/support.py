@@ -303,7 +303,7 @@ def demands_of_landings(
     if not (has_landings(module) and len(landings)):
         return largest
     points = Points(module, landings[:, 0], p)
-    # beside where the motion goes: at a landing all coordinates may be none, but for rounding
+    # besides where the motion goes: at a landing all coordinates may be none, but for rounding
     closed = points.closed_beside(np.fmax.reduce(np.abs(y[:, :n])))
     matrix, forces = np.empty(n * n), np.empty(n)
     for (arriving, leaving), near, normal, along, mode in zip(

@@ -146,7 +146,7 @@ class Structure(metaclass=explained.Constructors):
 
     @functools.cached_property
     def velocity_ratio(self) -> float:
-        """Ratio of the rates of rotation at an impact of the structure taken as rigid, 5-14.
+        """Ratio of the angular velocities at an impact of the structure taken as rigid, 5-14.
 
         nan where each foot has its own, see `OffsetBlock`.
         """
@@ -296,7 +296,7 @@ class Structure(metaclass=explained.Constructors):
     def law(self, impact: ImpactLaw | None) -> tuple[int, float]:
         """(code, ratio) of an impact law for the compiled functions; None is `default_impact`.
 
-        ratio : of the rates of rotation after and before an impact. Raises ValueError where a law
+        ratio : of the angular velocities after and before an impact. Raises ValueError where a law
         is given to a model without impacts, and TypeError for anything but an impact law.
         """
         m = self.module
@@ -563,7 +563,7 @@ class _States(NamedTuple):
 
 @dataclass(frozen=True)
 class FixedBase(Structure):
-    """The structure that `structure.fixed_base()` makes: `rocking` with feet that are held down.
+    """The structure that `structure.fixed_base()` makes: `rocking` with feet that cannot lift.
 
     Its forces on the feet may pull: `run.extremes("left_reaction").minimum` is what the ground has
     to hold. There are no impacts, and no rotation.

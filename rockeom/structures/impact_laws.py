@@ -54,7 +54,7 @@ class Landing(Protocol):
 
 
 class Row(NamedTuple):
-    """r of the impacts up to a limit of the rate of rotation w [rad/s].
+    """r of the impacts up to a limit of the angular velocity w [rad/s].
 
     r = ratio + slope |w| + reciprocal/|w|
     """
@@ -121,7 +121,7 @@ class TabulatedLaw:
 class EnergyRatio(TabulatedLaw):
     """Prescribed ratio r of the rocking motion's kinetic energies after and before an impact.
 
-    The rate of rotation is multiplied by sqrt(r), other rates are left (thesis 2-4).
+    The angular velocity is multiplied by sqrt(r), other rates are left (thesis 2-4).
 
     r : of all impacts; or left and right : of those on each foot, the one that *lands*. The left
         foot lands where the structure, leaning to the right, comes back upright: the rotation was
@@ -172,7 +172,7 @@ class EnergyRatio(TabulatedLaw):
 @explained.calls(r="rk.EnergyRatio(r)", restitution="e=")
 @dataclass(frozen=True)
 class VelocityRatio:
-    """Prescribed ratio of the rates of rotation after and before an impact, e = sqrt(r).
+    """Prescribed ratio of the angular velocities after and before an impact, e = sqrt(r).
 
     e : coefficient of restitution, 0 to 1 [-].
 
@@ -342,7 +342,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         return lever
 
     def _at_height(self, height: float) -> Table:
-        """The table by the rate of rotation; height [m] of the point whose speed it has now."""
+        """The table by the angular velocity; height [m] of the point whose speed it has now."""
         rows = [
             Row(r, slope * height, 0.0, limit / height if limit < math.inf else limit)
             for limit, r, slope in self.pieces
@@ -357,7 +357,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
 @explained.calls()
 @dataclass(frozen=True)
 class EnergyLossAtSpeed(TabulatedLaw):
-    """Energy that an impact takes, by the rate of rotation w before it: a1 |w| + a2 w2 + a3 |w|3.
+    """Energy that an impact takes, by the angular velocity w before it: a1 |w| + a2 w2 + a3 |w|3.
 
     left, right : (a1, a2, a3) of the impacts in which that foot lands [J s, J s2, J s3]; which foot
         it is, `EnergyRatio` says. A positive number is a loss.
@@ -467,7 +467,7 @@ class RandomEnergyRatio(TabulatedLaw):
 
     The ratio follows from the seed and from the number of the impact in the motion alone: it is the
     same for any step, tolerance and method, in `simulate` and `simulate_many`. The 500 impacts that
-    are drawn for begin anew behind the last one, which only a chatter towards rest reaches.
+    are drawn for begin again behind the last one, which only a chatter towards rest reaches.
 
     No impact gives energy or reverses: values outside 0 to 1, as apparent ratios of small peaks
     are, are never drawn, the others as much more often. This lowers the mean where values exceed 1;
@@ -587,7 +587,7 @@ def check_law(impact: Any) -> None:
 
 
 def landing_foot(rate: float) -> str:
-    """The foot that lands where the structure comes upright at this rate of rotation."""
+    """The foot that lands where the structure comes upright at this angular velocity."""
     return "right" if rate > 0 else "left"
 
 

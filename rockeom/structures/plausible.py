@@ -66,7 +66,7 @@ def _of_columns(m: GeneratedModule, p: np.ndarray) -> tuple[str, ...]:
 
 
 def _of_dampers(m: GeneratedModule, p: np.ndarray) -> tuple[str, ...]:
-    """A hint by the stiffness beside each damper and the largest mass: the order of a ratio."""
+    """A hint by the stiffness at each damper and the largest mass: the order of a ratio."""
     units = dict(zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True))
     values = dict(zip(m.PARAMETERS, p.tolist(), strict=False))
     mass = max((values[name] for name, unit in units.items() if unit == "kg"), default=0.0)

@@ -90,7 +90,7 @@ def balanced(
         """The forces that the other equations lack under the load that satisfies the first."""
         y = state(unknown)
         none = statics(y, 0.0)
-        load = 1.0 + abs(none[0])  # one newton might be lost beside the other forces
+        load = 1.0 + abs(none[0])  # one newton might be lost next to the other forces
         with_load = statics(y, load)
         share = none[0] / (none[0] - with_load[0])
         return (none + share * (with_load - none))[1:], share * load

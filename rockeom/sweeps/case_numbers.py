@@ -123,8 +123,8 @@ def _meant(name: str, known: Mapping[str, str], structure: Structure) -> str:
         return f" (did you mean 'initial {name}'?)"
     if name in ("r", "e"):
         return (
-            " (name 'restitution', which is the ratio e of the rates of rotation, or give the case "
-            "a law that has it, such as impact=rk.EnergyRatio(r=0.8))"
+            " (name 'restitution', which is the ratio e of the angular velocities, or give the "
+            "case a law that has it, such as impact=rk.EnergyRatio(r=0.8))"
         )
     if name in UNITS and not known.keys() & {"amplitude", "acceleration", "velocity"}:
         return (

@@ -133,7 +133,7 @@ class Results:
         """Run a batch and write its rows; those of motions that are stopped stay as not run.
 
         Lanes take other steps than the loop. Motions that came near `max_steps` in them are run
-        anew by the loop, so that the limit ends them where it ends a single motion.
+        again by the loop, so that the limit ends them where it ends a single motion.
         """
         q, rows = batch.problems, batch.rows
         n, m = len(q.y0), _motions(q, options, self.times.shape[1])

@@ -108,7 +108,7 @@ def sensitivity(
     to : numbers that the structure was given, by their names, "masses[0]" for an item of a list
         and "support.stiffness" for one of its support; those of a pulse, "amplitude" and "period"
         or "frequency"; those of the law of impact, such as "r"; "restitution", the ratio e of the
-        rates of rotation, of a law of one ratio; "initial theta" of what `initial` names, or any
+        angular velocities, of a law of one ratio; "initial theta" of what `initial` names, or any
         state of a structure whose feet do not slip; "scale", a factor of the ground's acceleration,
         and "time_scale", one of its time, both of the vertical motion, too; "duration". A name that
         two parts have is one of "structure.height" and "impact.height".

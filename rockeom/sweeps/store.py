@@ -2,7 +2,7 @@
 
 It is a zarr group with an array of each kind of result, a row a case. The outcome of a chunk is
 written last; where it was not, its numbers read as zero, which stands for pending. Files are
-written beside their place and then moved, so a process that is killed leaves no half of one. Each
+written next to their place and then moved, so a process that is killed leaves no half of one. Each
 chunk has a file in each array, also where it holds nothing but zeros or nan: a file that is missing
 is lost, and its chunk is pending.
 """
@@ -45,7 +45,7 @@ _DIMS = {
 
 
 class Store:
-    """The arrays on disk, beside those in memory.
+    """The arrays on disk, compared with those in memory.
 
     size : cases in a chunk. written (m,) : whether each chunk is there.
     """
@@ -109,7 +109,7 @@ class Store:
         except Exception as error:
             error.add_note(
                 f"a file of {self.path / name} cannot be read: remove the files of its chunk from "
-                f"{self.path / 'outcome'} and {self.path / name}, and the call makes it anew"
+                f"{self.path / 'outcome'} and {self.path / name}, and the call makes it again"
             )
             raise
 
@@ -263,7 +263,7 @@ def _check_same(path: Path, there: Mapping[str, str], here: Mapping[str, str]) -
     if differ:
         raise ValueError(
             f"{str(path)!r} holds another sweep: {'; '.join(differ)}. Give another store, or "
-            "remove this one to begin anew"
+            "remove this one to begin again"
         )
 
 

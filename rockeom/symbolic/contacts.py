@@ -87,7 +87,7 @@ class Contact:
 
     gap : its distance, not negative. slip : its tangential place, which grows to the right.
     side : of a point of a mirrored pair, whose gap and slip contain s: -1 or 1; else 0.
-    place : where it is, (x, y), beside the ground at rest; (slip, gap) if not given, as of a point
+    place : where it is, (x, y), next to the ground at rest; (slip, gap) if not given, as of a point
     above level ground. Sketches show it there.
     """
 

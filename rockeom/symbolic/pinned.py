@@ -97,7 +97,7 @@ def _a_pair(model: ContactDeclaration) -> None:
     if model.switching:
         _fail(
             model,
-            f"the element {model.switching[0].name!r} stands beside pinned feet: declare a spring "
+            f"the element {model.switching[0].name!r} stands next to pinned feet: declare a spring "
             "that never leaves as a Spring",
         )
     beside = [f"the force {f.name!r}" for f in model.forces]
@@ -105,7 +105,7 @@ def _a_pair(model: ContactDeclaration) -> None:
     if beside:
         _fail(
             model,
-            f"{beside[0]} stands beside pinned feet: forces there are those of springs and "
+            f"{beside[0]} stands next to pinned feet: forces there are those of springs and "
             "dampers, and of `elastic_energy` and `dissipation`",
         )
     if sorted(c.side for c in model.contacts) != [-1, 1]:
@@ -201,7 +201,7 @@ def _follow(model: ContactDeclaration, closed: _Closed) -> None:
 
 
 def _beside(model: ContactDeclaration, closed: _Closed) -> Point:
-    """Force of the ground where springs and dampers reach it, beside the feet."""
+    """Force of the ground where springs and dampers reach it, elsewhere than at the feet."""
     slopes = sp.Matrix(
         1, 2,
         [

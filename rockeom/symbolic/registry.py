@@ -21,7 +21,7 @@ from rockeom.symbolic.valid import ArgumentError
 
 @dataclass(frozen=True)
 class Arguments:
-    """How the class of a shipped structure takes its parameters, beside names, units and meanings.
+    """How the class of a shipped structure takes its parameters, besides names, units and meanings.
 
     may_vanish : those that may be zero. defaults : numbers; or words for what the class computes.
     called : the argument of a parameter that has another name, or that is a part of it.

@@ -123,7 +123,7 @@ def rocking_structure(
     A `Model` on `Pinned()` feet becomes the same by `on_pinned_feet`. It cannot replace this one:
     bodies here depend on the foot, and may have places that no free coordinates give. Examples are
     a beam on the corners opposite the pressed feet, which changes them; a frame that the ground
-    carries beside a wall, whose place no foot moves; and positions of first order.
+    carries next to a wall, whose place no foot moves; and positions of first order.
 
     Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
     """

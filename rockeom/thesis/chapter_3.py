@@ -154,14 +154,14 @@ SUPPORT_FORCES = (
         "3-10",
         "3.2.3",
         Kind.APPROXIMATION,
-        "angular acceleration beside an impact, rectangular block, from 2-3",
+        "angular acceleration next to an impact, rectangular block, from 2-3",
         says(theta_dd_impact, -s * 3 * g / (4 * R) * alpha),
     ),
     Equation(
         "3-11",
         "3.2.3",
         Kind.CLOSED_FORM,
-        "horizontal force beside an impact",
+        "horizontal force next to an impact",
         says(
             FH_impact,
             m
@@ -174,7 +174,7 @@ SUPPORT_FORCES = (
         "3-12",
         "3.2.3",
         Kind.CLOSED_FORM,
-        "vertical force beside an impact",
+        "vertical force next to an impact",
         says(
             FV_impact,
             m
@@ -200,7 +200,7 @@ SUPPORT_FORCES = (
         "3-14",
         "3.2.3",
         Kind.CLOSED_FORM,
-        "horizontal force beside an impact as the speed vanishes",
+        "horizontal force next to an impact as the speed vanishes",
         says(FH_limit, 3 * m * g / 4 * alpha * cos(alpha)),
         says(FH_limit, -s * 3 * m * g / 4 * alpha * cos(alpha)),
         "Printed is the magnitude; the force of 3-11 points against the side of theta.",
@@ -209,7 +209,7 @@ SUPPORT_FORCES = (
         "3-15",
         "3.2.3",
         Kind.CLOSED_FORM,
-        "vertical force beside an impact as the speed vanishes",
+        "vertical force next to an impact as the speed vanishes",
         says(FV_limit, m * g * (1 - Rational(3, 4) * alpha * sin(alpha))),
     ),
 )

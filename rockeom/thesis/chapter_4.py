@@ -113,7 +113,7 @@ EXTENSION = H * Abs(Delta) / (H**2 - Delta**2) * REACH - B * Abs(Delta) / LEVEL
 
 FROM_THE_EDGE = (
     "The distances to which this is fitted, the last column of Table A-1, are those from the "
-    "uplift gauge, 30 mm outside the edge: the uplifts beside them put the developed rotation "
+    "uplift gauge, 30 mm outside the edge: the uplifts next to them put the developed rotation "
     "centre 66 mm, not 96 mm, from the edge."
 )
 

@@ -56,7 +56,7 @@ def measured_peaks() -> tuple[np.ndarray, np.ndarray]:
 
 
 def free_vibration_peaks() -> tuple[ModelPeaks, ...]:
-    """The first 13 peaks of each model and restitution law beside Table A-1, by simulation.
+    """The first 13 peaks of each model and restitution law compared with Table A-1, by simulation.
 
     The simulations take a second; before, each of the four structures is compiled once.
     """

@@ -180,12 +180,12 @@ u_cx_dd = real(r"\ddot{u}_{cx}", "m/s2", "horizontal acceleration of the centroi
 u_cy_dd = real(r"\ddot{u}_{cy}", "m/s2", "vertical acceleration of the centroid", "3")
 F_H = real("F_H", "N", "horizontal force of the support", "3")
 F_V = real("F_V", "N", "vertical force of the support", "3")
-FH_impact = real("FH_{impact}", "N", "horizontal force of the support beside an impact", "3")
-FV_impact = real("FV_{impact}", "N", "vertical force of the support beside an impact", "3")
+FH_impact = real("FH_{impact}", "N", "horizontal force of the support next to an impact", "3")
+FV_impact = real("FV_{impact}", "N", "vertical force of the support next to an impact", "3")
 FH_limit = real("FH_{lim}", "N", "its limit as the speed of the impact vanishes", "3")
 FV_limit = real("FV_{lim}", "N", "its limit as the speed of the impact vanishes", "3")
 theta_d_impact = real(r"\dot{\theta}_{impact}", "rad/s", "angular velocity at an impact", "3")
-theta_dd_impact = real(r"\ddot{\theta}_{impact}", "rad/s2", "angular acceleration beside one", "3")
+theta_dd_impact = real(r"\ddot{\theta}_{impact}", "rad/s2", "angular acceleration next to one", "3")
 theta_d_max = real(r"\dot{\theta}_{max,impact}", "rad/s", "largest angular velocity at one", "3")
 
 # --- chapter 4 and Appendix B: the controlled rocking wall

@@ -1,4 +1,4 @@
-"""The tables of the thesis as text to be read: what is printed beside what is computed.
+"""The tables of the thesis as text to be read: printed next to computed numbers.
 
 from rockeom.thesis.side_by_side import side_by_side
 
@@ -32,7 +32,7 @@ class TextTable(NamedTuple):
 
 
 def side_by_side(number: str) -> tuple[TextTable, ...]:
-    """A table of the thesis, printed beside computed; with A-1 also the peaks of the models.
+    """A table of the thesis, printed next to computed; with A-1 also the peaks of the models.
 
     number : "2-1" or "Figure 3-3", a key of `rockeom.thesis.tables.TABLES`.
     Raises KeyError for an unknown number.

@@ -1,4 +1,4 @@
-"""Sentences of the thesis with a number, each beside the computed number; and its slips.
+"""Sentences of the thesis with a number, each next to the computed number; and its slips.
 
     from rockeom.thesis import statements
 

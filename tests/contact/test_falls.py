@@ -91,7 +91,7 @@ def test_one_bound_alone_is_written_as_ever():
 
 
 WRONG = {
-    "the rotation": ({declared.THETA: sp.pi / 2}, "'theta': name coordinates beside the rotation"),
+    "the rotation": ({declared.THETA: sp.pi / 2}, "'theta': name coordinates besides the rotation"),
     "no coordinate": ({"phi": sp.pi / 2}, "'phi': name coordinates"),
     "a list": ([declared.X], "give a mapping"),
     "a negative size": ({declared.X: -1}, "size of 'x' is -1: it must be positive"),

@@ -165,7 +165,7 @@ def displacement_based_design(
 
 @dataclass(frozen=True)
 class DesignCheck:
-    """Peaks of a non-linear structure under some motions, beside the target of its design.
+    """Peaks of a non-linear structure under some motions, compared with the target of its design.
 
     peaks (m,) [m]; factors (m,) by which the motions were scaled; target_displacement [m].
     """

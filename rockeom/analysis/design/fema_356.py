@@ -18,7 +18,7 @@ The steps, by the thesis after Makris and Konstantinidis (2003):
 
 The text does not state how a displacement delta becomes a rotation: it refers to 2-16, which is a
 damping. Here delta is the displacement of the centroid and theta = delta/R, as for rotations that
-are small beside alpha's complement; another arm may be given.
+are small compared with alpha's complement; another arm may be given.
 """
 
 from __future__ import annotations
@@ -285,7 +285,7 @@ def fema_356_against_integration(
     quiet: float = 20.0,
     **choices,
 ) -> FemaComparison:
-    """FEMA 356's estimate beside direct integration, for each of some motions.
+    """FEMA 356's estimate and direct integration, for each of some motions.
 
     block : a `RigidBlock`. motions : scaled as they should be, such as
         [record.scaled_to(peak=3.0) for record in records].

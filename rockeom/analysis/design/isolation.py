@@ -2,8 +2,8 @@
 
     from rockeom import analysis
 
-    beside = analysis.compare_with_fixed_base(column, motion, impact=rk.EnergyRatio(0.74))
-    beside.rocking.base_shear / beside.fixed.base_shear
+    found = analysis.compare_with_fixed_base(column, motion, impact=rk.EnergyRatio(0.74))
+    found.rocking.base_shear / found.fixed.base_shear
 
 Source: thesis section 5.3.3.1, Figure 5-45.
 """

@@ -1,4 +1,4 @@
-"""Overturning by a family of motions, and the boundaries at which the fate changes, to many digits.
+"""Overturning by a family of motions, and the boundaries at which the fate changes, exactly.
 
     import numpy as np
     import rockeom as rk
@@ -135,8 +135,8 @@ def overturning_boundaries(
         given.
     accuracy : of each value, in parts of it.
     most : so many impacts and more are one fate. threads : as of `SweepOptions`.
-    options : of the integrator, the defaults if not given: the sweep may be rougher. Cases beside
-        a boundary are simulated anew with these.
+    options : of the integrator, the defaults if not given: the sweep may be rougher. Cases next
+        to a boundary are simulated again with these.
     progress : a line on stderr; if not given, where stderr is a terminal.
 
     Between neighbours of different fates the interval is halved until it is as short as asked for,

@@ -511,7 +511,7 @@ class Wall:
             def integrand(phi: np.ndarray) -> np.ndarray:
                 d, way = d0 * np.cos(phi), 2 * d0 * np.sin(phi / 2) ** 2
                 spare = self.potential_energy(d0) - self.potential_energy(d)
-                # Beside the release the difference of energies is lost in rounding; there the
+                # Next to the release the difference of energies is lost in rounding; there the
                 # force hardly changes, and its mean over the way gives the work.
                 beside = np.abs(way) < near
                 points = d[beside, None] + way[beside, None] * (1 + nodes) / 2
@@ -521,7 +521,7 @@ class Wall:
 
             return _integral(integrand, 0.0, angle, tolerance=1e-10) if angle else 0.0
 
-        angle = 2 * np.arcsin(np.sqrt((1 - ratio) / 2))  # arccos, but exact beside the release
+        angle = 2 * np.arcsin(np.sqrt((1 - ratio) / 2))  # arccos, but exact next to the release
         return np.vectorize(time, otypes=[float])(initial, angle)
 
     def quarter_period_exact(self, displacement: ArrayLike) -> np.ndarray:

@@ -81,7 +81,7 @@ def rectangular_mat(
     C_z = 13.6 b l sqrt(rho G)/(pi (1 - nu)), and the springs of K_z/2 each stand at b/sqrt(3):
     they have the rotational stiffness K_z b**2/3 of the Winkler bed with the same K_z. The table
     has K_z B_f and C_z B_f for each spring, which have another dimension than the stiffness that
-    is named beside them. B_f and L_f are the whole sides in its K_z, but the halves in its C_z,
+    is named with them. B_f and L_f are the whole sides in its K_z, but the halves in its C_z,
     which is that of the circle of equal area, and in its place of the springs.
     Sources: Barkan (1962), Richart et al. (1970), Yim and Chopra (1983).
     """
@@ -207,7 +207,7 @@ def two_spring_uplift_rotation(weight: ArrayLike, stiffness: ArrayLike, half_spa
 def two_spring_moment(
     rotation: ArrayLike, weight: ArrayLike, stiffness: ArrayLike, half_spacing: ArrayLike
 ):
-    """Moment of a mat on two springs that only press [N m]; thesis Figure 2-8.
+    """Moment of a mat on two compression-only springs [N m]; thesis Figure 2-8.
 
     rotation [rad]; else as `two_spring_uplift_rotation`. 2 k d**2 times the rotation until a
     spring is free, W d from there on.
@@ -235,7 +235,7 @@ def winkler_uplift_rotation(weight: ArrayLike, stiffness: ArrayLike, half_width:
 def winkler_moment(
     rotation: ArrayLike, weight: ArrayLike, stiffness: ArrayLike, half_width: ArrayLike
 ):
-    """Moment of a mat on a bed of springs that only press [N m]; thesis Figure 2-8.
+    """Moment of a mat on a bed of compression-only springs [N m]; thesis Figure 2-8.
 
     rotation [rad]; else as `winkler_uplift_rotation`. W b/3 times rotation/uplift rotation until
     an edge lifts; from there on W b (1 - (2/3) sqrt(uplift rotation/rotation)): the part of the

@@ -1,6 +1,6 @@
 """Restitution: ratios r of kinetic energies after and before an impact, predicted and measured.
 
-The literature calls r as well as e = sqrt(r), the ratio of rates of rotation, "coefficient of
+The literature calls r as well as e = sqrt(r), the ratio of angular velocities, "coefficient of
 restitution". Here a name says which it is; all of thesis 2-6, 3-3, 3-16, 5-4, 5-14 are r.
 
 These are the thesis's formulas for blocks and for two lumped masses. Tests compare the derived
@@ -23,7 +23,7 @@ from rockeom.numbers.arguments import not_negative, numbers, positive, require
 
 
 def velocity_ratio_from_energy_ratio(energy_ratio: ArrayLike):
-    """e = sqrt(r), the ratio of the rates of rotation after and before an impact; thesis 2-4.
+    """e = sqrt(r), the ratio of the angular velocities after and before an impact; thesis 2-4.
 
     energy_ratio : r, any shape. Raises ValueError outside 0 (no rebound) to 1 (no loss).
     """

@@ -93,7 +93,7 @@ def impact_speed(
     gravity: ArrayLike = STANDARD_GRAVITY,
     radius_ratio: ArrayLike = RECTANGLE,
 ):
-    """Rate of rotation at the impact of a block released at rest [rad/s], positive; thesis 3-13.
+    """Angular velocity at the impact of a block released at rest [rad/s], positive; thesis 3-13.
 
     theta_0 : rotation at the release [rad], either sign, at most alpha; at alpha it is 3-13, the
         largest speed that free rocking can have.
@@ -146,7 +146,7 @@ def block_reactions_at_impact(
 ):
     """(horizontal, vertical) force just before or after an impact [N]; thesis 3-11 and 3-12.
 
-    theta_dot : rate of rotation [rad/s]; zero gives the limits 3-14 and 3-15, between which the
+    theta_dot : angular velocity [rad/s]; zero gives the limits 3-14 and 3-15, between which the
         force chatters as rocking dies out. mass [kg]; the others as in `acceleration_at_impact`.
 
     The last term of 3-12 is printed with a sgn(theta) that cancels against that of 3-10; it is

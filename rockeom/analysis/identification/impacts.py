@@ -41,7 +41,7 @@ def _rotation_of(structure: Structure) -> str:
 
 
 def _speed(structure: Structure, y: np.ndarray, energy: float) -> float:
-    """Rate of rotation upright, before the impact, of a structure released at a peak."""
+    """Angular velocity upright, before the impact, of a structure released at a peak."""
     m = structure.module
     moving = structure.state({m.STATES[m.ROTATION_RATE]: 1.0})[None]
     mode = np.array([structure.mode_number(y)])
@@ -184,7 +184,7 @@ class EnergyLossFit(NamedTuple):
 class Impacts:
     """Impacts of a free rocking test in the order of time, (n,) each.
 
-    time [s], between the two peaks; foot : "left" or "right", which lands; speed : rate of rotation
+    time [s], between the two peaks; foot : "left" or "right", which lands; speed : angular velocity
     just before [rad/s], positive where the right foot lands, of the energy before; peak_before,
     peak_after : rotations, or values of the measured quantity; energy_before,
     energy_after [J], above upright; half_width : of the interval about `energy_ratio` in which it

@@ -92,7 +92,7 @@ def support_forces_of_record(
 class ImpactForces(NamedTuple):
     """Bounds of the force of each impact by a record, (n,) each; see `impact_forces_of_record`.
 
-    time [s]; speed : rate of rotation before it [rad/s], positive where the right foot lands;
+    time [s]; speed : angular velocity before it [rad/s], positive where the right foot lands;
     horizontal, vertical : the largest about the impact, by size [N]; of both, magnitude [N], and
     angle from the vertical [rad]. baseline_horizontal, baseline_vertical : of the block just before
     (3-11, 3-12) [N]. expected_horizontal, expected_vertical : the trace that a jump of the rate

@@ -56,7 +56,7 @@ def swings(run: Response, quantity: str = "displacement", number: int = 10) -> S
     x = at(grid)
     away = np.flatnonzero(x)
     change = np.flatnonzero(np.diff(np.sign(x[away])))[:number]
-    last, first = away[change], away[change + 1]  # beside each crossing
+    last, first = away[change], away[change + 1]  # next to each crossing
     crossing_time = _crossings(at, grid[last], grid[first])
 
     edges = [0, *first.tolist()]

@@ -461,7 +461,7 @@ def impact(lane, z, w, batch, scratch):
 def fly_or_rest(lane, z, case, mode, speed, batch, scratch):
     """(mode, whether it rests): begin the flight after an impact, or end all to come.
 
-    speed : the rate of rotation before the impact.
+    speed : the angular velocity before the impact.
     """
     y, rate, p, t = batch.states[case], batch.rates[case], batch.p[case], z[Z_T + lane]
     status, tolerance = batch.status[case], batch.rest_tolerance
@@ -502,7 +502,7 @@ def fly_or_rest(lane, z, case, mode, speed, batch, scratch):
 
 
 def fresh_rates(lane, z, case, batch):
-    """The rates of a lane at its time, found anew."""
+    """The rates of a lane at its time, found again."""
     t, n = z[Z_T + lane], N_STATES // 2
     y, rate = batch.states[case], batch.rates[case]
     for i in range(n):

@@ -27,7 +27,7 @@ if TYPE_CHECKING:  # joined before this text
 
 @inlined
 def velocity_ratio_at(law, ratio, impact, rate, p):
-    """Ratio e of the rates of rotation after and before an impact; `ratio`, unless tabulated.
+    """Ratio e of the angular velocities after and before an impact; `ratio`, unless tabulated.
 
     impact : its number in the motion. rate : of rotation before it, negative where the left foot
     lands. p : the table at its end, see `rockeom.structures.impact_laws.Table`.

@@ -200,7 +200,7 @@ class RockingWall(StructureWithFields):
         """The force with which the rotation of a state is in equilibrium [N]."""
         row = self.module.ROTATION
         none = self.lacking(mode, y, 0.0)[row]
-        load = 1.0 + abs(none)  # the digits of one newton might be lost beside the other forces
+        load = 1.0 + abs(none)  # the digits of one newton might be lost next to the other forces
         return float(load * (none / (none - self.lacking(mode, y, load)[row])))
 
     def lacking(self, mode: int, y: np.ndarray, load: float) -> np.ndarray:

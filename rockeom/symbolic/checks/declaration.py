@@ -161,7 +161,7 @@ def _sketched(model: HybridModel) -> None:
             others = [c.name for c in model.coordinates if c != model.rotation]
             fail(
                 model.name,
-                f"falls holds {getattr(c, 'name', c)!r}: name coordinates beside the rotation, of "
+                f"falls holds {getattr(c, 'name', c)!r}: name coordinates besides the rotation, of "
                 f"which there are {', '.join(others) or 'none'}",
             )
         valid.expressions(f"{model.name}: falls", **{c.name: size})

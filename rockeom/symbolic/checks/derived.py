@@ -120,7 +120,7 @@ def _one_ratio(model: HybridModel, sample: _Sample) -> None:
         if not np.allclose(ratio, ratios[0], rtol=_NEGLIGIBLE, atol=0, equal_nan=True):
             fail(
                 model.name,
-                f"the ratio of the rates of rotation differs between {words_of(first)} and "
+                f"the ratio of the angular velocities differs between {words_of(first)} and "
                 f"{words_of(t)}: the feet are not equally far from the masses, which is not "
                 "modelled; make both sides alike, or give `rigid_velocity_ratio`, or declare a "
                 "Model whose feet have the law Rigid(restitution=0, friction=None)",

@@ -162,7 +162,7 @@ def expressions_of_modes(model: HybridModel) -> Expressions:
             if foot.force is not None:
                 yield f"force on the {name} foot{of}", foot.force, "qvasg"
         for axis, e in zip("xy", mode.beside_feet, strict=True):
-            yield f"{axis} of the force beside the feet{of}", e, "qvsg"
+            yield f"{axis} of the force elsewhere than at the feet{of}", e, "qvsg"
         for axis, e in zip("xy", mode.load_point or (), strict=False):
             yield f"{axis} of the load point{of}", e, "qs"
         for x in mode.small:

@@ -50,10 +50,10 @@ INWARD = sp.Rational(17, 20)
 class Superstructure:
     """Masses on a rigid base, the base among them.
 
-    coordinates : its own, beside those of the base. bodies(place, angle) : when the base has turned
-    clockwise through the angle; the first carries the load of a pushover. elements : the springs
-    and dampers in it, by name; elastic_energy, dissipation : those of others, the latter Rayleigh's
-    function. members : what a sketch shows between the bodies.
+    coordinates : its own, besides those of the base. bodies(place, angle) : when the base has
+    turned clockwise through the angle; the first carries the load of a pushover. elements : the
+    springs and dampers in it, by name; elastic_energy, dissipation : those of others, the latter
+    Rayleigh's function. members : what a sketch shows between the bodies.
     """
 
     name: str

@@ -155,7 +155,7 @@ def standing(of: Superstructure, support: str, **details: Any) -> Model | Rockin
         names = [*signature(SUPPORTS[support]).parameters][1:]
         takes = ", ".join(f"{n}=" for n in names) or "nothing"
         raise valid.ArgumentError(
-            f"{of.name} on the support {support!r}: {error}; beside its own arguments it takes "
+            f"{of.name} on the support {support!r}: {error}; besides its own arguments it takes "
             f"{takes}"
         ) from None
     return SUPPORTS[support](of, **details)

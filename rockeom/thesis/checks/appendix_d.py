@@ -100,7 +100,7 @@ def coefficients(side: int) -> dict[sp.Symbol, sp.Expr]:
 
 def _rows(equation: Equation, relations: Relations) -> Iterator[Finding]:
     mixed = set().union(*(x.free_symbols for x in relations)) & set(IN_TIME)
-    yield Finding("coordinates beside the states y", mixed, not mixed)
+    yield Finding("coordinates besides the states y", mixed, not mixed)
     for side in equation.sides:
         model, known = shipped(MODEL_C), {**STATES, **coefficients(side)}
         derived = (0, residual(model, side, 1), 0, residual(model, side, 0))

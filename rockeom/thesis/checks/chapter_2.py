@@ -542,7 +542,7 @@ CHECKS: dict[str, Check | tuple[Check, ...]] = {
     "2-10": _SCALED,
     "2-11": _SCALED,
     "2-12": _SCALED,
-    "2-15": Check(Means.TRANSCRIBED, "the function of rockeom.analysis; beside 2-16", _fema),
+    "2-15": Check(Means.TRANSCRIBED, "the function of rockeom.analysis; compared with 2-16", _fema),
     "2-16": (
         Check(Means.TRANSCRIBED, "the function of rockeom.analysis", _priestley),
         Check(Means.REPRODUCED, "damping of Table 2-3, of the r printed there", _table_2_3),

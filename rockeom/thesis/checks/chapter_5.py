@@ -291,7 +291,7 @@ STRAIGHT = 1.25e-2
 
 
 def _straight(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """The line 5-33 beside the curve 5-31, which is exact about the leading foot."""
+    """The line 5-33 and the curve 5-31, which is exact about the leading foot."""
     top, line = relations
     (curve,), (start,), (lift_off,), (at,) = (
         EQUATIONS[number].right for number in ("5-31", "5-32", "5-22", "5-23")

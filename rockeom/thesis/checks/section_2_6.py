@@ -59,7 +59,7 @@ def _concentrated(equation: Equation, relations: Relations) -> Iterator[Finding]
     whole = sp.integrate(relation.rhs, (th.x, th.below_zero, th.above_zero))
     beside = sp.integrate(relation.rhs, (th.x, th.above_zero, 2 * th.above_zero))
     yield vanishes("integral over a passage minus the 1 of 2-22", whole - 1, sp.simplify)
-    yield vanishes("integral beside the impact", beside)
+    yield vanishes("integral next to the impact", beside)
 
 
 def _away_from_zero(equation: Equation, relations: Relations) -> Iterator[Finding]:
@@ -328,7 +328,7 @@ def _engine_motion() -> sp.Expr:
 CHECKS: dict[str, Check | tuple[Check, ...]] = {
     "2-17": derived("slender block of the engine in scaled time, with a moment", _motion),
     "2-18": derived("with 2-20 and 2-27 it gives 2-28", _product),
-    "2-19a": derived("its integrals across and beside the impact", _concentrated),
+    "2-19a": derived("its integrals across and next to the impact", _concentrated),
     "2-19b": derived("limit of 2-20 as n -> 0", _away_from_zero),
     "2-19c": derived("limit of the integral of 2-20 as n -> 0", _integral),
     "2-20": derived("its integrals, and their limits as n -> 0", _normal),

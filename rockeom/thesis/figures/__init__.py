@@ -1,4 +1,4 @@
-"""Figures of the thesis, drawn anew from printed numbers, closed forms and simulations.
+"""Figures of the thesis, drawn again from printed numbers, closed forms and simulations.
 
     from rockeom.thesis.figures import FIGURES
 
@@ -53,7 +53,7 @@ NOT_DRAWN: dict[str, str] = {
     "4-4": "a drawing of the wall with its measures",
     "4-5": "a drawing of the instruments",
     "4-8": f"{_TESTS}; 4-11 and 4-12 have the free vibration",
-    "4-9": "a drawing of the gauges beside the wall",
+    "4-9": "a drawing of the gauges next to the wall",
     "4-10": "a drawing of a base that turns: `corrected_uplifts` and `rotation_centre` compute it",
     "4-16": "a drawing of a centre that shifts; 4-18 has what comes of it",
     "4-21": "drawings of the rigs of two other studies",

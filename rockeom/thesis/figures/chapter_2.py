@@ -30,7 +30,7 @@ def figure_2_6() -> Figure:
     theta_0 = 0.05 theta_crit. Left open are what theta_crit is, taken as atan(B/H); the
     deformation at the release, that of static equilibrium under a force on its mass,
     u_c; and what happens at an impact: here momentum is conserved (`Impulsive`), and each ends
-    in full contact. Beside it stands the same structure with exact kinematics and P-delta.
+    in full contact. With it is the same structure with exact kinematics and P-delta.
     """
     omega, xi, height, half_width = 56.10, 0.03, 1.0, 0.3
     crit = math.atan(half_width / height)

@@ -186,7 +186,7 @@ def figure_4_13() -> Drawn:
 
     4-5 has three numbers, of which these data tell only two: what counts of the first two is the
     factor of the root of the displacement, 0.505 s sqrt(2/5155 mm). Dashed is that form fitted
-    anew, by least squares to the 19 quarters whose rows are legible, with the 95 % band of the
+    again, by least squares to the 19 quarters whose rows are legible, with the 95 % band of the
     curve.
     """
     measured = identification.FreeVibration.table_a1()
@@ -197,16 +197,16 @@ def figure_4_13() -> Drawn:
     fit = identification.fit(lambda k, c: k * root + c, time, {"k": 0.3, "c": 0.01})
     d = np.linspace(1e-4, 0.032, 200)
     slopes = np.column_stack([np.sqrt(d), np.ones_like(d)])
-    anew = slopes @ np.array(list(fit.values.values()))
+    fitted = slopes @ np.array(list(fit.values.values()))
     spread = np.sqrt(np.einsum("ni,ij,nj->n", slopes, fit.covariance, slopes))
     reach = (fit.interval("c")[1] - fit.values["c"]) / fit.standard_error["c"]
 
     figure = style.new_figure(6.0, 3.6)
     ax = figure.add_subplot()
     band: dict[str, Any] = {"color": style.LINES[1], "alpha": 0.15, "lw": 0}
-    ax.fill_between(d * MM, anew - reach * spread, anew + reach * spread, **band)
+    ax.fill_between(d * MM, fitted - reach * spread, fitted + reach * spread, **band)
     ax.plot(d * MM, quarter_period_fit(d), color=style.LINES[0], label="4-5")
-    ax.plot(d * MM, anew, "--", color=style.LINES[1], label="fitted anew, 95 % band")
+    ax.plot(d * MM, fitted, "--", color=style.LINES[1], label="fitted again, 95 % band")
     draw_sides(ax, measured.displacement[starts], time)
     ax.set_xlabel(r"peak displacement $|\Delta_0|$ [mm]")
     ax.set_ylabel("quarter period [s]")

@@ -160,7 +160,7 @@ def figure_4_58() -> Drawn:
             Statement(
                 "4.9.1.1", "a spread of about 2.5 mm",
                 f"the five points lie {np.abs(shifts).min() * MM:.1f} to "
-                f"{np.abs(shifts).max() * MM:.1f} mm beside the curve, all to the same side",
+                f"{np.abs(shifts).max() * MM:.1f} mm off the curve, all to the same side",
                 bool(np.abs(shifts).max() < SPREAD),
             ),
         ),
@@ -483,8 +483,8 @@ def figure_4_73() -> Figure:
     The description of the thesis fits 4.553 Hz (right), chosen so that the period doubles at 6.03;
     the smear from 6.21 on then follows. Black is a motion of four passages a cycle,
     followed from 6.02 up and down. Orange dots are motions from rest: below 5.97 they settle to one
-    of two passages a cycle, which stays stable beside the other. A third, with passages of 0.8 m/s,
-    is out of the picture. The oscillator is that of 4-37 with the constant r = 0.852.
+    of two passages a cycle, which stays stable next to the other. A third, with passages of
+    0.8 m/s, is out of the picture. The oscillator is that of 4-37 with the constant r = 0.852.
     """
     figure = style.new_figure(7.6, 3.6)
     stated, sought = figure.subplots(1, 2)

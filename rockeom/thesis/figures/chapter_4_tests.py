@@ -108,7 +108,7 @@ def figure_4_6() -> Drawn:
 
 @thesis_figure(Source.IN_KIND)
 def figure_4_7() -> Drawn:
-    """Response spectra of the tests beside the elastic design spectrum of NZS 1170.5.
+    """Response spectra of the tests and the elastic design spectrum of NZS 1170.5.
 
     Spectra of the motions intended, damped by 5 %, without those of Tabas and Llolleo, which are
     not at hand. The design spectrum is that of NZS 1170.5 for soil class E with Z R = 0.7, its
@@ -294,7 +294,7 @@ def draw_run(ax: Axes, run: str, start: float, end: float) -> None:
 
 
 def peak_statements(run: str) -> tuple[Statement, Statement]:
-    """Printed peaks of Table 4-3 beside the simulated ones; as sizes, to a quarter."""
+    """Printed peaks of Table 4-3 and the simulated ones; as sizes, to a quarter."""
     row = next(row for row in TABLE_4_3.rows if row[0] == run)
     said = []
     for name, printed, simulated in (
@@ -413,16 +413,16 @@ def figure_4_72() -> Drawn:
 
 
 BESIDE = 0.1e-3
-"""How far beside upright the second of two runs begins [m]."""
+"""How far from upright the second of two runs begins [m]."""
 
 
 @thesis_figure(Source.IN_KIND)
 def figure_4_74() -> Drawn:
-    """The same motion twice, the wall once upright and once 0.1 mm beside it.
+    """The same motion twice, the wall once upright and once 0.1 mm from it.
 
     The two tests are lost, runs 18 and 19 of another study with the same motion and prestress; what
     was different in them is not known. In kind is test run 4 by 4-27 with r of 4-31, from upright
-    and from 0.1 mm beside it: after a test up to 0.7 mm were left (Table 4-2).
+    and from 0.1 mm next to it: after a test up to 0.7 mm were left (Table 4-2).
     """
     first = oscillator_run("4")
     again = rk.simulate(first.structure, first.motion, initial={"u": BESIDE})
@@ -431,7 +431,7 @@ def figure_4_74() -> Drawn:
     figure = style.new_figure(7.2, 3.2)
     ax = figure.add_subplot()
     ax.plot(t, one * MM, lw=0.9, label="from upright")
-    ax.plot(t, other * MM, lw=0.9, label="from 0.1 mm beside it")
+    ax.plot(t, other * MM, lw=0.9, label="from 0.1 mm next to it")
     ax.set_xlim(0, 15)
     ax.set_xlabel("time [s]")
     ax.set_ylabel(r"displacement $\Delta$ [mm]")

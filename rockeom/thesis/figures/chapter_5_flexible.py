@@ -1,7 +1,7 @@
 """Figures of chapter 5: the steel column that bends, Model C, and what rocking does for it.
 
-Stiffness and damping are those of 5-1 and 5-36, 571.8 kN/m and 502.4 N s/m. At an impact the rate
-of rotation is multiplied by the root of r and the column's rate is left, as the thesis does.
+Stiffness and damping are those of 5-1 and 5-36, 571.8 kN/m and 502.4 N s/m. At an impact the
+angular velocity is multiplied by the root of r and the column's rate is left, as the thesis does.
 """
 
 from __future__ import annotations

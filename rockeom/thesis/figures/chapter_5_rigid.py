@@ -100,7 +100,7 @@ def rms_of_peaks(run: Response, number: str, n: int = 8) -> float:
 def draw_decay(
     number: str, *curves: tuple[str, Response], uplift: Response | None = None
 ) -> Figure:
-    """Displacements beside the printed points, and below them the uplift of both edges."""
+    """Displacements with the printed points, and below them the uplift of both edges."""
     figure = style.new_figure(6.6, 3.4 if uplift is None else 4.8)
     axes = figure.subplots(1 if uplift is None else 2, 1, sharex=True, squeeze=False)[:, 0]
     top = axes[0]
@@ -247,7 +247,7 @@ def largest(run: Response) -> float:
 
 
 def peak_found(where: str, printed: str, run: Response, peak: float) -> Statement:
-    """The largest displacement beside the measured one."""
+    """The largest displacement and the measured one."""
     computed = largest(run)
     return Statement(
         where, f"{printed}; {peak:g} mm were measured", f"largest displacement {computed:.1f} mm",
@@ -393,7 +393,7 @@ def figure_5_31() -> Drawn:
     """Restoring force of the column on two springs: exact pushover, 5-25 and 5-33.
 
     The exact one stands for the simulation with Working Model 2D: the rigid structure on two
-    springs that only press, its base guided vertically, with no angle taken as small. k_f is
+    compression-only springs, its base guided vertically, with no angle taken as small. k_f is
     550 kN/m.
     """
     a = approximation(550e3)
@@ -551,7 +551,7 @@ def figure_5_35() -> Drawn:
 
 @thesis_figure(Source.IN_KIND)
 def figure_5_36() -> Drawn:
-    """The column in run 4 on rigid ground: Model A beside Model B with k_f = 10 MN/m.
+    """The column in run 4 on rigid ground: Model A and Model B with k_f = 10 MN/m.
 
     As Figure 5-34.
     """

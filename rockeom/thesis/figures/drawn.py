@@ -49,7 +49,7 @@ class Drawn(NamedTuple):
 
 @dataclass(frozen=True)
 class ThesisFigure:
-    """A figure of the thesis, drawn anew when it is called.
+    """A figure of the thesis, drawn again when it is called.
 
     number : such as "2-16". source : what stands behind it. text : its title, and below it what
     the thesis leaves open and what is assumed. draw : what draws it.
