@@ -70,6 +70,38 @@ def texts() -> dict[str, list[str]]:
     }
 
 
+def paragraphs(markdown: str) -> Iterator[str]:
+    """Paragraphs, items, headings and cells of a page, without its code."""
+    text = re.sub(
+        r"^```(?!{(?:note|tip|figure)).*?^```|\A---.*?^---", "", markdown, flags=re.M | re.S
+    )
+    for part in re.split(r"\n\s*\n|\n(?=\s*(?:[-|*#:>]|\d+\.) ?)", text):
+        for cell in part.split("|") if part.lstrip().startswith("|") else [part]:
+            yield " ".join(cell.strip(" -*#>|\n").split())
+
+
+@pytest.fixture(scope="module")
+def pages() -> dict[str, list[str]]:
+    root = PACKAGE.parent
+    files = [root / "README.md", root / "CHANGELOG.md", *(root / "docs").rglob("*.md")]
+    built = {"_build", "derivations"}  # by `make docs`
+    return {
+        file.relative_to(root).as_posix(): [*paragraphs(file.read_text(encoding="utf-8"))]
+        for file in files
+        if not built & {*file.relative_to(root).parts}
+    }
+
+
+@pytest.mark.parametrize(
+    "banned", [w for w in WORDS["prose"] if w.get("pages")], ids=lambda banned: banned["phrase"]
+)
+def test_pages_say_it_in_plain_english(pages, banned):
+    found = [
+        f"{page}: {use}" for page, texts in pages.items() for t in texts for use in uses(banned, t)
+    ]
+    assert not found, (banned["say"], *found)
+
+
 @pytest.mark.parametrize("banned", WORDS["prose"], ids=lambda banned: banned["phrase"])
 def test_prose_says_it_in_the_words_of_the_field(texts, banned):
     found = [
