@@ -75,7 +75,7 @@ def simulate_many(
         and "period" or "frequency", its reciprocal; "scale" and "time_scale", factors of the
         acceleration and time of any motion and of the vertical one with it, and "pga", for which
         both are scaled; of the impact law, such
-        as "r", or "restitution", the ratio e of the rates of rotation; "initial theta" of a state;
+        as "r", or "restitution", the ratio e of the angular velocities; "initial theta" of a state;
         "duration". A name that two parts of the case have is written with the part, as
         "motion.amplitude" and "vertical.amplitude". "motion", "structure", "vertical", "impact" and
         "initial" are those parts as a whole.
