@@ -161,8 +161,9 @@ def figures() -> list[Figure]:
     every = list(functions(of))
     edges = imports(of)
     at_run_time = circles(edges.at_run_time)
-    # of the thesis and of the analysis there are as many as there are subjects
-    subjects = [s for s in of if not s.path.startswith(("thesis", "analysis"))]
+    # these have as many files as there are subjects, and as there are structures
+    by_subject = "thesis", "analysis", "structures/shipped"
+    subjects = [s for s in of if not s.path.startswith(by_subject)]
     folders = Counter(str(Path(source.path).parent) for source in subjects)
 
     def count(pattern: str, where: Callable[[str], bool] = lambda path: True) -> int:
@@ -176,13 +177,13 @@ def figures() -> list[Figure]:
         Figure("lines without thesis", elsewhere, None),
         Figure("longest function", max(f.lines for f in every), 66),
         Figure("functions over 60 lines", sum(f.lines > 60 for f in every), 1),
-        Figure("most arguments", max(f.arguments for f in every), 14),
-        Figure("functions of more than 10 arguments", sum(f.arguments > 10 for f in every), 3),
+        Figure("most arguments", max(f.arguments for f in every), 12),
+        Figure("functions of more than 10 arguments", sum(f.arguments > 10 for f in every), 2),
         Figure("highest cyclomatic number", max(f.branches for f in every), 30),
         Figure("circles of files at run time", len(at_run_time), 0),
         Figure("files in them", sum(map(len, at_run_time)), 0),
         Figure("circles of files with types", len(circles(edges.with_types)), 0),
-        Figure("imports within functions", edges.within_functions, 47),
+        Figure("imports within functions", edges.within_functions, 31),
         Figure("isinstance of models", count(models), 0),
         Figure("engine flag in the loop", count("N_POINTS", lambda p: p.endswith("loop.py")), 0),
         Figure("questions for points", count(r"has_points\(|stands_on_points"), 6),
@@ -190,7 +191,7 @@ def figures() -> list[Figure]:
         Figure("files of a folder", max(folders.values()), 20),
         Figure("names of analysis", public_names("rockeom.analysis"), 11),
         Figure("members of Response", members(of, "Response"), 35),
-        Figure("lines of a file", max(lines.values()), 897),
+        Figure("lines of a file", max(lines.values()), 895),
         Figure("texts that are run", count(r"\bexec\("), 3),
     ]  # fmt: skip
 

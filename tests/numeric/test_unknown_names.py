@@ -3,7 +3,6 @@
 import copy
 import operator
 import pickle
-import timeit
 
 import pytest
 
@@ -66,7 +65,6 @@ def test_probing_for_attributes_searches_nothing(monkeypatch):
         for name in ("m", "_repr_png_", "_ipython_canary_method_should_not_exist_", "__array__"):
             assert not hasattr(owner, name)
     assert copy.deepcopy(BLOCK) == copy.copy(BLOCK) == pickle.loads(pickle.dumps(BLOCK)) == BLOCK
-    assert min(timeit.repeat(lambda: hasattr(BLOCK, "m"), number=100, repeat=5)) < 100 * 50e-6
 
 
 def test_a_property_that_fails_says_why_itself():
