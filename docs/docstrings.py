@@ -10,7 +10,9 @@ import builtins
 import inspect
 import re
 from collections.abc import Collection
+from functools import cache
 from itertools import accumulate, pairwise
+from pathlib import Path
 
 UNIT = r"(?: \([^)]*\))?(?: \[[^\]]*\])?"
 NAME = rf"\w+(?: \w+)?{UNIT}"  # x, x (n,) [m], stiffness k [N/m]
@@ -20,6 +22,7 @@ REMARK = re.compile(r"(Raises|Returns|Sources?:|Any shapes?\b)")  # is about all
 CODE = re.compile(r"(``.*?``|`[^`]*`)", re.DOTALL)
 FOREIGN = {"pd", "numpy", "np", "sympy", "sp", "xarray", "xr", "matplotlib", "mpl", "collections"}
 FOREIGN |= {"types", "typing", "enum", "pathlib", "os", "ArrayLike"}
+FOREIGN |= {"Motion", "Run", "Rocking", "GeneratedModule"}  # protocols of the package's own use
 FOREIGN |= {"Axes", "Figure", "SubFigure", "ModuleType"}  # as annotations name them
 
 
@@ -44,6 +47,16 @@ def process(app, what, name, obj, options, lines) -> None:
         lines.clear()  # a constant that has none shows that of its type: of dict, of list
     else:
         lines[:] = rst(docstring, arguments(obj)).split("\n")
+        lines += examples().get(name, "").split("\n")
+
+
+@cache
+def examples() -> dict[str, str]:
+    """Sessions of Python by the names that they belong to, see examples.txt."""
+    text = (Path(__file__).parent / "examples.txt").read_text(encoding="utf-8")
+    _, *parts = re.split(r"^# ([\w.]+)\n", text, flags=re.MULTILINE)
+    sessions = (re.sub(r" *# doctest: .*", "", part).strip() for part in parts[1::2])
+    return {name: f"\n{part}\n" for name, part in zip(parts[::2], sessions, strict=True)}
 
 
 def skip(app, what, name, obj, skipped, options) -> bool | None:
@@ -191,5 +204,5 @@ def resolve(app, env, node, contnode):
         docname, node_id, name = min(exact)
         builder = app.builder
         return make_refnode(builder, node["refdoc"], docname, node_id, contnode, name)
-    foreign = target.partition(".")[0] in FOREIGN or hasattr(builtins, target)
+    foreign = not {target.partition(".")[0], last}.isdisjoint(FOREIGN) or hasattr(builtins, target)
     return contnode if foreign or node["reftype"] == "obj" else None

@@ -1,7 +1,9 @@
 """The documentation names all there is, and its links lead somewhere; `make docs` builds it."""
 
+import doctest
 import functools
 import importlib
+import operator
 import re
 import sys
 from importlib.util import find_spec
@@ -220,6 +222,23 @@ def test_fields_of_a_named_tuple_are_described_by_its_docstring_alone(docstrings
     fitted = importlib.import_module("rockeom.analysis.formulas").DissipationLimit
     assert docstrings.skip(None, "class", "speed", fitted.speed, False, {})
     assert docstrings.skip(None, "class", "rk", rockeom.simulate, False, {}) is None
+
+
+EXAMPLES = re.split(
+    r"^# ([\w.]+)\n", (DOCS / "examples.txt").read_text("utf-8"), flags=re.MULTILINE
+)[1:]
+
+
+@pytest.mark.parametrize(("name", "session"), [*zip(EXAMPLES[2::2], EXAMPLES[3::2], strict=True)])
+def test_example_of_the_reference_gives_what_it_prints(name, session):
+    home, _, last = name.rpartition(".")
+    if home[home.rfind(".") + 1 :][0].isupper():
+        home, _, cls = home.rpartition(".")
+        last = f"{cls}.{last}"
+    assert operator.attrgetter(last)(importlib.import_module(home))
+    flags = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+    test = doctest.DocTestParser().get_doctest(EXAMPLES[1] + session, {}, name, name, 0)
+    assert not doctest.DocTestRunner(optionflags=flags).run(test).failed
 
 
 # --- by section
