@@ -16,7 +16,11 @@ RATIO = "rotation_ratio"
 
 
 class Reserve(NamedTuple):
-    """The largest theta/alpha of a motion, its side, its time [s], and the angle of that side."""
+    """The largest theta/alpha of a motion.
+
+    ratio : theta/alpha. side : "left" or "right". time [s]. angle : overturning angle of that side,
+    in the unit of the rotation.
+    """
 
     ratio: float
     side: str
