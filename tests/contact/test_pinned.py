@@ -257,7 +257,7 @@ REFUSED = {
     "one foot": ({"contacts": (replace(THIRD, gap=corner(1)[1], slip=corner(1)[0], law=Pinned()),)},
                  "bumper: two feet"),
     "a spring beside them": (
-        {"elements": (Unilateral("pad", -Y.position, M),)}, "element 'pad' stands beside",
+        {"elements": (Unilateral("pad", -Y.position, M),)}, "element 'pad' stands next to",
     ),
     "other names": ({"contacts": pair(corner, names=("west", "east"))}, "call them left and right"),
     "left and right in exchange": (
@@ -309,11 +309,15 @@ def test_what_no_pair_of_pinned_feet_can_be_is_refused(what):
     assert any(way in str(error.value) for way in ways)
 
 
-def test_masses_off_the_middle_are_refused_where_it_is_derived():
-    """The ratio of rates would be another on each side."""
+def test_masses_off_the_middle_have_no_ratio_of_both_feet():
+    """Each foot has its own: conservation of the angular momentum is then the impact map."""
     aside = replace(BLOCK, position=placed((D.symbol, H), THETA.position), polar=None)
-    with pytest.raises(ValueError, match=r"Rigid\(restitution=0, friction=None\)"):
-        module_text(block(**MORE, bodies=(aside,)))
+    names: dict = {}
+    for bodies, of_both in (((BLOCK,), True), ((aside,), False)):
+        text = module_text(block(**MORE, bodies=bodies))
+        exec(compile(text, "module", "exec"), names)
+        ratio = names["velocity_ratio"](np.full(len(names["PARAMETERS"]), 0.5))
+        assert np.isfinite(ratio) == of_both
 
 
 def test_modes_of_feet_that_slide_are_not_those_of_pinned_ones():

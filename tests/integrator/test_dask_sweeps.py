@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
+from tests.sweeping import simulate_many
 
 pytest.importorskip("zarr")
 distributed = pytest.importorskip("distributed")
@@ -40,15 +41,9 @@ def test_a_worker_of_a_cluster_is_killed_midway(tmp_path):
 
         killer = threading.Thread(target=kill)
         killer.start()
-        found = rk.simulate_many(
-            pulse,
-            OVER,
-            sweep_options=rk.SweepOptions(store=store, executor=client.get_executor(pure=False)),
-            **how,
-        )
+        executor = client.get_executor(pure=False)
+        found = simulate_many(pulse, OVER, store=store, executor=executor, **how)
         killer.join()
         assert killed not in client.run(os.getpid).values()
-    assert found.identical(rk.simulate_many(pulse, OVER, **how))
-    assert found.identical(
-        rk.simulate_many(pulse, OVER, sweep_options=rk.SweepOptions(store=store), **how)
-    )
+    assert found.identical(simulate_many(pulse, OVER, **how))
+    assert found.identical(simulate_many(pulse, OVER, store=store, **how))
