@@ -408,8 +408,8 @@ TABLE_5_1 = PrintedTable(
         "not stated.",
         "The motions of the shaking table are not available. The displacements of runs 3 and 4 are "
         "computed with the records that were meant, in 1/5 of their time: El Centro 180 with 0.8 g "
-        "by Model A (Figure 5-24), Pacoima Dam 254, of those recorded the nearest to N76W, with "
-        "2.4 g by Model B with k_f = 550 kN/m (Figure 5-34); r = 0.74. The other component, 164, "
+        "by Model A (Figure 5-24), Pacoima Dam 254, which was first published as N76W, with 2.4 g "
+        "by Model B with k_f = 550 kN/m (Figure 5-34); r = 0.74. The other component, 164, "
         "comes to 33 mm in run 4.",
     ),
 )

@@ -2,7 +2,9 @@
 
 The motions of the tables themselves are not available. El Centro 180 (extra `records`) and Sylmar
 360 (extra `fema`, by its components 032 and 122) of the intended records are at hand, Tabas 344 and
-Llolleo 10 are not. The component 254, the nearest of those recorded, represents Pacoima Dam N76W.
+Llolleo 10 are not. Pacoima Dam N76W is the component 254: the axes of this record were first
+published as N14E and S76E (Boore and Zoback, BSSA 64, 1974, 555-570). Reversed they are 194 and 284
+degrees, the latter N76W; today's libraries have both 30 degrees less, 164 and 254.
 The direction of a record on the table is not stated: its reversal changes the sign of every peak.
 """
 
