@@ -33,9 +33,11 @@ def test_what_the_table_says_of_the_thesis():
     assert verdicts("4-11") == ["differs", "holds"]  # 38 % of the toe's compression, not 26 %
     assert verdicts("4-15") == ["differs"]
     assert verdicts("4-29") == ["holds"]
-    # 4-16 lies above the peaks, which no part of the curve about upright can change
-    r_squared, above, stiffness = FIGURES["4-20"].drawn().statements
-    assert (r_squared.verdict, above.verdict, stiffness.verdict) == ("open", "differs", "differs")
+    # 4-16 lies above the peaks, which no part of the curve about upright can change; the text's own
+    # measure, R2 of 0.927, calls that adequate
+    r_squared, adequate, stiffness = FIGURES["4-20"].drawn().statements
+    assert (r_squared.verdict, adequate.verdict, stiffness.verdict) == ("open", "holds", "differs")
+    assert "2.4 to 7.2 kN" in adequate.found
     (quarters,) = FIGURES["4-24"].drawn().statements
     assert quarters.found.startswith("R2 = 0.910 with 13 215")
 
