@@ -228,6 +228,12 @@ def _structures() -> str:
     return _python(FIRST) + "\n\n" + _cards(_structure_card(name) for name in SHIPPED)
 
 
+def sketched(name: str) -> tuple[rk.Structure, dict[str, float]]:
+    """The structure of an example, and the state in which it is sketched."""
+    example = STRUCTURES[name]
+    return _executed(FIRST, example.structure)["structure"], example.state
+
+
 def _structure_card(name: str) -> str:
     example, cls = STRUCTURES[name], SHIPPED[name]
     names = _executed(FIRST, example.structure, example.run)

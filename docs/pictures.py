@@ -2,9 +2,10 @@
 
 import io
 from pathlib import Path
-from typing import Any
 
+import gallery
 import numpy as np
+from matplotlib.figure import Figure
 from PIL import Image
 
 import rockeom as rk
@@ -16,60 +17,28 @@ FOLDER = Path(__file__).parent / "images"
 FRAMES_PER_SECOND = 15.0
 SKETCH = 1.5, 1.4  # in
 
-COLUMN = {**demo.COLUMN, "stiffness": demo.STIFFNESS, "damping": demo.DAMPING}
-MAIN = {
-    "rigid_block": (rk.RigidBlock(half_width=0.2, half_height=0.7), {"theta": 0.12}),
-    "sliding_block": (
-        rk.SlidingBlock(half_width=0.3, half_height=0.5, friction=0.4, restitution=0),
-        {"theta": 0.1, "x": 0.1},
-    ),
-    "stacked_blocks": (
-        rk.StackedBlocks(
-            lower_half_width=0.4, lower_half_height=0.3, upper_half_width=0.2, upper_half_height=0.4
-        ),
-        {"phi": 0.15},
-    ),
-    "flexible_structure": (rk.FlexibleStructure(**COLUMN), {"theta": 0.1, "u": 0.1}),
-    "shear_frame": (
-        rk.ShearFrame(
-            masses=[20e3, 20e3, 15e3],
-            heights=[3.5, 7.0, 10.5],
-            stiffnesses=[30e6, 30e6, 20e6],
-            dampings=[150e3, 150e3, 100e3],
-            half_width=2.5,
-            base_mass=30e3,
-            base_inertia=4e4,
-        ),
-        {"theta": 0.06, "u_1": 0.2, "u_2": 0.4, "u_3": 0.5},
-    ),
-    "rocking_frame": (
-        rk.RockingFrame(
-            columns=3, half_width=0.5, half_height=3.0, column_mass=10e3, beam_mass=60e3
-        ),
-        {"theta": 0.1},
-    ),
-    "controlled_wall": (rk.ControlledWall.thesis(initial_force=111e3), {"theta": 0.03}),
-    "wall_with_frame": (
-        rk.WallWithFrame(
-            mass=40e3,
-            half_width=1.0,
-            height=4.0,
-            inertia=2e5,
-            frame_mass=60e3,
-            frame_stiffness=5e6,
-            frame_damping=5e4,
-            link_height=6.5,
-            link_stiffness=5e6,
-            link_damping=0.0,
-        ),
-        {"theta": 0.05, "u": 0.3},
-    ),
-}
-"""The structures of README.md, and the states in which they are drawn."""
+EXAMPLES = (
+    "rigid_block", "sliding_block", "stacked_blocks", "flexible_structure", "rocking_frame",
+    "controlled_wall", "wall_with_frame",
+)  # fmt: skip
+"""Structures of README.md that are examples of the gallery, too."""
 
 
-def sketch(name: str) -> Any:
-    structure, state = MAIN[name]
+def shear_frame() -> tuple[rk.Structure, dict[str, float]]:
+    """A frame of three storeys, and the state in which it is drawn."""
+    frame = rk.ShearFrame(
+        masses=[20e3, 20e3, 15e3],
+        heights=[3.5, 7.0, 10.5],
+        stiffnesses=[30e6, 30e6, 20e6],
+        dampings=[150e3, 150e3, 100e3],
+        half_width=2.5,
+        base_mass=30e3,
+        base_inertia=4e4,
+    )
+    return frame, {"theta": 0.06, "u_1": 0.2, "u_2": 0.4, "u_3": 0.5}
+
+
+def sketch(structure: rk.Structure, state: dict[str, float]) -> Figure:
     figure = style.new_figure(*SKETCH)
     figure.set_layout_engine("none")
     ax = figure.add_axes((0.0, 0.0, 1.0, 1.0))
@@ -112,8 +81,9 @@ def _frame(runs: dict[float, rk.Response], record: rk.GroundMotion, t: float) ->
 
 if __name__ == "__main__":
     FOLDER.mkdir(exist_ok=True)
-    for name in MAIN:
-        sketch(name).savefig(FOLDER / f"{name}.png", dpi=110)
+    drawn = {name: gallery.sketched(name) for name in EXAMPLES} | {"shear_frame": shear_frame()}
+    for name, (structure, state) in drawn.items():
+        sketch(structure, state).savefig(FOLDER / f"{name}.png", dpi=110)
     first, *others = statue()
     first.save(
         FOLDER / "statue.gif",
