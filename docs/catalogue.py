@@ -15,9 +15,10 @@ import notebooks
 import sympy as sp
 
 from rockeom import thesis
-from rockeom.thesis import statements as sentences
-from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Drawn, Statement
+from rockeom.drawing.style import save_figure
+from rockeom.thesis.figures import FIGURES, NOT_DRAWN
 from rockeom.thesis.side_by_side import TextTable, side_by_side
+from rockeom.thesis.statements import STATEMENTS, Judgement, counts
 from rockeom.thesis.tables import TABLES
 from rockeom.thesis.typeset import written
 
@@ -199,20 +200,12 @@ def shown(one: TextTable) -> str:
 # --- the figures, and what the thesis says of them
 
 
-@cache
-def drawn(number: str) -> Drawn:
-    """A figure, its picture written beside the pages."""
-    found = FIGURES[number].drawn()
-    PICTURES.mkdir(parents=True, exist_ok=True)
-    found.figure.savefig(PICTURES / f"{number}.png", dpi=110)
-    return found
-
-
 def figures() -> str:
     """Each figure with its conventions, and those that cannot be drawn."""
     parts = []
+    PICTURES.mkdir(parents=True, exist_ok=True)
     for number, one in FIGURES.items():
-        found = drawn(number)
+        save_figure(one(), PICTURES / f"{number}.png", dpi=110)
         head, _, rest = one.text.partition("\n")
         parts += [
             f"(figure-{number})=\n## Figure {number}",
@@ -220,55 +213,48 @@ def figures() -> str:
             f"![Figure {number}: {plain(one.title)}](_build/figures/{number}.png)",
             *(plain(" ".join(p.split())) for p in rest.split("\n\n") if p.strip()),
         ]
-        if found.statements:
-            parts.append(_said(found.statements))
+        if of_it := [one for one in judgements() if one.statement.figure == number]:
+            parts.append(_judged(of_it))
     if NOT_DRAWN:
-        parts += ["## Not drawn", table(["figure", "why"], _cells(NOT_DRAWN.items()))]
+        rows = [[plain(cell) for cell in row] for row in NOT_DRAWN.items()]
+        parts += ["## Not drawn", table(["figure", "why"], rows)]
     return "\n\n".join(parts)
 
 
+@cache
+def judgements() -> tuple[Judgement, ...]:
+    """Every statement of the thesis judged, once for all pages."""
+    return tuple(one.judged() for one in STATEMENTS)
+
+
 def statements() -> str:
-    """The sentences with a number: of figures, of none, and what is wrong as printed."""
-    head = ["figure", "where", "printed", "computed", "verdict"]
-    of_figures = [
-        [f"[{number}](figures.md#figure-{number})", *cells]
-        for number in FIGURES
-        for cells in _rows_of(drawn(number).statements)
+    """The statements with a number by chapter, and how many have each verdict."""
+    kinds = {
+        "statements": [one for one in judgements() if not one.statement.slip],
+        "errors of the text": [one for one in judgements() if one.statement.slip],
+    }
+    rows = [
+        [kind, *(str(n) for n in counts(of_kind).values()), str(len(of_kind))]
+        for kind, of_kind in kinds.items()
     ]
-    others, slips = sentences.others(), sentences.slips()
-    said = [s for number in FIGURES for s in drawn(number).statements]
-    counted = _counts({"figures": said, "others": others, "slips": slips})
-    return "\n\n".join(
-        [
-            counted,
-            "## Of figures",
-            table(head, of_figures),
-            "## Of no figure",
-            _said(others),
-            "## Wrong as printed, outside the equations",
-            _said(slips),
-        ]
-    )
+    parts = [table(["", *(verdict.value for verdict in counts(())), "all"], rows)]
+    for kind, of_kind in kinds.items():
+        parts += [f"## {kind.capitalize()}", _judged(of_kind, sources=True)]
+    return "\n\n".join(parts)
 
 
-def _counts(kinds: dict[str, Iterable[Statement]]) -> str:
-    verdicts = ["holds", "differs", "open"]
-    found = {kind: [s.verdict for s in said] for kind, said in kinds.items()}
-    rows = [[kind, *(str(v.count(x)) for x in verdicts)] for kind, v in found.items()]
-    return table(["", *verdicts], rows)
-
-
-def _rows_of(said: Iterable[Statement]) -> list[list[str]]:
-    return _cells((s.where, s.printed, s.found, s.verdict) for s in said)
-
-
-def _said(said: Iterable[Statement]) -> str:
-    head = ["where", "printed", "computed", "verdict"]
-    return table(head, _rows_of(said))
-
-
-def _cells(rows: Iterable[tuple[str, ...]]) -> list[list[str]]:
-    return [[plain(cell) for cell in row] for row in rows]
+def _judged(judged: Iterable[Judgement], sources: bool = False) -> str:
+    """A table of judgements; with `sources`, of the evidence, the figure and the function too."""
+    head = ["where", "printed", "allows", "found", "verdict", *["compared with"] * sources]
+    rows = []
+    for one in judged:
+        of = one.statement
+        where = plain(of.place)
+        if sources and of.figure:
+            where += f" ([Figure {of.figure}](figures.md#figure-{of.figure}))"
+        cells = (of.words, str(of.limits), one.words, one.verdict.value, *[one.source] * sources)
+        rows.append([where, *map(plain, cells)])
+    return table(head, rows)
 
 
 # --- the command line

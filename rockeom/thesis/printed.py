@@ -57,6 +57,13 @@ class PrintedTable:
         """The cells of a column of numbers; TypeError if one holds none."""
         return tuple(number(cell) for cell in self.column(name))
 
+    def cell(self, row: Cell, column: str) -> float:
+        """The number in a row, named by its first cell, and a column; KeyError if there is none."""
+        names = [cells[0] for cells in self.rows]
+        if row not in names:
+            raise KeyError(f"table {self.number} has no row {row!r}, but {names}")
+        return self.numbers(column)[names.index(row)]
+
 
 # --- the specimens
 

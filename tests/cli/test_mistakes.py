@@ -45,7 +45,7 @@ NAMES = {
     f"sweep $BLOCK {PULSE} --over theta=0.1,0.2": "did you mean 'initial theta'?",
     "thesis equations 99-1": "there is no equation '99-1'",
     "thesis tables 9-9": "no table '9-9'; there are 2-1",
-    "thesis statements 9-9": "no figure '9-9'",
+    "thesis statements 9-9": "no statement of '9-9'",
     "thesis equations --verdict nonsense": "--verdict nonsense: there are right as printed",
     "completion csh": "SHELL: invalid choice: 'csh'",
 }

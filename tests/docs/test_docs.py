@@ -301,10 +301,14 @@ def test_every_figure_and_table_stands_in_some_section():
     assert set().union(*(spread(row[4], list(tables)) for row in rows)) == set(tables)
 
 
-def test_statements_are_counted_and_told(catalogue):
-    thesis = importlib.import_module("rockeom.thesis.figures")
-    one = thesis.Statement("1.1", "a", "b", True)
-    assert "| x | 1 | 0 | 1 |" in catalogue._counts({"x": [one, one._replace(holds=None)]})
+def test_statements_of_the_documentation_are_those_of_the_list(catalogue, monkeypatch):
+    of = importlib.import_module("rockeom.thesis.statements")
+    few = tuple(one.judged() for one in of.select("4-20"))
+    monkeypatch.setattr(catalogue, "judgements", lambda: few)
+    text = catalogue.statements()
+    counted = " | ".join(str(n) for n in of.counts(few).values())
+    assert f"| statements | {counted} | {len(few)} |" in text
+    assert text.count("figures.md#figure-4-20") == len(few)
     assert "<!-- statements -->" in (DOCS / "statements.md").read_text("utf-8")
 
 

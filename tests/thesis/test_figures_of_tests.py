@@ -8,8 +8,9 @@ import pytest
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import design, dynamics, formulas, identification
-from rockeom.thesis import statements, wall_tests
+from rockeom.thesis import wall_tests
 from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Statement, chapter_4_tests as tests
+from rockeom.thesis.statements import unjudged as statements
 
 HOMES = (design, dynamics, formulas, identification, wall_tests)
 LAST = {"1": 7, "2": 23, "3": 23, "4": 79, "5": 47, "A": 10, "B": 1, "C": 16, "D": 3}

@@ -10,8 +10,10 @@ from pathlib import Path
 
 from rockeom.cli.errors import UsageError, check_picture
 from rockeom.cli.text.terminal import listing, width
+from rockeom.cli.thesis.statements import in_words
 from rockeom.drawing.style import save_figure
-from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Drawn, ThesisFigure
+from rockeom.thesis.figures import FIGURES, NOT_DRAWN, ThesisFigure
+from rockeom.thesis.statements import of_figure
 
 DESCRIPTION = """\
 List the figures of Ma's thesis (2010) that are drawn again, or draw one of them into a file. A text
@@ -54,10 +56,9 @@ def run(args: argparse.Namespace) -> int:
     check_picture(path)  # before the drawing, not after
     one = FIGURES[args.number]
     print(f"drawing figure {one.number} ...", file=sys.stderr)
-    drawn = one.drawn()
-    save_figure(drawn.figure, path)
+    save_figure(one(), path)
     print(f"wrote {path}", file=sys.stderr)
-    print(_explained(one, drawn))
+    print(_explained(one))
     return 0
 
 
@@ -70,15 +71,10 @@ def _list(figures: Mapping[str, ThesisFigure], not_drawn: Mapping[str, str]) -> 
     return "\n\n".join(parts)
 
 
-def _explained(one: ThesisFigure, drawn: Drawn) -> str:
+def _explained(one: ThesisFigure) -> str:
     head, _, rest = one.text.partition("\n")
     paragraphs = [f"{one.number}  {head}", *textwrap.dedent(rest).strip().split("\n\n")]
     paragraphs.append(f"Drawn from: {one.source.value}.")
     said = [textwrap.fill(p, width()) for p in paragraphs if p]
-    for statement in drawn.statements:
-        lines = (
-            f"{statement.where}: {statement.printed}",
-            f"found: {statement.found} ({statement.verdict})",
-        )
-        said.append("\n".join(textwrap.fill(x, width(), subsequent_indent="  ") for x in lines))
+    said += [in_words(statement.judged()) for statement in of_figure(one.number)]
     return "\n\n".join(said)

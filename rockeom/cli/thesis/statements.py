@@ -1,52 +1,63 @@
-"""``rockeom thesis statements``: sentences of the thesis with a number, and what was found."""
+"""``rockeom thesis statements``: sentences of the thesis with a number, judged."""
 
 from __future__ import annotations
 
 import argparse
 import sys
 import textwrap
-from collections.abc import Iterable
 
 from rockeom.cli.errors import UsageError
 from rockeom.cli.text.terminal import width
 from rockeom.thesis import statements
-from rockeom.thesis.figures import FIGURES, Statement
 
 DESCRIPTION = """\
-Show sentences of Ma's thesis (2010) with a number, and the number found: those that belong to no
-figure, and what is wrong as printed outside the equations; or those of the figures named, which
-are drawn for it.
+Judge the statements of Ma's thesis (2010) that have a number, all of them or those of some
+sections, tables or figures. A statement holds or differs only against independent evidence: a
+table, a data file, a closed form, or a simulation with the thesis's own inputs. It is open where an
+input is lost, or where the uncertainty of an input decides.
 """
 EPILOG = """\
 examples:
-  rockeom thesis statements             of no figure, and the slips
-  rockeom thesis statements 2-22 4-20   of two figures
+  rockeom thesis statements              all, and how many hold, differ and are open (a minute)
+  rockeom thesis statements 4-20 2.7     of a figure, and of a section
+  rockeom thesis statements "Table 4-3"  of a table
 """
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("figures", nargs="*", metavar="FIGURE", help="such as 4-20")
+    parser.add_argument(
+        "names", nargs="*", metavar="NAME", help='such as 4-20, 4.9.1 or "Table 4-3"'
+    )
 
 
 def run(args: argparse.Namespace) -> int:
-    for number in args.figures:
-        if number not in FIGURES:
-            raise UsageError(f"no figure {number!r} is drawn; rockeom thesis figure lists them")
+    try:
+        chosen = statements.select(*args.names) if args.names else statements.STATEMENTS
+    except KeyError as error:
+        raise UsageError(f"{error.args[0]}; without a name all are shown") from None
     print("computing ...", file=sys.stderr)
-    if args.figures:
-        print(_shown(statements.of_figures(*args.figures)) or "these figures have no statements")
-        return 0
-    print(_shown(statements.others()))
-    print("\nWrong as printed, outside the equations:\n")
-    print(_shown(statements.slips()))
+    judgements = []
+    for one in chosen:
+        judgements.append(one.judged())
+        print(in_words(judgements[-1]) + "\n")
+    counted = statements.counts(judgements)
+    print(", ".join(f"{verdict.value} {n}" for verdict, n in counted.items()))
     return 0
 
 
-def _shown(said: Iterable[Statement]) -> str:
-    return "\n\n".join(
-        "\n".join(
-            textwrap.fill(line, width(), subsequent_indent="  ")
-            for line in (f"{one.where}: {one.printed}", f"found: {one.found} ({one.verdict})")
-        )
-        for one in said
+def in_words(one: statements.Judgement) -> str:
+    """A judgement as the terminal shows it."""
+    of = one.statement
+    figure = f" (Figure {of.figure})" if of.figure else ""
+    lines = (
+        f"{of.place}{figure}: {of.words}",
+        f"allows: {of.limits}",
+        f"found: {one.words}",
+        f"compared with: {one.source}",
+        f"{'an error of the text: ' if of.slip else ''}{one.verdict.value}",
+    )
+    indents = ("", *["  "] * (len(lines) - 1))
+    return "\n".join(
+        textwrap.fill(line, width(), initial_indent=first, subsequent_indent="    ")
+        for first, line in zip(indents, lines, strict=True)
     )

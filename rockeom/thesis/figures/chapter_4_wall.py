@@ -218,43 +218,6 @@ class TendonOfTable(NamedTuple):
         computed = wall.tendon_force(self.displacement[rows])
         return identification.coefficient_of_determination(self.force[rows], computed)
 
-    def statements(self, edge: analysis.Wall) -> tuple[Statement, ...]:
-        """Statements on 4-16, with 4-7 as printed and with 4-7 from the edge of the wall."""
-        r2 = {
-            wall: (self.r_squared(wall, self.legible), self.r_squared(wall, self.peaks))
-            for wall in (WALL, edge)
-        }
-        large = self.peaks & (np.abs(self.displacement) > 6e-3)
-        above = [
-            (wall.tendon_force(self.displacement[large]) - self.force[large]) / 1e3 for wall in r2
-        ]
-        low, high = self.fit.interval("factor")
-        factor, start = self.fit.values["factor"], self.fit.values["start"]
-        return (
-            Statement(
-                "4.6", "R2 = 0.927 of 4-16",
-                f"R2 = {r2[WALL][0]:.3f} at all legible rows of Table A-1, {r2[WALL][1]:.3f} at "
-                f"its peaks; {r2[edge][0]:.3f} and {r2[edge][1]:.3f} with "
-                "4-7 from the edge. The text's is of the whole record, which is not printed",
-                None,
-            ),
-            Statement(
-                "4.6", "4-16 matches the data adequately",
-                f"R2 = {r2[WALL][0]:.3f} at the legible rows, for the 0.927 that the text calls "
-                f"adequate; it lies {above[0].min():.1f} to {above[0].max():.1f} kN, on average "
-                f"{above[0].mean():.1f}, above the {large.sum()} peaks beyond 6 mm; "
-                f"{above[1].min():.1f} to {above[1].max():.1f} kN with 4-7 from the edge",
-                bool(r2[WALL][0] >= 0.927),
-            ),
-            Statement(
-                "4.6", "4-16 with the EA/L of the tendon",
-                f"{WALL.tendons[0].stiffness / 1e6:.2f} kN/mm; the peaks ask for {factor:.3f} of "
-                f"it ({low:.3f} to {high:.3f}), from {start / 1e3:.1f} kN on; "
-                f"R2 = {self.fit.r_squared:.3f}",
-                bool(low < 1 < high),
-            ),
-        )  # fmt: skip
-
 
 def tendon_line(d: np.ndarray, start: float, factor: float) -> np.ndarray:
     """Tendon force [N] by 4-16 with an initial force [N] and a factor of its stiffness."""
@@ -262,7 +225,7 @@ def tendon_line(d: np.ndarray, start: float, factor: float) -> np.ndarray:
 
 
 @thesis_figure(Source.COMPUTED)
-def figure_4_20() -> Drawn:
+def figure_4_20() -> Figure:
     """Force of the tendon against the displacement: 4-16 and Table A-1.
 
     With the stiffness of appendix B, an unstressed length of 3093.5 mm; 4-16 adds the extension
@@ -285,7 +248,7 @@ def figure_4_20() -> Drawn:
     axes[0].legend(loc="upper center", fontsize=7.5)
     axes[1].set_xlim(-5, 5)
     axes[1].set_ylim(74, 88)
-    return Drawn(figure, measured.statements(edge))
+    return figure
 
 
 # --- quarter periods and conservative motion

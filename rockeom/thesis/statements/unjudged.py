@@ -117,18 +117,6 @@ _OF_75_KN = ("1", "2", "3", "4", "6")
 # --- sentences
 
 
-@sentence("4.5", "a largest displacement of 35.7 mm, 1.5 % lateral drift")
-def _() -> Finding:
-    drift = 100 * _numbers(TABLE_4_2, 1, ("5",))[0] / 1e3 / WALL.height
-    return f"{drift:.2f} % of H = {WALL.height:g} m", bool(abs(drift - 1.5) < 0.05)
-
-
-@sentence("4.5", "in all the tests the wall re-centred to within 0.8 mm")
-def _() -> Finding:
-    left = max(abs(float(row[5] or 0.0)) for row in TABLE_4_2.rows)
-    return f"{left:.2f} mm at most (Table 4-2)", left < 0.8
-
-
 @sentence("4.5", "the tendon remained elastic throughout the tests")
 def _() -> Finding:
     largest = max(float(row[3] or 0.0) for row in TABLE_4_2.rows)

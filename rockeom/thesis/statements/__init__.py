@@ -1,0 +1,62 @@
+"""Statements of the thesis with a number, each judged by the same rule.
+
+    from rockeom.thesis import statements
+
+    (one,) = statements.of_figure("2-22")
+    one.judged().verdict                 # holds, differs or open
+    statements.select("4.9.1", "4-20")   # of a section, a table or a figure
+    statements.counts(one.judged() for one in statements.STATEMENTS)   # of all, in a minute
+
+The rule is in `rockeom.thesis.statements.statement`; a module here holds the statements of one
+subject, and `STATEMENTS` finds them by themselves. The equations have verdicts of their own, in
+`rockeom.thesis.verify`.
+"""
+
+import pkgutil
+from collections import Counter
+from collections.abc import Iterable
+from importlib import import_module
+
+from rockeom.thesis.statements.statement import Judgement, Register, Statement, Verdict
+
+__all__ = ["STATEMENTS", "Judgement", "Statement", "Verdict", "counts", "of_figure", "select"]
+
+STATEMENTS: tuple[Statement, ...] = tuple(
+    statement
+    for one in sorted(pkgutil.iter_modules(__path__), key=lambda one: one.name)
+    for register in vars(import_module(f"{__name__}.{one.name}")).values()
+    if isinstance(register, Register)
+    for statement in register.statements
+)
+"""All statements, by chapter."""
+
+
+def of_figure(number: str) -> tuple[Statement, ...]:
+    """Those that a figure shows, such as "4-20"."""
+    return tuple(one for one in STATEMENTS if one.figure == number)
+
+
+def select(*names: str) -> tuple[Statement, ...]:
+    """Those of figures ("4-20"), of sections with their parts ("4.9") and of tables ("Table 4-2").
+
+    KeyError for a name without statements.
+    """
+    chosen: list[Statement] = []
+    for name in names:
+        of_name = [one for one in STATEMENTS if name == one.figure or _within(one.place, name)]
+        if not of_name:
+            raise KeyError(f"no statement of {name!r}")
+        chosen += [one for one in of_name if one not in chosen]
+    return tuple(chosen)
+
+
+def _within(place: str, name: str) -> bool:
+    """Whether a place belongs to a section, a table or a figure; "4.9.1" belongs to "4.9"."""
+    parts = [part.strip() for part in place.split(",")]
+    return any(part == name or part.startswith(f"{name}.") for part in parts)
+
+
+def counts(judgements: Iterable[Judgement]) -> dict[Verdict, int]:
+    """How many have each verdict."""
+    counted = Counter(one.verdict for one in judgements)
+    return {verdict: counted[verdict] for verdict in Verdict}

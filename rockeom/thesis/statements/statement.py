@@ -1,0 +1,267 @@
+"""A statement of the thesis, what it is compared with, and the one rule that judges it.
+
+A statement quotes the thesis and turns its words into limits on a number. A function finds that
+number from independent evidence: a table or a data file, a closed form, a simulation with the
+thesis's own inputs. Where an input is known within a range only, the function returns the range of
+its result. The rule:
+
+- holds: all that was found lies within the limits;
+- differs: something lies outside, over the whole range of the inputs;
+- open: the range lies on both sides of a limit, or an input is lost.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from enum import Enum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rockeom.motion import MotionError
+
+
+class Verdict(Enum):
+    """Verdict on a statement."""
+
+    HOLDS = "holds"
+    DIFFERS = "differs"
+    OPEN = "open"
+
+
+# --- limits
+
+
+@dataclass(frozen=True, eq=False)
+class Limits:
+    """The numbers that a statement allows, both ends included.
+
+    low, high : (n,) each, one pair for every number that the statement has. unit : as on the page.
+    why : how the limits follow from the printed words.
+    """
+
+    low: np.ndarray
+    high: np.ndarray
+    unit: str
+    why: str
+
+    def __str__(self) -> str:
+        pairs = zip(self.low, self.high, strict=True)
+        return f"{', '.join(map(_interval, pairs))} {self.unit}".rstrip() + f" ({self.why})"
+
+    def judge(self, found: Found) -> Verdict:
+        """The verdict on what was found; ValueError if the numbers are not as many as printed."""
+        if found.low.shape != self.low.shape:
+            raise ValueError(f"{found.low.size} numbers for {self.low.size} printed")
+        if np.any((found.high < self.low) | (found.low > self.high)):
+            return Verdict.DIFFERS
+        inside = (found.low >= self.low) & (found.high <= self.high)
+        return Verdict.HOLDS if np.all(inside) else Verdict.OPEN
+
+    def excluding(self, found: Found) -> Limits:
+        """The limits after the first printed number changed just beyond what was found."""
+        width = 1e-9 * (1.0 + abs(found.low[0]) + abs(found.high[0]))
+        up = found.high[0] - self.low[0] + width
+        down = found.low[0] - self.high[0] - width
+        by = up if math.isfinite(self.low[0]) else down
+        change = np.zeros(self.low.shape)
+        change[0] = by
+        return replace(self, low=self.low + change, high=self.high + change)
+
+
+def _interval(pair: tuple[float, float]) -> str:
+    low, high = pair
+    if low == high:
+        return f"{low:g}"
+    if math.isinf(high):
+        return f"at least {low:g}"
+    if math.isinf(low):
+        return f"at most {high:g}"
+    return f"{low:g} to {high:g}"
+
+
+def near(value: ArrayLike, within: ArrayLike, unit: str = "", *, why: str) -> Limits:
+    """Printed numbers (n,), each within a distance."""
+    number, distance = np.broadcast_arrays(np.atleast_1d(np.asarray(value, float)), within)
+    return Limits(number - distance, number + distance, unit, why)
+
+
+def between(low: float, high: float, unit: str = "", *, why: str) -> Limits:
+    """A printed range."""
+    return Limits(np.array([low]), np.array([high]), unit, why)
+
+
+def at_least(value: float, unit: str = "", *, why: str) -> Limits:
+    """A printed number that is exceeded or reached."""
+    return between(value, math.inf, unit, why=why)
+
+
+def at_most(value: float, unit: str = "", *, why: str) -> Limits:
+    """A printed number that is not exceeded."""
+    return between(-math.inf, value, unit, why=why)
+
+
+# --- evidence
+
+
+class Origin(Enum):
+    """Origin of what a statement is compared with."""
+
+    PRINTED = "printed"  # another place of the thesis: a table, a list under a figure, a sentence
+    DATA = "data"  # a data file: Table A-1, a recorded motion, a publication
+    CLOSED_FORM = "closed form"  # an equation, evaluated or derived
+    SIMULATION = "simulation"  # a motion integrated here
+
+
+class Evidence(NamedTuple):
+    """One side of a comparison: its origin, and its name, such as "Table 4-2, run 5"."""
+
+    origin: Origin
+    name: str
+
+    def __str__(self) -> str:
+        return f"{self.name} ({self.origin.value})"
+
+
+def printed(name: str) -> Evidence:
+    """Numbers printed elsewhere in the thesis: the table and its cell, the figure, the section."""
+    return Evidence(Origin.PRINTED, name)
+
+
+def data(name: str) -> Evidence:
+    """A data file of the package, a recorded motion or a publication."""
+    return Evidence(Origin.DATA, name)
+
+
+def closed_form(name: str) -> Evidence:
+    """An equation evaluated."""
+    return Evidence(Origin.CLOSED_FORM, name)
+
+
+def simulation(name: str) -> Evidence:
+    """A motion integrated here."""
+    return Evidence(Origin.SIMULATION, name)
+
+
+class Found(NamedTuple):
+    """What was found: (n,) lower and upper ends, equal without a range, and a text with units."""
+
+    low: np.ndarray
+    high: np.ndarray
+    words: str
+
+
+def found(value: ArrayLike, words: str) -> Found:
+    """One number for each printed one, (n,); ValueError if one is not a number."""
+    values = np.atleast_1d(np.asarray(value, float))
+    return _checked(values, values, words)
+
+
+def ranging(values: ArrayLike, words: str) -> Found:
+    """The range of one number (m,) over inputs that are known within limits only.
+
+    `words` names what was varied, and how far.
+    """
+    every = np.atleast_1d(np.asarray(values, float))
+    return _checked(np.array([every.min()]), np.array([every.max()]), words)
+
+
+def _checked(low: np.ndarray, high: np.ndarray, words: str) -> Found:
+    if not (np.all(np.isfinite(low)) and np.all(np.isfinite(high))):
+        raise ValueError(f"not a number among {low} to {high}: {words}")
+    return Found(low, high, words)
+
+
+# --- statements
+
+
+@dataclass(frozen=True, eq=False)
+class Statement:
+    """A statement of the thesis and the way to judge it.
+
+    place : section, table, figure or equation of the thesis. words : what it says there, quoted
+    as far as that is possible. limits : what that allows. evidence : what it is compared with; of
+    two, the agreement of one with the other is measured. find : the function that finds the number.
+    figure : number of the figure that shows it; "" if none does. lost : the input without which it
+    cannot be judged; "" if all are at hand. slip : whether the printed words are an error of the
+    text, with what was found as the correction.
+    """
+
+    place: str
+    words: str
+    limits: Limits
+    evidence: tuple[Evidence, ...]
+    find: Callable[[], Found]
+    figure: str = field(default="", kw_only=True)
+    lost: str = field(default="", kw_only=True)
+    slip: bool = field(default=False, kw_only=True)
+
+    def __post_init__(self) -> None:
+        origins = [one.origin for one in self.evidence]
+        if not 1 <= len(origins) <= 2:
+            raise ValueError(f"{self.place}: one or two pieces of evidence, not {len(origins)}")
+        if origins == [Origin.SIMULATION, Origin.SIMULATION]:
+            raise ValueError(
+                f"{self.place}: both sides are simulated here, which says nothing of the thesis"
+            )
+
+    @property
+    def function(self) -> str:
+        """Full name of the function that finds the number."""
+        return f"{self.find.__module__}.{self.find.__qualname__}"
+
+    def judged(self) -> Judgement:
+        """The statement judged; open where a record that it needs is not at hand."""
+        try:
+            found = self.find()
+        except MotionError as error:
+            return Judgement(self, None, Verdict.OPEN, str(error))
+        if self.lost:
+            return Judgement(self, found, Verdict.OPEN, f"{self.lost}; {found.words}")
+        return Judgement(self, found, self.limits.judge(found), found.words)
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """A statement, what was found, the verdict, and a text of what was found or is missing."""
+
+    statement: Statement
+    found: Found | None
+    verdict: Verdict
+    words: str
+
+    @property
+    def source(self) -> str:
+        """What the statement was compared with, and the function that did it."""
+        of = self.statement
+        return f"{' against '.join(map(str, of.evidence))}, by {of.function}"
+
+
+class Register:
+    """The statements of one module, in their order; called, it adds one.
+
+        statement = Register()
+
+        @statement("4.5", "a drift of 1.5%", near(1.5, 0.05, "%", why="..."), printed("Table 4-2"))
+        def largest_drift() -> Found: ...
+
+    `find` of a statement is the decorated function, whose name is shown with the verdict.
+    """
+
+    def __init__(self) -> None:
+        self.statements: list[Statement] = []
+
+    def __call__(
+        self, place: str, words: str, limits: Limits, *evidence: Evidence,
+        figure: str = "", lost: str = "", slip: bool = False,
+    ) -> Callable[[Callable[[], Found]], Callable[[], Found]]:  # fmt: skip
+        def add(find: Callable[[], Found]) -> Callable[[], Found]:
+            self.statements.append(
+                Statement(place, words, limits, evidence, find, figure=figure, lost=lost, slip=slip)
+            )
+            return find
+
+        return add
