@@ -244,13 +244,15 @@ def test_example_of_the_reference_gives_what_it_prints(name, session):
 # --- by section
 
 SECTIONS = """
+1.1 1.2 1.3 1.4
 2.1 2.2 2.3 2.4 2.4.1 2.4.2 2.4.3 2.5 2.5.1 2.6 2.7 2.8
 3.1 3.2 3.2.1 3.2.2 3.2.3 3.2.4 3.3
 4.1 4.2 4.3 4.4 4.5 4.5.1 4.6 4.7 4.7.1 4.8 4.8.1 4.8.2 4.8.3
 4.9 4.9.1 4.9.1.1 4.9.1.2 4.9.1.3 4.9.1.4 4.9.1.5 4.9.2 4.9.2.1 4.10
 5.1 5.2 5.2.1 5.2.2 5.2.3 5.3 5.3.1 5.3.1.1 5.3.2 5.3.2.1 5.3.3 5.3.3.1 5.4 6.1 6.2 6.3 6.4
+A B C D
 """
-"""The sections of the thesis from chapter 2 on."""
+"""The sections and the appendices of the thesis."""
 
 
 def by_section() -> list[list[str]]:
