@@ -9,7 +9,7 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import design, dynamics, formulas, identification
 from rockeom.thesis import wall_tests
-from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Statement, chapter_4_tests as tests
+from rockeom.thesis.figures import FIGURES, NOT_DRAWN, chapter_4_tests as tests
 from rockeom.thesis.statements import unjudged as statements
 
 HOMES = (design, dynamics, formulas, identification, wall_tests)
@@ -41,32 +41,11 @@ def test_names_in_the_reasons_exist():
 
 def test_no_slip_of_the_thesis_holds():
     found = statements.slips()
-    assert len(found) == 29
     assert [one.printed for one in found if one.holds] == []
     by_place = {one.where: one.found for one in found}
     assert "237.5 %" in by_place["Table 3-1"]
     assert by_place["4.6, at 4-16"].startswith("3093.54")
     assert "385.8" in by_place["5.2, 5.3.3"]
-    assert "41 to 51" in next(x.found for x in found if "FEMA 356, 2-15" in x.printed)
-
-
-@needs_records
-def test_sentences_that_belong_to_no_figure():
-    found = statements.others()
-    assert all(isinstance(one, Statement) for one in found)
-    assert sum(one.holds is True for one in found) == 8
-    assert [one.printed[:6] for one in found if one.holds is False] == ["test 1"]
-
-
-def test_sentence_without_its_record_is_open(monkeypatch):
-    def missing(run):
-        raise rk.MotionError(f"run {run}: the extra 'records' is not installed")
-
-    tests.shaken.oscillator_run.cache_clear()
-    monkeypatch.setattr(tests.shaken, "wall_motion", missing)
-    (one,) = (x for x in statements.others() if x.printed.startswith("test 1"))
-    assert one.verdict == "open"
-    assert "'records' is not installed" in one.found
 
 
 # --- what stands behind the figures

@@ -98,10 +98,11 @@ def figure_2_8() -> Figure:
         ax.plot(rotation / uplift, moment / (weight * half_width), label=label)
     first = foundation.two_spring_uplift_rotation(weight, stiffness / 2, spacing) / uplift
     ax.plot([1.0, first], [1 / 3, 1 / math.sqrt(3)], "o", color=style.INK, ms=4, zorder=5)
-    ax.annotate("an edge lifts", (1.0, 1 / 3), xytext=(8, -4), textcoords="offset points")
+    ax.annotate("an edge lifts", (1.0, 1 / 3), xytext=(10, -14), textcoords="offset points")
     ax.annotate(
-        "a spring is free", (first, 1 / math.sqrt(3)), xytext=(8, -12), textcoords="offset points"
-    )
+        "a spring is free", (first, 1 / math.sqrt(3)), xytext=(-6, 5), textcoords="offset points",
+        ha="right",
+    )  # fmt: skip
     ax.set_xlabel(r"rotation $\theta/\theta_{up}$ [-]")
     ax.set_ylabel("moment $M/(W b)$ [-]")
     ax.set_xlim(0, 8)

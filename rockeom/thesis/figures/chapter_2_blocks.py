@@ -24,24 +24,22 @@ from rockeom.analysis.dynamics.branches import (
     orbit_branch,
     period_doublings,
 )
-from rockeom.analysis.dynamics.orbits import PeriodicOrbit, StroboscopicMap
+from rockeom.analysis.dynamics.orbits import StroboscopicMap
 from rockeom.analysis.dynamics.overturning import overturning_boundaries
 from rockeom.analysis.formulas.restitution import energy_ratio_of_block
-from rockeom.analysis.sweeps import STANDS
 from rockeom.analysis.unfinished import finished
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.plots import style
-from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
+from rockeom.thesis.figures.drawn import Source, thesis_figure
 from rockeom.thesis.printed import TABLE_2_1
 
 # --- 2.2 restitution
 
 
 @thesis_figure(Source.PRINTED)
-def figure_2_2() -> Drawn:
+def figure_2_2() -> Figure:
     """Restitution of blocks of different slenderness: 2-6 and the measured values of Table 2-1."""
     ratio, measured = (np.array(TABLE_2_1.numbers(name)) for name in ("H/B", "measured r"))
-    predicted = energy_ratio_of_block(np.arctan(1 / ratio))
     slender = np.linspace(1.8, 9.0, 200)
     figure = style.new_figure(5.6, 3.6)
     ax = figure.add_subplot()
@@ -61,22 +59,7 @@ def figure_2_2() -> Drawn:
     ax.set_xlim(1.8, 9.0)
     ax.set_ylim(0.35, 1.0)
     ax.legend(loc="lower right")
-    error = measured - predicted
-    squat = np.abs(error[ratio <= 4]).mean()
-    slim = np.abs(error[ratio > 4]).mean()
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "2.2", "measured r in general exceed those of 2-6",
-                f"{int((error > 0).sum())} of {len(error)} do", bool((error > 0).mean() > 0.5),
-            ),
-            Statement(
-                "2.2", "the inconsistencies diminish as the slenderness increases",
-                f"mean error {squat:.3f} up to H/B = 4, {slim:.3f} beyond", bool(slim < squat),
-            ),
-        ),
-    )  # fmt: skip
+    return figure
 
 
 # --- 2.5 phase portraits
@@ -131,42 +114,31 @@ def figure_2_9() -> Figure:
     return figure
 
 
+@cache
+def released_inside_balance() -> rk.Response:
+    """The motion of Figure 2-10."""
+    return free_portrait(0.99, rk.EnergyRatio(0.9), 120.0)
+
+
 @thesis_figure(Source.COMPUTED)
-def figure_2_10() -> Drawn:
+def figure_2_10() -> Figure:
     """Phase portrait of a free block with r = 0.9, released just inside its balance.
 
     Drawn is 2-14 from x = 0.99, which is a choice. r is the ratio of kinetic energies of 2-4, so
     that the speed falls to 0.949 of itself at each crossing.
     """
-    run = free_portrait(0.99, rk.EnergyRatio(0.9), 120.0)
+    run = released_inside_balance()
     x, rate = run["theta"] / UNIT.alpha, run["theta_dot"] / UNIT.alpha
     figure = style.new_figure(5.0, 4.2)
     ax = figure.add_subplot()
     ax.plot(x, rate, color=style.LINES[0], lw=0.9)
     arrow(ax, x, rate, int(np.argmax(x < 0.5)), style.LINES[0])
     crossings = run.impacts[:6]
-    after = np.array([abs(e.after["theta_dot"]) for e in crossings])
-    before = np.array([abs(e.before["theta_dot"]) for e in crossings])
-    ax.plot(np.zeros(len(after)), [e.after["theta_dot"] / UNIT.alpha for e in crossings], ".",
+    ax.plot(np.zeros(len(crossings)), [e.after["theta_dot"] / UNIT.alpha for e in crossings], ".",
             color=style.LINES[1], ms=5, label="after an impact")  # fmt: skip
     bare_portrait(ax, 1.15)
     ax.legend(loc="upper right")
-    energy_ratios = (after / before) ** 2
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "2.5.1", "r = 0.9 at every crossing of the y axis, by 2-4",
-                f"{energy_ratios.min():.4f} to {energy_ratios.max():.4f} of the kinetic energy",
-                bool(np.allclose(energy_ratios, 0.9, rtol=1e-6)),
-            ),
-            Statement(
-                "2.5.1", "in the long term the block comes to rest",
-                f"{run.outcome} after p t = {run.events.rest_time or math.nan:.1f}",
-                run.outcome == "came to rest",
-            ),
-        ),
-    )  # fmt: skip
+    return figure
 
 
 # --- 2.5 harmonic shaking of 2-13
@@ -274,7 +246,7 @@ def draw_branch(ax: Axes, branch: OrbitBranch, states: np.ndarray) -> None:
 
 
 @thesis_figure(Source.IN_KIND)
-def figure_2_11() -> Drawn:
+def figure_2_11() -> Figure:
     """Steady orbits of a block under harmonic shaking: symmetric, asymmetric, of two cycles.
 
     The values of the thesis are not stated. Drawn is 2-13, put right, with alpha = atan(0.5),
@@ -282,7 +254,6 @@ def figure_2_11() -> Drawn:
     orbit that lasts (full), and those that it has left, which are unstable (dashed).
     """
     figure = style.new_figure(8.6, 3.2)
-    lasting = []
     for i, (ax, beta, title) in enumerate(zip(
         figure.subplots(1, 3, sharey=True), (2.0, 2.8, 3.15),
         ("symmetric", "asymmetric", "two cycles"), strict=True,
@@ -293,31 +264,13 @@ def figure_2_11() -> Drawn:
             ax.plot(*states.T, **(STABLE if orbit.stable else UNSTABLE))
         bare_portrait(ax, 1.1 * float(max(orbit.size[0] for orbit in orbits)))
         ax.set_title(rf"{title}, $\beta$ = {beta:g}", fontsize=9)
-        lasting.append((beta, orbits[-1]))
     for ax in figure.axes[1:]:
         ax.set_ylabel("")
-    orbits_in_words = "; ".join(
-        f"beta = {beta:g}: {described(orbit)}, multipliers up to {abs(orbit.multipliers[0]):.3f}"
-        for beta, orbit in lasting
-    )
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "Figure 2-11", "there are symmetric and asymmetric steady orbits", orbits_in_words,
-                all(orbit.stable for _, orbit in lasting)
-                and [orbit.symmetric for _, orbit in lasting] == [True, False, False],
-            ),
-        ),
-    )  # fmt: skip
-
-
-def described(orbit: PeriodicOrbit) -> str:
-    return f"{'' if orbit.symmetric else 'a'}symmetric {orbit.order}"
+    return figure
 
 
 @thesis_figure(Source.COMPUTED)
-def figure_2_12() -> Drawn:
+def figure_2_12() -> Figure:
     """Period doubling under harmonic shaking: speeds when upright against the amplitude.
 
     All is given: alpha = atan(0.5), r = 0.5, omega = 2 pi/3, beta from 3 to 3.26. r is a ratio of
@@ -332,7 +285,8 @@ def figure_2_12() -> Drawn:
     """
     figure = style.new_figure(6.6, 4.4)
     ax = figure.add_subplot()
-    counts = [draw_settled(ax, float(beta)) for beta in AMPLITUDES]
+    for beta in AMPLITUDES:
+        draw_settled(ax, float(beta))
     for branch in branches(doublings=3):
         speeds = branch.at_impacts("x_dot")
         turned = np.abs(speeds.max(axis=1)) < np.abs(speeds.min(axis=1))
@@ -346,55 +300,20 @@ def figure_2_12() -> Drawn:
     ax.plot([], [], **STABLE, label="stable orbit")
     ax.plot([], [], **UNSTABLE, label="unstable orbit")
     ax.legend(loc="center left", fontsize=7.5)
-    return Drawn(figure, statements_on_doubling(np.array(counts)))
+    return figure
 
 
-def draw_settled(ax: Axes, beta: float) -> int:
-    """Dots at the speeds of the settled motion, the faster passage to the right; their number."""
+def draw_settled(ax: Axes, beta: float) -> None:
+    """Dots at the speeds of the settled motion, the faster passage to the right."""
     speeds = upright_speeds(driven(beta))
     mirror = 1.0 if abs(speeds.max()) >= abs(speeds.min()) else -1.0
     ax.plot(np.full_like(speeds, beta), mirror * speeds, ".", ms=1.6, mew=0, color=style.INK)
-    return distinct(speeds)
 
 
-def statements_on_doubling(counts: np.ndarray) -> tuple[Statement, ...]:
-    """Statements of section 2.5.1 and Figure 2-12; counts : of dots at each of `AMPLITUDES`."""
-    doubled = {n: AMPLITUDES[counts == n] for n in (2, 4, 8)}
-    dots = "; ".join(
-        f"{n} dots from {b.min():.3f} to {b.max():.3f}" for n, b in doubled.items() if len(b)
-    )
-    smeared = AMPLITUDES[counts > 16]
-    breaks, *values = cascade().values
-    limits = cascade().accumulations
-    by_energy = branches_by_energy()
-    flips = [one for one in by_energy[1].bifurcations if one.value > AMPLITUDES[0]]
-    return (
-        Statement(
-            "2.5.1", "two dots are a (1,1) orbit, 4 and 8 those of 2 and 4 cycles",
-            dots, all(len(b) > 0 for b in doubled.values()),
-        ),
-        Statement(
-            "2.5.1", "the period doubles with increasing frequency until a distinct point",
-            f"the symmetry breaks at {breaks:.8f}; the period doubles at "
-            + ", ".join(f"{value:.8f}" for value in values)
-            + f"; the doublings pile up at {limits[-1]:.6f}, by the two before the last "
-            f"{limits[-2]:.6f}",
-            bool((np.diff(values) > 0).all() and cascade().ratios[-1] > 4.0),
-        ),
-        Statement(
-            "Figure 2-12", "r = 0.5",
-            "as a ratio of energies, as in 2-4, the (1,1) orbit does not double from 3 to "
-            f"3.26: its symmetry breaks at {by_energy[0].bifurcations[0].value:.8f}, and the "
-            "orbit behind lasts"
-            if not flips and by_energy[1].stable[1:].all() else f"also of energies {flips}",
-            bool(flips),
-        ),
-        Statement(
-            "2.5.1", "smeared bands for beta > 3.34, where the figure has ended",
-            f"from {smeared.min():.3f} on: 3.234 may be meant" if len(smeared) else "none",
-            len(smeared) == 0,
-        ),
-    )  # fmt: skip
+@cache
+def settled_counts() -> np.ndarray:
+    """Numbers of different speeds when upright, at each of `AMPLITUDES`."""
+    return np.array([distinct(upright_speeds(driven(float(beta)))) for beta in AMPLITUDES])
 
 
 # --- 2.5 pulses
@@ -478,8 +397,13 @@ FATES = ("#c98a72", "#f2cdbb")
 """Colours of overturning without an impact, and after one."""
 
 
+def fates_of_2_13() -> xr.Dataset:
+    """Where the fate of the block of Figure 2-13 changes with the peak of the pulse."""
+    return changes_of_fate("amplitude", 0.1, 0.6, 5001, slenderness=8.0, period=2.192, ratio=0.954)
+
+
 @thesis_figure(Source.COMPUTED)
-def figure_2_13() -> Drawn:
+def figure_2_13() -> Figure:
     """A block under one sine that grows: 0.172 g overturns it, 0.454 g does not.
 
     T = 2.192 s and r = 0.954, the ratio of energies of 2-6. The block "1 m wide and 8 m high" has
@@ -492,32 +416,13 @@ def figure_2_13() -> Drawn:
     figure = style.new_figure(7.2, 4.4)
     above, below = figure.subplots(2, height_ratios=(5, 1))
     draw_rotations(above, [(f"{peak:g} g", run) for peak, run in runs.items()], 1.8, 12.0)
-    changes = changes_of_fate(
-        "amplitude", 0.1, 0.6, 5001, slenderness=8.0, period=2.192, ratio=0.954
-    )
-    draw_fates(below, changes, "amplitude", 0.1, 0.6)
+    draw_fates(below, fates_of_2_13(), "amplitude", 0.1, 0.6)
     below.set_xlabel("peak of the pulse [g]")
-    weak, strong = runs[0.172], runs[0.454]
-    reached = abs(strong.extremes("theta").peak) / strong.structure.alpha  # type: ignore[attr-defined]
-    at = changes["amplitude"].values
-    fates = [f"{fate(f)} from {a:.6f} g" for a, f in zip(at, changes["above"].values, strict=True)]
-    return Drawn(
-        figure,
-        (
-            Statement("2.5.1", "a pulse of 0.172 g overturns it",
-                      f"{weak.outcome}; pulses do from {at[0]:.6f} g on",
-                      weak.outcome == "overturned"),
-            Statement("2.5.1", "one of 0.454 g does not",
-                      f"{strong.outcome}, at most {reached:.2f} alpha",
-                      strong.outcome in STANDS),
-            Statement("2.5.1", "a stronger pulse may be the safer one",
-                      "; ".join(fates), bool(np.isinf(changes["above"]).any())),
-        ),
-    )  # fmt: skip
+    return figure
 
 
 @thesis_figure(Source.COMPUTED)
-def figure_2_14() -> Drawn:
+def figure_2_14() -> Figure:
     """Four blocks under one sine: small changes of the aspect ratio, large ones of the motion.
 
     The sine has 0.3 g and 2 s, r is by 2-6. The width is not stated: the half-width is 1 m here,
@@ -532,23 +437,4 @@ def figure_2_14() -> Drawn:
     changes = changes_of_fate("slenderness", 3.5, 5.0, 1501, amplitude=0.3, period=2.0, ratio=None)
     draw_fates(below, changes, "slenderness", 3.5, 5.0)
     below.set_xlabel("aspect ratio $H/B$ [-]")
-    peaks = {
-        ratio: abs(run.extremes("theta").peak) / run.structure.alpha  # type: ignore[attr-defined]
-        for ratio, run in runs.items()
-    }
-    fell = [ratio for ratio, run in runs.items() if run.outcome == "overturned"]
-    fates = ", ".join(
-        f"{ratio:g}: {'overturns' if ratio in fell else f'{peak:.2f} alpha'}"
-        for ratio, peak in peaks.items()
-    )
-    at = ", ".join(f"{value:.6f}" for value in changes["slenderness"].values)
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "2.5.1", "0.5 % of the aspect ratio can lead to a very different response",
-                f"{fates}; the fate changes at {at}",
-                (3.8 in fell) != (3.82 in fell) or (4.26 in fell) != (4.28 in fell),
-            ),
-        ),
-    )  # fmt: skip
+    return figure

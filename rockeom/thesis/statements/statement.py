@@ -89,9 +89,10 @@ def near(value: ArrayLike, within: ArrayLike, unit: str = "", *, why: str) -> Li
     return Limits(number - distance, number + distance, unit, why)
 
 
-def between(low: float, high: float, unit: str = "", *, why: str) -> Limits:
-    """A printed range."""
-    return Limits(np.array([low]), np.array([high]), unit, why)
+def between(low: ArrayLike, high: ArrayLike, unit: str = "", *, why: str) -> Limits:
+    """A printed range, or one for each number (n,)."""
+    ends = (np.atleast_1d(np.asarray(end, float)) for end in (low, high))
+    return Limits(*ends, unit, why)
 
 
 def at_least(value: float, unit: str = "", *, why: str) -> Limits:
@@ -161,12 +162,12 @@ def found(value: ArrayLike, words: str) -> Found:
 
 
 def ranging(values: ArrayLike, words: str) -> Found:
-    """The range of one number (m,) over inputs that are known within limits only.
+    """The range of a number (m,), or of n numbers (m, n), over inputs known within limits only.
 
     `words` names what was varied, and how far.
     """
-    every = np.atleast_1d(np.asarray(values, float))
-    return _checked(np.array([every.min()]), np.array([every.max()]), words)
+    every = np.asarray(values, float)
+    return _checked(np.atleast_1d(every.min(axis=0)), np.atleast_1d(every.max(axis=0)), words)
 
 
 def _checked(low: np.ndarray, high: np.ndarray, words: str) -> Found:

@@ -25,7 +25,7 @@ from rockeom.analysis import formulas, identification
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.thesis import shaken
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Statement, chapter_2_blocks as blocks
+from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Statement
 from rockeom.thesis.figures.chapter_4_shaken import settled_speeds
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import (
@@ -33,7 +33,6 @@ from rockeom.thesis.printed import (
     COLUMN,
     FIGURE_5_6,
     GAUGE,
-    TABLE_2_3,
     TABLE_3_1,
     TABLE_4_1,
     TABLE_4_2,
@@ -193,123 +192,12 @@ def _() -> Finding:
 # --- slips: outside the equations
 
 
-@slip("Table 2-3", "r = 0.944 and 0.914 by 2-6, damping 1.96 and 3.06 %")
-def _() -> Finding:
-    rows = computed("2-3")
-    r = [float(row[5] or 0.0) for row in rows]
-    damping = [float(row[6] or 0.0) for row in rows]
-    roots = [math.sqrt(x) for x in r]
-    return (
-        f"2-6 gives {r[0]:.3f} and {r[1]:.3f}, and 2-16 of it {damping[0]:.1f} and "
-        f"{damping[1]:.1f} %; printed are the velocity ratios, {roots[0]:.3f} and {roots[1]:.3f}",
-        bool(np.allclose(r, TABLE_2_3.numbers("r by 2-6"), atol=0.002)),
-    )
-
-
 @slip("Table 3-1", "the horizontal force rises by 337.5 %")
 def _() -> Finding:
     _, baseline, peak, printed = TABLE_3_1.rows[1]
     ratio = float(peak or 0.0) / float(baseline or 1.0)
     rise = 100 * (ratio - 1)
     return f"by {rise:.1f} %: {ratio:.3f} is the ratio", abs(rise - float(printed or 0.0)) < 1
-
-
-@slip("2.5.1", "bands from beta = 3.34 on, in a figure that ends at 3.26")
-def _() -> Finding:
-    counts = {
-        b: blocks.distinct(np.abs(blocks.upright_speeds(blocks.driven(b)))) for b in (3.22, 3.25)
-    }
-    said = ", ".join(f"{n} velocities at {b}" for b, n in counts.items())
-    return f"{said}: the doublings end near 3.23", bool(counts[3.25] <= counts[3.22])
-
-
-@slip("Figure 2-12", "r = 0.5, the ratio of energies in the thesis's notation")
-def _() -> Finding:
-    counts = [
-        blocks.distinct(np.abs(blocks.upright_speeds(blocks.driven(b)))) for b in (3.0, 3.18, 3.22)
-    ]
-    said = ", ".join(map(str, counts))
-    ratio = blocks.SPEED_RATIO
-    return (
-        f"with a velocity ratio of {ratio:g}, so r = {ratio**2:g}, the figure's doublings come out "
-        f"({said} velocities at beta = 3, 3.18, 3.22)",
-        ratio**2 == 0.5,
-    )
-
-
-@slip("2.5.1, Figure 2-13", "a block 1 m wide by 8 m high")
-def _() -> Finding:
-    periods = []
-    for half_width, half_height in ((0.5, 4.0), (1.0, 8.0)):
-        p = math.sqrt(3 * STANDARD_GRAVITY / (4 * math.hypot(half_width, half_height)))
-        periods.append(2 * math.pi / (3 * p))
-    return (
-        f"2 pi/(3 p) is {periods[0]:.3f} s for it, and {periods[1]:.3f} s for half-sizes of 1 and "
-        "8 m; the pulse has 2.192 s",
-        abs(periods[0] - 2.192) < 1e-3,
-    )
-
-
-@slip("2.5.1, Figure 2-14", "blocks of four slendernesses, their size not given")
-def _() -> Finding:
-    fell = [
-        blocks.pulsed(x, 0.3, 2.0, None).outcome == "overturned" for x in (3.8, 3.82, 4.26, 4.28)
-    ]
-    said = ", ".join("overturns" if x else "stands" for x in fell)
-    return f"with half-widths of 1 m: {said}, as the text has it", None
-
-
-@slip("2.5.1", "rocking begins where S_a exceeds tan(alpha)")
-def _() -> Finding:
-    slope = BLOCK["half_width"] / BLOCK["half_height"]
-    return (
-        f"g tan(alpha): for the block of chapter 3 {STANDARD_GRAVITY * slope:.2f} m/s2, where "
-        f"tan(alpha) is {slope:.3f} without a unit",
-        False,
-    )
-
-
-@slip("Notation, chapter 2", "FEMA 365")
-def _() -> Finding:
-    return "FEMA 356, as elsewhere in the text", False
-
-
-@slip("2.5.1", "the peak rotation follows from the displacement by 2-16")
-def _() -> Finding:
-    return f"{_meaning('2-16')}; a rotation is the displacement over R cos(alpha)", False
-
-
-@slip("2.5.1", "the damping of FEMA 356, 2-15, is up to 10 % less than that of 2-16")
-def _() -> Finding:
-    r = np.linspace(0.49, 0.999, 200)
-    less = 100 * (1 - formulas.fema_356_damping(r) / formulas.priestley_damping(r))
-    return f"{less.min():.0f} to {less.max():.0f} % less for r from 0.49 to 1", bool(
-        less.max() < 10
-    )
-
-
-@slip("2.7", "the damping is the sum in Equations 2-30")
-def _() -> Finding:
-    return f"{_meaning('2-30')}; {_meaning('2-31')}", False
-
-
-@slip("2.7", "re-calibrated Equation 2-31")
-def _() -> Finding:
-    return f"{_meaning('2-33')}: it has the factors", False
-
-
-@slip("2.7", "flag shape and bilinear differ from the others in c and d")
-def _() -> Finding:
-    factors = formulas.damping.GRANT_FACTORS
-    odd = [name for name, f in factors.items() if f.d < 1]
-    return f"{' and '.join(odd)} have d below 1 (Table 2-4)", set(odd) == {"flag", "bilinear"}
-
-
-@slip("Table 2-2", "k_f = K_z B_f and c_f = C_z B_f of a rectangular mat")
-def _() -> Finding:
-    mat = formulas.rectangular_mat(1.0, 1.0, 2.18, 20e6, 1 / 3, 1800.0)
-    ratio = float(mat.stiffness / mat.vertical_stiffness)
-    return f"k_f = {ratio:g} K_z: two springs share it, and K_z B_f is no stiffness", False
 
 
 @slip("3.2.3", "vertical forces by Equations 3-11")

@@ -1,0 +1,214 @@
+"""Statements of section 2.7 on controlled rocking: hysteresis and its equivalent damping."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+
+from rockeom.analysis import design, formulas
+from rockeom.thesis.catalogue import EQUATIONS
+from rockeom.thesis.figures import chapter_2_design as figures
+from rockeom.thesis.statements.statement import (
+    Found,
+    Register,
+    at_least,
+    at_most,
+    between,
+    closed_form,
+    found,
+    near,
+    printed,
+    ranging,
+)
+
+statement = Register()
+
+# --- the flag
+
+
+@statement(
+    "2.7", "the smaller the \N{GREEK SMALL LETTER LAMDA} and the greater the flag area will be",
+    at_most(1.0, why="each area over that of the next smaller lambda"),
+    closed_form("loops of elastic and plastic, friction and viscous dissipaters"),
+    figure="2-20",
+)  # fmt: skip
+def area_of_the_flag() -> Found:
+    areas = {
+        kind: [figures.loop_with_dissipaters(kind, x).area for x in figures.LAMBDAS]
+        for kind in figures.DISSIPATERS
+    }
+    ratio = max(b / a for area in areas.values() for a, b in itertools.pairwise(area))
+    said = "; ".join(f"{k}: " + ", ".join(f"{a:.2f}" for a in v) for k, v in areas.items())
+    return found(ratio, f"{said} for lambda = {', '.join(f'{x:g}' for x in figures.LAMBDAS)}")
+
+
+@statement(
+    "2.7", "little or no residual displacement is guaranteed provided a parameter ... is greater "
+    "than 1",
+    at_most(0.05, "of the design rotation", why="little: 5 %"),
+    closed_form("loop of elastic and plastic dissipaters for lambda = 1.25 and 3"),
+    figure="2-20",
+)  # fmt: skip
+def residual_rotation_above_one() -> Found:
+    residual = [figures.residual_rotation(x) for x in figures.LAMBDAS]
+    return found(
+        max(residual[1:]),
+        f"{residual[1]:.3f} and {residual[2]:.3f}; {residual[0]:.3f} for lambda = 0.75",
+    )
+
+
+# --- loops and their damping
+
+
+@statement(
+    "2.7, at 2-32", "equivalence equations for Bilinear, Takeda and Flag shape hysteretic models",
+    near([1.0, 1.0, 1.0], 1e-9, why="damping of the loop over 2-32a, b and c"),
+    closed_form("2-32"), closed_form("area of the loop that each rule follows"),
+    figure="2-21",
+)  # fmt: skip
+def areas_of_the_loops() -> Found:
+    ratio = [rule.simulated_loop(4.0).damping / float(rule.damping(4.0))
+             for rule in figures.RULES.values()]  # fmt: skip
+    return found(ratio, f"equal to {np.abs(np.array(ratio) - 1).max():.0e}, for a ductility of 4")
+
+
+DUCTILITIES = np.linspace(1.5, 8.0, 27)
+
+
+def _damping_over_flag(rule: design.BilinearRule | design.TakedaRule) -> np.ndarray:
+    """Damping of a rule over that of the flag of Table 2-4, at `DUCTILITIES`."""
+    flag = design.FlagRule(1.0, 1.0, 0.05, 0.35)
+    return np.asarray(rule.damping(DUCTILITIES) / flag.damping(DUCTILITIES))
+
+
+_CONSISTENTLY = between(
+    [2.0, 2.0], [3.0, 3.0], why="least and largest ratio at ductilities 1.5 to 8"
+)
+
+
+@statement(
+    "2.7, bilinear", "consistently 2-3 times less energy dissipating capacity",
+    _CONSISTENTLY,
+    closed_form("2-32a and 2-32c with k_p/k_i and beta_FS of Table 2-4"),
+    figure="2-22",
+)  # fmt: skip
+def bilinear_damping_over_that_of_a_flag() -> Found:
+    ratio = _damping_over_flag(design.BilinearRule(1.0, 1.0, 0.2))
+    stiffer = _damping_over_flag(design.BilinearRule(1.0, 1.0, 0.05))
+    return found(
+        [ratio.min(), ratio.max()],
+        f"{ratio.min():.1f} to {ratio.max():.1f} times the flag's with k_p/k_i = 0.2; with 0.05, "
+        f"that of the flag, {stiffer.min():.1f} to {stiffer.max():.1f} times",
+    )
+
+
+@statement(
+    "2.7, Takeda", "consistently 2-3 times less energy dissipating capacity",
+    _CONSISTENTLY,
+    closed_form("2-32b for alpha_T from 0.3 to 0.5 and 2-32c with Table 2-4"),
+    figure="2-22",
+)  # fmt: skip
+def takeda_damping_over_that_of_a_flag() -> Found:
+    ranges = {
+        exponent: _damping_over_flag(design.TakedaRule(1.0, 1.0, 0.05, exponent))
+        for exponent in (0.3, 0.5)
+    }
+    said = ", ".join(f"{r.min():.1f} to {r.max():.1f} with {x:g}" for x, r in ranges.items())
+    return ranging(
+        [(r.min(), r.max()) for r in ranges.values()],
+        f"alpha_T is not stated; {said} times the flag's, k_p/k_i = 0.05",
+    )
+
+
+# --- the period in 2-33
+
+
+def _far_from_one(beyond: float) -> dict[str, float]:
+    """Largest distance of the term of 2-33 from 1 beyond a period [s], by rule."""
+    period, terms = figures.period_terms()
+    return {
+        name.replace("_", " "): float(np.abs(term[period >= beyond] - 1).max())
+        for name, term in terms.items()
+    }
+
+
+@statement(
+    "2.7", "for most systems, the period dependency term is within 10% of unity for effective "
+    "periods (T_e) over one second",
+    at_least(4, "rules of 6", why="most: more than half, within 10 % from 1 s to 4 s"),
+    closed_form("2-33 with Table 2-4"),
+    figure="2-23",
+)  # fmt: skip
+def rules_near_one_from_one_second() -> Found:
+    near_one = [name for name, far in _far_from_one(1.0).items() if far <= 0.1]
+    return found(len(near_one), f"{len(near_one)} of 6: {', '.join(near_one)}")
+
+
+@statement(
+    "2.7", "for T_e over two seconds, the period dependency factor is effectively one",
+    at_least(4, "rules of 6", why="in most systems, within 2 % from 2 s to 4 s"),
+    closed_form("2-33 with Table 2-4"),
+    figure="2-23",
+)  # fmt: skip
+def rules_at_one_from_two_seconds() -> Found:
+    far = _far_from_one(2.0)
+    said = ", ".join(f"{name} {x:.2f}" for name, x in far.items())
+    return found(sum(x < 0.02 for x in far.values()), f"off by up to {said}")
+
+
+@statement(
+    "2.7", "the flag shape systems have a near constant period dependency factor of 1.5",
+    near([1.5, 1.5], 0.15, why="near: 10 %, least and largest from 0.5 to 4 s"),
+    closed_form("2-33 with Table 2-4"),
+    figure="2-23",
+)  # fmt: skip
+def period_term_of_the_flag() -> Found:
+    period, terms = figures.period_terms()
+    flag = terms["flag"][period >= 0.5]
+    return found([flag.min(), flag.max()], f"{flag.max():.2f} at 0.5 s to {flag.min():.2f} at 4 s")
+
+
+# --- references
+
+
+@statement(
+    "2.7", "the previous expression for equivalent damping ratio ... Equations 2-30",
+    near(1.0, 0.0, why="2-30 has a damping ratio in it"),
+    printed("2-30 and 2-31"),
+    slip=True,
+)  # fmt: skip
+def equation_of_the_sum_of_damping() -> Found:
+    names = {symbol.name for symbol in EQUATIONS["2-30"].symbols}
+    return found(
+        any("xi" in name for name in names),
+        f"2-30 is the {EQUATIONS['2-30'].meaning}; 2-31 the {EQUATIONS['2-31'].meaning}",
+    )
+
+
+@statement(
+    "2.7", "re-calibrated Equation 2-31",
+    near(1.0, 0.0, why="2-31 has factors to calibrate"),
+    printed("2-31 and 2-33"),
+    slip=True,
+)  # fmt: skip
+def equation_that_was_calibrated() -> Found:
+    names = {symbol.name for symbol in EQUATIONS["2-31"].symbols}
+    return found(
+        bool(names & set("abcdef")),
+        f"2-31 is the {EQUATIONS['2-31'].meaning}, 2-33 the {EQUATIONS['2-33'].meaning}",
+    )
+
+
+@statement(
+    "2.7", "the flag shape and bilinear system have considerably different c and d factors",
+    at_least(1, "rules", why="d of the bilinear system outside the range of the others' d"),
+    printed("Table 2-4"),
+    slip=True,
+)  # fmt: skip
+def odd_factors_of_table_2_4() -> Found:
+    factors = formulas.damping.GRANT_FACTORS
+    others = [f.d for name, f in factors.items() if name not in ("flag", "bilinear")]
+    outside = not min(others) <= factors["bilinear"].d <= max(others)
+    low = [name.replace("_", " ") for name, f in factors.items() if f.d < 1]
+    return found(int(outside), f"d below 1 have {' and '.join(low)}, and not the bilinear one")
