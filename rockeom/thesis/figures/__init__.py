@@ -22,7 +22,6 @@ FIGURES: dict[str, ThesisFigure] = figures_of(
 )
 """Number of a figure -> the figure."""
 
-_TRACES = "the measured traces of chapter 3 are lost"
 _TESTS = "the traces of the tests on the wall are lost"
 _COLUMN = "the traces of the tests on the column are lost"
 _NO_RECORD = "neither the motion of the table nor the record that was meant is at hand"
@@ -41,12 +40,6 @@ NOT_DRAWN: dict[str, str] = {
     "3-1": "a drawing and a photograph of the specimen",
     "3-2": "a drawing of the steel mechanism",
     "3-11": "a diagram of forces: the notebook on Housner's block has one",
-    "3-12": f"{_TRACES}; 3-13 has the simulated block",
-    "3-18": f"{_TRACES}; `Impacts` finds r in a record",
-    "3-19": f"{_TRACES}; `Impacts.histogram` counts",
-    "3-20": f"{_TRACES}; `Impacts.cumulative` sums",
-    "3-21": f"{_TRACES}; `Impacts` finds r against the speed in a record",
-    "3-23": f"{_TRACES}, and with them the impact forces",
     "4-1": "a drawing of the construction",
     "4-2": "a photograph, and a force against a displacement without numbers",
     "4-3": "photographs of the specimens",

@@ -29,11 +29,9 @@ from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Statement
 from rockeom.thesis.figures.chapter_4_shaken import settled_speeds
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import (
-    BLOCK,
     COLUMN,
     FIGURE_5_6,
     GAUGE,
-    TABLE_3_1,
     TABLE_4_1,
     TABLE_4_2,
     TABLE_4_4,
@@ -192,26 +190,6 @@ def _() -> Finding:
 # --- slips: outside the equations
 
 
-@slip("Table 3-1", "the horizontal force rises by 337.5 %")
-def _() -> Finding:
-    _, baseline, peak, printed = TABLE_3_1.rows[1]
-    ratio = float(peak or 0.0) / float(baseline or 1.0)
-    rise = 100 * (ratio - 1)
-    return f"by {rise:.1f} %: {ratio:.3f} is the ratio", abs(rise - float(printed or 0.0)) < 1
-
-
-@slip("3.2.3", "vertical forces by Equations 3-11")
-def _() -> Finding:
-    return f"{_meaning('3-11')}; {_meaning('3-12')}", False
-
-
-@slip("3.1, 3.3", "aspect 4.9 with r = 0.89 by 2-6")
-def _() -> Finding:
-    slope = BLOCK["half_height"] / BLOCK["half_width"]
-    r, five = (float(formulas.energy_ratio_of_block(math.atan(1 / x))) for x in (slope, 5.0))
-    return f"{r:.3f} at {slope:.2f}; {five:.3f} belongs to 5", abs(r - 0.89) < 0.005
-
-
 @slip("5.2, 5.3.3", "k = 571.8 kN/m in the runs on solid feet")
 def _() -> Finding:
     k = [
@@ -275,11 +253,6 @@ def _() -> Finding:
         f"H' = {1e3 * GAUGE[1]:g} mm, to the gauge; H of the mass is {1e3 * COLUMN['height']:g} mm",
         False,
     )
-
-
-@slip("Notation, chapter 3", "g = 0.91 m/s2")
-def _() -> Finding:
-    return f"{STANDARD_GRAVITY:.2f} m/s2; perhaps only ill read from the page", False
 
 
 @slip("1.4, 5.3.3", "an impact of the flexible column leaves the rate of bending as it was")

@@ -1,0 +1,249 @@
+"""Figures of 3.2.4: the energy that impacts of the free rocking block lose."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from rockeom.analysis import identification
+from rockeom.analysis.identification import Impacts
+from rockeom.plots import style
+from rockeom.thesis.figures.chapter_3 import (
+    BLOCK,
+    R_HOUSNER,
+    RUNS,
+    SHAPE,
+    SPRING,
+    measured_impacts,
+    record,
+)  # fmt: skip
+from rockeom.thesis.figures.chapter_3_forces import WINDOW, calm_record
+from rockeom.thesis.figures.drawn import Source, thesis_figure
+
+THRESHOLD = 6.0
+"""Energy below which the thesis leaves impacts out [J]."""
+
+
+@cache
+def corrected_impacts(release: float, seed: int) -> tuple[Impacts, Impacts]:
+    """Impacts of a run in kind without and with the energy of the spring, those above 6 J."""
+    data = record(release, seed, spring=True)
+    plain = Impacts.of_record(data, BLOCK)
+    chosen = plain.energy_before >= THRESHOLD
+    corrected = Impacts.of_record(data, BLOCK, rotational_stiffness=SPRING)
+    return plain.select(chosen), corrected.select(chosen)
+
+
+@thesis_figure(Source.IN_KIND)
+def figure_3_17() -> Figure:
+    """Total energy at the peaks with and without the correction for the spring, in four runs.
+
+    Runs in kind, released from 7.9, 6.5, 5 and 3.5 degrees, with the spring of Figures 3-9 and 3-10
+    and a r for each foot. The energy after an impact, 3-1 with or without 3-4, is drawn at the time
+    of the impact, the first one at the release. Impacts below 6 J are left out, as in the text.
+    """
+    figure = style.new_figure(7.6, 4.6)
+    for ax, (release, seed) in zip(figure.subplots(2, 2).ravel(), RUNS, strict=True):
+        for impacts, line, label in zip(
+            corrected_impacts(release, seed), ("--", "-"), ("without", "with"), strict=True
+        ):
+            time = np.append(0.0, impacts.time)
+            energy = np.append(impacts.energy_before[0], impacts.energy_after)
+            ax.step(time, energy, line, where="post", lw=0.9, color=style.INK,
+                    label=f"{label} the spring")  # fmt: skip
+            for foot, mark in (("left", "<"), ("right", ">")):
+                one = impacts.at_foot(foot)
+                ax.plot(one.time, one.energy_after, mark, color=style.FEET[foot], ms=5, mew=0.9,
+                        mfc="none" if line == "--" else style.FEET[foot],
+                        label=f"{foot} foot lands" if line == "-" else None)  # fmt: skip
+        ax.set_title(f"released at {release:g} degrees", fontsize=9)
+        ax.set_xlabel("time [s]")
+        ax.set_ylabel("total energy [J]")
+        ax.set_ylim(0, None)
+    handles, labels = figure.axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper center", ncols=4)
+    return figure
+
+
+# --- restitution of all runs in kind
+
+
+@cache
+def impacts_in_kind() -> Impacts:
+    """Impacts of the four runs in kind, without the spring."""
+    return Impacts.together([Impacts.of_record(record(*run), BLOCK) for run in RUNS])
+
+
+def draw_by_foot(ax: Axes, impacts: Impacts, x: np.ndarray, y: np.ndarray) -> None:
+    """Points of each foot, filled by its colour."""
+    for foot, mark in (("left", "<"), ("right", ">")):
+        one = impacts.foot == foot
+        ax.plot(x[one], y[one], mark, ms=4, color=style.FEET[foot], label=f"{foot} foot lands")
+
+
+def mark_housner(ax: Axes, vertical: bool = False) -> None:
+    """A line at r of 2-6."""
+    line = ax.axvline if vertical else ax.axhline
+    line(R_HOUSNER, color=style.INK, ls="--", lw=0.8, label=f"2-6, {R_HOUSNER:.3f}")
+
+
+@thesis_figure(Source.IN_KIND)
+def figure_3_18() -> Figure:
+    """r against the peak before the impact: all impacts, and those above 6 J; in kind.
+
+    The four runs of Figure 3-17 without the spring; their r are those of Figure 3-3 for each foot,
+    so that there are two bunches and not the three of the tests.
+    """
+    every = impacts_in_kind()
+    figure = style.new_figure(7.6, 3.2)
+    for ax, impacts, title in zip(
+        figure.subplots(1, 2, sharey=True),
+        (every, every.select(every.energy_before >= THRESHOLD)),
+        ("all impacts", "impacts above 6 J"),
+        strict=True,
+    ):
+        draw_by_foot(ax, impacts, np.degrees(impacts.peak_before), impacts.energy_ratio)
+        mark_housner(ax)
+        ax.set_title(title, fontsize=9)
+        ax.set_xlabel(r"peak before the impact $\theta_{peak}$ [deg]")
+    figure.axes[0].set_ylabel("energy ratio $r$ [-]")
+    figure.axes[0].set_ylim(0.6, 1.1)
+    figure.axes[1].legend(loc="lower center")
+    return figure
+
+
+@thesis_figure(Source.IN_KIND)
+def figure_3_19() -> Figure:
+    """Frequency of r in classes of 0.01, of the impacts above 6 J of the runs in kind."""
+    impacts = filtered()
+    figure = style.new_figure(5.8, 3.2)
+    ax = figure.add_subplot()
+    edges, _ = impacts.histogram()
+    counts = {
+        foot: np.histogram(impacts.at_foot(foot).energy_ratio, edges)[0]
+        for foot in ("left", "right")
+    }
+    below = np.zeros(len(edges) - 1)
+    for foot, count in counts.items():
+        ax.bar(edges[:-1], count, 0.01, below, align="edge", color=style.FEET[foot],
+               edgecolor="white", lw=0.5, label=f"{foot} foot lands")  # fmt: skip
+        below += count
+    mark_housner(ax, vertical=True)
+    ax.set_xlabel("energy ratio $r$ [-]")
+    ax.set_ylabel("number of impacts [-]")
+    ax.legend()
+    return figure
+
+
+@thesis_figure(Source.IN_KIND)
+def figure_3_20() -> Figure:
+    """Cumulative frequency of r of the impacts above 6 J of the runs in kind."""
+    r, part = filtered().cumulative()
+    figure = style.new_figure(5.8, 3.2)
+    ax = figure.add_subplot()
+    ax.step(np.append(r[0], r), np.append(0.0, 100 * part), where="post", color=style.LINES[0])
+    mark_housner(ax, vertical=True)
+    ax.axvline(float(r.mean()), color=style.LINES[1], lw=0.8, ls=":", label=f"mean, {r.mean():.3f}")
+    ax.set_xlabel("energy ratio $r$ [-]")
+    ax.set_ylabel("impacts with no more [%]")
+    ax.set_ylim(0, 101)
+    ax.legend()
+    return figure
+
+
+def filtered() -> Impacts:
+    """The impacts in kind above 6 J."""
+    every = impacts_in_kind()
+    return every.select(every.energy_before >= THRESHOLD)
+
+
+@thesis_figure(Source.IN_KIND)
+def figure_3_21() -> Figure:
+    """r against the speed at the impact: runs in kind, and the printed points of Figure 3-3."""
+    impacts, printed = filtered(), measured_impacts()
+    figure = style.new_figure(5.8, 3.4)
+    ax = figure.add_subplot()
+    draw_by_foot(ax, impacts, impacts.speed, impacts.energy_ratio)
+    ax.plot(printed.speed, printed.energy_ratio, "o", color=style.INK, mfc="white", mew=0.9, ms=5,
+            label="Figure 3-3, measured")  # fmt: skip
+    mark_housner(ax)
+    ax.set_xlabel(r"speed $\dot\theta$ at the impact [rad/s]")
+    ax.set_ylabel("energy ratio $r$ [-]")
+    ax.set_ylim(0.6, 1.05)
+    ax.legend(loc="lower center", ncols=2)
+    return figure
+
+
+def fit_3_17(speed: np.ndarray) -> np.ndarray:
+    """Change of energy [J] by the speed [rad/s], of all impacts, as printed."""
+    return 5.525 * speed**3 - 9.661 * speed**2 - 0.6663 * speed
+
+
+def fit_3_18(speed: np.ndarray) -> np.ndarray:
+    """The same of impacts on the right edge."""
+    return 7.144 * speed**3 - 7.576 * speed**2 - 0.0381 * speed
+
+
+@thesis_figure(Source.PRINTED)
+def figure_3_22() -> Figure:
+    """Change of energy against the speed at an impact: 3-17, 3-18, and the points of Figure 3-3.
+
+    The energies are those of the block at the printed peaks, the speed that of the energy before.
+    Crosses are four simulated runs in kind, without the spring. Positive speed: the right foot
+    lands.
+    """
+    speed = np.linspace(-1.0, 1.0, 401)
+    impacts = measured_impacts()
+    figure = style.new_figure(6.4, 3.8)
+    ax = figure.add_subplot()
+    ax.plot(speed, fit_3_17(speed), label="3-17, all impacts")
+    ax.plot(speed[speed > 0], fit_3_18(speed[speed > 0]), "--", label="3-18, right edge")
+    kind = impacts_in_kind()
+    ax.plot(kind.speed, kind.energy_change, "x", ms=4, color="0.6", label="in kind")
+    ax.plot(
+        impacts.speed, impacts.energy_change, "o", color=style.INK, mfc="white", mew=0.9, ms=4.5,
+        label="Figure 3-3, measured",
+    )  # fmt: skip
+    ax.set_xlabel(r"speed $\dot\theta$ at the impact [rad/s]")
+    ax.set_ylabel(r"change of energy $\Delta E$ [J]")
+    ax.set_ylim(-10, 0.5)
+    ax.legend(loc="lower right")
+    return figure
+
+
+@cache
+def changes_and_forces() -> tuple[Impacts, np.ndarray]:
+    """Impacts of the runs of Figure 3-15 above 6 J, and the largest force about each [N]."""
+    impacts, forces = [], []
+    for release, seed in RUNS:
+        calm = calm_record(release, seed)
+        of_run = Impacts.of_record(calm, BLOCK, threshold=THRESHOLD)
+        found = identification.impact_forces_of_record(calm, window=WINDOW, **SHAPE)
+        nearest = np.abs(found.time[:, None] - of_run.time).argmin(axis=0)
+        impacts.append(of_run)
+        forces.append(found.magnitude[nearest])
+    return Impacts.together(impacts), np.concatenate(forces)
+
+
+@thesis_figure(Source.IN_KIND)
+def figure_3_23() -> Figure:
+    """Energy lost and r against the magnitude of the impact force, in kind.
+
+    The forces are those of Figure 3-16: jumps of the rate spread over a window of 0.03 s.
+    """
+    impacts, force = changes_and_forces()
+    figure = style.new_figure(7.6, 3.2)
+    for ax, values, label in zip(
+        figure.subplots(1, 2),
+        (impacts.energy_change, impacts.energy_ratio),
+        (r"change of energy $\Delta E$ [J]", "energy ratio $r$ [-]"),
+        strict=True,
+    ):
+        draw_by_foot(ax, impacts, force / 1e3, values)
+        ax.set_xlabel("magnitude of the impact force [kN]")
+        ax.set_ylabel(label)
+    figure.axes[1].legend(loc="center right")
+    return figure
