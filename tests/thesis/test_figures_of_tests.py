@@ -44,7 +44,6 @@ def test_no_slip_of_the_thesis_holds():
     assert [one.printed for one in found if one.holds] == []
     by_place = {one.where: one.found for one in found}
     assert by_place["4.6, at 4-16"].startswith("3093.54")
-    assert "385.8" in by_place["5.2, 5.3.3"]
 
 
 # --- what stands behind the figures

@@ -49,8 +49,9 @@ class Limits:
     why: str
 
     def __str__(self) -> str:
-        pairs = zip(self.low, self.high, strict=True)
-        return f"{', '.join(map(_interval, pairs))} {self.unit}".rstrip() + f" ({self.why})"
+        ends = list(dict.fromkeys(map(_interval, zip(self.low, self.high, strict=True))))
+        unit = f" {self.unit}" if self.unit else ""
+        return f"{', '.join(ends)}{unit} ({self.why})"
 
     def judge(self, found: Found) -> Verdict:
         """The verdict on what was found; ValueError if the numbers are not as many as printed."""
@@ -95,14 +96,16 @@ def between(low: ArrayLike, high: ArrayLike, unit: str = "", *, why: str) -> Lim
     return Limits(*ends, unit, why)
 
 
-def at_least(value: float, unit: str = "", *, why: str) -> Limits:
-    """A printed number that is exceeded or reached."""
-    return between(value, math.inf, unit, why=why)
+def at_least(value: ArrayLike, unit: str = "", *, why: str) -> Limits:
+    """Printed numbers that are exceeded or reached."""
+    low = np.asarray(value, float)
+    return between(low, np.full(low.shape, math.inf), unit, why=why)
 
 
-def at_most(value: float, unit: str = "", *, why: str) -> Limits:
-    """A printed number that is not exceeded."""
-    return between(-math.inf, value, unit, why=why)
+def at_most(value: ArrayLike, unit: str = "", *, why: str) -> Limits:
+    """Printed numbers that are not exceeded."""
+    high = np.asarray(value, float)
+    return between(np.full(high.shape, -math.inf), high, unit, why=why)
 
 
 # --- evidence

@@ -12,8 +12,6 @@ equations themselves are in `rockeom.thesis.EQUATIONS`.
 
 from __future__ import annotations
 
-import itertools
-import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -21,7 +19,7 @@ import numpy as np
 
 import rockeom as rk
 from rockeom import analysis
-from rockeom.analysis import formulas, identification
+from rockeom.analysis import identification
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.thesis import shaken
 from rockeom.thesis.catalogue import EQUATIONS
@@ -29,9 +27,6 @@ from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Statement
 from rockeom.thesis.figures.chapter_4_shaken import settled_speeds
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import (
-    COLUMN,
-    FIGURE_5_6,
-    GAUGE,
     TABLE_4_1,
     TABLE_4_2,
     TABLE_4_4,
@@ -172,101 +167,7 @@ def _() -> Finding:
     return f"F_k at 5 mm {forces[0]:.1f} against {forces[1]:.1f} kN", forces[1] > forces[0]
 
 
-@sentence("5.2", "distances to the place of measurement 285, 1056 and 1093.8 mm")
-def _() -> Finding:
-    far = 1e3 * math.hypot(*GAUGE)
-    return f"the first two give {far:.1f} mm", abs(far - 1093.8) < 0.05
-
-
-@sentence("5.3.1", "5-14 gives r = 0.74 for the column")
-def _() -> Finding:
-    r = float(formulas.energy_ratio_of_lumped_mass(**COLUMN))
-    return (
-        f"{r:.3f}; the split of the inertia is a choice, its sum follows from this r",
-        None,
-    )
-
-
 # --- slips: outside the equations
-
-
-@slip("5.2, 5.3.3", "k = 571.8 kN/m in the runs on solid feet")
-def _() -> Finding:
-    k = [
-        float(identification.stiffness_from_period(COLUMN["mass"], t)) / 1e3 for t in (0.112, 0.092)
-    ]
-    return (
-        f"5-1 gives {k[0]:.1f} kN/m at their 0.112 s; {k[1]:.1f} kN/m belongs to 0.092 s, that of "
-        "the rubber pad",
-        abs(k[0] - 571.8) < 1,
-    )
-
-
-@slip("5.3.1, captions 5-23, 5-25", "r_sim = 0.81 matches the average r of the tests")
-def _() -> Finding:
-    ratios = formulas.energy_ratios_from_peaks_of_lumped_mass(
-        identification.rotation_from_displacement(_peaks_of_figure_5_6() / 1e3, *GAUGE),
-        **{n: x for n, x in COLUMN.items() if "inertia" not in n},
-    )
-    mean = float(np.mean(ratios))
-    return (
-        f"the mean of Figure 5-6 is {mean:.3f}, of which 0.74 is about 12 % below, as 5.3.1 says; "
-        f"of 0.81 it is {100 * (1 - 0.74 / 0.81):.1f} % below",
-        abs(mean - 0.81) < 0.01,
-    )
-
-
-@slip("5.3.1.1", "the angular velocity is reduced to r = 0.74 times itself")
-def _() -> Finding:
-    errors = [_error_of_column(rk.EnergyRatio(0.74)), _error_of_column(rk.VelocityRatio(0.74))]
-    return (
-        f"the peaks of Figure 5-6 are met within {errors[0]:.1f} mm (rms) with the "
-        f"energy times 0.74, the velocity times {math.sqrt(0.74):.3f}, and within "
-        f"{errors[1]:.1f} mm with the velocity times 0.74",
-        errors[1] < errors[0],
-    )
-
-
-def _peaks_of_figure_5_6() -> np.ndarray:
-    return np.array([float(row[1]) for row in FIGURE_5_6.rows if row[1]])
-
-
-def _error_of_column(law: Any) -> float:
-    """Root mean square of the errors of the peaks in Figure 5-6 [mm]."""
-    measured = np.abs(_peaks_of_figure_5_6())
-    start = float(identification.rotation_from_displacement(measured[0] / 1e3, *GAUGE))
-    run = rk.simulate(
-        rk.LumpedMassStructure(**COLUMN), rk.GroundMotion.none(4.0), impact=law,
-        initial={"theta": start},
-    )  # fmt: skip
-    zeros = [0.0, *(event.time for event in run.impacts)]
-    turns = [0.0, *(0.5 * (a + b) for a, b in itertools.pairwise(zeros[1:]))][: len(measured)]
-    found = identification.displacement_from_rotation(
-        np.abs(run.at(np.array(turns))["theta"]), *GAUGE
-    )
-    return float(np.sqrt(np.mean((1e3 * found - measured) ** 2)))
-
-
-@slip("5.2.2, with 5-6", "H = 1056 mm")
-def _() -> Finding:
-    return (
-        f"H' = {1e3 * GAUGE[1]:g} mm, to the gauge; H of the mass is {1e3 * COLUMN['height']:g} mm",
-        False,
-    )
-
-
-@slip("1.4, 5.3.3", "an impact of the flexible column leaves the rate of bending as it was")
-def _() -> Finding:
-    run = rk.simulate(
-        shaken.model_c(), rk.GroundMotion.none(1.0), impact=rk.Impulsive(), initial={"theta": 0.03}
-    )
-    first = run.impacts[0]
-    change = first.after["u_dot"] - first.before["u_dot"]
-    return (
-        f"by the impulse at the new foot u' changes by {change:.3f} m/s at a first impact of "
-        f"{abs(first.before['theta_dot']):.3f} rad/s: two momenta cannot be kept otherwise",
-        abs(change) < 1e-6,
-    )
 
 
 @slip("Table A-1", "the last column is the distance to the edge of the wall")
