@@ -5,21 +5,38 @@ import pytest
 
 import rockeom as rk
 from rockeom.thesis import statements
-from rockeom.thesis.figures import chapter_2_blocks, chapter_4_shaken
+from rockeom.thesis.figures import chapter_2_blocks, chapter_2_design, chapter_4_shaken
 
 
 @pytest.mark.parametrize(
     ("number", "verdicts"),
     [
         ("2-2", ["holds", "holds"]),
-        ("2-20", ["holds", "holds"]),
+        ("2-20", ["holds", "differs"]),  # a lambda above 1 is not enough where the joint stiffens
         ("2-21", ["holds"]),
         ("2-22", ["differs", "open"]),  # the bilinear rule by Table 2-4; alpha_T is not stated
-        ("2-23", ["holds", "holds", "holds"]),
+        ("2-23", ["holds", "holds", "holds", "differs"]),  # the elastic and plastic rule is worse
     ],
 )
 def test_verdicts_on_closed_forms(number, verdicts):
     assert [one.judged().verdict.value for one in statements.of_figure(number)] == verdicts
+
+
+@pytest.mark.parametrize("margin", [0.99, 1.01])
+def test_residual_rotation_by_the_moment_at_the_opening_and_not_by_lambda(margin):
+    """Statics: it returns if the moment left by the opened joint exceeds that of the dissipater."""
+    ratio = margin * chapter_2_design.moment_at_design_over_opening()
+    assert ratio > 1
+    assert (chapter_2_design.residual_rotation(ratio) > 0.05) == (margin < 1)
+
+
+def test_damping_over_that_of_a_flag_in_closed_form():
+    """2 (1 - k)/(1 + k (mu - 1)) of 2-32a over beta/(1 + 0.05 (mu - 1)) of 2-32c, Table 2-4."""
+    bilinear, takeda = (one.judged().found for one in statements.of_figure("2-22"))
+    ends = [2 * 0.8 / (1 + 0.2 * x) * (1 + 0.05 * x) / 0.35 for x in (7.0, 0.5)]
+    assert [bilinear.low[0], bilinear.low[1]] == pytest.approx(ends)
+    assert bilinear.high == pytest.approx([2 * 0.95 / 0.35] * 2)
+    assert takeda.high == pytest.approx([2.0, 3.0], abs=0.05)  # alpha_T = 0.3
 
 
 def test_orbits_of_figure_2_11_and_doublings_of_2_12():

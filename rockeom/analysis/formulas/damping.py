@@ -57,7 +57,8 @@ def recentring_ratio(
 
     restoring_moment M_AE of an added elastic element (a tendon), axial_moment M_N of the weight,
     dissipating_moment M_ED of the dissipaters: contributions to the design moment [N m], any
-    shapes, broadcast. Above 1 the system returns upright.
+    shapes, broadcast. The system returns upright where lambda exceeds the ratio of the restoring
+    moments at the design rotation and at the opening of the joint; 1 is not enough where they rise.
     Source: Palermo et al. (2005).
     """
     where = "recentring_ratio"

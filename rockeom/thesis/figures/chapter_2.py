@@ -15,6 +15,9 @@ from rockeom.analysis.formulas.uplift import uplift_displacement, uplifted_frequ
 from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Source, thesis_figure
 
+OMEGA_OF_2_6 = 56.10
+"""Angular frequency of the column of Figure 2-6 on a fixed base [rad/s]."""
+
 START, ENERGY_RATIO = 0.4, 0.7225
 """x_0 and r of Figures 2-16 and 2-17."""
 
@@ -32,7 +35,7 @@ def figure_2_6() -> Figure:
     u_c; and what happens at an impact: here momentum is conserved (`Impulsive`), and each ends
     in full contact. With it is the same structure with exact kinematics and P-delta.
     """
-    omega, xi, height, half_width = 56.10, 0.03, 1.0, 0.3
+    omega, xi, height, half_width = OMEGA_OF_2_6, 0.03, 1.0, 0.3
     crit = math.atan(half_width / height)
     u_c = float(uplift_displacement(omega, half_width, height))
     small = rk.UpliftingOscillator.from_frequency(

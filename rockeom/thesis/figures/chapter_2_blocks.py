@@ -407,7 +407,7 @@ def figure_2_13() -> Figure:
     """A block under one sine that grows: 0.172 g overturns it, 0.454 g does not.
 
     T = 2.192 s and r = 0.954, the ratio of energies of 2-6. The block "1 m wide and 8 m high" has
-    these as its half-width and half-height: with half of them 0.172 g does not overturn it. The
+    these as its half-width and half-height: with half of them 0.454 g overturns it, too. The
     other peaks of the thesis are not stated; here they are 0.14, 0.3 and 0.5 g. Below stands at
     which peaks the fate changes, as it was found between 5001 pulses from 0.1 to 0.6 g.
     """
@@ -421,6 +421,10 @@ def figure_2_13() -> Figure:
     return figure
 
 
+RATIOS_OF_2_14 = (3.8, 3.82, 4.26, 4.28)
+"""Aspect ratios H/B of the blocks of Figure 2-14."""
+
+
 @thesis_figure(Source.COMPUTED)
 def figure_2_14() -> Figure:
     """Four blocks under one sine: small changes of the aspect ratio, large ones of the motion.
@@ -429,8 +433,7 @@ def figure_2_14() -> Figure:
     as in Figure 2-13. Below stands at which aspect ratio the fate changes, as it was found between
     1501 blocks from 3.5 to 5.
     """
-    ratios = (3.8, 3.82, 4.26, 4.28)
-    runs = {ratio: pulsed(ratio, 0.3, 2.0, None) for ratio in ratios}
+    runs = {ratio: pulsed(ratio, 0.3, 2.0, None) for ratio in RATIOS_OF_2_14}
     figure = style.new_figure(7.2, 4.4)
     above, below = figure.subplots(2, height_ratios=(5, 1))
     draw_rotations(above, [(f"H/B = {ratio:g}", run) for ratio, run in runs.items()], 1.6, 14.0)

@@ -13,16 +13,19 @@ from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Source, thesis_figure
 
 LOADING, UNLOADING = style.LINES[0], style.LINES[1]
-HARDENING, FLAG_HEIGHT, EXPONENT = 0.05, 0.35, 0.5
-"""Assumed k_p/k_i, beta_FS and alpha_T, where the thesis states none; Table 2-4 has the first
-two of the flag."""
+HARDENING, FLAG_HEIGHT, BILINEAR_HARDENING = 0.05, 0.35, 0.2
+"""k_p/k_i and beta_FS of the flag, and k_p/k_i of the bilinear rule in Table 2-4."""
+
+EXPONENTS = (0.3, 0.5)
+"""Range assumed for alpha_T, which the thesis does not state; it is unsourced."""
 
 RULES = {
-    "bilinear": design.BilinearRule(1.0, 1.0, HARDENING),
-    "Takeda": design.TakedaRule(1.0, 1.0, HARDENING, EXPONENT),
+    "bilinear": design.BilinearRule(1.0, 1.0, BILINEAR_HARDENING),
+    "Takeda": design.TakedaRule(1.0, 1.0, HARDENING, EXPONENTS[1]),
     "flag": design.FlagRule(1.0, 1.0, HARDENING, FLAG_HEIGHT),
 }
-"""The rules of Figure 2-21, in units of yield."""
+"""The rules of Figure 2-21, in units of yield, with the parameters of Table 2-4; Takeda's k_p/k_i,
+which it does not state, is that of the flag."""
 
 
 def draw_way(ax: Axes, u: np.ndarray, f: np.ndarray, color: str, label: str = "") -> None:
@@ -50,8 +53,9 @@ def figure_2_19() -> Figure:
 
     The figure gives no numbers. Here the ductile structure is bilinear, the block is rigid with
     the force F_y at uplift that falls to zero at its balance, ten times the yield displacement
-    away, and the controlled one has the flag of Figure 2-21; k_p/k_i = 0.05, beta_FS = 0.35. Blue
-    is loading, orange unloading; the block's is the same line, drawn a little below.
+    away, and the controlled one has the flag of Figure 2-21: k_p/k_i = 0.2 of the bilinear one and
+    0.05 of the flag, beta_FS = 0.35. Blue is loading, orange unloading; the block's is the same
+    line, drawn a little below.
     """
     figure = style.new_figure(8.6, 3.2)
     axes = figure.subplots(1, 3, sharey=True)
@@ -124,6 +128,15 @@ def closed(loop: design.HysteresisLoop) -> list[np.ndarray]:
     return [np.append(x, x[0]) for x in loop]
 
 
+JOINT = design.FlagRule(1.0, 0.01, HARDENING * 0.01)
+"""Moment of the axial load and the added element; it opens at 0.01 of the design rotation."""
+
+
+def moment_at_design_over_opening() -> float:
+    """The moment that re-centres, at the design rotation over that at which the joint opens."""
+    return float(JOINT.backbone(1.0) / JOINT.yield_force)
+
+
 def residual_rotation(ratio: float) -> float:
     """The rotation with no moment while it returns, of elastic and plastic dissipaters."""
     theta, moment = loop_with_dissipaters("elastic and plastic", ratio)
@@ -136,8 +149,7 @@ def dissipaters(
     kind: str, ratio: float, theta: np.ndarray, rate: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Moments of the elastic parts and of a dissipater along rotations and their rates."""
-    joint = design.FlagRule(1.0, 0.01, HARDENING * 0.01)
-    elastic = joint.backbone(theta) / float(joint.backbone(1.0)) * ratio / (1 + ratio)
+    elastic = JOINT.backbone(theta) / float(JOINT.backbone(1.0)) * ratio / (1 + ratio)
     share = 1 / (1 + ratio)
     if kind == "elastic and plastic":
         rule = design.BilinearRule(1.0, 0.1, 0.0)
@@ -152,8 +164,8 @@ def dissipaters(
 def figure_2_21() -> Figure:
     """Three rules of hysteresis, and what 2-32 makes of their loops.
 
-    The figure gives no numbers: here the ductility is 4, k_p/k_i = 0.05, alpha_T = 0.5,
-    beta_FS = 0.35.
+    The figure gives no numbers: here the ductility is 4, k_p/k_i = 0.2 for the bilinear rule and
+    0.05 for the others, beta_FS = 0.35, and alpha_T = 0.5, which is unsourced.
     """
     figure = style.new_figure(8.6, 3.4)
     mu = 4.0
@@ -170,7 +182,9 @@ def figure_2_21() -> Figure:
     bilinear.set_ylabel("force $F/F_y$ [-]")
     texts: dict[str, Any] = {"fontsize": 8, "textcoords": "offset points"}
     bilinear.annotate("$k_i$", (0.5, 0.5), xytext=(4, -8), **texts)
-    bilinear.annotate("$k_p$", (2.6, 1.08), xytext=(0, 5), **texts)
+    bilinear.annotate(
+        "$k_p$", (2.6, float(RULES["bilinear"].backbone(2.6))), xytext=(-8, 6), **texts
+    )
     bilinear.annotate(r"$\mu u_y$", (4.0, 0.0), xytext=(-6, 5), **texts)
     takeda.annotate(r"$k_i\,\mu^{-\alpha_T}$", (2.8, 0.55), xytext=(3, -8), **texts)
     height = float(RULES["flag"].backbone(3.0))
@@ -185,19 +199,25 @@ def figure_2_21() -> Figure:
 def figure_2_22() -> Figure:
     """Equivalent hysteretic damping against ductility: 2-32a to 2-32c.
 
-    The parameters are not stated; here k_p/k_i = 0.05, alpha_T = 0.5, beta_FS = 0.35.
+    The parameters are not stated under the figure. Here k_p/k_i = 0.2 for the bilinear rule and
+    0.05 for the flag, with beta_FS = 0.35, as in Table 2-4. alpha_T is nowhere stated: Takeda's
+    band is of 0.3 (upper edge) to 0.5, an unsourced range, with k_p/k_i = 0.05.
     """
     mu = np.linspace(1.0, 8.0, 281)
     figure = style.new_figure(5.8, 3.6)
     ax = figure.add_subplot()
-    damping_of = {name: rule.damping(mu) for name, rule in RULES.items()}
-    for (name, damping), color in zip(damping_of.items(), style.LINES, strict=False):
-        ax.plot(mu, 100 * damping, color=color, label=name)
+    for name, color in (("bilinear", style.LINES[0]), ("flag", style.LINES[2])):
+        ax.plot(mu, 100 * RULES[name].damping(mu), color=color, label=name)
+    edges = [design.TakedaRule(1.0, 1.0, HARDENING, exponent).damping(mu) for exponent in EXPONENTS]
+    ax.fill_between(
+        mu, 100 * edges[0], 100 * edges[1], color=style.LINES[1], alpha=0.5, lw=0,
+        label=rf"Takeda, $\alpha_T$ = {EXPONENTS[0]:g} to {EXPONENTS[1]:g}",
+    )  # fmt: skip
     ax.set_xlabel(r"ductility $\mu$ [-]")
     ax.set_ylabel(r"damping ratio $\xi_{hyst}$ [%]")
     ax.set_xlim(1, 8)
-    ax.set_ylim(0, None)
-    ax.legend(loc="center right")
+    ax.set_ylim(0, 30)
+    ax.legend(loc="upper left", ncols=2)
     return figure
 
 
