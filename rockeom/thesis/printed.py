@@ -87,6 +87,9 @@ The text fixes the masses, height, width and, by r = 0.74, inertia + base_inerti
 base_height**2 = 46.7; how that sum is divided is a choice.
 """
 
+TENDON = MappingProxyType({"section": 177e-6, "rupture": 1100e6, "yield": 900e6})
+"""Tendon of the wall of chapter 4, section 4.2: section [m2], strengths f_pu and f_py [Pa]."""
+
 GAUGE = (0.285, 1.056)
 """Place of the displacement gauge: B' from the pivot and H' above it, Figure 5-5 [m]."""
 

@@ -19,7 +19,7 @@ from rockeom.plots import free_body as fb, style
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.thesis.figures.chapter_4_free_vibration import HOUSNER, draw_sides
 from rockeom.thesis.figures.chapter_4_wall import MM, legible, symmetric, tilted_wall
-from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
+from rockeom.thesis.figures.drawn import Source, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL, measured_peaks
 
 FIXED = rk.SimplifiedSubstituteGravityWall.from_wall(WALL)
@@ -144,8 +144,8 @@ def fitted_ratio(first: int, last: int) -> identification.Fit:
     )
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_36() -> Drawn:
+@thesis_figure(Source.COMPUTED)
+def figure_4_36() -> Figure:
     """Free vibration of the equivalent oscillator with one r for all passages, and Table A-1.
 
     The thesis states only the first of its r, that of 2-6; here they are 0.835 by 2-6 about the
@@ -153,22 +153,7 @@ def figure_4_36() -> Drawn:
     not raised.
     """
     curves = [(f"r = {r:.3f}", released(oscillator(r))) for r in (HOUSNER, 0.88, 0.93)]
-    early, late = fitted_ratio(0, 5), fitted_ratio(8, 12)
-    ratios = [
-        f"{found.values['r']:.3f} ({found.interval('r')[0]:.3f} to {found.interval('r')[1]:.3f})"
-        for found in (early, late)
-    ]
-    return Drawn(
-        draw_displacements(curves),
-        (
-            Statement(
-                "4.8.1", "no single r is right: one that works early loses too little later",
-                f"the first five passages ask for r = {ratios[0]}, the last four of the first "
-                f"twelve for {ratios[1]}",
-                bool(early.interval("r")[0] > late.interval("r")[1]),
-            ),
-        ),
-    )  # fmt: skip
+    return draw_displacements(curves)
 
 
 @thesis_figure(Source.COMPUTED)
@@ -194,43 +179,37 @@ def figure_4_37() -> Figure:
     return draw_histories(curves)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_38() -> Drawn:
+@cache
+def with_deviations_of_4_31() -> list[tuple[str, History]]:
+    """The free vibration by 4-31, and with r larger by 0.02 in one of its three faster bands."""
+
+    def of(law: rk.EnergyRatioAtSpeed) -> History:
+        return released(
+            rk.ControlledWallOscillator.from_wall(
+                WALL, law, held=False, effective_mass=WALL.mass / STIFFER
+            )
+        )
+
+    law = rk.EnergyRatioAtSpeed.equation_4_31()
+    return [("4-31", of(law)), *((label, of(one)) for label, one in bands_raised(law))]
+
+
+@thesis_figure(Source.COMPUTED)
+def figure_4_38() -> Figure:
     """Effect of small changes of r in 4-31 on the free vibration of the equivalent oscillator.
 
     The thesis does not state its deviations; here r is 0.02 larger in one of the three faster
     bands of speed at a time. The oscillator is that of Figure 4-37, r that of the instantaneous
     speed. The differences are below.
     """
-    law = rk.EnergyRatioAtSpeed.equation_4_31()
-
-    def of(law: rk.EnergyRatioAtSpeed) -> rk.Structure:
-        return rk.ControlledWallOscillator.from_wall(
-            WALL, law, held=False, effective_mass=WALL.mass / STIFFER
-        )
-
-    curves = [("4-31", released(of(law)))]
-    for label, changed in bands_raised(law):
-        curves.append((label, released(of(changed))))
-    off = ", ".join(f"{by:.1f}" for by in moved(curves))
-    return Drawn(
-        draw_displacements(curves),
-        (
-            Statement(
-                "4.8.1", "a minor deviation of 4-31 changes the later response by much",
-                "r larger by 0.02 in the fastest band and the next two moves the wall by up to "
-                f"{off} mm, of 30 mm at first",
-                bool(max(moved(curves)) > 3.0),
-            ),
-        ),
-    )  # fmt: skip
+    return draw_displacements(with_deviations_of_4_31())
 
 
 # --- substitute gravity about fixed corners
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_39() -> Drawn:
+@thesis_figure(Source.COMPUTED)
+def figure_4_39() -> Figure:
     """Free vibration of the substitute-gravity wall about fixed corners with one r.
 
     The thesis states only the first of its r, that of 2-6; here they are 0.835, and 0.88 and 0.91
@@ -239,19 +218,7 @@ def figure_4_39() -> Drawn:
     curves = [
         (f"r = {r:.3f}", released(FIXED, rk.EnergyRatio(r))) for r in (HOUSNER, 0.88, 0.91)
     ]  # fmt: skip
-    r = ratios_by_release()[0]
-    early, late = r[:6], r[6:]
-    return Drawn(
-        draw_displacements(curves),
-        (
-            Statement(
-                "4.8.2", "the right r lies between 0.91 in large cycles and 0.88 in small ones",
-                f"released at each peak: {early.mean():.3f} on average of the first six passages, "
-                f"{late.mean():.3f} of the next six",
-                bool(abs(early.mean() - 0.91) < 0.02 and abs(late.mean() - 0.88) < 0.02),
-            ),
-        ),
-    )  # fmt: skip
+    return draw_displacements(curves)
 
 
 @cache
@@ -275,7 +242,7 @@ def ratios_by_release() -> tuple[np.ndarray, np.ndarray]:
 
 
 @thesis_figure(Source.COMPUTED)
-def figure_4_40() -> Drawn:
+def figure_4_40() -> Figure:
     """r with which the substitute-gravity wall comes from each measured peak to the next.
 
     About fixed corners, by release at each of the first twelve peaks of Table A-1; against the
@@ -298,30 +265,7 @@ def figure_4_40() -> Drawn:
     by_speed.set_xlim(0, None)
     by_peak.set_xlim(0, None)
     style.legend_above(by_peak)
-    line = identification.fit(lambda r, slope: r + slope * speed, r, {"r": 0.88, "slope": 0.0})
-    low, high = line.interval("slope")
-    early = slice(0, 8)
-    left, right = (r[early][peak[early] * side > 0] for side in (-1, 1))
-    place = upright(8)
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "4.8.2", "no apparent relation of r to the speed",
-                f"slope {low:.2f} to {high:.2f} s/m with 95 % confidence",
-                bool(low < 0 < high),
-            ),
-            Statement(
-                "4.8.2", "r is seemingly random",
-                f"the first eight alternate with the side, {left.min():.3f} to {left.max():.3f} "
-                f"coming from the left, {right.min():.3f} to {right.max():.3f} from the right; an "
-                f"upright {place.values['x'] * MM:.2f} mm to the right "
-                f"({place.interval('x')[0] * MM:.2f} to {place.interval('x')[1] * MM:.2f}) of the "
-                "gauge's zero would be some of it: the wall slid",
-                bool(right.max() > left.min()),
-            ),
-        ),
-    )  # fmt: skip
+    return figure
 
 
 def upright(passages: int) -> identification.Fit:
@@ -339,7 +283,7 @@ def upright(passages: int) -> identification.Fit:
 
 
 @thesis_figure(Source.COMPUTED)
-def figure_4_41() -> Drawn:
+def figure_4_41() -> Figure:
     """Moving averages of two successive r of Figure 4-40 against their speed, and 4-31.
 
     Also drawn: pieces fitted to the r of Figure 4-40 themselves in the bands of 4-31, without
@@ -362,20 +306,7 @@ def figure_4_41() -> Drawn:
     ax.set_xlim(0, 0.9)
     ax.set_ylim(0.7, 1.0)
     style.legend_above(ax)
-    off = mean - np.array([law.at(x) for x in at])
-    spread = mean.std(ddof=1)
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "4.8.2", "the moving averages resemble 4-31",
-                f"they lie {off.min():+.3f} to {off.max():+.3f} off it, {off.mean():+.3f} on "
-                f"average, and {spread:.3f} (standard deviation) about their own mean; "
-                f"rms {np.sqrt(np.mean(off**2)):.3f} off 4-31",
-                bool(np.sqrt(np.mean(off**2)) < spread),
-            ),
-        ),
-    )  # fmt: skip
+    return figure
 
 
 class Miss(NamedTuple):
@@ -405,47 +336,21 @@ BY_4_36 = rk.EnergyRatioAtSpeed.equation_4_36()
 
 
 @thesis_figure(Source.COMPUTED)
-def figure_4_42() -> Drawn:
+def figure_4_42() -> Figure:
     """Free vibration of the substitute-gravity wall about fixed corners with 4-31.
 
     With the points of Table A-1.
     """
-    return Drawn(
-        draw_law(BY_4_31, "4-31"),
-        (
-            Statement(
-                "4.8.2", "no dramatic improvement over a single r",
-                f"rms off at the first thirteen peaks and their times: {miss(BY_4_31)} with 4-31, "
-                f"{miss(CONSTANT)} with r = 0.88",
-                bool(miss(BY_4_31).peak > 0.5 * miss(CONSTANT).peak),
-            ),
-        ),
-    )  # fmt: skip
+    return draw_law(BY_4_31, "4-31")
 
 
 @thesis_figure(Source.COMPUTED)
-def figure_4_43() -> Drawn:
+def figure_4_43() -> Figure:
     """Free vibration of the substitute-gravity wall about fixed corners with 4-36.
 
     With the points of Table A-1. 4-36 is as printed, with the larger r for the larger speed.
     """
-    start = FIXED.uplift_acceleration
-    assert start is not None
-    return Drawn(
-        draw_law(BY_4_36, "4-36"),
-        (
-            Statement(
-                "4.8.2", "as effective as 4-31",
-                f"rms off at the first thirteen peaks and their times: {miss(BY_4_36)} with 4-36, "
-                f"{miss(BY_4_31)} with 4-31",
-                None,
-            ),
-            Statement(
-                "4.8.2", "an acceleration greater than 11.1 m/s2 is needed to start it",
-                f"{start:.2f} m/s2", bool(abs(start - 11.1) < 0.05),
-            ),
-        ),
-    )  # fmt: skip
+    return draw_law(BY_4_36, "4-36")
 
 
 def draw_law(law: rk.EnergyRatioAtSpeed, name: str) -> Figure:
@@ -569,8 +474,16 @@ def bands_raised(
     return laws
 
 
+@cache
+def with_deviations_of_4_38() -> list[tuple[str, History]]:
+    """The free vibration by 4-38, and with r larger by 0.02 in one of its three faster bands."""
+    law = rk.EnergyRatioAtSpeed.equation_4_38()
+    laws = [("4-38", law), *bands_raised(law)]
+    return [(label, released(substitute_gravity(), one)) for label, one in laws]
+
+
 @thesis_figure(Source.COMPUTED)
-def figure_4_48() -> Drawn:
+def figure_4_48() -> Figure:
     """Effect of small changes of r in 4-38 on the free vibration of the substitute-gravity wall.
 
     The thesis does not state its deviations. Here r is 0.02 larger in one of the three
@@ -578,19 +491,4 @@ def figure_4_48() -> Drawn:
     the limit of 0.78 m/s. In the slowest of them it moves the wall so little that its curve lies
     under that of 4-38; the differences are below.
     """
-    law = rk.EnergyRatioAtSpeed.equation_4_38()
-    curves = [("4-38", released(substitute_gravity(), law))]
-    for label, changed in bands_raised(law):
-        curves.append((label, released(substitute_gravity(), changed)))
-    off = ", ".join(f"{by:.1f}" for by in moved(curves))
-    return Drawn(
-        draw_displacements(curves),
-        (
-            Statement(
-                "4.8.3", "the response is moderately sensitive to r, most where it changes early",
-                f"r larger by 0.02 in the fastest band and the next two moves the wall by up to "
-                f"{off} mm",
-                bool(np.all(np.diff(moved(curves)) < 0)),
-            ),
-        ),
-    )  # fmt: skip
+    return draw_displacements(with_deviations_of_4_38())

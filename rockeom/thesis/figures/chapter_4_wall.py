@@ -17,7 +17,7 @@ from matplotlib.figure import Figure
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import free_body as fb, style
-from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
+from rockeom.thesis.figures.drawn import Source, thesis_figure
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.wall_tests import back_calculated_force, quarter_period_fit
 
@@ -255,7 +255,7 @@ def figure_4_20() -> Figure:
 
 
 @thesis_figure(Source.COMPUTED)
-def figure_4_24() -> Drawn:
+def figure_4_24() -> Figure:
     """Quarter periods against the peak: 4-17, the fit 4-5, quadrature, and Table A-1.
 
     The thesis does not have the time of a conservative motion to upright, 4-24. It ends at D = 0,
@@ -288,25 +288,7 @@ def figure_4_24() -> Drawn:
     ax.set_xlim(0, 33)
     ax.set_ylim(0, 0.085)
     ax.legend(loc="lower right", fontsize=7.5)
-    every = np.flatnonzero(measured.at_peak[:-1])
-
-    def r_squared(wall: analysis.Wall, rows: np.ndarray) -> float:
-        predicted = wall.quarter_period_substitute_gravity(np.abs(measured.displacement[rows]))
-        return identification.coefficient_of_determination(np.diff(measured.time)[rows], predicted)
-
-    r2 = [r_squared(wall, every) for wall in (heavier, WALL)]
-    clear = [r_squared(wall, starts) for wall in (heavier, WALL)]
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "4.7", "R2 = 0.911 of 4-17",
-                f"R2 = {r2[0]:.3f} with 13 215 kg m2, {r2[1]:.3f} with 12 101 kg m2, of all "
-                f"22 quarters; {clear[0]:.3f} and {clear[1]:.3f} of the {len(starts)} legible",
-                bool(abs(r2[0] - 0.911) < 2e-3),
-            ),
-        ),
-    )  # fmt: skip
+    return figure
 
 
 @thesis_figure(Source.COMPUTED)

@@ -19,19 +19,16 @@ import numpy as np
 
 import rockeom as rk
 from rockeom import analysis
-from rockeom.analysis import identification
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.thesis import shaken
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.figures import FIGURES, NOT_DRAWN, Statement
+from rockeom.thesis.figures import FIGURES, Statement
 from rockeom.thesis.figures.chapter_4_shaken import settled_speeds
-from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import (
     TABLE_4_1,
     TABLE_4_2,
     TABLE_4_4,
 )
-from rockeom.thesis.tables import computed
 
 __all__ = ["of_figures", "others", "slips"]
 
@@ -109,13 +106,6 @@ _OF_75_KN = ("1", "2", "3", "4", "6")
 # --- sentences
 
 
-@sentence("4.5", "the tendon remained elastic throughout the tests")
-def _() -> Finding:
-    largest = max(float(row[3] or 0.0) for row in TABLE_4_2.rows)
-    yields = WALL.tendons[0].yield_force / 1e3
-    return f"at most {largest:.1f} kN (Table 4-2), it yields at {yields:.1f} kN", largest < yields
-
-
 @sentence("4.9.1", "peak accelerations of the table from 0.24 g to 0.84 g")
 def _() -> Finding:
     peaks = _numbers(TABLE_4_1, 3, _OF_75_KN) / STANDARD_GRAVITY
@@ -168,45 +158,6 @@ def _() -> Finding:
 
 
 # --- slips: outside the equations
-
-
-@slip("Table A-1", "the last column is the distance to the edge of the wall")
-def _() -> Finding:
-    measured = identification.FreeVibration.table_a1()
-    rows = (
-        measured.at_peak
-        & (np.asarray(measured.reading) != "guessed")
-        & (np.abs(measured.displacement) > 5e-3)
-    )
-    beside = measured.centre_from_edge - measured.rotation_centre(WALL.half_width)
-    found = 1e3 * float(np.median(beside[rows]))
-    return f"{found:.0f} mm more than its uplifts say: the gauge stands 30 mm outside", found < 5
-
-
-@slip("4.5.1", "upright is where the acceleration vanishes")
-def _() -> Finding:
-    measured = identification.FreeVibration.table_a1()
-    rows = ~measured.at_peak & (np.asarray(measured.reading) != "guessed")
-    beside = 1e3 * float(np.mean(np.abs(measured.displacement[rows])))
-    return f"there the wall is {beside:.1f} mm from upright on average (Table A-1)", beside < 0.1
-
-
-@slip("4.9.1.4, 4.9.2.1", "the constant r is 0.852, and 0.835")
-def _() -> Finding:
-    r = float(computed("2-3")[1][5] or 0.0)
-    return f"{r:.3f} by 2-6 with the inertia of B-9; 0.852 follows from no form of it", False
-
-
-@slip("4.6, at 4-16", "L_T0 = 3106.6 mm")
-def _() -> Finding:
-    tendon = WALL.tendons[0]
-    length = 3100 - 1e3 * tendon.initial_extension
-    return f"{length:.2f} mm: 3100 mm less the extension, not plus", abs(length - 3106.6) < 0.1
-
-
-@slip("4.8.2", "the range of r is shown in Figure 4-49")
-def _() -> Finding:
-    return f"4-39: {FIGURES['4-39'].title}; of 4-49: {NOT_DRAWN['4-49']}", False
 
 
 @slip("4.9.1", "initial tendon forces vary by less than 0.04 %")
