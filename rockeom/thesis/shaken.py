@@ -30,11 +30,13 @@ COLUMN_RECORDS = {
 }
 """Name of the record of each run of Table 5-1, and its peak with the time scaled to 1/5 [m/s2]."""
 COLUMN_TIME_SCALE = 0.2
+SYLMAR_TIME, TABAS_TIME = 0.6, 0.38
+"""Time scales of Table 4-1."""
 
 
 class Peaks(NamedTuple):
-    """Values of largest size with their signs, of the point at height H: displacement [m], velocity
-    [m/s] and total acceleration [m/s2]."""
+    """Values of largest size with their signs, of the point at height H relative to the table:
+    displacement [m], velocity [m/s] and acceleration [m/s2]."""
 
     displacement: float
     velocity: float
@@ -49,18 +51,45 @@ def sylmar_360() -> rk.GroundMotion:
 
 
 @cache
-def wall_motion(run: str) -> rk.GroundMotion:
+def intended_motion(run: str) -> rk.GroundMotion:
     """The intended motion of a run of Table 4-1, scaled as printed there.
 
     Raises MotionError where its record is not at hand, or the extra is not installed that has it.
     """
-    row = next(row for row in TABLE_4_1.rows if row[0] == run)
-    scales = {"acceleration": float(row[5] or 0.0), "time": float(row[6] or 0.0)}
-    if row[1] == "El Centro 180":
+    source = TABLE_4_1.column("source")[TABLE_4_1.column("run").index(run)]
+    scales = {
+        "acceleration": TABLE_4_1.cell(run, "acceleration scale"),
+        "time": TABLE_4_1.cell(run, "time scale"),
+    }
+    if source == "El Centro 180":
         return rk.GroundMotion.from_library("El Centro 1940 180").scaled(**scales)
-    if row[1] == "Northridge Sylmar 360":
+    if source == "Northridge Sylmar 360":
         return sylmar_360().scaled(**scales)
-    raise rk.MotionError(f"run {run}: {row[1]} is among the records of no package at hand")
+    raise rk.MotionError(f"run {run}: {source} is among the records of no package at hand")
+
+
+@cache
+def wall_motion(run: str) -> rk.GroundMotion:
+    """The intended motion with the peak that the table reached, Table 4-1; MotionError as above."""
+    return intended_motion(run).scaled_to(TABLE_4_1.cell(run, "PGA"))
+
+
+AMPLITUDES = (0.9, 1.0, 1.1)
+"""Factors of the peak of a run, whose motion is lost but for its peaks."""
+
+
+@cache
+def wall_motions(run: str) -> tuple[rk.GroundMotion, ...]:
+    """Motions that a run may have had: first that of `wall_motion`.
+
+    With the peak that was meant and that of the table, each times `AMPLITUDES`; Sylmar with its
+    time scaled by 0.38, as that of Tabas is, too, with the peak of the table.
+    """
+    meant, reached = intended_motion(run), wall_motion(run)
+    motions = [reached, *(m.scaled(x) for m in (meant, reached) for x in AMPLITUDES)]
+    if TABLE_4_1.cell(run, "time scale") == SYLMAR_TIME:
+        motions.append(sylmar_360().scaled(time=TABAS_TIME).scaled_to(reached.peak))
+    return tuple(motions)
 
 
 @cache
@@ -72,18 +101,21 @@ def column_motion(run: str) -> rk.GroundMotion:
 
 def wall_of(run: str) -> analysis.Wall:
     """The wall with the tendon force that the run began with."""
-    force = next(row[7] for row in TABLE_4_1.rows if row[0] == run)
-    return analysis.Wall.thesis(1e3 * float(force or 0.0))
+    return analysis.Wall.thesis(1e3 * TABLE_4_1.cell(run, "prestress"))
+
+
+def oscillator_of(run: str, law: float | rk.EnergyRatioAtSpeed) -> rk.ControlledWallOscillator:
+    """The wall of a run by 4-27 (SDOF): F_k raised by 6 %, r of the instant, section 4.8.1."""
+    wall = wall_of(run)
+    return rk.ControlledWallOscillator.from_wall(
+        wall, law, held=False, effective_mass=wall.mass / STIFFER
+    )
 
 
 @cache
 def oscillator_run(run: str, law: float | rk.EnergyRatioAtSpeed) -> Response:
-    """A run of the wall by 4-27 (SDOF), with F_k raised by 6 % as in section 4.8.1."""
-    wall = wall_of(run)
-    oscillator = rk.ControlledWallOscillator.from_wall(
-        wall, law, effective_mass=wall.mass / STIFFER
-    )
-    return rk.simulate(oscillator, wall_motion(run))
+    """A run of the wall by 4-27 (SDOF)."""
+    return rk.simulate(oscillator_of(run, law), wall_motion(run))
 
 
 @cache
@@ -92,6 +124,21 @@ def substitute_gravity_run(run: str, law: ImpactLaw) -> Response:
     return rk.simulate(
         rk.SubstituteGravityWall.from_wall(wall_of(run)), wall_motion(run), impact=law
     )
+
+
+@cache
+def oscillator_peaks(run: str, law: float | rk.EnergyRatioAtSpeed) -> np.ndarray:
+    """(n, 3) peaks by 4-27 under each of `wall_motions`, as `Peaks` has them."""
+    wall = oscillator_of(run, law)
+    return np.array([peaks_of(rk.simulate(wall, motion)) for motion in wall_motions(run)])
+
+
+@cache
+def substitute_gravity_peaks(run: str, law: ImpactLaw) -> np.ndarray:
+    """(n, 3) the same by 4-40."""
+    wall = rk.SubstituteGravityWall.from_wall(wall_of(run))
+    runs = (rk.simulate(wall, motion, impact=law) for motion in wall_motions(run))
+    return np.array([peaks_of(one) for one in runs])
 
 
 @cache
@@ -121,14 +168,13 @@ def peaks_of(run: Response) -> Peaks:
     state = run.at(t)
     displacement, velocity = state[position], state[rate]
     # at the start of each step, where the dense output has the rates of the equations of motion
-    starts, lengths = run.steps.span.T
+    _, lengths = run.steps.span.T
     acceleration = run.steps.powers[:, 1, m.ROTATION_RATE] / lengths
     if position == "theta":  # the oscillator's state is the displacement itself
         height = run.structure.parameters()["height"]
         displacement, velocity = height * np.sin(displacement), height * velocity
         acceleration = height * acceleration
-    total = acceleration + run.motion.acceleration(starts)
-    return Peaks(_largest(displacement), _largest(velocity), _largest(total))
+    return Peaks(_largest(displacement), _largest(velocity), _largest(acceleration))
 
 
 def _largest(values: np.ndarray) -> float:

@@ -5,7 +5,12 @@ import pytest
 
 import rockeom as rk
 from rockeom.thesis import statements
-from rockeom.thesis.figures import chapter_2_blocks, chapter_2_design, chapter_4_shaken
+from rockeom.thesis.figures import (
+    chapter_2_blocks,
+    chapter_2_design,
+    chapter_4_shaken,
+    chapter_4_tests,
+)
 
 
 @pytest.mark.parametrize(
@@ -89,10 +94,10 @@ def test_pulses_of_figures_2_13_and_2_14():
 
 
 def test_table_4_2_as_figures_4_57_and_4_58_read_it():
-    found = chapter_4_shaken.rows_of_75_kn()
+    found = chapter_4_tests.rows_of_75_kn()
     assert found["displacement"] == pytest.approx([-5.4e-3, -4.34e-3, 8.65e-3, -23.91e-3, 9.44e-3])
     assert found["largest"][3] == pytest.approx(119.5e3)
-    assert float(chapter_4_shaken.bending(np.array(5e-3))) == pytest.approx(0.57e-3, rel=0.02)
+    assert float(chapter_4_tests.bending(np.array(5e-3))) == pytest.approx(0.57e-3, rel=0.02)
 
 
 def test_turning_points_of_figure_4_69_give_back_the_force_of_the_wall():

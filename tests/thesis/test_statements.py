@@ -1,5 +1,6 @@
 """Statements of the thesis: one rule judges them, and each verdict rests on a number."""
 
+import importlib
 from dataclasses import replace
 
 import numpy as np
@@ -22,6 +23,7 @@ from rockeom.thesis.statements.statement import (
     near,
     ranging,
     simulation,
+    unknown,
 )
 
 
@@ -54,6 +56,13 @@ def test_lost_input_leaves_a_statement_open_with_what_can_be_said():
     one = statement(at_most(1.0, why=""), found(0.5, "0.5 mm"), lost="the trace is lost").judged()
     assert one.verdict is Verdict.OPEN
     assert one.words == "the trace is lost; 0.5 mm"
+
+
+def test_statement_without_a_number_is_refused_unless_an_input_is_lost():
+    nothing = unknown("no force is printed")
+    assert statement(at_most(1.0, why=""), nothing, lost="lost").judged().verdict is Verdict.OPEN
+    with pytest.raises(ValueError, match="0 numbers for 1 printed"):
+        statement(at_most(1.0, why=""), nothing).judged()
 
 
 def test_missing_record_leaves_a_statement_open_and_says_what_to_install():
@@ -118,9 +127,10 @@ def test_every_statement_names_its_threshold_its_evidence_and_its_function():
     functions = [one.function for one in STATEMENTS]
     assert len(set(functions)) == len(functions)
     for one in STATEMENTS:
+        module, _, name = one.function.partition("(")[0].rpartition(".")
+        assert callable(getattr(importlib.import_module(module), name)), one.function
         assert one.words, one.place
         assert one.limits.why, one.words
-        assert one.find.__name__ != "_", one.words
         assert all(evidence.name for evidence in one.evidence)
         assert one.figure in ("", *FIGURES), one.figure
 

@@ -4,18 +4,18 @@
 
     FIGURES["2-16"]().savefig("2-16.png")
     FIGURES["2-16"].text                      # its conventions, and what the thesis leaves open
-    FIGURES["2-16"].drawn().statements        # what the thesis says of it, and what comes out
 
-Each figure states the assumptions for all that its caption and the text leave open. A module here
-holds the figures of one subject; `FIGURES` finds them by themselves.
+Each figure states the assumptions for all that its caption and the text leave open. What the thesis
+says of it is judged in `rockeom.thesis.statements`. A module here holds the figures of one subject;
+`FIGURES` finds them by themselves.
 """
 
 import pkgutil
 from importlib import import_module
 
-from rockeom.thesis.figures.drawn import Drawn, Source, Statement, ThesisFigure, figures_of
+from rockeom.thesis.figures.drawn import Source, ThesisFigure, figures_of
 
-__all__ = ["FIGURES", "NOT_DRAWN", "Drawn", "Source", "Statement", "ThesisFigure"]
+__all__ = ["FIGURES", "NOT_DRAWN", "Source", "ThesisFigure"]
 
 FIGURES: dict[str, ThesisFigure] = figures_of(
     tuple(import_module(f"{__name__}.{one.name}") for one in pkgutil.iter_modules(__path__))
@@ -79,14 +79,8 @@ NOT_DRAWN: dict[str, str] = {
     "5-30": "a picture of another program",
     "5-37": "a drawing of the model; `rockeom derive flexible_structure` derives it",
     "5-40": f"{_COLUMN}; 5-39 and 5-41 have the run simulated",
-    **{f"A-{n}": f"{_TESTS}, and the motions of the table" for n in (1, 3, 5, 7, 9)},
-    **{f"A-{n}": "the motions of the table are lost; 4-7 has what was meant" for n in (2, 4, 8)},
-    **{f"A-{n}": _NO_RECORD for n in (6, 10)},
+    **{f"A-{n}": _NO_RECORD for n in (5, 6, 9, 10)},
     "B-1": "a drawing of a wall that turns: Appendix B of the catalogue derives what it shows",
-    **{
-        f"C-{n}": f"{_TESTS}; Tables 4-3 and 4-5 have the peaks in kind"
-        for n in (1, 2, 4, 6, 7, 9, 11, 13, 14, 16)
-    },
     **{f"C-{n}": _NO_RECORD for n in (3, 5, 8, 10, 12, 15)},
     **{f"D-{n}": "a diagram: Appendix D of the catalogue derives what it shows" for n in (1, 2, 3)},
 }

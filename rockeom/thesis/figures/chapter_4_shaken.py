@@ -18,153 +18,25 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 import rockeom as rk
-from rockeom import analysis
-from rockeom.analysis import design, dynamics, formulas, identification
+from rockeom.analysis import design, dynamics, formulas
 from rockeom.analysis.unfinished import finished
 from rockeom.plots import style
 from rockeom.thesis.figures.chapter_2_blocks import draw_branch
 from rockeom.thesis.figures.chapter_4_wall import (
     MM,
-    draw_measured,
-    legible,
     overview_and_origin,
     symmetric,
 )
-from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
+from rockeom.thesis.figures.drawn import Source, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
-from rockeom.thesis.printed import TABLE_4_2
-from rockeom.thesis.shaken import sylmar_360, wall_motion
+from rockeom.thesis.shaken import oscillator_of, wall_motion
 from rockeom.thesis.wall_tests import back_calculated_force, energy_ratio_4_31
 
-SPREAD = 2.5e-3
-"""Sliding to either side that 4.9.1.1 infers from the scatter [m]."""
-RUNS = ("1", "2", "3", "4", "6")
-"""The tests with 75 kN."""
 MEASURED_PEAK = -23.91e-3
 """Largest displacement of test run 4, Table 4-2 [m]."""
 RATIO = 0.852
 RATIOS = 101
 """Number of r in Figure 4-71."""
-
-
-def rows_of_75_kn() -> dict[str, np.ndarray]:
-    """Displacement [m], tendon force before and largest [N], change of alignment [m]; (5,) each."""
-    chosen = [row for row in TABLE_4_2.rows if row[0] in RUNS]
-    names = ("displacement", "before", "largest", "after", "alignment")
-    columns = zip(*(row[1:] for row in chosen), strict=True)
-    unit = (1e-3, 1e3, 1e3, 1e3, 1e-3)
-    return {n: u * np.array(c, dtype=float) for n, u, c in zip(names, unit, columns, strict=True)}
-
-
-def bending(displacement: np.ndarray) -> np.ndarray:
-    """Bending of the wall under F_k [m], with the stiffness of its fixed-base period."""
-    stiffness = WALL.mass * (2 * np.pi / WALL.fixed_base_period) ** 2
-    return WALL.restoring_force(displacement) / stiffness
-
-
-@thesis_figure(Source.IN_KIND)
-def figure_4_57() -> Drawn:
-    """Uplifts of both edges against the displacement, and the sliding read from them.
-
-    The measured uplifts of the shaking-table tests are lost. The figure has 4-9, which according to
-    the thesis holds for them unchanged, the points of the free vibration in Table A-1, and a band
-    of 2.5 mm of sliding to either side.
-    """
-    measured, chosen = identification.FreeVibration.table_a1(), legible()
-    figure, *axes = overview_and_origin()
-    b = WALL.half_width
-    for ax, far in zip(axes, (0.032, 0.008), strict=True):
-        d = symmetric(far + SPREAD)
-        near = chosen & (np.abs(measured.displacement) < far)
-        for name, side, mark, color in (
-            ("left", -1, "o", style.LINES[0]),
-            ("right", 1, "s", style.LINES[1]),
-        ):
-            uplift = WALL.uplift(d, side * b)
-            low, high = (d - SPREAD) * MM, (d + SPREAD) * MM
-            ax.fill_betweenx(uplift * MM, low, high, color=color, alpha=0.15, lw=0)
-            ax.plot(d * MM, uplift * MM, color=color, label=f"{name} edge, 4-9")
-            ax.plot(
-                measured.displacement[near] * MM, getattr(measured, f"{name}_uplift")[near] * MM,
-                mark, color=color, ms=3.6, mfc="white", mew=0.9, label=f"{name} edge, Table A-1",
-            )  # fmt: skip
-        ax.set_xlim(-far * MM, far * MM)
-    axes[0].set_ylabel("uplift $u'$ [mm]")
-    axes[0].legend(loc="upper center", fontsize=7.5)
-    axes[1].set_ylim(-0.6, 4.0)
-    change = np.abs(rows_of_75_kn()["alignment"]).max()
-    bent = float(np.abs(bending(symmetric(0.008))).max())
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "4.9.1.1", "typical sliding of about 2.5 mm to either side, from the scatter",
-                f"after the tests at most {change * MM:.2f} mm are left (Table 4-2); bending, "
-                f"which shifts the points too, is {bent * MM:.2f} mm at most; the traces are lost",
-                None,
-            ),
-        ),
-    )  # fmt: skip
-
-
-@thesis_figure(Source.IN_KIND)
-def figure_4_58() -> Drawn:
-    """Tendon force against the displacement: 4-16, and the largest of each test in Table 4-2.
-
-    The traces are lost; the thesis prints the largest displacement and the largest tendon force of
-    each of the five tests with 75 kN. The band is 2.5 mm of sliding to either side. The prestress
-    of the curve is 75.6 kN.
-    """
-    tests = rows_of_75_kn()
-    figure, *axes = overview_and_origin()
-    for ax, far in zip(axes, (0.032, 0.012), strict=True):
-        d = symmetric(far + SPREAD)
-        force = WALL.tendon_force(d) / 1e3
-        low, high = (d - SPREAD) * MM, (d + SPREAD) * MM
-        ax.fill_betweenx(force, low, high, color=style.LINES[0], alpha=0.15, lw=0,
-                         label="2.5 mm of sliding")  # fmt: skip
-        ax.plot(d * MM, force, color=style.LINES[0], label="4-16")
-        draw_measured(ax, "tendon_force", 1e3, "Table A-1 ")
-        ax.plot(tests["displacement"] * MM, tests["largest"] / 1e3, "D", color=style.LINES[1],
-                ms=5, label="Table 4-2, largest of a test", zorder=6)  # fmt: skip
-        ax.set_xlim(-far * MM, far * MM)
-    axes[0].set_ylabel("tendon force $P$ [kN]")
-    axes[0].set_ylim(70, 165)
-    axes[1].set_ylim(72, 115)
-    axes[0].legend(loc="upper center", fontsize=7)
-    computed = np.array(
-        [
-            float(analysis.Wall.thesis(before).tendon_force(d))
-            for d, before in zip(tests["displacement"], tests["before"], strict=True)
-        ]
-    )
-    ratio = computed / tests["largest"] - 1
-    # how far the curve must shift to pass through the point
-    grid = np.linspace(0.0, 0.04, 4001)
-    shifts = np.array(
-        [
-            np.interp(largest, analysis.Wall.thesis(before).tendon_force(grid), grid) - abs(d)
-            for d, largest, before in zip(
-                tests["displacement"], tests["largest"], tests["before"], strict=True
-            )
-        ]
-    )
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "4.9.1.1", "a reasonable prediction by the theoretical expression",
-                f"{100 * ratio.min():.1f} to {100 * ratio.max():.1f} % above the largest of "
-                "the five tests", bool(np.abs(ratio).max() < 0.1),
-            ),
-            Statement(
-                "4.9.1.1", "a spread of about 2.5 mm",
-                f"the five points lie {np.abs(shifts).min() * MM:.1f} to "
-                f"{np.abs(shifts).max() * MM:.1f} mm off the curve, all to the same side",
-                bool(np.abs(shifts).max() < SPREAD),
-            ),
-        ),
-    )  # fmt: skip
 
 
 # --- test run 4
@@ -190,7 +62,7 @@ def forces_when_still(run: rk.Response) -> tuple[np.ndarray, np.ndarray]:
 
 
 @thesis_figure(Source.IN_KIND)
-def figure_4_69() -> Drawn:
+def figure_4_69() -> Figure:
     """The static restoring force, 4-30, and the force by 4-42 from a dynamic response.
 
     The traces are lost. `ControlledWall` replaces them, the wall by Lagrange's equations with all
@@ -219,19 +91,7 @@ def figure_4_69() -> Drawn:
         ax.set_xlim(-far * MM, far * MM)
     left.set_ylabel("restoring force $F_k$ [kN]")
     left.legend(loc="upper left", fontsize=7.5)
-    predicted = WALL.restoring_force(d)
-    fit = float(identification.coefficient_of_determination(force, predicted))
-    ratio = float(np.median(np.abs(force / predicted)[np.abs(d) > 1e-3]))
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "4.9.1.4", "4-30 adequately characterises the dynamic response",
-                f"R2 = {fit:.3f} for {len(d)} points; beyond 1 mm 4-42 has {ratio:.3f} times "
-                "the force on the median, as the ground pushes the mass below H", bool(fit > 0.9),
-            ),
-        ),
-    )  # fmt: skip
+    return figure
 
 
 # --- trials of 4.9.1.4
@@ -271,7 +131,7 @@ def trials() -> dict[str, design.OscillatorResponse]:
 
 
 @thesis_figure(Source.IN_KIND)
-def figure_4_70() -> Drawn:
+def figure_4_70() -> Figure:
     """The oscillator with r = 0.852 under the record of test run 4, and other trials.
 
     The motion is the record that the test names, not that of the table, and the measured trace is
@@ -302,29 +162,27 @@ def figure_4_70() -> Drawn:
     right.axvline(-MEASURED_PEAK * MM, color=style.INK, lw=0.8, ls=":")
     right.set_yticks(places, list(peaks))
     right.set_xlabel(r"largest $|\Delta|$ [mm]")
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "4.9.1.4", "a constant r at times gives a satisfactory prediction",
-                f"{peaks['r = 0.852']:.1f} mm under the record, measured 23.91 mm under the "
-                "motion of the table, which is lost",
-                None,
-            ),
-            Statement(
-                "4.9.1.4", "no change of backbone or damping improves it",
-                ", ".join(f"{name} {peak:.1f} mm" for name, peak in peaks.items()),
-                bool(all(abs(p - 23.91) > 0.25 * 23.91 for p in peaks.values())),
-            ),
-        ),
-    )  # fmt: skip
+    return figure
 
 
 # --- the oscillator for many r, and under harmonic motion
 
 
+@cache
+def peaks_by_ratio() -> tuple[np.ndarray, np.ndarray]:
+    """r within 10 % of 0.852, and the largest displacement of run 4 with each [m]."""
+    record = wall_motion("4")
+    ratios = RATIO * np.linspace(0.9, 1.1, RATIOS)
+
+    def shaken(r: float) -> rk.Case:
+        return rk.Case(oscillator_of("4", float(r)), record)
+
+    sweep = finished(rk.simulate_many(shaken, over={"r": ratios}))
+    return ratios, sweep.peak.sel(state="u").values
+
+
 @thesis_figure(Source.IN_KIND)
-def figure_4_71() -> Drawn:
+def figure_4_71() -> Figure:
     """Peaks of the oscillator in test run 4 for many r about 0.852.
 
     The motion of the table is not printed. Here it is the intended record, Northridge 1994, Sylmar
@@ -332,17 +190,7 @@ def figure_4_71() -> Drawn:
     curve of the thesis. The oscillator is that of 4-37, with all of its mass
     driven by the ground (4-39).
     """
-    record = wall_motion("4")
-    ratios = 0.852 * np.linspace(0.9, 1.1, RATIOS)
-
-    def shaken(r: float) -> rk.Case:
-        wall = rk.ControlledWallOscillator.from_wall(
-            WALL, float(r), effective_mass=WALL.mass / STIFFER
-        )
-        return rk.Case(wall, record)
-
-    sweep = finished(rk.simulate_many(shaken, over={"r": ratios}))
-    peaks = sweep.peak.sel(state="u").values
+    ratios, peaks = peaks_by_ratio()
     reference = peaks[len(ratios) // 2]
     figure = style.new_figure(7.6, 3.4)
     left, right = figure.subplots(1, 2)
@@ -360,48 +208,7 @@ def figure_4_71() -> Drawn:
     right.set_xlabel("ratio to the peak at r = 0.852 [-]")
     right.set_ylabel("part of the analyses at or above [-]")
     right.set_ylim(0, 1.02)
-    conservative = float(np.mean(np.delete(peaks, len(ratios) // 2) >= reference))
-    jumps = np.sign(np.diff(peaks))
-    turns = int(np.count_nonzero(jumps[1:] * jumps[:-1] < 0))
-    return Drawn(figure, (
-        Statement(
-            "4.9.1.4", "11 % of the analyses were conservative, against the measured peak of "
-            "23.9 mm",
-            f"{100 * conservative:.0f} % reach the {reference * MM:.2f} mm of r = 0.852; the "
-            f"largest peak is {peaks.max() * MM:.1f} mm, {100 * np.mean(peaks * MM >= 23.91):.0f} "
-            "% reach 23.9 mm",
-            bool(abs(conservative - 0.11) < 0.05),
-        ),
-        Statement(
-            "4.9.1.4", "very sensitive to r, without any trend",
-            f"from {peaks.min() * MM:.2f} to {peaks.max() * MM:.2f} mm; of {len(ratios) - 2} inner "
-            f"peaks {turns} are turning points",
-            bool(turns > 0.3 * len(ratios) and np.ptp(peaks) > 0.3 * reference),
-        ),
-        time_scale_of_run_4(),
-    ))  # fmt: skip
-
-
-def time_scale_of_run_4() -> Statement:
-    """Statement on the time scale of run 4: peaks with that printed and with that of Tabas."""
-    as_of = {scale: sylmar_360().scaled(time=scale) for scale in (0.6, 0.38)}
-    oscillator = rk.ControlledWallOscillator.from_wall(
-        WALL, 0.852, effective_mass=WALL.mass / STIFFER
-    )
-    peaks = {
-        scale: MM * abs(rk.simulate(oscillator, record).extremes("u").peak)
-        for scale, record in as_of.items()
-    }
-    speeds = {
-        scale: float(np.abs(np.cumsum(record.sampled(1e-3)[1])).max() * 1e-3)
-        for scale, record in as_of.items()
-    }
-    return Statement(
-        "Table 4-1", "the time of Sylmar is scaled by 0.6; PGV 0.743 m/s; 23.9 mm were measured",
-        f"with r = 0.852 it gives {peaks[0.6]:.1f} mm, but {peaks[0.38]:.1f} mm scaled by 0.38 as "
-        f"Tabas is; the PGV of 0.6 is {speeds[0.6]:.3f} m/s, of 0.38 {speeds[0.38]:.3f} m/s",
-        None,
-    )  # fmt: skip
+    return figure
 
 
 CYCLES = 120

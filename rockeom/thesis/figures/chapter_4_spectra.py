@@ -12,13 +12,14 @@ from functools import cache
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import identification
 from rockeom.plots import style
 from rockeom.thesis.figures.chapter_4_wall import MM
-from rockeom.thesis.figures.drawn import Drawn, Source, Statement, thesis_figure
+from rockeom.thesis.figures.drawn import Source, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 
 RATE, NOISE = 200.0, 0.05e-3
@@ -46,6 +47,16 @@ def sampled(run: rk.Response, duration: float, **more: np.ndarray) -> analysis.M
 def free_decay() -> analysis.MeasuredRecord:
     run = rk.simulate(oscillator(), rk.GroundMotion.none(3.5), initial={"u": START})
     return sampled(run, 3.5)
+
+
+@cache
+def windows_of_decay() -> identification.MovingWindow:
+    return identification.moving_window(free_decay(), "displacement", frequencies=(0.5, 25.0))
+
+
+@cache
+def windows_of_shaking() -> identification.MovingWindow:
+    return identification.moving_window(shaken(), "displacement", "table", frequencies=(1.0, 25.0))
 
 
 @cache
@@ -113,7 +124,7 @@ def draw_stack(ax: Axes, windows: identification.MovingWindow) -> None:
 
 
 @thesis_figure(Source.IN_KIND)
-def figure_4_50() -> Drawn:
+def figure_4_50() -> Figure:
     """How the moving window finds the frequencies of a structure, step by step; in kind.
 
     The wall is the oscillator of Figure 4-37 under noise between 0.5 and 20 Hz of at most 6 m/s2;
@@ -122,7 +133,7 @@ def figure_4_50() -> Drawn:
     4: those of every twentieth window, each over its largest. 5: the same from above.
     """
     record = shaken()
-    windows = identification.moving_window(record, "displacement", "table", frequencies=(1.0, 25.0))
+    windows = windows_of_shaking()
     which = int(np.searchsorted(windows.time, 2.5))
     middle = float(windows.time[which])
     inside = record.between(middle - windows.span / 2, middle + windows.span / 2)
@@ -134,24 +145,11 @@ def figure_4_50() -> Drawn:
     draw_stack(figure.add_subplot(grid[2, 0]), windows)
     draw_spectrogram(above := figure.add_subplot(grid[2, 1]), windows)
     above.set_ylabel("5. frequency [Hz]")
-    low, high = np.percentile(windows.dominant, [10, 90])
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "section 4.9.1",
-                "under shaking the natural frequency varied from 7 to 12 Hz, against a stable 8 Hz "
-                "in free vibration",
-                f"in kind, four fifths of the windows from {low:.1f} to {high:.1f} Hz; the "
-                f"resolution is {windows.bandwidth:.1f} Hz",
-                None,
-            ),
-        ),
-    )
+    return figure
 
 
 @thesis_figure(Source.IN_KIND)
-def figure_4_51() -> Drawn:
+def figure_4_51() -> Figure:
     """The moving window on the free decay of the wall: its response alone; in kind.
 
     The table stands still, so that there is no input to divide by: this is the spectrum of the
@@ -159,8 +157,7 @@ def figure_4_51() -> Drawn:
     does not bend: what the text takes for bending, the last frequencies, it has from turning about
     a centre that hardly leaves the middle.
     """
-    record = free_decay()
-    windows = identification.moving_window(record, "displacement", frequencies=(0.5, 25.0))
+    record, windows = free_decay(), windows_of_decay()
     figure = style.new_figure(7.2, 4.8)
     trace, ax = figure.subplots(2, 1, sharex=True, height_ratios=(1.0, 1.8))
     trace.plot(record.time, record["displacement"] * MM, lw=0.8)
@@ -178,29 +175,4 @@ def figure_4_51() -> Drawn:
             bbox={"boxstyle": "circle", "fc": "white", "ec": style.INK},
         )  # fmt: skip
     ax.legend(loc="upper right")
-    smooth = dominant[time < passing - windows.span / 2]
-    after = dominant[time > top + windows.span]
-    return Drawn(
-        figure,
-        (
-            Statement(
-                "section 4.9.1",
-                "A: in smooth rocking 3-5 Hz, slightly more as the amplitude decreases",
-                f"{smooth.min():.1f} to {smooth.max():.1f} Hz, rising, until {passing:.1f} s",
-                bool(smooth.min() > 3 and smooth.max() < 5.5 and smooth[-1] > smooth[0]),
-            ),
-            Statement(
-                "section 4.9.1",
-                "B: as rocking gives way, approximately 9 Hz, slightly higher than in C",
-                f"{dominant.max():.1f} Hz at {top:.1f} s",
-                bool(abs(dominant.max() - 9) < 1 and dominant.max() > after.mean()),
-            ),
-            Statement(
-                "section 4.9.1",
-                "C: rocking has ceased, 8-9 Hz",
-                f"{after.max():.1f} to {after.min():.1f} Hz, falling; the resolution is "
-                f"{windows.bandwidth:.1f} Hz, and a wall that bends is not needed",
-                bool(abs(after.mean() - 8.5) < 1),
-            ),
-        ),
-    )
+    return figure

@@ -1,4 +1,4 @@
-"""A figure of the thesis: a function that draws it, and the statements that it decides."""
+"""A figure of the thesis: a function that draws it, and what it is drawn from."""
 
 from __future__ import annotations
 
@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 from types import ModuleType
-from typing import NamedTuple
 
 from matplotlib.figure import Figure
 
@@ -21,32 +20,6 @@ class Source(Enum):
     IN_KIND = "in kind"  # another record or values of one's own: what it shows, not its numbers
 
 
-class Statement(NamedTuple):
-    """A sentence of the thesis with a number, and the number that was found.
-
-    where : section, page or figure of the thesis. printed : what it says there. found : what comes
-    out here, with its unit. holds : whether they agree as far as the sentence asks; None where
-    neither can be said, with the reason in `found`.
-    """
-
-    where: str
-    printed: str
-    found: str
-    holds: bool | None
-
-    @property
-    def verdict(self) -> str:
-        """In a word."""
-        return {True: "holds", False: "differs", None: "open"}[self.holds]
-
-
-class Drawn(NamedTuple):
-    """A figure with the statements that go with it."""
-
-    figure: Figure
-    statements: tuple[Statement, ...] = ()
-
-
 @dataclass(frozen=True)
 class ThesisFigure:
     """A figure of the thesis, drawn again when it is called.
@@ -58,7 +31,7 @@ class ThesisFigure:
     number: str
     source: Source
     text: str
-    draw: Callable[[], Figure | Drawn]
+    draw: Callable[[], Figure]
 
     @property
     def title(self) -> str:
@@ -72,22 +45,14 @@ class ThesisFigure:
         digits = place.rstrip("abcd")
         return chapter, int(digits), place[len(digits) :]
 
-    def drawn(self) -> Drawn:
-        """The figure and its statements."""
-        result = self.draw()
-        return result if isinstance(result, Drawn) else Drawn(result)
-
     def __call__(self) -> Figure:
-        return self.drawn().figure
+        return self.draw()
 
 
-def thesis_figure(source: Source) -> Callable[[Callable[[], Figure | Drawn]], ThesisFigure]:
-    """Make a function `figure_2_16` the figure 2-16 in the style of all; its docstring is the text.
+def thesis_figure(source: Source) -> Callable[[Callable[[], Figure]], ThesisFigure]:
+    """Make a function `figure_2_16` the figure 2-16 in the style of all, with its docstring."""
 
-    The function returns the figure, or `Drawn` with the statements that it can decide.
-    """
-
-    def made(draw: Callable[[], Figure | Drawn]) -> ThesisFigure:
+    def made(draw: Callable[[], Figure]) -> ThesisFigure:
         number = draw.__name__.removeprefix("figure_").replace("_", "-")
         text = (draw.__doc__ or "").strip()
         return ThesisFigure(number, source, text, style.styled(draw))

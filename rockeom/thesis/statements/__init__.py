@@ -53,7 +53,7 @@ def select(*names: str) -> tuple[Statement, ...]:
 def _within(place: str, name: str) -> bool:
     """Whether a place belongs to a section, a table or a figure; "4.9.1" belongs to "4.9"."""
     parts = [part.strip() for part in place.split(",")]
-    return any(part == name or part.startswith(f"{name}.") for part in parts)
+    return place == name or any(p == name or p.startswith(f"{name}.") for p in parts)
 
 
 def counts(judgements: Iterable[Judgement]) -> dict[Verdict, int]:

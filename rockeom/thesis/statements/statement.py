@@ -16,6 +16,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from enum import Enum
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -92,8 +93,8 @@ def near(value: ArrayLike, within: ArrayLike, unit: str = "", *, why: str) -> Li
 
 def between(low: ArrayLike, high: ArrayLike, unit: str = "", *, why: str) -> Limits:
     """A printed range, or one for each number (n,)."""
-    ends = (np.atleast_1d(np.asarray(end, float)) for end in (low, high))
-    return Limits(*ends, unit, why)
+    first, last = (np.atleast_1d(np.asarray(end, float)) for end in (low, high))
+    return Limits(first, last, unit, why)
 
 
 def at_least(value: ArrayLike, unit: str = "", *, why: str) -> Limits:
@@ -173,6 +174,11 @@ def ranging(values: ArrayLike, words: str) -> Found:
     return _checked(np.atleast_1d(every.min(axis=0)), np.atleast_1d(every.max(axis=0)), words)
 
 
+def unknown(words: str) -> Found:
+    """What can be said where no number can be found, since an input is lost."""
+    return Found(np.empty(0), np.empty(0), words)
+
+
 def _checked(low: np.ndarray, high: np.ndarray, words: str) -> Found:
     if not (np.all(np.isfinite(low)) and np.all(np.isfinite(high))):
         raise ValueError(f"not a number among {low} to {high}: {words}")
@@ -214,8 +220,12 @@ class Statement:
 
     @property
     def function(self) -> str:
-        """Full name of the function that finds the number."""
-        return f"{self.find.__module__}.{self.find.__qualname__}"
+        """Full name of the function that finds the number, with its arguments if it has any."""
+        if isinstance(self.find, partial):
+            of, given = self.find.func, f"({', '.join(map(repr, self.find.args))})"
+        else:
+            of, given = self.find, ""
+        return f"{of.__module__}.{of.__qualname__}{given}"
 
     def judged(self) -> Judgement:
         """The statement judged; open where a record that it needs is not at hand."""
