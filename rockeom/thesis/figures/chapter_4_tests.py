@@ -58,7 +58,8 @@ def nzs_1170_5(period: np.ndarray, hazard: float = 0.7) -> np.ndarray:
     period (n,) [s]. hazard: Z R, at most 0.7. The shape factor is that of its commentary; far from
     a fault.
     """
-    # unsourced beyond 1.5 s: 3.32/t and 9.96/t**2 were not checked with the standard
+    # second-hand, as the standard is not at hand: its branches and the limit of Z R are those of
+    # github.com/Agent6-6-6/NZS1170.5-Seismic-Coefficient-functions
     t = np.asarray(period)
     shape = np.select(
         [t < 0.1, t < 1.0, t < 1.5, t < 3.0],
@@ -100,9 +101,9 @@ def figure_4_7() -> Figure:
     """Response spectra of the tests and the elastic design spectrum of NZS 1170.5.
 
     Spectra of the motions intended, damped by 5 %, without those of Tabas and Llolleo, which are
-    not at hand. The design spectrum is that of NZS 1170.5 for soil class E with Z R = 0.7, its
-    largest value; the thesis prints no number of it. Beyond 1.5 s its branches are unsourced. The
-    band holds the rocking periods.
+    not at hand. The design spectrum is that of NZS 1170.5, the most detrimental as the text has it:
+    very soft soil is class E, and Z R is at most 0.7. It is second-hand, by a public program for
+    the standard. The band holds the rocking periods.
     """
     figure = style.new_figure(6.0, 3.6)
     ax = figure.add_subplot()
@@ -289,8 +290,9 @@ def read_from_tendon(runs: tuple[str, ...], bends: bool = True) -> dict[str, np.
 
     The extension of the tendon by its stiffness places the rotation centre; both maxima count as
     simultaneous. bends : whether the bending of the wall, F_k/k, is taken from the displacement
-    first; else all of it is rotation. Returns displacement and force [m, N], the distance of the
-    centre from the edge and the edge's uplift [m]; (n,) each.
+    first; else all of it is rotation. Returns displacement and force [m, N], the part of the
+    displacement that is rotation, the distance of the centre from the edge and the edge's uplift
+    [m]; (n,) each.
     """
     rows = [row for row in TABLE_4_2.rows if row[0] in runs]
     d, before, force = np.array([row[1:4] for row in rows], dtype=float).T * [[1e-3], [1e3], [1e3]]
@@ -303,6 +305,7 @@ def read_from_tendon(runs: tuple[str, ...], bends: bool = True) -> dict[str, np.
     half = MORE.half_width
     return {
         "displacement": d,
+        "rigid": np.abs(d) - bent,
         "force": force,
         "from_edge": half - beside,
         "uplift": (beside + half) * turn,

@@ -280,6 +280,18 @@ def velocities_above_the_doubling() -> Found:
 
 
 @statement(
+    "4.9.1.5", "increased further from 6.2, the well defined lines now disappear into a smear band",
+    at_least(9, "velocities", why="a smear: more than a period doubled twice, 8"),
+    simulation("4-43 at 8 Hz with Z = 6.3 m/s2"),
+    figure="4-73", slip=True,
+)  # fmt: skip
+def velocities_in_the_smear() -> Found:
+    starts = ({"u": 0.0}, {"u": 0.02}, {"u": 0.004, "u_dot": -0.6})
+    counts = [len(np.unique(np.round(settled_speeds(8.0, 6.3, at)[0], 4))) for at in starts]
+    return ranging(counts, f"{counts} velocities when upright at 6.3, from three starts")
+
+
+@statement(
     "4.9.1.5", "demonstrate that extreme sensitivity also occurs in the experimental results",
     at_least(10.0, "times", why="growth of the distance between two motions"),
     simulation("run 4 by 4-27 from upright and from 0.1 mm"),

@@ -53,6 +53,17 @@ def residual_displacement() -> Found:
     return found(left, f"{left:.2f} mm at most")
 
 
+@statement(
+    "4.5", "After each test run, the tendon returned to approximately the same tension force",
+    at_most(10.0, "%", why="approximately: 10 %, change of the force"),
+    printed("Table 4-2, tendon force before and after"),
+)  # fmt: skip
+def change_of_the_tendon_force() -> Found:
+    before, after = (TABLE_4_2.numbers(f"tendon force {when}") for when in ("before", "after"))
+    change = 100 * float(np.abs(np.array(after) / before - 1).max())
+    return found(change, f"by up to {change:.1f} %")
+
+
 # --- the tendon of 4.6
 
 
