@@ -5,9 +5,9 @@
     FIGURES["2-16"]().savefig("2-16.png")
     FIGURES["2-16"].text                      # its conventions, and what the thesis leaves open
 
-Each figure states the assumptions for all that its caption and the text leave open. What the thesis
-says of it is judged in `rockeom.thesis.statements`. A module here holds the figures of one subject;
-`FIGURES` finds them by themselves.
+Each figure states the assumptions for all that its caption and the text leave open. Its
+statements are judged in `rockeom.thesis.statements`. A module here holds the figures of one
+subject; `FIGURES` finds them by themselves.
 """
 
 import pkgutil

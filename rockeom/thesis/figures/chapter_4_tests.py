@@ -289,7 +289,7 @@ def read_from_tendon(runs: tuple[str, ...], bends: bool = True) -> dict[str, np.
     """Rotation centre and uplift by the largest displacement and tendon force of tests.
 
     The extension of the tendon by its stiffness places the rotation centre; both maxima count as
-    simultaneous. bends : whether the bending of the wall, F_k/k, is taken from the displacement
+    simultaneous. bends : whether to subtract the bending of the wall, F_k/k, from the displacement
     first; else all of it is rotation. Returns displacement and force [m, N], the part of the
     displacement that is rotation, the distance of the centre from the edge and the edge's uplift
     [m]; (n,) each.
@@ -402,8 +402,8 @@ def figure_4_75() -> Figure:
     """Distance of the rotation centre from the edge: 4-7, and what Table 4-2 says of the tests.
 
     The uplifts measured are lost. The points follow from the largest tendon force and displacement
-    of each test, as the tendon's extension is the uplift of the middle. The bending of the wall is
-    taken from the displacement, F_k over the stiffness of its fixed-base period, 0.0428 s; where
+    of each test, as the tendon's extension is the uplift of the middle. The points leave
+    out the bending of the wall, F_k over the stiffness of its fixed-base period, 0.0428 s; where
     sliding is part of it the centre comes out too near the middle. 4-7 is drawn as seen from the
     edge, 442 and 66 mm, and as printed, from the gauge.
     """

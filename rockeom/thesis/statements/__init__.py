@@ -32,12 +32,12 @@ STATEMENTS: tuple[Statement, ...] = tuple(
 
 
 def of_figure(number: str) -> tuple[Statement, ...]:
-    """Those that a figure shows, such as "4-20"."""
+    """Statements that a figure shows, such as "4-20"."""
     return tuple(one for one in STATEMENTS if one.figure == number)
 
 
 def select(*names: str) -> tuple[Statement, ...]:
-    """Those of figures ("4-20"), of sections with their parts ("4.9") and of tables ("Table 4-2").
+    """Statements of figures ("4-20"), sections with their parts ("4.9") and tables ("Table 4-2").
 
     KeyError for a name without statements.
     """

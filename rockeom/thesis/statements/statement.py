@@ -152,7 +152,7 @@ def simulation(name: str) -> Evidence:
 
 
 class Found(NamedTuple):
-    """What was found: (n,) lower and upper ends, equal without a range, and a text with units."""
+    """Value found: (n,) lower and upper ends, equal without a range, and a text with units."""
 
     low: np.ndarray
     high: np.ndarray
@@ -175,7 +175,7 @@ def ranging(values: ArrayLike, words: str) -> Found:
 
 
 def unknown(words: str) -> Found:
-    """What can be said where no number can be found, since an input is lost."""
+    """A text alone, where no number can be found, since an input is lost."""
     return Found(np.empty(0), np.empty(0), words)
 
 
@@ -249,7 +249,7 @@ class Judgement:
 
     @property
     def source(self) -> str:
-        """What the statement was compared with, and the function that did it."""
+        """Evidence that the statement was compared with, and the function that did it."""
         of = self.statement
         return f"{' against '.join(map(str, of.evidence))}, by {of.function}"
 
