@@ -30,6 +30,7 @@ from rockeom.thesis.statements.statement import (
     found,
     near,
     printed,
+    rounded,
     simulation,
 )
 
@@ -170,7 +171,7 @@ def effect_of_4_36() -> Found:
 
 @statement(
     "4.8.2", "an acceleration greater than 11.1 m/s2 is needed to start it",
-    near(11.1, 0.05, "m/s2", why="half of the last digit"),
+    rounded("11.1", unit="m/s2"),
     closed_form("4-32 at rest"),
     figure="4-43",
 )  # fmt: skip

@@ -24,6 +24,7 @@ from rockeom.thesis.statements.statement import (
     near,
     printed,
     ranging,
+    rounded,
 )
 from rockeom.thesis.tables import computed
 
@@ -32,7 +33,7 @@ statement = Register()
 
 @statement(
     "4.5", "a maximum displacement of 35.7 mm (1.5 % lateral drift)",
-    near([35.7, 1.5], 0.05, why="35.7 mm and 1.5 % to half of the last digit"),
+    rounded("35.7", "1.5", why="35.7 mm and 1.5 % to half of the last digit"),
     printed("Table 4-2, run 5"),
 )  # fmt: skip
 def largest_drift() -> Found:
@@ -80,7 +81,7 @@ def fit_of_4_16(rows: np.ndarray) -> tuple[float, float]:
 
 @statement(
     "4.6", "achieves an R^2 value of 0.927",
-    near(0.927, 0.0005, why="half of the last digit"),
+    rounded("0.927"),
     closed_form("4-16"), data("Table A-1, tendon force"),
     figure="4-20", lost="the R2 of the text is of the whole record, of which Table A-1 has points",
 )  # fmt: skip
@@ -132,7 +133,7 @@ def stiffness_of_the_tendon() -> Found:
 
 @statement(
     "4.2", "a specific rupture strength of 195 kN",
-    near(195.0, 0.5, "kN", why="half of the last digit"),
+    rounded("195", unit="kN"),
     printed("4.2, 1100 MPa and 177 mm2"),
 )  # fmt: skip
 def rupture_of_the_tendon() -> Found:
@@ -162,7 +163,7 @@ def largest_tendon_force() -> Found:
 
 @statement(
     "4.6, at 4-16", "the initial unbonded length of the tendon, 3106.6 mm",
-    near(3106.6, 0.05, "mm", why="half of the last digit"),
+    rounded("3106.6", unit="mm"),
     closed_form("3100 mm between the anchors, less the extension by the initial force"),
     slip=True,
 )  # fmt: skip
@@ -212,7 +213,7 @@ def deviation_of_inertia_over_radius() -> Found:
 
 @statement(
     "B.2", "the maximum effect of this is only a 3% reduction",
-    near(3.0, 0.5, "%", why="half of the last digit"),
+    rounded("3", unit="%"),
     closed_form("B-9 put right, from the outermost centre of 4-7 to the centreline"),
 )  # fmt: skip
 def reduction_of_the_inertia() -> Found:
@@ -228,7 +229,7 @@ def reduction_of_the_inertia() -> Found:
 
 @statement(
     "4.9.1.4, Figure 4-79", "constant r of 0.852",
-    near(0.852, 0.0005, why="half of the last digit, as r of 2-6 about the corner"),
+    rounded("0.852", why="half of the last digit, as r of 2-6 about the corner"),
     closed_form("2-6 with B-9 put right"),
     slip=True,
 )  # fmt: skip

@@ -21,6 +21,7 @@ from rockeom.thesis.printed import COLUMN, FIGURE_5_6, GAUGE, TABLE_5_1
 from rockeom.thesis.statements.statement import (
     Found,
     Register,
+    about,
     at_least,
     at_most,
     closed_form,
@@ -28,6 +29,7 @@ from rockeom.thesis.statements.statement import (
     near,
     printed,
     ranging,
+    rounded,
     simulation,
 )
 
@@ -50,7 +52,7 @@ def _said(peaks: np.ndarray) -> str:
 
 @statement(
     "5.3.1", "yields a theoretical r value of 0.74",
-    near(0.74, 0.005, why="half of the last digit"),
+    rounded("0.74"),
     closed_form("5-14"),
     lost="the split of the inertia is not printed; its sum here follows from this r",
 )  # fmt: skip
@@ -96,8 +98,8 @@ def matching_with_the_ratio_of_the_test() -> Found:
     return found(errors[0] / errors[1], f"rms {errors[0]:.2f} mm, with 0.74 {errors[1]:.2f} mm")
 
 
-_PEAK_3 = near(TABLE_5_1.cell("3", "largest displacement"), 1.86, "mm", why="resembles: 10 %")
-_PEAK_4 = near(TABLE_5_1.cell("4", "largest displacement"), 3.77, "mm", why="tracks: 10 %")
+_PEAK_3 = about(TABLE_5_1.cell("3", "largest displacement"), "mm", why="resembles")
+_PEAK_4 = about(TABLE_5_1.cell("4", "largest displacement"), "mm", why="tracks")
 
 
 @statement(
@@ -275,7 +277,7 @@ def stiff_springs_and_rigid_ground_in_run_4() -> Found:
 
 @statement(
     "5.3.3.1", "rocking ceases about 0.5 s earlier than with the rigid column",
-    near(-0.5, 0.05, "s", why="about: 10 %"),
+    about(-0.5, "s", why="about"),
     simulation("5-34 to 5-37 with r = 0.74 from the first peak of Figure 5-6"),
     figure="5-38", lost="the uplift at which rocking is said to cease is not stated",
 )  # fmt: skip

@@ -19,6 +19,7 @@ from rockeom.thesis.printed import COLUMN, FIGURE_5_6, FIGURE_5_10, GAUGE
 from rockeom.thesis.statements.statement import (
     Found,
     Register,
+    about,
     at_least,
     at_most,
     between,
@@ -26,6 +27,7 @@ from rockeom.thesis.statements.statement import (
     found,
     near,
     printed,
+    rounded,
 )
 
 statement = Register()
@@ -35,7 +37,7 @@ _RUN_1, _RUN_2 = printed("Figure 5-6, sixteen points"), printed("Figure 5-10, si
 
 @statement(
     "5.2", "These are 285 mm, 1056 mm and 1093.8 mm respectively",
-    near(1093.8, 0.05, "mm", why="half of the last digit of the third"),
+    rounded("1093.8", unit="mm", why="half of the last digit of the third"),
     closed_form("the first two as sides of a right angle"),
 )  # fmt: skip
 def distance_of_the_gauge() -> Found:
@@ -85,7 +87,7 @@ def restitution_against_the_peak() -> Found:
 
 @statement(
     "5.3.1", "approximately 12% below the average r value from the free rocking decay",
-    near(12.0, 1.2, "%", why="approximately: 10 %"),
+    about(12.0, "%", why="approximately"),
     closed_form("0.74 of 5-14"), _RUN_1,
     figure="5-6",
 )  # fmt: skip
@@ -184,7 +186,7 @@ def _damping() -> tuple[np.ndarray, np.ndarray]:
 
 @statement(
     "5.2.2", "The average viscous damping ratio over the entire record was 0.104",
-    near(0.104, 0.0005, why="half of the last digit"),
+    rounded("0.104"),
     _RUN_2,
     figure="5-16", lost="the record continues to smaller peaks, which are not printed",
 )  # fmt: skip
@@ -215,7 +217,7 @@ def damping_against_the_peak() -> Found:
 
 @statement(
     "5.2, 5.3.3", "the ideal structural stiffness (k = 571.8 kN/m)",
-    near(571.8, 0.05, "kN/m", why="half of the last digit, for the run on solid feet"),
+    rounded("571.8", unit="kN/m", why="half of the last digit, for the run on solid feet"),
     closed_form("5-1 with the period on solid feet, 0.112 s"),
     slip=True,
 )  # fmt: skip
@@ -232,7 +234,7 @@ def stiffness_of_the_column() -> Found:
 
 @statement(
     "5.2.2, with 5-6", "H = 1056 mm",
-    near(1056.0, 0.5, "mm", why="half of the last digit, for H of the mass"),
+    rounded("1056", unit="mm", why="half of the last digit, for H of the mass"),
     printed("height of the mass and of the gauge"),
     slip=True,
 )  # fmt: skip
@@ -245,7 +247,7 @@ def height_in_5_6() -> Found:
 
 @statement(
     "captions 5-23, 5-25", "r_{sim} = 0.81",
-    near(0.81, 0.005, why="half of the last digit, as the average r of the tests"),
+    rounded("0.81", why="half of the last digit, as the average r of the tests"),
     printed("Figure 5-6, seven impacts"),
     slip=True,
 )  # fmt: skip

@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from decimal import Decimal
 from enum import Enum
 from functools import partial
 from typing import NamedTuple
@@ -89,6 +90,18 @@ def near(value: ArrayLike, within: ArrayLike, unit: str = "", *, why: str) -> Li
     """Printed numbers (n,), each within a distance."""
     number, distance = np.broadcast_arrays(np.atleast_1d(np.asarray(value, float)), within)
     return Limits(number - distance, number + distance, unit, why)
+
+
+def rounded(*numbers: str, unit: str = "", why: str = "half of the last digit") -> Limits:
+    """Printed numbers as they are on the page, such as "0.720": each may be off by half a digit."""
+    exact = [Decimal(number) for number in numbers]
+    half = [float(Decimal("0.5").scaleb(int(x.as_tuple().exponent))) for x in exact]
+    return near([float(x) for x in exact], half, unit, why=why)
+
+
+def about(value: ArrayLike, unit: str = "", *, why: str) -> Limits:
+    """Printed numbers (n,), each within 10 %; `why` is the word of the page, such as "roughly"."""
+    return near(value, 0.1 * np.abs(value), unit, why=f"{why}: 10 %")
 
 
 def between(low: ArrayLike, high: ArrayLike, unit: str = "", *, why: str) -> Limits:
