@@ -32,6 +32,12 @@ COLUMN_RECORDS = {
 COLUMN_TIME_SCALE = 0.2
 SYLMAR_TIME, TABAS_TIME = 0.6, 0.38
 """Time scales of Table 4-1."""
+MOTION_NAMES = {
+    "1": "El Centro 180, half",
+    **dict.fromkeys("27", "El Centro 180"),
+    **dict.fromkeys("49", "Sylmar 360 in 0.6 of its time"),
+}
+"""Name of the intended motion of each run of Table 4-1 whose record is at hand."""
 
 
 class Peaks(NamedTuple):

@@ -9,12 +9,11 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
-from rockeom import analysis
 from rockeom.plots import style
 from rockeom.thesis import shaken
+from rockeom.thesis.figures.chapter_4_tests import draw_meant_and_reached
 from rockeom.thesis.figures.drawn import Source, ThesisFigure
 
-_NAMES = {"1": "El Centro 180, half", "2": "El Centro 180", "4": "Sylmar 360 in 0.6 of its time"}
 _MEANT = "the record that was meant, with the peak that the table reached, Table 4-1"
 
 
@@ -34,39 +33,23 @@ def draw_motion(run: str) -> Figure:
     return figure
 
 
-def draw_spectrum(run: str) -> Figure:
-    """Response spectrum of a run, damped by 5 %: as meant, and with the peak of the table."""
-    periods = np.geomspace(0.03, 3.0, 120)
-    figure = style.new_figure(5.6, 3.4)
-    ax = figure.add_subplot()
-    for motion, label, line in (
-        (shaken.intended_motion(run), "as meant", "-"),
-        (shaken.wall_motion(run), "with the peak of the table", "--"),
-    ):
-        found = analysis.response_spectrum(motion, periods)
-        ax.plot(found.periods, found.pseudo_acceleration, line, label=label)
-    ax.set_xlim(0, 3)
-    ax.set_ylim(0, None)
-    ax.set_xlabel("period [s]")
-    ax.set_ylabel(r"spectral acceleration [m/s$^2$]")
-    ax.legend()
-    return figure
-
-
 def motion_of(number: str, run: str) -> ThesisFigure:
     text = (
-        f"Motion of the table in run {run}, {_NAMES[run]}.\n\nDrawn is {_MEANT}; its displacement "
-        "is the integral of the record, without a correction of its baseline."
+        f"Motion of the table in run {run}, {shaken.MOTION_NAMES[run]}.\n\n"
+        f"Drawn is {_MEANT}; its displacement is the integral of the record, "
+        "without a correction of its baseline."
     )
     return ThesisFigure(number, Source.IN_KIND, text, style.styled(lambda: draw_motion(run)))
 
 
 def spectrum_of(number: str, run: str, remark: str = "") -> ThesisFigure:
     text = (
-        f"Response spectrum of run {run}, {_NAMES[run]}, damped by 5 %.\n\nDrawn is {_MEANT}, and "
-        f"the record with the peak that was meant.{remark}"
+        f"Response spectrum of run {run}, {shaken.MOTION_NAMES[run]}, damped by 5 %.\n\n"
+        f"Drawn is {_MEANT}, and the record with the peak that was meant.{remark}"
     )
-    return ThesisFigure(number, Source.IN_KIND, text, style.styled(lambda: draw_spectrum(run)))
+    return ThesisFigure(
+        number, Source.IN_KIND, text, style.styled(lambda: draw_meant_and_reached(run))
+    )
 
 
 figure_a_1 = motion_of("A-1", "1")

@@ -5,12 +5,15 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
+import sympy as sp
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.analysis import identification
 from rockeom.analysis.identification import Impacts
 from rockeom.plots import style
+from rockeom.thesis import notation as th
+from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.figures.chapter_3 import (
     BLOCK,
     R_HOUSNER,
@@ -177,14 +180,10 @@ def figure_3_21() -> Figure:
     return figure
 
 
-def fit_3_17(speed: np.ndarray) -> np.ndarray:
-    """Change of energy [J] by the speed [rad/s], of all impacts, as printed."""
-    return 5.525 * speed**3 - 9.661 * speed**2 - 0.6663 * speed
-
-
-def fit_3_18(speed: np.ndarray) -> np.ndarray:
-    """The same of impacts on the right edge."""
-    return 7.144 * speed**3 - 7.576 * speed**2 - 0.0381 * speed
+def fitted_change(number: str, speed: np.ndarray) -> np.ndarray:
+    """Change of energy [J] at impact speeds (n,) [rad/s] by equation 3-17 or 3-18."""
+    change = sp.lambdify(th.theta_d_peak, EQUATIONS[number].right[0].rhs)
+    return np.asarray(change(speed))
 
 
 @thesis_figure(Source.PRINTED)
@@ -199,8 +198,9 @@ def figure_3_22() -> Figure:
     impacts = measured_impacts()
     figure = style.new_figure(6.4, 3.8)
     ax = figure.add_subplot()
-    ax.plot(speed, fit_3_17(speed), label="3-17, all impacts")
-    ax.plot(speed[speed > 0], fit_3_18(speed[speed > 0]), "--", label="3-18, right edge")
+    ax.plot(speed, fitted_change("3-17", speed), label="3-17, all impacts")
+    right = speed[speed > 0]
+    ax.plot(right, fitted_change("3-18", right), "--", label="3-18, right edge")
     kind = impacts_in_kind()
     ax.plot(kind.speed, kind.energy_change, "x", ms=4, color="0.6", label="in kind")
     ax.plot(

@@ -121,8 +121,6 @@ def figure_4_79() -> Figure:
 
 # --- appendix C
 
-_GROUND = {"1": "El Centro 180, half", "2": "El Centro 180", "4": "Sylmar 360 in 0.6 of its time"}
-_GROUND |= {"7": _GROUND["2"], "9": _GROUND["4"]}
 _RECORD_OF_TABLE_4_4 = {"7": "El Centro-A1-T1", "9": "Northridge-A1-T0.6"}
 
 
@@ -168,7 +166,7 @@ def simulated(number: str, run: str, model: str) -> ThesisFigure:
     }[model]
     more = ", 110 kN" if run in _RECORD_OF_TABLE_4_4 else ""
     text = (
-        f"Run {run}, {_GROUND[run]}, by {how}{more}.\n\n"
+        f"Run {run}, {shaken.MOTION_NAMES[run]}, by {how}{more}.\n\n"
         "The motion is the record that was meant, with the peak that the table reached. The "
         "measured traces are lost; dotted are their peaks."
     )

@@ -31,16 +31,10 @@ from rockeom.thesis.figures.chapter_4_wall import (
 )
 from rockeom.thesis.figures.drawn import Source, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
-from rockeom.thesis.printed import TABLE_4_1, TABLE_4_2
+from rockeom.thesis.printed import TABLE_4_2
 
-NAMES = {"1": "El Centro 180, half", "2": "El Centro 180", "4": "Sylmar 360 in 0.6 of its time"}
 ROCKING_PERIODS = (0.10, 0.24)
 """Period of the wall, section 4.4 [s]."""
-
-
-def printed_peak(run: str) -> float:
-    """Largest acceleration of the table, Table 4-1 [m/s2]."""
-    return float(next(row[3] for row in TABLE_4_1.rows if row[0] == run) or 0.0)
 
 
 # --- the motions
@@ -74,6 +68,21 @@ def draw_spectrum(ax: Axes, run: str, label: str, factor: float = 1.0, **look: o
     ax.plot(curve.periods, factor * curve.pseudo_acceleration, label=label, **look)  # type: ignore[arg-type]
 
 
+def draw_meant_and_reached(run: str) -> Figure:
+    """Spectrum of a run as intended, and the same with the peak that the table reached."""
+    factor = shaken.wall_motion(run).peak / shaken.intended_motion(run).peak
+    figure = style.new_figure(5.6, 3.4)
+    ax = figure.add_subplot()
+    draw_spectrum(ax, run, f"intended: {shaken.MOTION_NAMES[run]}")
+    draw_spectrum(ax, run, "intended, at the peak of the table", factor, ls="--")
+    ax.set_xlim(0, 3)
+    ax.set_ylim(0, None)
+    ax.set_xlabel("period [s]")
+    ax.set_ylabel(r"spectral acceleration [m/s$^2$]")
+    ax.legend()
+    return figure
+
+
 @thesis_figure(Source.IN_KIND)
 def figure_4_6() -> Figure:
     """Response spectrum of test run 2: the motion intended, and the same at the table's peak.
@@ -81,18 +90,8 @@ def figure_4_6() -> Figure:
     The motion that the table made is lost; of it the peak is printed. Dashed is the record scaled
     to that peak: the table cannot be distinguished from it. The damping is 5 %, as in the appendix.
     """
-    motion = shaken.intended_motion("2")
-    factor = printed_peak("2") / motion.peak
-    figure = style.new_figure(5.6, 3.4)
-    ax = figure.add_subplot()
-    draw_spectrum(ax, "2", "intended: El Centro 180")
-    draw_spectrum(ax, "2", "intended, at the peak of the table", factor, ls="--")
-    ax.axvspan(*ROCKING_PERIODS, color=style.LINES[4], alpha=0.25, lw=0)
-    ax.set_xlim(0, 3)
-    ax.set_ylim(0, None)
-    ax.set_xlabel("period [s]")
-    ax.set_ylabel(r"spectral acceleration [m/s$^2$]")
-    ax.legend()
+    figure = draw_meant_and_reached("2")
+    figure.axes[0].axvspan(*ROCKING_PERIODS, color=style.LINES[4], alpha=0.25, lw=0)
     return figure
 
 
@@ -109,7 +108,7 @@ def figure_4_7() -> Figure:
     ax = figure.add_subplot()
     runs = {"1": "run 1", "2": "runs 2, 7", "4": "runs 4, 9"}
     for run, label in runs.items():
-        draw_spectrum(ax, run, f"{label}: {NAMES[run]}")
+        draw_spectrum(ax, run, f"{label}: {shaken.MOTION_NAMES[run]}")
     t = spectrum("2").periods
     ax.plot(t, nzs_1170_5(t), color=style.INK, lw=1.5, label="NZS 1170.5, class E, Z R = 0.7")
     ax.axvspan(*ROCKING_PERIODS, color=style.LINES[4], alpha=0.25, lw=0)
