@@ -121,7 +121,11 @@ def entry(decision: thesis.Decision) -> str:
     if one.is_erratum:
         parts += ["As printed:", displayed(one.lines("printed")), "As it should be:"]
     parts.append(displayed(one.lines()))
-    parts += [plain(_sentence(text)) for text in (one.reason, one.remark) if text]
+    if one.excess:
+        parts += ["Printed minus right:", displayed(one.excess_lines)]
+    if one.domain:
+        parts.append(f"The printed form is right where {plain(_sentence(one.domain.words))}")
+    parts += [plain(_sentence(text)) for text in (one.reason, one.assumption, one.remark) if text]
     if one.undetermined:
         parts.append(f"Left open by the text: {plain(_sentence(one.undetermined))}")
     parts += [f"- {_route(check)}" for check in decision.checks]

@@ -12,11 +12,11 @@ Needs SymPy, as `rockeom.symbolic` does.
 
 from rockeom.thesis.catalogue import EQUATIONS, equation
 from rockeom.thesis.checks import CHECKS, Check, Finding, Means
-from rockeom.thesis.equation import Equation, Kind
+from rockeom.thesis.equation import Domain, Equation, Kind
 from rockeom.thesis.notation import NOTATION, Entry, entry
 from rockeom.thesis.verification import Decision, Report, Verdict, claim, decide, verify
 
 __all__ = [
-    "CHECKS", "EQUATIONS", "NOTATION", "Check", "Decision", "Entry", "Equation", "Finding", "Kind",
-    "Means", "Report", "Verdict", "claim", "decide", "entry", "equation", "verify",
+    "CHECKS", "EQUATIONS", "NOTATION", "Check", "Decision", "Domain", "Entry", "Equation", "Finding",
+    "Kind", "Means", "Report", "Verdict", "claim", "decide", "entry", "equation", "verify",
 ]  # fmt: skip

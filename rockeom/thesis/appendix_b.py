@@ -125,6 +125,7 @@ APPENDIX_B: tuple[Equation, ...] = (
         "The added mass stands on the centreline, at the distance d - B from O. As printed the "
         "migration would change I_o by 7 %, and I_o/R by 8 %, where the text says 3 % and less "
         "than 2 %; and r of 2-6 would not be the 0.835 of section 4.9.2.1.",
+        excess=(Float("1438.5") * B * (2 * d_lifted - B),),
         remark="Lengths in m. The text does not say what the 686 kg m2 are.",
     ),
     Equation(

@@ -159,6 +159,10 @@ STEPS = (
         says(r_b, Matrix([-R_b * sin(alpha_e - theta), R_b * cos(alpha_e - theta)])),
         says(r_b, Matrix([X_B, R_b * cos(alpha_b - theta)])),
         "alpha_e is printed for alpha_b.",
+        excess=(
+            R_b * (sin(alpha_b - theta) - sin(alpha_e - theta)),
+            R_b * (cos(alpha_e - theta) - cos(alpha_b - theta)),
+        ),
         sides=POSITIVE,
     ),
     Equation(
@@ -195,6 +199,10 @@ STEPS = (
             Matrix([theta_d * R_b * cos(alpha_b - theta), theta_d * R_b * sin(alpha_b - theta)]),
         ),
         "alpha_e is printed for alpha_b.",
+        excess=(
+            R_b * theta_d * (cos(alpha_e - theta) - cos(alpha_b - theta)),
+            R_b * theta_d * (sin(alpha_e - theta) - sin(alpha_b - theta)),
+        ),
         sides=POSITIVE,
     ),
     Equation(
@@ -231,6 +239,10 @@ STEPS = (
         "Four slips: + u' sin(theta) for - u' sin(theta) in the second bracket; theta' missing "
         "in both terms 2 u u' sin(theta) cos(theta); u'^2 cos(theta)^2 for u'^2 sin(theta)^2 in "
         "the square of the second bracket.",
+        excess=(
+            2 * m_e * u_d * theta_d * sin(theta) * (R_e * sin(alpha_e - theta) - u * cos(theta)),
+            Rational(1, 2) * m_e * u_d**2 * cos(2 * theta),
+        ),
         sides=POSITIVE,
     ),
     Equation(
@@ -269,6 +281,7 @@ STEPS = (
         says(T_b, T_B_FIRST, T_B),
         says(T_b, T_B_FIRST, T_B_CORRECTED),
         "R_b is not squared in the last line.",
+        excess=(0, Rational(1, 2) * m_b * (R_b - R_b**2) * theta_d**2),
         sides=POSITIVE,
     ),
     Equation(
@@ -287,6 +300,7 @@ STEPS = (
         says(L, T_E + T_B - V_OF_MODEL_C),
         says(L, T_E + T_B_CORRECTED - V_OF_MODEL_C),
         "R_b is not squared in the kinetic energy of the base structure, as in D-12.",
+        excess=(Rational(1, 2) * m_b * (R_b - R_b**2) * theta_d**2,),
         sides=POSITIVE,
     ),
     Equation(
@@ -399,6 +413,10 @@ STEPS = (
         says(r_b, Matrix([R_b * sin(alpha_e + theta), R_b * cos(alpha_e + theta)])),
         says(r_b, Matrix([R_b * sin(alpha_b + theta), R_b * cos(alpha_b + theta)])),
         "alpha_e is printed for alpha_b.",
+        excess=(
+            R_b * (sin(alpha_e + theta) - sin(alpha_b + theta)),
+            R_b * (cos(alpha_e + theta) - cos(alpha_b + theta)),
+        ),
         sides=NEGATIVE,
     ),
     Equation(
@@ -443,6 +461,7 @@ STEPS = (
         "In the gravity term the sign of u cos(theta) is wrong: a deformation u > 0 moves the "
         "weight to the right on either side, so that D-19, D-23 and D-25 alike have "
         "-m_e g u cos(theta).",
+        excess=(2 * m_e * g * u * cos(theta),),
         sides=NEGATIVE,
     ),
     Equation(
@@ -518,6 +537,12 @@ FIRST_ORDER = (
             *rotation_row(y_1, y_2),
         ),
         "In the first bracket of the last row u and u' stand for y_1 and y_2: two notations mixed.",
+        excess=(
+            0,
+            0,
+            0,
+            2 * m_e * y_4 * (u * u_d - y_1 * y_2 - S_Y * R_e * sin(alpha_e) * (u_d - y_2)),
+        ),
     ),
     Equation(
         "D-29",

@@ -175,6 +175,7 @@ CHAPTER_2: tuple[Equation, ...] = (
         ),
         "The signs in the cosine are reversed: the lever of the ground's force is the height of "
         "the centroid, R cos(alpha -+ theta), with the same angle as in the sine.",
+        excess=(-2 * m * a_g * R * sin(alpha) * sin(PM * theta),),
     ),
     Equation("2-10", "2.5.1", Kind.DEFINITION, "non-dimensional rotation", says(x, theta / alpha)),
     Equation(
@@ -205,6 +206,12 @@ CHAPTER_2: tuple[Equation, ...] = (
             -alpha * beta * cos(omega * t) * cos(alpha * (1 - PM * x)),
         ),
         "alpha stands twice in the cosine on the right; put 2-10 to 2-12 into 2-9.",
+        excess=(
+            alpha
+            * beta
+            * cos(omega * t)
+            * (cos(alpha**2 * (1 - PM * x)) - cos(alpha * (1 - PM * x))),
+        ),
     ),
     Equation(
         "2-14",

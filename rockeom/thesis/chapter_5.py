@@ -156,6 +156,7 @@ TESTS = (
         Kind.FIT,
         "distance of the centre of rotation from the left edge, on rubber, in mm",
         says(x_centre, Float("220.1") * tanh(Float("0.1276") * Delta) + 300),
+        assumption="Fitted to rotation centres that are not in the text.",
         remark="For the column of McManus on rubber and displacements up to 29 mm.",
     ),
     Equation(
@@ -260,6 +261,15 @@ MODEL_A = (
             * (a_g / g * cos(alpha_b - s * theta) + s * sin(alpha_b - s * theta)),
         ),
         "The angles are alpha - sgn(theta) theta, as in 5-34; for theta < 0 that is 5-10.",
+        excess=(
+            -2
+            * sin(s * theta)
+            / I_O
+            * (
+                m_e * R_e * (s * g * cos(alpha_e) - a_g * sin(alpha_e))
+                + m_b * R_b * (s * g * cos(alpha_b) - a_g * sin(alpha_b))
+            ),
+        ),
     ),
     Equation(
         "5-12",
@@ -412,6 +422,7 @@ MODEL_B = (
         says(P_crit, W / H_e * (B - W * H_c / (2 * k_f * B)) * u),
         says(P_crit, W / H_e * (B - W * H_c / (2 * k_f * B))),
         "The factor u is too much: with it the right-hand side is not a force.",
+        excess=(W / H_e * (B - W * H_c / (2 * k_f * B)) * (u - 1),),
     ),
     Equation(
         "5-30",
@@ -429,6 +440,7 @@ MODEL_B = (
             *says(R_c, sqrt(B**2 + H_c**2)),
         ),
         "The arctangent of the angle is missing.",
+        excess=(0, B / H_c - atan(B / H_c), 0),
     ),
     Equation(
         "5-31",

@@ -7,6 +7,7 @@ from enum import Enum
 from typing import Any
 
 import sympy as sp
+from sympy.logic.boolalg import Boolean
 
 from rockeom.thesis.typeset import written
 
@@ -29,6 +30,19 @@ class Kind(Enum):
 
 
 @dataclass(frozen=True)
+class Domain:
+    """Where a printed form is right that is not right in general.
+
+    words : for a reader.
+    inside, outside : assumptions on its symbols, such as Q.negative(theta), for each case.
+    """
+
+    words: str
+    inside: tuple[Boolean, ...]
+    outside: tuple[Boolean, ...]
+
+
+@dataclass(frozen=True)
 class Equation:
     """An equation of the thesis, in its own symbols. Nothing here is derived.
 
@@ -39,6 +53,10 @@ class Equation:
     printed : one relation for each equals sign; empty where the page is not legible.
     corrected : what should be printed; None where the printed form is right.
     reason : why it is corrected; "" where it is not.
+    excess : of a wrong printed form, printed minus right for each component of each relation: of
+        the right sides where the left one is one symbol or function, else of left minus right side.
+    domain : where a wrong printed form is right all the same; None if nowhere in particular.
+    assumption : what the text chooses or assumes in it, which nothing else decides; "" if nothing.
     remark : what a user should know that the equation does not say.
     undetermined : what of it the text leaves open; "" if nothing.
     sides : signs of theta for which it is meant.
@@ -51,6 +69,9 @@ class Equation:
     printed: Relations
     corrected: Relations | None = None
     reason: str = ""
+    excess: tuple[sp.Expr | int, ...] = field(default=(), kw_only=True)
+    domain: Domain | None = field(default=None, kw_only=True)
+    assumption: str = field(default="", kw_only=True)
     remark: str = field(default="", kw_only=True)
     undetermined: str = field(default="", kw_only=True)
     sides: tuple[int, ...] = field(default=BOTH, kw_only=True)
@@ -62,6 +83,8 @@ class Equation:
             raise ValueError(f"{self.number}: a reason belongs to a corrected form, and only to it")
         if self.corrected == self.printed:
             raise ValueError(f"{self.number}: the corrected form is the printed one")
+        if bool(self.excess) != self.is_erratum:
+            raise ValueError(f"{self.number}: an excess belongs to a wrong form, and only to it")
 
     @property
     def right(self) -> Relations:
@@ -70,7 +93,7 @@ class Equation:
 
     @property
     def is_erratum(self) -> bool:
-        """Whether something legible is printed that is wrong."""
+        """Whether something legible is printed that is wrong, or is right in a domain only."""
         return bool(self.printed) and self.corrected is not None
 
     @property
@@ -95,6 +118,11 @@ class Equation:
         if not forms[form]:
             raise ValueError(f"{self.number} has no {form} form")
         return [written(relation) for relation in forms[form] or ()]
+
+    @property
+    def excess_lines(self) -> list[str]:
+        """LaTeX, without delimiters, of the components of the excess that are not zero."""
+        return [written(component) for component in self.excess if component != 0]
 
     def latex(self, form: str = "right") -> str:
         """The same in one piece, to stand between dollar signs."""

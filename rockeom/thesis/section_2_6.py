@@ -117,6 +117,7 @@ SECTION_2_6: tuple[Equation, ...] = (
         says(dx_d / dt, DiracDelta(x) * g),
         "The derivative of the velocity by time is its first: dt is squared in 2-21a only, where "
         "the rotation is differentiated twice.",
+        excess=(dx_d / dt**2 - dx_d / dt,),
     ),
     Equation(
         "2-21c",
@@ -178,6 +179,7 @@ SECTION_2_6: tuple[Equation, ...] = (
         says(g, -log(sqrt(r)) * x_d**2),
         says(g, log(sqrt(r)) * x_d**2),
         THE_MINUS,
+        excess=(-2 * log(sqrt(r)) * x_d**2,),
         sides=POSITIVE,
     ),
     Equation(
@@ -188,6 +190,7 @@ SECTION_2_6: tuple[Equation, ...] = (
         says(g, -log(sqrt(r)) * x_d**2 * tanh(x_d / n)),
         says(g, log(sqrt(r)) * x_d**2 * tanh(x_d / n)),
         THE_MINUS,
+        excess=(-2 * log(sqrt(r)) * x_d**2 * tanh(x_d / n),),
         remark="The tanh stands for the signum of the velocity; its n is that of 2-20, by choice: "
         "as n goes to zero any width of the tanh takes the same energy.",
     ),
@@ -205,6 +208,7 @@ SECTION_2_6: tuple[Equation, ...] = (
             log(sqrt(r)) / (n * sqrt(pi)) * tanh(x_d / n) * x_d**2 * exp(-(x**2) / n**2),
         ),
         THE_MINUS,
+        excess=(-2 * log(sqrt(r)) * x_d**2 * tanh(x_d / n) * DELTA_N,),
     ),
     Equation(
         "2-29",
@@ -220,6 +224,7 @@ SECTION_2_6: tuple[Equation, ...] = (
             log(sqrt(r)) / (n * sqrt(pi)) * tanh(x_d / n) * x_d**2 * exp(-(x**2) / n**2),
         ),
         THE_MINUS,
+        excess=(2 * log(sqrt(r)) * x_d**2 * tanh(x_d / n) * DELTA_N,),
         remark="Its peaks approach those of the block with impacts in proportion to n.",
     ),
 )

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from enum import Enum
 
+import sympy as sp
+
 from rockeom.thesis.catalogue import EQUATIONS, equation
-from rockeom.thesis.checks import CHECKS, Check, Finding
+from rockeom.thesis.checks import CHECKS, Check, Finding, Means, vanishes
+from rockeom.thesis.comparison import excess_of_print, normal_form, with_fractions
 from rockeom.thesis.equation import Equation, Relations
 
 
@@ -18,6 +21,8 @@ class Verdict(Enum):
 
     RIGHT = "right as printed"
     APPROXIMATE = "right to the stated order"
+    LIMITED = "right in a limited domain"
+    ASSUMED = "chosen or assumed by the text"
     ERRATUM = "wrong as printed"
     RESTORED = "not legible, restored"
     UNDETERMINED = "not determined by the text"
@@ -36,6 +41,7 @@ class Decision:
 
     findings : on the form that is right; all hold unless the verdict is `FAILED`.
     against : on the printed form of an erratum; at least one must not hold.
+    excess : on the excess of an erratum, which is all by which the printed form is wrong.
     seconds : how long it took.
     """
 
@@ -44,16 +50,18 @@ class Decision:
     checks: tuple[Check, ...]
     findings: tuple[Finding, ...]
     against: tuple[Finding, ...]
+    excess: tuple[Finding, ...]
     seconds: float
 
     @property
     def why(self) -> str:
         """The failure in words; "" without one."""
         if self.verdict is Verdict.UNCHECKED:
-            return "no check decides it"
+            return "no check decides it, other than by its numbers typed twice"
         if self.verdict is not Verdict.FAILED:
             return ""
-        wrong = [f"{f.what}: {f.rest}" for f in self.findings if not f.holds]
+        findings = (*self.findings, *self.excess)
+        wrong = [f"{f.what}: {f.rest}" for f in findings if not f.holds]
         wrong += [f"as printed: {f.what}: {f.rest}" for f in self.against if not f.comparable]
         if wrong:
             return "; ".join(wrong)
@@ -83,10 +91,14 @@ def claim(one: Equation) -> Verdict:
     checks = CHECKS.get(one.number, ())
     if not checks:
         return Verdict.UNCHECKED
-    if one.is_erratum:
-        return Verdict.ERRATUM
     if one.undetermined:
         return Verdict.UNDETERMINED
+    if one.assumption:
+        return Verdict.ASSUMED
+    if all(check.means is Means.TRANSCRIBED for check in checks):
+        return Verdict.UNCHECKED  # numbers that are typed twice are no evidence
+    if one.is_erratum:
+        return Verdict.LIMITED if one.domain else Verdict.ERRATUM
     if one.corrected is not None:
         return Verdict.RESTORED
     return Verdict.APPROXIMATE if any(check.error for check in checks) else Verdict.RIGHT
@@ -99,13 +111,14 @@ def decide(number: str) -> Decision:
     checks = CHECKS.get(one.number, ())
     findings = _findings(one, one.right, checks)
     against = _findings(one, one.printed, checks) if one.is_erratum else ()
+    excess = tuple(_excess(one)) if one.is_erratum else ()
     verdict = claim(one)
-    sound = bool(findings) and all(f.holds for f in findings)
+    sound = bool(findings) and all(f.holds for f in (*findings, *excess))
     seen = not one.is_erratum or any(not f.holds for f in against)
     seen = seen and all(f.comparable for f in against)
     if checks and not (sound and seen):
         verdict = Verdict.FAILED
-    return Decision(one, verdict, checks, findings, against, time.perf_counter() - start)
+    return Decision(one, verdict, checks, findings, against, excess, time.perf_counter() - start)
 
 
 def verify(
@@ -133,3 +146,19 @@ def _findings(
                 Finding(f"{check.route}: not comparable", message, False, comparable=False)
             )
     return tuple(findings)
+
+
+def _excess(one: Equation) -> Iterator[Finding]:
+    """Check that printed minus right form is the excess, which vanishes in the domain only."""
+    found = excess_of_print(one.printed, one.right)
+    for difference, excess in zip(found, one.excess, strict=True):
+        rest = difference - with_fractions(sp.sympify(excess))
+        yield vanishes("printed minus right form minus the excess", rest, normal_form)
+    if one.domain is None:
+        return
+    for where, cases in (("inside", one.domain.inside), ("outside", one.domain.outside)):
+        for case in cases:
+            rests = [sp.simplify(sp.refine(sp.sympify(e), case)) for e in one.excess]
+            gone = all(rest == 0 for rest in rests)
+            holds = gone is (where == "inside")
+            yield Finding(f"excess {where} the domain, {case}", rests, holds)

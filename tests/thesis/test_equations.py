@@ -1,6 +1,6 @@
 """Every equation of the thesis is decided by its checks.
 
-Where the thesis is wrong, what is printed differs from what is derived, and by the stated term.
+Where the thesis is wrong, what is printed differs from what is derived, and by the stated excess.
 """
 
 from __future__ import annotations
@@ -9,7 +9,6 @@ from dataclasses import replace
 
 import pytest
 import sympy as sp
-from sympy import Rational, atan, cos, sign, sin
 
 from rockeom.thesis import (
     CHECKS,
@@ -21,11 +20,12 @@ from rockeom.thesis import (
     notation as th,
     verification,
 )
+from rockeom.thesis.checks import Means
 from rockeom.thesis.checks.engine import DERIVED, evaluate
 from rockeom.thesis.comparison import differences, in_engine_notation, normal_form
 from rockeom.thesis.equation import Kind, says
 
-s = sign(th.theta)
+from .wrong import slips
 
 
 @pytest.mark.parametrize("number", EQUATIONS)
@@ -43,60 +43,13 @@ def test_every_symbol_has_its_entry():
             assert found.meaning, (number, symbol)
 
 
-EXCESS: dict[str, list[sp.Expr]] = {
-    "2-9": [-2 * s * th.m * th.a_g * th.R * sin(th.alpha) * sin(th.theta)],
-    "2-13": [
-        th.alpha
-        * th.beta
-        * cos(th.omega * th.t)
-        * (cos(th.alpha**2 * (1 - th.PM * th.x)) - cos(th.alpha * (1 - th.PM * th.x)))
-    ],
-    "3-12": [(1 - s) * Rational(3, 4) * th.m * th.g * th.alpha * sin(th.alpha)],
-    "3-14": [(1 + s) * Rational(3, 4) * th.m * th.g * th.alpha * cos(th.alpha)],
-    "5-11": [
-        -2
-        * sin(th.theta)
-        / th.I_O
-        * (
-            th.m_e * (th.g * th.H_e - s * th.a_g * th.B)
-            + th.m_b * (th.g * th.H_b - s * th.a_g * th.B)
-        )
-    ],
-    "5-29": [th.W / th.H_e * (th.B - th.W * th.H_c / (2 * th.k_f * th.B)) * (th.u - 1)],
-    "5-30": [0, th.B / th.H_c - atan(th.B / th.H_c), 0],
-    "D-2": [
-        th.R_b * (sin(th.alpha_b - th.theta) - sin(th.alpha_e - th.theta)),
-        th.R_b * (cos(th.alpha_e - th.theta) - cos(th.alpha_b - th.theta)),
-    ],
-    "D-4": [
-        th.R_b * th.theta_d * (cos(th.alpha_e - th.theta) - cos(th.alpha_b - th.theta)),
-        th.R_b * th.theta_d * (sin(th.alpha_e - th.theta) - sin(th.alpha_b - th.theta)),
-    ],
-    "D-8": [
-        2
-        * th.m_e
-        * th.u_d
-        * th.theta_d
-        * sin(th.theta)
-        * (th.R_e * sin(th.alpha_e - th.theta) - th.u * cos(th.theta)),
-        th.m_e * th.u_d**2 * cos(2 * th.theta) / 2,
-    ],
-    "D-12": [0, th.m_b * th.R_b * (1 - th.R_b) * th.theta_d**2 / 2],
-    "D-14": [th.m_b * th.R_b * (1 - th.R_b) * th.theta_d**2 / 2],
-    "D-22": [
-        th.R_b * (sin(th.alpha_e + th.theta) - sin(th.alpha_b + th.theta)),
-        th.R_b * (cos(th.alpha_e + th.theta) - cos(th.alpha_b + th.theta)),
-    ],
-    "D-23": [2 * th.m_e * th.g * th.u * cos(th.theta)],
-}
-"""Printed minus derived, for each component of each relation, by hand."""
-
+WRONG = [n for n, one in EQUATIONS.items() if one.is_erratum]
 AGREES_ON_ONE_SIDE = {"3-12": 1, "3-14": -1}
 """Sides of theta on which a slip of sign does not show."""
 
 
-@pytest.mark.parametrize("number", EXCESS)
-def test_printed_form_is_wrong_by_the_stated_term(number):
+@pytest.mark.parametrize("number", [n for n in WRONG if n in DERIVED])
+def test_printed_form_differs_from_the_engine_by_its_excess(number):
     equation = EQUATIONS[number]
     for side in equation.sides:
         values, known = evaluate(number, side)
@@ -105,14 +58,41 @@ def test_printed_form_is_wrong_by_the_stated_term(number):
             for relation, value in zip(equation.printed, values, strict=True)
             for d in differences(relation, value, side, known)
         ]
-        stated = [in_engine_notation(e, side) for e in EXCESS[number]]
-        assert all(normal_form(a - b) == 0 for a, b in zip(found, stated, strict=True))
+        excess = [in_engine_notation(e, side) for e in equation.excess]
+        assert all(normal_form(a - b) == 0 for a, b in zip(found, excess, strict=True))
         wrong = any(normal_form(e) != 0 for e in found)
         assert wrong is (AGREES_ON_ONE_SIDE.get(number) != side)
 
 
-def test_every_erratum_of_the_engine_states_its_term():
-    assert set(EXCESS) == {n for n in DERIVED if EQUATIONS[n].is_erratum}
+@pytest.mark.parametrize("number", WRONG)
+def test_slip_in_a_printed_form_that_is_wrong_is_noticed(number):
+    """It is wrong by its excess and by nothing else: also if its numbers are quoted wrongly."""
+    one = EQUATIONS[number]
+    tried = [s for s in slips(one.printed, everything=False) if s[1] != one.corrected]
+    assert tried
+    for words, printed in tried:
+        quoted = replace(one, printed=printed)
+        assert not all(f.holds for f in verification._excess(quoted)), words
+
+
+def test_slip_in_a_printed_form_fails_the_verification(monkeypatch):
+    one = EQUATIONS["2-9"]
+    (relation,) = one.printed
+    printed = says(relation.lhs * 2, 0)
+    monkeypatch.setattr(verification, "equation", lambda number: replace(one, printed=printed))
+    decision = decide("2-9")
+    assert decision.verdict is Verdict.FAILED
+    assert "printed minus right form minus the excess" in decision.why
+
+
+@pytest.mark.parametrize("number", ["3-14", "4-1"])
+def test_domain_of_a_printed_form_is_neither_too_wide_nor_too_narrow(number):
+    one = EQUATIONS[number]
+    assert decide(number).verdict is Verdict.LIMITED
+    inside, outside = one.domain.inside, one.domain.outside
+    for wrong in (replace(one.domain, inside=outside), replace(one.domain, outside=inside)):
+        findings = verification._excess(replace(one, domain=wrong))
+        assert not all(f.holds for f in findings)
 
 
 # --- the framework itself
@@ -123,7 +103,7 @@ def test_printed_form_that_passes_its_checks_is_not_an_erratum(monkeypatch):
     one = EQUATIONS["2-6"]
     (relation,) = one.printed
     same = says(relation.lhs, sp.expand(relation.rhs))
-    harmless = replace(one, corrected=same, reason="the same, expanded")
+    harmless = replace(one, corrected=same, reason="the same, expanded", excess=(0,))
     monkeypatch.setattr(verification, "equation", lambda number: harmless)
     assert decide("2-6").verdict is Verdict.FAILED
 
@@ -152,6 +132,8 @@ def test_form_that_cannot_be_compared_fails_and_does_not_hide_the_others(monkeyp
 def test_equation_without_check_does_not_pass(monkeypatch):
     monkeypatch.setitem(CHECKS, "2-6", ())
     assert decide("2-6").verdict is Verdict.UNCHECKED
+    monkeypatch.setitem(CHECKS, "3-17", (replace(CHECKS["3-17"][0], means=Means.TRANSCRIBED),))
+    assert decide("3-17").verdict is Verdict.UNCHECKED, "numbers typed twice are no evidence"
     assert not verification.verify(["2-6", "2-9"]).passes
 
 

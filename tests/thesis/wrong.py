@@ -30,12 +30,12 @@ def notices(equation: Equation, relations: Relations) -> bool:
 
 def unnoticed(equation: Equation, everything: bool) -> list[str]:
     """Slips of an equation that none of its checks notices."""
-    tried = {relations: words for words, relations in slips(equation, everything)}
+    tried = {relations: words for words, relations in slips(equation.right, everything)}
     found = [words for relations, words in tried.items() if not notices(equation, relations)]
     return [" ".join(map(str, words)) for words in found]
 
 
-def slips(equation: Equation, everything: bool) -> Iterator[tuple[tuple, Relations]]:
+def slips(right: Relations, everything: bool) -> Iterator[tuple[tuple, Relations]]:
     """Every number 1 % more, every sign turned, and the right side 1 % more.
 
     Signs are those of the right side, of each term of any sum within it, and of the argument of
@@ -44,7 +44,7 @@ def slips(equation: Equation, everything: bool) -> Iterator[tuple[tuple, Relatio
     everything : also every number 1 % less, and 1 % more of every symbol at each place where it
         stands.
     """
-    for i, relation in enumerate(equation.right):
+    for i, relation in enumerate(right):
         for side in (0, 1):
             whole = relation.args[side]
             named = whole.is_Symbol or isinstance(whole, AppliedUndef)
@@ -55,7 +55,7 @@ def slips(equation: Equation, everything: bool) -> Iterator[tuple[tuple, Relatio
                 sides = (wrong, relation.rhs) if side == 0 else (relation.lhs, wrong)
                 changed = relation.func(*sides, evaluate=False)
                 if changed != relation:
-                    one = (*equation.right[:i], changed, *equation.right[i + 1 :])
+                    one = (*right[:i], changed, *right[i + 1 :])
                     yield (*words, "relation", i), one
 
 

@@ -110,7 +110,11 @@ def _shown(decision: Decision, columns: int) -> str:
         blocks += ["As printed:", Display(tuple(one.lines("printed")))]
     if one.corrected is not None:
         blocks += ["As it should be:", Display(tuple(one.lines("corrected"))), one.reason]
-    blocks += [text for text in (one.remark, one.undetermined) if text]
+    if one.excess:
+        blocks += ["Printed minus right:", Display(tuple(one.excess_lines))]
+    if one.domain:
+        blocks.append(f"The printed form is right where {one.domain.words}.")
+    blocks += [text for text in (one.assumption, one.remark, one.undetermined) if text]
     blocks += ["Symbols:", Table(("", "", ""), _symbols(one))]
     blocks.append("Decided by:")
     text = to_text(blocks, columns)

@@ -15,6 +15,7 @@ from rockeom.thesis.checks import (
     chapter_5,
     engine,
     section_2_6,
+    shipped_walls,
 )
 from rockeom.thesis.checks.check import Check, Finding, Means, close, vanishes
 
@@ -30,6 +31,7 @@ _MODULES = (
     chapter_4_free_vibration,
     chapter_4_oscillator,
     chapter_4_substitute_gravity,
+    shipped_walls,
     chapter_5,
     appendix_b,
     appendix_d,

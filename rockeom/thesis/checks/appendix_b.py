@@ -39,6 +39,7 @@ from rockeom.thesis.checks.wall import (
     tendon_uplift,
     with_numbers,
 )
+from rockeom.thesis.comparison import with_fractions
 from rockeom.thesis.equation import Equation, Relations
 
 
@@ -102,8 +103,7 @@ def _parallel_axes(equation: Equation, relations: Relations) -> Iterator[Finding
     )
     added = Rational("2.537") ** 2 + (th.d_lifted - th.B) ** 2
     exact = 686 + Rational("577.56") * panel + 442 + Rational("1438.5") * added
-    fractions = {number: Rational(str(number)) for number in relation.rhs.atoms(sp.Float)}
-    rest = relation.rhs.xreplace(fractions).doit() - exact
+    rest = with_fractions(relation.rhs).doit() - exact
     yield vanishes("thesis minus both by the theorem of Steiner", rest, sp.expand)
 
 

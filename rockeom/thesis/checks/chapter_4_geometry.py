@@ -24,6 +24,7 @@ from rockeom.thesis.checks.wall import (
     developed_distance,
     edge_uplift,
     half_width,
+    mean_distance_from_gauge,
     measured,
     of_displacement,
     placed,
@@ -113,14 +114,18 @@ def _edges_of_table_a1(equation: Equation, relations: Relations) -> Iterator[Fin
 
 
 def _migration(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    """Check the limits of 4-7, upright and at large displacements, and its penalty parameter."""
+    """Check the choices that the text states: upright, developed, and the penalty parameter."""
     distance, penalty = relations
     width = distance.lhs + th.d_lifted * cos(th.theta)
     yield vanishes("width of the base minus twice B", width - 2 * HALF_WIDTH)
     upright = distance.rhs.subs(th.Delta, 0)
     yield vanishes("distance upright minus B", upright - HALF_WIDTH)
     far = distance.rhs.subs(th.Delta, sp.oo)
-    yield close("distance once rocking is developed", float(far), developed_distance(), 2)
+    by_gauge, by_uplifts = mean_distance_from_gauge(), developed_distance()
+    yield close("distance once rocking is developed, from the gauge", float(far), by_gauge, 1)
+    yield close(
+        "the same less the 30 mm to the edge, by its uplifts", float(far) - 30, by_uplifts, 1
+    )
     left = distance.rhs.subs(th.Delta, th.penalty) - far
     yield vanishes("remainder at epsilon, minus 1/e", left / (upright - far) - sp.exp(-1))
     yield close("epsilon, by 4.8.1", penalty.rhs, 3.551, 1e-12)
@@ -210,7 +215,7 @@ CHECKS: dict[str, Check | tuple[Check, ...]] = {
     "4-3": (derived(STRAIGHT_BASE, _base), reproduced("rockeom.analysis", _uplifts_again)),
     "4-4": (derived(STRAIGHT_BASE, _base), reproduced("rockeom.analysis", _uplifts_again)),
     "4-6": derived(TURNED, by_geometry(edge_uplift)),
-    "4-7": reproduced("its ends: the centreline, and Table A-1", _migration),
+    "4-7": reproduced("the choices of the text: the centreline, and Table A-1", _migration),
     "4-8": derived("its fixed points; in 4-6 it gives 4-9", _general),
     "4-9": (
         derived(TURNED, by_geometry(with_numbers(edge_uplift))),

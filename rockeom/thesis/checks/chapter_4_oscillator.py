@@ -177,7 +177,8 @@ def bands(function: Callable, jumps: dict[float, float]) -> Callable:
         (relation,) = relations
         yield from _one_band_for_each_speed(relation.rhs, jumps)
         stated = sp.lambdify(th.Delta_d, relation.rhs, "math")
-        for speed in (0.05, 0.2, 0.299, 0.32, 0.36, 0.4, 0.46, 0.48, 0.6, 0.77, 0.79, 0.87):
+        ends = [speed + aside for speed in jumps for aside in (-1e-6, 1e-6)]
+        for speed in (0.05, 0.2, 0.4, 0.6, 0.87, *ends):
             for way in BOTH:
                 computed = stated(way * speed)
                 yield close(f"r at {way * speed} m/s", computed, float(function(speed)), 1e-12)

@@ -100,11 +100,20 @@ def sizes_of_peaks() -> np.ndarray:
     return 1e3 * np.abs(record.displacement[record.at_peak])
 
 
-def developed_distance() -> float:
-    """Mean distance from the edge at the legible peaks to the right of Table A-1 [mm]."""
+def _legible_peaks_to_the_right() -> np.ndarray:
     record = measured()
-    rows = record.at_peak & (record.reading == "clean") & (record.displacement > 0)
-    return float(1e3 * record.rotation_centre(HALF_WIDTH / 1e3)[rows].mean())
+    return record.at_peak & (record.reading == "clean") & (record.displacement > 0)
+
+
+def mean_distance_from_gauge() -> float:
+    """Mean of the last column of Table A-1 at the legible peaks to the right [mm]."""
+    return float(1e3 * measured().centre_from_edge[_legible_peaks_to_the_right()].mean())
+
+
+def developed_distance() -> float:
+    """Mean distance from the edge by the uplifts at the legible peaks to the right [mm]."""
+    rows = _legible_peaks_to_the_right()
+    return float(1e3 * measured().rotation_centre(HALF_WIDTH / 1e3)[rows].mean())
 
 
 # --- geometry

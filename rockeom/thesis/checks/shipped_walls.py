@@ -1,0 +1,171 @@
+"""The shipped walls against 4-8, 4-16, 4-27, 4-32, 4-37 and 4-40: rotation centre, tendon, motion.
+
+The equation of motion of a structure, with its functions put in, has to be that of the thesis, with
+the forces and energies of the thesis put in. Tendons are elastic and on the centreline.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+
+import sympy as sp
+from sympy import cos, sin
+
+from rockeom.symbolic.algebra import SIDE
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.rocking import RockingModel
+from rockeom.thesis import notation as th
+from rockeom.thesis.checks.check import Check, Finding, derived, vanishes
+from rockeom.thesis.checks.engine import residual, shipped
+from rockeom.thesis.checks.wall import HALF_WIDTH, REMAINS, placed, reduced, right
+from rockeom.thesis.comparison import symbols_of
+from rockeom.thesis.equation import BOTH, Equation, Relations
+
+OSCILLATOR = "controlled_wall_oscillator"
+ABOUT_CORNERS, ABOUT_MOVING_CENTRE = "simplified_substitute_gravity_wall", "substitute_gravity_wall"
+SPEED = sp.Symbol("speed", positive=True)
+
+
+def in_thesis_symbols(model: RockingModel, expr: sp.Expr, side: int) -> sp.Expr:
+    """An expression of a wall's model by the symbols of the thesis, with its B and C_2 in mm."""
+    own = symbols_of(model)
+    stiffness = th.E_tendon * th.A_tendon / th.L_T0
+    values = {
+        "mass": th.m, "effective_mass": th.M_e, "pivot_inertia": th.I_o, "gravity": th.g,
+        "height": th.H, "centroid_height": th.H_c, "half_width": HALF_WIDTH,
+        "edge_distance": REMAINS, "transition": th.penalty, "tendon_stiffness": stiffness,
+        "initial_force": th.P_initial, "eccentricity": 0,
+        "permanent_extension": 0, "regularisation": th.n,
+        "u": th.Delta, "u_d": th.Delta_d, "u_dd": th.Delta_dd,
+        "theta": th.theta, "theta_d": th.theta_d, "theta_dd": th.theta_dd,
+    }  # fmt: skip
+    put = {own[name]: sp.sympify(value) for name, value in values.items() if name in own}
+    put |= {GROUND_X: th.a_g, GROUND_Y: sp.S.Zero, SIDE: sp.Integer(side)}
+    return expr.xreplace(put)
+
+
+GEOMETRY = ("rotation_centre", "tendon_extension", "rise", "present_speed")
+"""Functions of a model whose values replace them; what remains has its own symbol in the thesis."""
+
+
+def with_geometry(model: RockingModel, expr: sp.Expr) -> sp.Expr:
+    """An expression of a model with the values of its functions of the geometry."""
+    for one in reversed(model.functions):  # a function may depend on those before it
+        if one.name in GEOMETRY:
+            expr = expr.subs(one.symbol, one.value)
+    return expr.doit()
+
+
+def by_displacement(expr: sp.Expr) -> sp.Expr:
+    """The rotation of an expression by Delta = H sin(theta), 4-33."""
+    level = sp.sqrt(th.H**2 - th.Delta**2)
+    sine, cosine = th.Delta / th.H, level / th.H
+    put = {sin(th.theta): sine, cos(th.theta): cosine, sp.tan(th.theta): sine / cosine}
+    return expr.xreplace(put).subs(1 - th.Delta**2 / th.H**2, cosine**2)
+
+
+def agree(what: str, thesis: sp.Expr, model: sp.Expr) -> Iterator[Finding]:
+    """Check that two functions of Delta are the same on either side."""
+    for side in BOTH:
+        rest = (thesis - by_displacement(model(side))).subs(sp.Abs(th.Delta), side * th.Delta)
+        where = f"Delta {'>' if side > 0 else '<'} 0"
+        yield vanishes(f"thesis minus {what}, {where}", placed(rest, side), reduced)
+
+
+def of_function(structure: str, name: str) -> Callable[[int], sp.Expr]:
+    """A function of a shipped wall on either side, by the symbols of the thesis."""
+    model = shipped(structure)
+    (value,) = (one.value for one in model.functions if one.name == name)
+    return lambda side: in_thesis_symbols(model, with_geometry(model, value), side)
+
+
+# --- the rotation centre and the tendon
+
+
+def _rotation_centre(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    numbers = {th.C_1: HALF_WIDTH - REMAINS, th.C_2: REMAINS}
+    stated = HALF_WIDTH - relations[0].rhs.subs(numbers)
+    for structure in (OSCILLATOR, ABOUT_MOVING_CENTRE, ABOUT_CORNERS, "controlled_wall"):
+        yield from agree(f"b of {structure}", stated, of_function(structure, "rotation_centre"))
+
+
+def _moving_lever(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    lever = of_function(ABOUT_MOVING_CENTRE, "lever")
+    yield from agree(f"lever of {ABOUT_MOVING_CENTRE}", relations[0].rhs, lever)
+
+
+def _tendon_force(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    stated = relations[0].rhs.subs(th.B, HALF_WIDTH)
+    for structure in (OSCILLATOR, ABOUT_MOVING_CENTRE, ABOUT_CORNERS):
+        model = shipped(structure)
+        _, force = model.mode("right").quantities["tendon_force"]
+        of_side = partial(in_thesis_symbols, model, with_geometry(model, force))
+        yield from agree(f"force of the tendon of {structure}", stated, of_side)
+        for elastic in (one.value for one in model.functions if one.name == "elastic_force"):
+            of_side = partial(in_thesis_symbols, model, with_geometry(model, elastic))
+            yield from agree(f"weight of the tendon of {structure}", stated, of_side)
+
+
+# --- the equations of motion
+
+
+def _motion(model: RockingModel, side: int) -> sp.Expr:
+    """Left minus right side of the equation of motion, its functions put in."""
+    (ratio,) = (one.symbol for one in model.functions if one.name == "energy_ratio")
+    found = with_geometry(model, residual(model, side)).subs(ratio, th.r)
+    return in_thesis_symbols(model, found, side)
+
+
+def _oscillator(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    """4-27 with the energies of 4-18 and 4-16, and with 4-28 and 4-39."""
+    (relation,) = relations
+    model = shipped(OSCILLATOR)
+    numbers = {th.m_T: th.m, th.B: HALF_WIDTH}
+    stiffness = th.E_tendon * th.A_tendon / th.L_T0
+    for side in BOTH:
+        one_side = {sp.Abs(th.Delta): side * th.Delta}
+        raised, force = (right(n).subs({**numbers, **one_side}) for n in ("4-18", "4-16"))
+        stored = raised + force**2 / (2 * stiffness)
+        put = {th.F_k: stored.diff(th.Delta), th.F_damp: right("4-28"), th.P_e: right("4-39")}
+        rest = (relation.lhs - relation.rhs).subs(put) - _motion(model, side)
+        rest = sp.expand_log(by_displacement(rest).subs(th.Delta_d, side * SPEED))
+        where = f"Delta and its rate {'>' if side > 0 else '<'} 0"
+        yield vanishes(f"thesis minus {OSCILLATOR}, {where}", placed(rest, side), reduced)
+
+
+def _substitute_gravity(structure: str) -> Callable:
+    """The relations with the lever of the structure as R sin(alpha), and M_e as its mass."""
+
+    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+        motion, *moment = relations
+        model = shipped(structure)
+        lever = sp.Dummy("lever", positive=True)
+        own = symbols_of(model)
+        arm = next((f.symbol for f in model.functions if f.name == "lever"), own["half_width"])
+        (pull,) = (f.symbol for f in model.functions if f.name == "elastic_force")
+        stated = motion.lhs - motion.rhs
+        for relation in moment:
+            stated = stated.subs(relation.lhs, relation.rhs)
+        for side in equation.sides:
+            exact = residual(model, side).subs({arm: lever, pull: th.P_tendon})
+            exact = in_thesis_symbols(model, exact, side)
+            if not moment:
+                exact = exact.subs(th.a_g, 0)
+            put = {th.M_e: th.m, th.s: sp.Integer(side)}
+            one_side = sp.expand(sp.expand_trig(stated.subs(put)))
+            polar = {th.R * sin(th.alpha): lever, th.R * cos(th.alpha): th.H_c}
+            rest = sp.expand(one_side).subs(polar) - exact
+            yield vanishes(f"thesis minus {structure}, theta of sign {side}", rest, sp.expand)
+
+    return find
+
+
+CHECKS: dict[str, Check | tuple[Check, ...]] = {
+    "4-8": derived("rotation centres of the shipped walls", _rotation_centre),
+    "4-16": derived("tendons of the shipped walls", _tendon_force),
+    "4-27": derived(f"motion of {OSCILLATOR}, with 4-16, 4-18, 4-28 and 4-39", _oscillator),
+    "4-32": derived(f"motion of {ABOUT_CORNERS}", _substitute_gravity(ABOUT_CORNERS)),
+    "4-37": derived(f"lever of {ABOUT_MOVING_CENTRE}", _moving_lever),
+    "4-40": derived(f"motion of {ABOUT_MOVING_CENTRE}", _substitute_gravity(ABOUT_MOVING_CENTRE)),
+}
