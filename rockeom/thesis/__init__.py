@@ -17,6 +17,7 @@ from rockeom.thesis.notation import NOTATION, Entry, entry
 from rockeom.thesis.verification import Decision, Report, Verdict, claim, decide, verify
 
 __all__ = [
-    "CHECKS", "EQUATIONS", "NOTATION", "Check", "Decision", "Domain", "Entry", "Equation", "Finding",
-    "Kind", "Means", "Report", "Verdict", "claim", "decide", "entry", "equation", "verify",
+    "CHECKS", "EQUATIONS", "NOTATION", "Check", "Decision", "Domain", "Entry", "Equation",
+    "Finding", "Kind", "Means", "Report", "Verdict", "claim", "decide", "entry", "equation",
+    "verify",
 ]  # fmt: skip
