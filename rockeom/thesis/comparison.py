@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -135,6 +136,7 @@ def in_engine_notation(
     return expr.xreplace({**TO_ENGINE, **values})
 
 
+@lru_cache(maxsize=1024)  # of several relations of an equation most are compared again and again
 def normal_form(expr: sp.Expr) -> sp.Expr:
     """The numerator of `expr`, reduced: zero if and only if `expr` is."""
     numerator = sp.fraction(sp.together(sp.expand(spread(expr))))[0]

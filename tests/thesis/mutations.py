@@ -18,7 +18,9 @@ from types import FunctionType, ModuleType
 from typing import Any, NamedTuple
 
 from rockeom.symbolic import registry
-from rockeom.thesis import EQUATIONS, Equation, Verdict, decide, verification
+from rockeom.thesis import EQUATIONS, Equation, verification
+
+from .wrong import notices
 
 ROOT = Path(__file__).parents[2] / "rockeom"
 
@@ -339,9 +341,14 @@ MUTATIONS = _all()
 
 
 def noticed(mutation: Mutation) -> bool:
-    """Whether the verification of the equation fails, or the mutated text is refused."""
+    """Whether a finding of the equation fails, as in `decide`, or the mutated text is refused."""
     with mutated(mutation) as refused:
-        return refused or decide(mutation.noticed_by).verdict is Verdict.FAILED
+        if refused:
+            return True
+        one = verification.equation(mutation.noticed_by)
+        if one.is_erratum and not all(found.holds for found in verification._excess(one)):
+            return True
+        return notices(one, one.right)
 
 
 @contextlib.contextmanager
