@@ -14,7 +14,7 @@ import math
 import os
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
@@ -152,7 +152,7 @@ def _of_parts(
         for key, part in zip(keys, parts, strict=True)
     ]
     if (shared := json.loads(codes[0].partition(b"\n")[0]).get("shared")) is not None:
-        codes.append(_shared(shared, lambda: _halves(_printed(generated, method, LOOP, bounds))[1]))
+        codes.append(_shared(shared, lambda: _halves(printed(generated, method, LOOP, bounds))[1]))
     return Program("_".join(keys[-1]), generated, *codes, bounds=bounds)
 
 
@@ -167,13 +167,13 @@ def _shared(digest: str, ir: Callable[[], str]) -> bytes:
     return _SHARED[digest]
 
 
-def _halves(printed: Printed) -> tuple[str, str]:
+def _halves(made: Printed) -> tuple[str, str]:
     """A loop in two: what is the structure's own, with its step, and what others have, too.
 
     Most of a loop is in the second, and it follows from a few numbers: how many states there are,
     which modes follow which. All blocks have the same.
     """
-    return printed.halves(printed.texts[:2])
+    return made.halves(made.texts[:2])
 
 
 LOOP, VECTORS, GLUE, TANGENTS = "loop", "vectors", "lanes", "derivatives"
@@ -216,18 +216,22 @@ def _sources(generated: GeneratedModule, method: str, part: str, bounds: bool) -
 def _made(generated: GeneratedModule, method: str, part: str, bounds: bool = False) -> bytes:
     """A line that describes a part of a program, and its machine code."""
     started = time.monotonic()
-    printed = _printed(generated, method, part, bounds)
-    sizes = {name: int(printed.names[name]) for name in _SIZES if name in printed.names}
-    described: dict[str, Any] = {"entries": printed.entries, "sizes": sizes}
+    made = printed(generated, method, part, bounds)
+    described: dict[str, Any] = {"entries": made.entries, "sizes": sizes_of(made)}
     if part == LOOP:
-        own, rest = _halves(printed)
+        own, rest = _halves(made)
         described["shared"] = digest(rest, target(), text_of("compiler/machine.py"))
         _shared(described["shared"], lambda: rest)
         code = compiled(own, False)
     else:
-        code = compiled(printed.ir(), part == VECTORS)
+        code = compiled(made.ir(), part == VECTORS)
     announce(f"compiled {generated.NAME} with {method}{_SAID.get(part, '')}", started)
     return json.dumps(described).encode() + b"\n" + code
+
+
+def sizes_of(made: Printed) -> dict[str, int]:
+    """The sizes of the scratch arrays of a program, by name."""
+    return {name: int(made.names[name]) for name in _SIZES if name in made.names}
 
 
 def announce(done: str, started: float) -> None:
@@ -247,16 +251,24 @@ def say(line: str) -> None:
         sys.stderr.flush()
 
 
-def _printed(generated: GeneratedModule, method: str, part: str, bounds: bool = False) -> Printed:
-    """A part of a program as LLVM is given it."""
+def printed(
+    generated: GeneratedModule,
+    method: str,
+    part: str,
+    bounds: bool = False,
+    contract: bool = True,
+    more: Sequence[Text] = (),
+) -> Printed:
+    """A part of a program as LLVM is given it; contract as in `Printed`, more texts are joined."""
     # only where something is compiled; so are the texts of methods and lanes below
     from rockeom.compiler.printer import GROWTH, Program as Printed
 
     # a loop over lanes becomes one of vectors only where it calls nothing
     growth = 0.1 * GROWTH if has_points(generated) else GROWTH  # they have many modes
     growth = math.inf if part == VECTORS else growth
+    texts = [*joined_texts(generated, method, part), *more]
     with _nothing_collected():
-        return Printed(joined_texts(generated, method, part), growth=growth, bounds=bounds)
+        return Printed(texts, contract=contract, growth=growth, bounds=bounds)
 
 
 @contextmanager

@@ -1,0 +1,1 @@
+"""A structure, a motion and sliders in one web page, which integrates them as rockeom does."""

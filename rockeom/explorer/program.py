@@ -1,0 +1,75 @@
+"""The program of a structure and a method that has the same bits in every browser.
+
+Its operations are rounded one by one, and its elementary functions are those of `elementary`. From
+one text of LLVM come a WebAssembly module and machine code of this processor, which is what a page
+is compared with.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from functools import cache
+from typing import NamedTuple
+
+from rockeom.compiler.machine import compiled
+from rockeom.compiler.parsed import Text
+from rockeom.compiler.printer import Program as Printed
+from rockeom.compiler.types import FLOAT, Entry
+from rockeom.explorer.webassembly import Module, module
+from rockeom.integrator.program import LOOP, Program, printed, sizes_of
+from rockeom.integrator.schema import GeneratedModule
+from rockeom.integrator.texts import text_of
+
+_ELEMENTARY = "explorer/elementary.py"
+_LLVM = re.compile(r"@(?:llvm\.(sin|cos|exp|log|pow)\.f64|(expm1|log1p|tan|a?sin|a?cos|atan|a?sinh"
+                   r"|a?cosh|a?tanh))\(")  # fmt: skip
+"""Calls of elementary functions, as the printer writes them."""
+_ARGUMENTS = {"pow": 2}
+
+
+class Portable(NamedTuple):
+    """A program: its text of LLVM, its functions that may be called, sizes of scratch arrays."""
+
+    ir: str
+    entries: dict[str, Entry]
+    sizes: dict[str, int]
+
+    def native(self, generated: GeneratedModule) -> Program:
+        """The program of this processor, to be run as others are."""
+        described = json.dumps({"entries": self.entries, "sizes": self.sizes}).encode()
+        return Program(
+            f"{generated.NAME}_portable", generated, described + b"\n" + compiled(self.ir)
+        )
+
+    def webassembly(self) -> Module:
+        """The same as a WebAssembly module."""
+        return module(self.ir, self.entries)
+
+
+@cache
+def portable(generated: GeneratedModule, method: str, more: tuple[Text, ...] = ()) -> Portable:
+    """The program of a generated module and a method; `more` are texts that are printed with it."""
+    texts = (Text(_ELEMENTARY, text_of(_ELEMENTARY)), *more)
+    made = printed(generated, method, LOOP, contract=False, more=texts)
+    return Portable(_own_functions(made), made.entries, sizes_of(made))
+
+
+def _own_functions(printed: Printed) -> str:
+    """The text of a program in which calls of elementary functions are of those printed with it."""
+    ir = printed.ir()
+    called = {a or b for a, b in _LLVM.findall(ir)}
+    symbols = {name: _symbol(printed, f"own_{name}") for name in sorted(called)}
+    ir = "\n".join(
+        line
+        for line in printed.ir().splitlines()  # once more, with the functions
+        if not (line.startswith("declare") and _LLVM.search(line))
+    )
+    return _LLVM.sub(lambda call: f"@{symbols[call[1] or call[2]]}(", ir)
+
+
+def _symbol(printed: Printed, name: str) -> str:
+    """The symbol of a function of floats, which is printed if it is not yet."""
+    definition = printed.definitions[name]
+    types = (FLOAT,) * _ARGUMENTS.get(name.removeprefix("own_"), 1)
+    return printed.function(name, types, None, definition)[0]

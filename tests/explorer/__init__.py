@@ -1,0 +1,1 @@
+"""Tests of pages that integrate in the browser."""

@@ -1,0 +1,30 @@
+"""Motions of every shipped structure by every method, in WebAssembly and in machine code.
+
+python -m tests.explorer        list those whose bits differ; a few minutes
+"""
+
+from __future__ import annotations
+
+import sys
+
+import pytest
+
+from rockeom.structures.classes import SHIPPED
+
+from .test_bits import METHODS, same_bits
+
+
+def main() -> int:
+    differ = 0
+    for name in SHIPPED:
+        for method in METHODS:
+            with pytest.MonkeyPatch.context() as patch:
+                same = same_bits(name, method, patch)
+            differ += not same
+            print(f"{name} {method}: {'same bits' if same else 'DIFFERENT'}", flush=True)
+    print(f"{differ} motions differ")
+    return differ > 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
