@@ -13,6 +13,7 @@ from pathlib import Path
 
 import notebooks
 import sympy as sp
+from matplotlib.figure import Figure
 
 from rockeom import thesis
 from rockeom.drawing.style import save_figure
@@ -204,12 +205,18 @@ def shown(one: TextTable) -> str:
 # --- the figures, and what the thesis says of them
 
 
+@cache
+def drawn(number: str) -> Figure:
+    """A figure, drawn once for all pages."""
+    return FIGURES[number]()
+
+
 def figures() -> str:
     """Each figure with its conventions, and those that cannot be drawn."""
     parts = []
     PICTURES.mkdir(parents=True, exist_ok=True)
     for number, one in FIGURES.items():
-        save_figure(one(), PICTURES / f"{number}.png", dpi=110)
+        save_figure(drawn(number), PICTURES / f"{number}.png", dpi=110)
         head, _, rest = one.text.partition("\n")
         parts += [
             f"(figure-{number})=\n## Figure {number}",

@@ -333,6 +333,13 @@ def test_every_shipped_structure_has_an_example_that_makes_it(gallery):
         assert example.run.startswith("run = rk.simulate(structure, ")
 
 
+def test_a_figure_of_the_thesis_is_on_a_card(gallery, tmp_path, monkeypatch):
+    monkeypatch.setattr(gallery, "PICTURES", tmp_path)
+    card = gallery._figure_card("2-10")
+    assert (tmp_path / "figure-2-10.png").stat().st_size > 1000
+    assert "figures.md#figure-2-10" in card
+
+
 def test_an_example_of_the_gallery_is_run_sketched_and_shown(gallery, tmp_path, monkeypatch):
     monkeypatch.setattr(gallery, "PICTURES", tmp_path)
     card = gallery._structure_card("rigid_block")
