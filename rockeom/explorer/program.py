@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
 
-from rockeom.compiler.machine import compiled
+from rockeom.compiler.machine import Function, Loaded, compiled
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.printer import Program as Printed
 from rockeom.compiler.types import FLOAT, Entry
@@ -53,6 +54,13 @@ def portable(generated: GeneratedModule, method: str, more: tuple[Text, ...] = (
     texts = (Text(_ELEMENTARY, text_of(_ELEMENTARY)), *more)
     made = printed(generated, method, LOOP, contract=False, more=texts)
     return Portable(_own_functions(made), made.entries, sizes_of(made))
+
+
+def functions(texts: Sequence[Text]) -> dict[str, Function]:
+    """The entries of texts of their own as machine code, by name."""
+    with_own = (Text(_ELEMENTARY, text_of(_ELEMENTARY)), *texts)
+    made = Printed(with_own, contract=False)
+    return Loaded(compiled(_own_functions(made)), made.entries).functions
 
 
 def _own_functions(printed: Printed) -> str:

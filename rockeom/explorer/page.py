@@ -1,0 +1,234 @@
+"""An explorer: a structure, its motion and sliders in one HTML file that integrates by itself."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import html
+import json
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rockeom import files as whole
+from rockeom.codes import OUTCOMES
+from rockeom.compiler.parsed import Text
+from rockeom.compiler.types import Array
+from rockeom.explorer.program import Portable, portable
+from rockeom.explorer.setup import FALLEN, Setup, Slider, setup_of, spread
+from rockeom.explorer.traced import UntracedError
+from rockeom.explorer.webassembly import Module, module
+from rockeom.integrator.schema import has_points
+from rockeom.integrator.texts import text_of
+from rockeom.numbers.checks import described, is_number
+from rockeom.simulation.case import Case
+from rockeom.simulation.options import SolverOptions
+from rockeom.simulation.simulate import simulated
+
+ENTRIES = ("motion", "fate", "places", "corners", "energy_of")
+MOST_SLIDERS = 12
+METHOD = "DOP853"
+MOTIONS = 16
+"""Places of the sliders whose motions are compared with `rk.simulate`."""
+_SCRIPTS = ("runtime.js", "drawing.js", "charts.js", "map.js", "page.js")
+_ASSETS = files("rockeom").joinpath("explorer", "assets")
+
+
+def explorer(
+    case: Callable[..., Case], sliders: Mapping[str, tuple[float, ...]], title: str = ""
+) -> Explorer:
+    """A page in which the motion of a case follows sliders, integrated in the browser.
+
+    case : a function of the sliders, by name, that gives a `Case`. sliders : for each the lowest
+    and the highest value, and the first one (the middle if not given). title : of the page; the
+    structure if not given.
+
+        def statue(half_width, amplitude):
+            block = rk.RigidBlock(half_width=half_width, half_height=0.6)
+            return rk.Case(block, rk.GroundMotion.half_sine(amplitude, 0.8, duration=6.0))
+
+        page = rk.explorer(statue, {"half_width": (0.05, 0.4, 0.15), "amplitude": (0.5, 8.0)})
+        page.save("statue.html")
+
+    Everything that the case does between the sliders and the numbers is recorded, and compared with
+    Python at 2048 places of the sliders before there is a page. Raises UntracedError, naming the
+    line, where a page could not repeat it, and ValueError for sliders without a range.
+    """
+    if not callable(case):
+        raise TypeError(f"case is {described(case)}: give a function of the sliders")
+    return Explorer(case, {n: _slider(n, given) for n, given in sliders.items()}, title)
+
+
+def _slider(name: str, given: tuple[float, ...]) -> Slider:
+    several = isinstance(given, tuple | list) and len(given) in (2, 3)
+    if not (several and all(map(is_number, given))):
+        raise TypeError(
+            f"slider {name!r} is {described(given)}: give (lowest, highest) or (lowest, highest, "
+            "first)"
+        )
+    low, high = float(given[0]), float(given[1])
+    start = float(given[2]) if len(given) == 3 else (low + high) / 2
+    if not (low < high and low <= start <= high):
+        raise ValueError(
+            f"slider {name!r} goes from {low:g} to {high:g}, first {start:g}: give two finite "
+            "numbers, the lower one first, and a first value between them"
+        )
+    return Slider(low, high, start)
+
+
+@dataclass(frozen=True)
+class Explorer:
+    """A page with sliders; see `explorer`. It is made when it is first asked for."""
+
+    case: Callable[..., Case]
+    sliders: Mapping[str, Slider]
+    title: str = ""
+
+    def __post_init__(self) -> None:
+        if not 1 <= len(self.sliders) <= MOST_SLIDERS:
+            raise ValueError(f"{len(self.sliders)} sliders: give from 1 to {MOST_SLIDERS}")
+        structure = self._first.structure
+        if has_points(structure.module):
+            raise UntracedError(
+                f"{structure.model}: the mode at the start is searched for among contacts that may "
+                "slide and open, which is not recorded yet: give a structure with declared modes"
+            )
+
+    def save(self, path: str | Path) -> Path:
+        """Write the page into one HTML file, which needs no network; returns its path."""
+        whole.write(path, self.html)
+        return Path(path)
+
+    def _repr_html_(self) -> str:
+        """The page in a frame of its own, as Jupyter shows it."""
+        return (
+            f'<iframe srcdoc="{html.escape(self.html)}" style="width:100%;height:46em;border:0" '
+            'sandbox="allow-scripts allow-downloads"></iframe>'
+        )
+
+    @cached_property
+    def html(self) -> str:
+        """The page as text."""
+        page = _ASSETS.joinpath("page.html").read_text("utf-8")
+        data = {"program": _packed(self.module.code), "of": self.description()}
+        parts = {
+            "title": html.escape(self.heading),
+            "style": _ASSETS.joinpath("page.css").read_text("utf-8"),
+            "data": json.dumps(data).replace("<", "\\u003c"),
+            "script": "\n".join(_ASSETS.joinpath(s).read_text("utf-8") for s in _SCRIPTS),
+        }
+        for name, text in parts.items():
+            page = page.replace(f"<!-- {name} -->", text)
+        return page
+
+    # --- what a page consists of
+
+    @property
+    def heading(self) -> str:
+        return self.title or type(self._first.structure).__name__
+
+    @property
+    def _first(self) -> Case:
+        return self.case(**{name: one.start for name, one in self.sliders.items()})
+
+    @cached_property
+    def setup(self) -> Setup:
+        """The set-up of the case, compared with Python."""
+        return setup_of(self.case, self.sliders)
+
+    @cached_property
+    def program(self) -> Portable:
+        """The program of the page, whose motions were compared with `rk.simulate`."""
+        made = portable(self._first.structure.module, METHOD, self._texts())
+        self._compare(made)
+        return made
+
+    @cached_property
+    def module(self) -> Module:
+        """The program as WebAssembly, with the functions that a page calls."""
+        ir = self.program.ir
+        for name in self.program.entries:
+            if name not in ENTRIES:
+                ir = ir.replace(f"define void @{name}(ptr", f"define internal void @{name}(ptr")
+        return module(ir, ENTRIES)
+
+    def _texts(self) -> tuple[Text, ...]:
+        p, horizontal, vertical = self.setup.sizes
+        sizes = f"MOST_P, ROWS_X, ROWS_Y = {p}, {horizontal}, {vertical}\n"
+        name = "explorer/questions.py"
+        return self.setup.text, Text("sizes of the set-up", sizes), Text(name, text_of(name))
+
+    def description(self) -> dict[str, Any]:
+        """Names, units and sizes that a page needs besides its program."""
+        structure = self._first.structure
+        m = structure.module
+        units = dict(zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True))
+        meanings = dict(zip(m.PARAMETERS, m.PARAMETER_MEANINGS, strict=True))
+        states = dict(zip(m.STATES, m.STATE_UNITS, strict=True))
+        return {
+            "title": self.heading,
+            "structure": type(structure).__name__,
+            "dataEnd": self.module.data_end,
+            "entries": {name: _entry(self.program, name) for name in ENTRIES},
+            "sliders": [
+                {
+                    "name": name, "low": one.low, "high": one.high, "start": one.start,
+                    "unit": units.get(name) or states.get(name) or "",
+                    "meaning": meanings.get(name, ""),
+                }
+                for name, one in self.sliders.items()
+            ],
+            "states": m.STATES, "stateUnits": m.STATE_UNITS, "modes": m.MODES,
+            "rotation": m.ROTATION, "positions": m.POSITIONS, "kinds": m.POSITION_KINDS,
+            "corners": m.CORNERS, "members": m.MEMBERS, "memberEnds": m.MEMBER_ENDS,
+            "copies": m.COPIES, "energies": m.ENERGIES, "mostP": self.setup.sizes[0],
+            "outcomes": [OUTCOMES[i] for i in sorted(OUTCOMES)], "fallen": FALLEN,
+        }  # fmt: skip
+
+    # --- the comparison of motions
+
+    def _compare(self, made: Portable) -> None:
+        """Raise UntracedError where too many motions of the page are not those of `rk.simulate`."""
+        differ = [place for place, same in self._motions(made) if not same]
+        if len(differ) > MOTIONS // 4:
+            raise UntracedError(
+                f"{len(differ)} of {MOTIONS} motions of the page end otherwise than those of "
+                f"`rk.simulate`, such as at {differ[0]}: they are too sensitive for a page"
+            )
+
+    def _motions(self, made: Portable) -> Iterator[tuple[dict[str, float], bool]]:
+        """Places of the sliders, and whether the motions there end alike and reach as far."""
+        fate = made.native(self._first.structure.module).fate  # type: ignore[attr-defined]
+        extremes = np.zeros((2, len(self._first.structure.states)))
+        for place in list(spread(self.sliders))[2 : 2 + MOTIONS]:
+            named = dict(zip(self.sliders, place.tolist(), strict=True))
+            try:
+                case = self.case(**named)
+                run = simulated(case, case.problem(), SolverOptions(method=METHOD))
+            except ValueError:
+                continue
+            code = int(fate(place, extremes))
+            rotation = case.structure.module.ROTATION
+            name = case.structure.states[rotation]
+            peak = np.abs(extremes[:, rotation]).max()
+            wanted = run.extremes(name).peak
+            near = abs(peak - abs(wanted)) <= 1e-6 * max(abs(wanted), 1e-9)
+            yield named, OUTCOMES.get(code) == str(run.outcome) and bool(near)
+
+
+def _packed(code: bytes) -> str:
+    return base64.b64encode(gzip.compress(code, 9, mtime=0)).decode()
+
+
+def _entry(made: Portable, name: str) -> list[list[Any]]:
+    """Name, type and number of dimensions of each argument."""
+    return [
+        [argument, type_.element, type_.dimensions] if isinstance(type_, Array) else
+        [argument, type_, 0]
+        for argument, type_ in made.entries[name].arguments
+    ]  # fmt: skip

@@ -1,0 +1,337 @@
+"""The set-up of a case as a text: from the sliders to the numbers that the loop integrates.
+
+A case is traced at some places of the sliders. Each way that it goes there is a function of the
+text, which returns 0 where one of the conditions of the way fails. Of thousands of places, spread
+over the ranges of all sliders, each is then compared with the case as Python makes it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.stats import qmc
+
+from rockeom.compiler.parsed import Text
+from rockeom.explorer.program import functions
+from rockeom.explorer.traced import (
+    COMPARED,
+    Condition,
+    Lines,
+    Node,
+    Tape,
+    UntracedError,
+    filled,
+    node_of,
+    number_text,
+    plain,
+    skeleton,
+)
+from rockeom.simulation.case import Case, Problem
+
+PLACES = 2048
+"""Places of the sliders at which a set-up is compared with Python's."""
+MOST_WAYS = 24
+LONG_TABLE = 8
+"""Rows of a ground motion beyond which they are written by a loop."""
+NEAR = 1e-12
+"""Relative difference that is left by elementary functions of our own."""
+
+MODE, LAW, RATIO, FALLEN, END, QUIET, HORIZONTAL, VERTICAL, SIZE = range(9)
+"""Places in the numbers of a problem: HORIZONTAL and VERTICAL are the rows of the ground motions,
+SIZE the length of p."""
+
+
+class Slider(NamedTuple):
+    """A number of a page. low, high : its range. start : its value at first."""
+
+    low: float
+    high: float
+    start: float
+
+
+@dataclass(frozen=True)
+class Way:
+    """A function of the set-up, for the sliders that go this way. sizes : of p, and of the rows."""
+
+    text: str
+    sizes: tuple[int, int, int]
+
+
+class Numbers(NamedTuple):
+    """A problem in arrays, of a text or of Python."""
+
+    y: np.ndarray
+    p: np.ndarray
+    horizontal: np.ndarray
+    vertical: np.ndarray
+    numbers: np.ndarray
+
+
+@dataclass(frozen=True)
+class Setup:
+    """The ways of a case. sliders : by name. case : of them."""
+
+    case: Callable[..., Case]
+    sliders: Mapping[str, Slider]
+    states: int
+    ways: list[Way] = field(default_factory=list)
+
+    @property
+    def sizes(self) -> tuple[int, int, int]:
+        """Sizes of arrays that are enough for all ways: of p, and rows of both ground motions."""
+        p, horizontal, vertical = map(max, zip(*(way.sizes for way in self.ways), strict=True))
+        return p, max(horizontal, 1), max(vertical, 1)
+
+    @property
+    def text(self) -> Text:
+        """All ways, and `set_up`, which returns the number of the way that was gone, or -1."""
+        tried = "".join(
+            f"    if way_{i}({_ARGUMENTS}) > 0:\n        return {i}\n"
+            for i in range(len(self.ways))
+        )
+        ways = "".join(way.text for way in self.ways)
+        last = f"def set_up({_ARGUMENTS}):\n{tried}    return -1\n"
+        return Text("the set-up of the page", _HEAD + ways + last)
+
+    def compiled(self) -> Callable[[np.ndarray], tuple[int, Numbers]]:
+        """The set-up as machine code: the way that is gone, and its numbers."""
+        set_up = functions((self.text, _CALLED))["set_up_at"]
+        size, rows, lifts = self.sizes
+        made = Numbers(
+            np.zeros(self.states), np.zeros(size), np.zeros((rows, 7)), np.zeros((lifts, 7)),
+            np.zeros(SIZE + 1),
+        )  # fmt: skip
+        bound = set_up.bound(np.zeros(len(self.sliders)), *made)
+
+        def run(sliders: np.ndarray) -> tuple[int, Numbers]:
+            bound["sliders"] = sliders
+            return bound(), made
+
+        return run
+
+
+_ARGUMENTS = "sliders, y, p, horizontal, vertical, numbers"
+_HEAD = """import math
+
+import numpy as np
+
+
+"""
+_CALLED = Text(
+    "the set-up as it is called",
+    """from rockeom.compiler.decorators import Floats, Floats2, entry
+
+
+@entry
+def set_up_at(
+    sliders: Floats, y: Floats, p: Floats, horizontal: Floats2, vertical: Floats2, numbers: Floats
+) -> int:
+    return set_up(sliders, y, p, horizontal, vertical, numbers)
+""",
+)
+
+
+def setup_of(case: Callable[..., Case], sliders: Mapping[str, Slider]) -> Setup:
+    """The set-up of a case for all values of its sliders.
+
+    Raises UntracedError where a page could not repeat what the case does, or where at one of the
+    places it gives other numbers than Python.
+    """
+    start = {name: one.start for name, one in sliders.items()}
+    first = case(**start)
+    found = Setup(case, sliders, len(first.structure.states))
+    places = list(spread(sliders))
+    _go_all_ways(found, [np.array(list(start.values())), *places])
+    _compare(found, places)
+    return found
+
+
+def spread(sliders: Mapping[str, Slider], n: int = PLACES) -> Iterator[np.ndarray]:
+    """Places of the sliders that fill their ranges evenly (Sobol), and their corners."""
+    low, high = (np.array([getattr(s, end) for s in sliders.values()]) for end in ("low", "high"))
+    yield from (low, high)
+    for x in qmc.Sobol(len(sliders), seed=1).random(n):
+        yield low + x * (high - low)
+
+
+def _go_all_ways(setup: Setup, places: list[np.ndarray]) -> None:
+    """Trace the case wherever no way that is known is gone; places where Python refuses it count
+    as refused."""
+    run = None
+    for place in places:
+        if run is not None and run(place)[0] >= 0:
+            continue
+        named = dict(zip(setup.sliders, place.tolist(), strict=True))
+        try:
+            setup.case(**named).problem()
+        except ValueError:
+            continue
+        if len(setup.ways) == MOST_WAYS:
+            raise UntracedError(
+                f"the case goes more than {MOST_WAYS} ways: narrow the ranges of the sliders"
+            )
+        setup.ways.append(_way(setup, named, len(setup.ways)))
+        run = setup.compiled()
+        if run(place)[0] < 0:
+            raise UntracedError(f"the way that the case goes at {named} is not gone there again")
+
+
+def _compare(setup: Setup, places: list[np.ndarray]) -> None:
+    """Raise UntracedError where the numbers of the set-up are not those of Python."""
+    run = setup.compiled()
+    for place in places:
+        named = dict(zip(setup.sliders, place.tolist(), strict=True))
+        way, made = run(place)
+        try:
+            wanted = setup.case(**named).problem()
+        except ValueError:
+            if way >= 0:
+                raise UntracedError(
+                    f"a page would show the case at {named}, which is refused"
+                ) from None
+            continue
+        if way < 0:
+            raise UntracedError(f"no way of the case is known at {named}: narrow the ranges")
+        if (wrong := difference(made, wanted)) is not None:
+            raise UntracedError(
+                f"at {named} {wrong} of the page is not that of Python: a number was taken from a "
+                "slider in a way that is not recorded"
+            )
+
+
+def difference(made: Numbers, wanted: Problem) -> str | None:
+    """The first part of a problem in which two set-ups differ by more than rounding, in words."""
+    p = wanted.p()
+    exact = (wanted.mode, wanted.law, len(wanted.horizontal), len(wanted.vertical), len(p))
+    places = (MODE, LAW, HORIZONTAL, VERTICAL, SIZE)
+    if tuple(int(made.numbers[i]) for i in places) != exact:
+        return "the mode, the impact law or the length of a table"
+    ratio = 0.0 if math.isnan(wanted.ratio) else wanted.ratio
+    rest = np.array([ratio, wanted.fallen, wanted.end, wanted.quiet_from])
+    pairs = {
+        "the initial state": (made.y, wanted.y0),
+        "the parameters": (made.p[: len(p)], p),
+        "the ground motion": (made.horizontal[: len(wanted.horizontal)], wanted.horizontal),
+        "the vertical ground motion": (made.vertical[: len(wanted.vertical)], wanted.vertical),
+        "the ratio of the impacts, the bound of overturning or the duration": (
+            made.numbers[[RATIO, FALLEN, END, QUIET]], rest,
+        ),
+    }  # fmt: skip
+    for words, (a, b) in pairs.items():
+        scale = np.abs(b).max(initial=0.0, where=np.isfinite(b))
+        if not np.allclose(a, b, rtol=NEAR, atol=NEAR * scale, equal_nan=True):
+            return words
+    return None
+
+
+# --- the text of a way
+
+
+def _way(setup: Setup, named: dict[str, float], number: int) -> Way:
+    tape = Tape()
+    problem = setup.case(**tape.sliders(named)).problem()
+    lines = Lines()
+    tables = _conditions(lines, list(tape.conditions), number)
+    p = [*problem.vector, *problem.table]
+    for i, x in enumerate(problem.y0):
+        lines.lines.append(f"y[{i}] = {lines.name(node_of(x))}")
+    for i, x in enumerate(p):
+        lines.lines.append(f"p[{i}] = {lines.name(node_of(x))}")
+    for name in ("horizontal", "vertical"):
+        tables += _table(lines, name, getattr(problem, name), number)
+    ratio = 0.0 if math.isnan(plain(problem.ratio)) else problem.ratio
+    rows = len(problem.horizontal), len(problem.vertical)
+    numbers = (
+        problem.mode, problem.law, ratio, problem.fallen, problem.end, problem.quiet_from, *rows,
+        len(p),
+    )  # fmt: skip
+    for i, x in enumerate(numbers):
+        lines.lines.append(f"numbers[{i}] = {lines.name(node_of(x))}")
+    body = "\n".join(f"    {line}" for line in [*lines.lines, "return 1"])
+    head = f"def way_{number}(sliders, y, p, horizontal, vertical, numbers):\n"
+    return Way("".join([*tables, head, body, "\n\n\n"]), (len(p), *rows))
+
+
+def _conditions(lines: Lines, conditions: list[Condition], number: int) -> list[str]:
+    """Write the lines that leave a way where a condition fails; returns the constants they read.
+
+    Conditions that differ in their numbers alone, such as of every sample of a record, are a loop.
+    """
+    alike: dict[Any, list[list[float]]] = {}
+    for one in conditions:
+        numbers: list[float] = []
+        shapes = tuple(skeleton(x, numbers) for x in (one.left, one.right))
+        alike.setdefault((one.comparison, one.holds, shapes), []).append(numbers)
+    constants = []
+    for k, ((comparison, holds, shapes), rows) in enumerate(alike.items()):
+        if len(rows) <= LONG_TABLE:
+            for row in rows:
+                left, right = (filled(shape, of) for of in (iter(row),) for shape in shapes)
+                text = f"{lines.name(left)} {COMPARED[comparison]} {lines.name(right)}"
+                lines.lines += [f"if {'not ' if holds else ''}({text}):", "    return 0"]
+            continue
+        texts, read = _varied(np.array(rows), f"CONDITION_{number}_{k}")
+        constants += read
+        of = iter(texts)
+        left, right = (_expression(lines, filled(shape, of)) for shape in shapes)
+        text = f"({left}) {COMPARED[comparison]} ({right})"
+        lines.lines += [
+            f"for i in range({len(rows)}):",
+            f"    if {'not ' if holds else ''}({text}):", "        return 0",
+        ]  # fmt: skip
+    return constants
+
+
+def _varied(data: np.ndarray, name: str) -> tuple[list[str], list[str]]:
+    """The numbers of many rows as expressions of row i, and the constants that these read."""
+    constants, texts = [], []
+    for k, values in enumerate(data.T):
+        if (values == values[0]).all():
+            texts.append(number_text(values[0]))
+            continue
+        constants.append(f"{name}_{k} = np.array({values.tolist()!r})\n")
+        texts.append(f"{name}_{k}[i]")
+    return texts, constants
+
+
+def _table(lines: Lines, name: str, table: np.ndarray, number: int) -> list[str]:
+    """Write the lines that fill a ground motion; returns the constants that they read."""
+    if len(table) <= LONG_TABLE:
+        for (i, j), x in np.ndenumerate(table):
+            lines.lines.append(f"{name}[{i}, {j}] = {lines.name(node_of(x))}")
+        return []
+    constants, inside = [], []
+    for j, column in enumerate(table.T):
+        text, read = _column(lines, column, f"{name.upper()}_{number}_{j}")
+        constants += read
+        inside.append(f"    {name}[i, {j}] = {text}")
+    lines.lines += [f"for i in range({len(table)}):", *inside]
+    return constants
+
+
+def _column(lines: Lines, column: np.ndarray, name: str) -> tuple[str, list[str]]:
+    """A column of many rows, whose operations are the same, as an expression of its row i."""
+    of_rows: list[list[float]] = []
+    shapes = set()
+    for x in column:
+        of_rows.append([])
+        shapes.add(skeleton(node_of(x), of_rows[-1]))
+    if len(shapes) > 1:
+        raise UntracedError("the rows of the ground motion are not all calculated alike")
+    (shape,) = shapes
+    texts, constants = _varied(np.array(of_rows), name)
+    return _expression(lines, filled(shape, iter(texts))), constants
+
+
+def _expression(lines: Lines, node: Any) -> str:
+    """An expression of a node whose numbers are texts."""
+    if not isinstance(node, Node):
+        return str(node)
+    if node.operation == "slider":
+        return lines.name(node)
+    given = [_expression(lines, x) for x in node.of]
+    return lines.expression(node.operation, [f"({x})" for x in given])

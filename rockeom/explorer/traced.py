@@ -1,0 +1,280 @@
+"""Numbers that record how they are calculated: a case of such numbers is one for all sliders.
+
+The constructors of structures, motions and laws are plain Python, and a browser has none. A
+`Traced` calculates as a number does and records how. A comparison gives the truth at the present
+values, and is recorded as a condition: where it fails another way may be gone. Where a plain number
+is needed (`float(x)`, `math.sin(x)`, an index) the record would be lost: that is an UntracedError.
+"""
+
+from __future__ import annotations
+
+import math
+import operator
+import sys
+from collections.abc import Callable, Iterator
+from numbers import Real
+from pathlib import Path
+from typing import Any, NamedTuple, NoReturn
+
+import numpy as np
+
+from rockeom.explorer import elementary
+from rockeom.numbers.batch import OPERATORS, boxed
+from rockeom.numbers.functions import IN_NUMPY, Compound
+
+_LIBRARIES = (str(Path(__file__).parents[1]), str(Path(np.__file__).parent))
+_IN_MATH = {name: here for here, name in IN_NUMPY.items()} | {"arctan2": "atan2"}
+"""Names of `math` by those of NumPy."""
+_SIGNS = {"add": "+", "sub": "-", "mul": "*", "truediv": "/"}
+_COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="}
+_OWN = {n.removeprefix("own_"): f for n, f in vars(elementary).items() if n.startswith("own_")}
+_MOST = 9
+"""The largest whole exponent that is written as products, as in machine code."""
+
+
+class UntracedError(TypeError):
+    """A calculation with a slider that a page cannot repeat, with the line of it."""
+
+
+class Node(NamedTuple):
+    """An operation. of : its arguments, nodes or numbers; those of a slider are its place."""
+
+    operation: str
+    of: tuple[Any, ...]
+
+
+class Condition(NamedTuple):
+    """A comparison on the way, and whether it held."""
+
+    comparison: str
+    left: Any
+    right: Any
+    holds: bool
+
+
+class Tape:
+    """The conditions of a calculation, in their order."""
+
+    def __init__(self) -> None:
+        self.conditions: dict[Condition, None] = {}
+
+    def sliders(self, values: dict[str, float]) -> dict[str, Traced]:
+        """A traced number for each slider, by name."""
+        return {
+            name: Traced(self, Node("slider", (i,)), float(value))
+            for i, (name, value) in enumerate(values.items())
+        }
+
+    def condition(self, comparison: str, left: Any, right: Any) -> bool:
+        """The truth at the present values, which is recorded."""
+        holds = bool(getattr(operator, comparison)(plain(left), plain(right)))
+        found = Condition(comparison, node_of(left), node_of(right), holds)
+        self.conditions[found] = None
+        return holds
+
+
+def plain(x: Any) -> float:
+    """The present value of a number."""
+    return x.present if isinstance(x, Traced) else x
+
+
+def node_of(x: Any) -> Node | float:
+    """The operation of a traced number, or a plain one."""
+    return x.node if isinstance(x, Traced) else float(x)
+
+
+class Traced(Compound):
+    """A number of a tape. node : its operation. present : its value where the sliders are now."""
+
+    __slots__ = ("node", "present", "tape")
+
+    def __init__(self, tape: Tape, node: Node, present: float) -> None:
+        self.tape, self.node, self.present = tape, node, float(present)
+
+    def __repr__(self) -> str:
+        return f"<{self.present!r}, of sliders>"
+
+    def __format__(self, how: str) -> str:
+        return format(self.present, how)
+
+    @classmethod
+    def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
+        """A function of `math` by its name; raises UntracedError for one that a page has not."""
+        (tape,) = {id(x.tape): x.tape for x in given if isinstance(x, cls)}.values()
+        if name in ("fabs", "absolute"):
+            return abs(given[0])
+        if name == "hypot":
+            return np.sqrt(given[0] * given[0] + given[1] * given[1])
+        if name == "isfinite":
+            return abs(given[0]) < math.inf
+        if name not in _OWN and name != "sqrt":
+            _refuse(f"{name} of a slider", "a page has no such function")
+        function = math.sqrt if name == "sqrt" else _OWN[name]
+        node = Node(name, tuple(map(node_of, given)))
+        return cls(tape, node, float(function(*map(plain, given))))
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *given: Any, **how: Any) -> Any:
+        """NumPy's functions of numbers one by one, operators among them."""
+        if method != "__call__" or ufunc.signature is not None:
+            _refuse(f"numpy.{ufunc.__name__}.{method} of a slider", "take numbers one by one")
+        if any(isinstance(x, np.ndarray) for x in given):
+            return ufunc(*(boxed(x) if type(x) is Traced else x for x in given), **how)
+        if how:
+            _refuse(f"numpy.{ufunc.__name__} of a slider with {', '.join(how)}", "leave them out")
+        if ufunc is np.sign:
+            return 1.0 if self > 0.0 else -1.0 if self < 0.0 else 0.0
+        if ufunc in OPERATORS:
+            return OPERATORS[ufunc](*(x if isinstance(x, Traced) else float(x) for x in given))
+        return self.of_function(_IN_MATH.get(ufunc.__name__, ufunc.__name__), given)
+
+    def _with(self, name: str, left: Any, right: Any) -> Traced:
+        present = getattr(operator, name)(plain(left), plain(right))
+        return Traced(self.tape, Node(name, (node_of(left), node_of(right))), present)
+
+    def __neg__(self) -> Traced:
+        return Traced(self.tape, Node("neg", (self.node,)), -self.present)
+
+    def __pos__(self) -> Traced:
+        return self
+
+    def __abs__(self) -> Traced:
+        return Traced(self.tape, Node("abs", (self.node,)), abs(self.present))
+
+    def __pow__(self, exponent: Any) -> Any:
+        if isinstance(exponent, Traced) or not 0 < exponent <= _MOST or exponent % 1:
+            if not isinstance(exponent, Traced) and exponent == 0.5:
+                return np.sqrt(self)
+            return self.of_function("pow", (self, exponent))
+        found = self
+        for _ in range(int(exponent) - 1):
+            found = found * self
+        return found
+
+    def __rpow__(self, base: Any) -> Any:
+        return self.of_function("pow", (base, self))
+
+    def __bool__(self) -> bool:
+        return bool(self != 0.0)
+
+    def __float__(self) -> NoReturn:
+        _refuse("float() or a function of `math` of a slider", "take the function of numpy")
+
+    def __int__(self) -> NoReturn:
+        _refuse("int() of a slider", "a whole number cannot follow it")
+
+    def __index__(self) -> NoReturn:
+        _refuse("a slider as an index, or as a count", "a whole number cannot follow it")
+
+    def __round__(self, digits: int | None = None) -> NoReturn:
+        _refuse("round() of a slider", "leave it out")
+
+    def __mod__(self, other: Any) -> NoReturn:
+        _refuse("a remainder, or a quotient rounded down, of a slider", "leave it out")
+
+    __rmod__ = __floordiv__ = __rfloordiv__ = __divmod__ = __mod__
+    __floor__ = __ceil__ = __trunc__ = __int__
+    __hash__ = None  # type: ignore[assignment]
+
+
+def _operator(name: str, swapped: bool) -> Callable[[Traced, Any], Any]:
+    def operate(self: Traced, other: Any) -> Any:
+        if not _is_number(other):
+            return NotImplemented
+        return self._with(name, *((other, self) if swapped else (self, other)))
+
+    return operate
+
+
+def _comparison(name: str) -> Callable[[Traced, Any], Any]:
+    def compare(self: Traced, other: Any) -> Any:
+        return self.tape.condition(name, self, other) if _is_number(other) else NotImplemented
+
+    return compare
+
+
+def _is_number(x: Any) -> bool:
+    return isinstance(x, int | float | np.number | Traced)
+
+
+for _name in _SIGNS:
+    setattr(Traced, f"__{_name}__", _operator(_name, False))
+    setattr(Traced, f"__r{_name}__", _operator(_name, True))
+for _name in _COMPARISONS:
+    setattr(Traced, f"__{_name}__", _comparison(_name))
+Real.register(Traced)
+
+
+def _refuse(what: str, remedy: str) -> NoReturn:
+    """Raise UntracedError with the line outside of the package that led here."""
+    frame: Any = sys._getframe(1)
+    while frame and (frame.f_code.co_filename.startswith(_LIBRARIES)):
+        frame = frame.f_back
+    where = f"{frame.f_code.co_filename}, line {frame.f_lineno}: " if frame else ""
+    raise UntracedError(f"{where}{what} cannot be part of a page: {remedy}")
+
+
+# --- as a text
+
+
+class Lines:
+    """Nodes as lines of Python, each operation once."""
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+        self.names: dict[Any, str] = {}
+
+    def name(self, node: Node | float) -> str:
+        """The name of the value of a node, or a number."""
+        if not isinstance(node, Node):
+            return number_text(node)
+        if node not in self.names:
+            text = self._text(node)
+            self.names[node] = f"x{len(self.names)}"
+            self.lines.append(f"{self.names[node]} = {text}")
+        return self.names[node]
+
+    def _text(self, node: Node) -> str:
+        if node.operation == "slider":
+            return f"sliders[{node.of[0]}]"
+        return self.expression(node.operation, [self.name(x) for x in node.of])
+
+    def expression(self, operation: str, given: list[str]) -> str:
+        """An operation of things that have names."""
+        if operation in _SIGNS:
+            return f"{given[0]} {_SIGNS[operation]} {given[1]}"
+        if operation == "neg":
+            return f"-{given[0]}"
+        called = {"abs": "abs", "sqrt": "math.sqrt"}.get(operation, f"own_{operation}")
+        return f"{called}({', '.join(given)})"
+
+
+COMPARED = _COMPARISONS
+"""Comparisons as they are written."""
+
+
+def number_text(x: float) -> str:
+    """A number as Python reads it, to the bit."""
+    if math.isnan(x):
+        return "np.nan"
+    if math.isinf(x):
+        return "np.inf" if x > 0 else "(-np.inf)"
+    return repr(float(x)) if math.copysign(1.0, x) > 0 else f"({float(x)!r})"
+
+
+def skeleton(node: Node | float, numbers: list[float]) -> Any:
+    """A node without its numbers, which are added to the list: rows of a table may share it."""
+    if not isinstance(node, Node):
+        numbers.append(node)
+        return None
+    if node.operation == "slider":
+        return node
+    return Node(node.operation, tuple(skeleton(x, numbers) for x in node.of))
+
+
+def filled(shape: Any, numbers: Iterator[Any]) -> Any:
+    """A node of a skeleton, with other things for its numbers."""
+    if shape is None:
+        return next(numbers)
+    if shape.operation == "slider":
+        return shape
+    return Node(shape.operation, tuple(filled(x, numbers) for x in shape.of))
