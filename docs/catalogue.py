@@ -219,7 +219,7 @@ def figures() -> str:
         save_figure(drawn(number), PICTURES / f"{number}.png", dpi=110)
         head, _, rest = one.text.partition("\n")
         parts += [
-            f"(figure-{number})=\n## Figure {number}",
+            f"(figure-{number.lower()})=\n## Figure {number}",
             f"**{plain(_sentence(head))}** *Drawn from: {one.source.value}.*",
             f"![Figure {number}: {plain(one.title)}](_build/figures/{number}.png)",
             *(plain(" ".join(p.split())) for p in rest.split("\n\n") if p.strip()),
@@ -262,7 +262,7 @@ def _judged(judged: Iterable[Judgement], sources: bool = False) -> str:
         of = one.statement
         where = plain(of.place)
         if sources and of.figure:
-            where += f" ([Figure {of.figure}](figures.md#figure-{of.figure}))"
+            where += f" ([Figure {of.figure}](figures.md#figure-{of.figure.lower()}))"
         cells = (of.words, str(of.limits), one.words, one.verdict.value, *[one.source] * sources)
         rows.append([where, *map(plain, cells)])
     return table(head, rows)

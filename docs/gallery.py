@@ -359,7 +359,7 @@ def _figures() -> str:
 def _figure_card(number: str) -> str:
     one = FIGURES[number]
     picture = _image(catalogue.drawn(number), f"figure-{number}", f"Figure {number}")
-    head = f"**[{number}](figures.md#figure-{number})** {catalogue.plain(one.title)}"
+    head = f"**[{number}](figures.md#figure-{number.lower()})** {catalogue.plain(one.title)}"
     return f"{picture}\n\n{head}"
 
 

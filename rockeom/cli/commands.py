@@ -16,6 +16,7 @@ GROUPS = {
         "records": "list recorded earthquakes, or show one",
         "simulate": "simulate a structure under a ground motion",
         "animate": "make a film of a simulation (.gif, .html, .mp4)",
+        "explore": "make a page with sliders that simulates in the browser (.html)",
     },
     "Many motions": {
         "sweep": "vary numbers of a simulation and map what happens",

@@ -5,7 +5,7 @@ decides which impact comes first. These functions use sums, products, quotients 
 alone, each rounded as IEEE 754 asks, and are within 3 units in the last place of the exact values
 (`own_pow` within 1 + |y log x| of them). Arguments of sines reach up to 1e5.
 
-This text is joined to others, see `rockeom.explorer.program`.
+This text is joined to others, see `rockeom.browser.program`.
 """
 
 import math

@@ -64,7 +64,9 @@ class Sketch {
     const { of, places, corners } = this.runner;
     this.runner.at(i);
     const scale = Math.min(width / 3, height / 1.25) / this.size;
-    const [ox, oy] = [width / 2 + shift * scale, height - 28];
+    // a pulse leaves the ground moving on: what leaves the picture comes back on the other side
+    const away = ((((shift * scale) % width) + 1.5 * width) % width) - width / 2;
+    const [ox, oy] = [width / 2 + away, height - 28];
     /** @param {[number, number]} point */
     const on = ([x, y]) => /** @type {[number, number]} */ ([ox + x * scale, oy - y * scale]);
     to.lineWidth = 1;
@@ -72,7 +74,7 @@ class Sketch {
     to.beginPath();
     to.moveTo(0, oy);
     to.lineTo(width, oy);
-    for (let x = ((shift * scale) % 18) - 18; x < width; x += 18) {
+    for (let x = (away % 18) - 18; x < width; x += 18) {
       to.moveTo(x + 9, oy);
       to.lineTo(x, oy + 9);
     }

@@ -62,7 +62,7 @@ class Program {
 }
 
 /** Samples of a motion. */
-const SAMPLES = 1201;
+const SAMPLES = 4801;
 const IMPACTS = 2000;
 
 /** A motion at a time: its arrays, and the functions that fill them. */

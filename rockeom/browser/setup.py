@@ -1,8 +1,8 @@
 """The set-up of a case as a text: from the sliders to the numbers that the loop integrates.
 
 A case is traced at some places of the sliders. Each way that it goes there is a function of the
-text, which returns 0 where one of the conditions of the way fails. Of thousands of places, spread
-over the ranges of all sliders, each is then compared with the case as Python makes it.
+text, which returns 0 where one of the conditions of the way fails. At thousands of places, spread
+over the ranges of all sliders, the numbers are then compared with those of Python.
 """
 
 from __future__ import annotations
@@ -15,9 +15,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.stats import qmc
 
-from rockeom.compiler.parsed import Text
-from rockeom.explorer.program import functions
-from rockeom.explorer.traced import (
+from rockeom.browser.program import functions
+from rockeom.browser.traced import (
     COMPARED,
     Condition,
     Lines,
@@ -30,6 +29,7 @@ from rockeom.explorer.traced import (
     plain,
     skeleton,
 )
+from rockeom.compiler.parsed import Text
 from rockeom.simulation.case import Case, Problem
 
 PLACES = 2048
@@ -233,7 +233,13 @@ def difference(made: Numbers, wanted: Problem) -> str | None:
 
 def _way(setup: Setup, named: dict[str, float], number: int) -> Way:
     tape = Tape()
-    problem = setup.case(**tape.sliders(named)).problem()
+    case = setup.case(**tape.sliders(named))
+    try:
+        problem = case.problem()
+    except UntracedError:
+        raise
+    except TypeError as error:
+        raise _unrecorded(case) from error
     lines = Lines()
     tables = _conditions(lines, list(tape.conditions), number)
     p = [*problem.vector, *problem.table]
@@ -254,6 +260,13 @@ def _way(setup: Setup, named: dict[str, float], number: int) -> Way:
     body = "\n".join(f"    {line}" for line in [*lines.lines, "return 1"])
     head = f"def way_{number}(sliders, y, p, horizontal, vertical, numbers):\n"
     return Way("".join([*tables, head, body, "\n\n\n"]), (len(p), *rows))
+
+
+def _unrecorded(case: Case) -> UntracedError:
+    return UntracedError(
+        f"{case.structure.model} takes a slider in a way that is not recorded yet, as all do whose "
+        "contacts slide and open: give a structure with declared modes"
+    )
 
 
 def _conditions(lines: Lines, conditions: list[Condition], number: int) -> list[str]:

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple, NoReturn
 
 import numpy as np
 
-from rockeom.explorer import elementary
+from rockeom.browser import elementary
 from rockeom.numbers.batch import OPERATORS, boxed
 from rockeom.numbers.functions import IN_NUMPY, Compound
 
@@ -83,6 +83,29 @@ def node_of(x: Any) -> Node | float:
     return x.node if isinstance(x, Traced) else float(x)
 
 
+def _binary(name: str) -> tuple[Callable[[Any, Any], Any], Callable[[Any, Any], Any]]:
+    """An operator of two numbers, and the same with the traced one on its right."""
+
+    def forward(self: Traced, other: Any) -> Any:
+        return self._with(name, self, other) if _is_number(other) else NotImplemented
+
+    def backward(self: Traced, other: Any) -> Any:
+        return self._with(name, other, self) if _is_number(other) else NotImplemented
+
+    return forward, backward
+
+
+def _compared(name: str) -> Callable[[Any, Any], Any]:
+    def compare(self: Traced, other: Any) -> Any:
+        return self.tape.condition(name, self, other) if _is_number(other) else NotImplemented
+
+    return compare
+
+
+def _is_number(x: Any) -> bool:
+    return isinstance(x, int | float | np.number | Traced)
+
+
 class Traced(Compound):
     """A number of a tape. node : its operation. present : its value where the sliders are now."""
 
@@ -131,6 +154,15 @@ class Traced(Compound):
         present = getattr(operator, name)(plain(left), plain(right))
         return Traced(self.tape, Node(name, (node_of(left), node_of(right))), present)
 
+    __add__, __radd__ = _binary("add")
+    __sub__, __rsub__ = _binary("sub")
+    __mul__, __rmul__ = _binary("mul")
+    __truediv__, __rtruediv__ = _binary("truediv")
+    __lt__, __le__ = _compared("lt"), _compared("le")
+    __gt__, __ge__ = _compared("gt"), _compared("ge")
+    __eq__, __ne__ = _compared("eq"), _compared("ne")
+    __hash__ = None  # type: ignore[assignment]
+
     def __neg__(self) -> Traced:
         return Traced(self.tape, Node("neg", (self.node,)), -self.present)
 
@@ -173,34 +205,8 @@ class Traced(Compound):
 
     __rmod__ = __floordiv__ = __rfloordiv__ = __divmod__ = __mod__
     __floor__ = __ceil__ = __trunc__ = __int__
-    __hash__ = None  # type: ignore[assignment]
 
 
-def _operator(name: str, swapped: bool) -> Callable[[Traced, Any], Any]:
-    def operate(self: Traced, other: Any) -> Any:
-        if not _is_number(other):
-            return NotImplemented
-        return self._with(name, *((other, self) if swapped else (self, other)))
-
-    return operate
-
-
-def _comparison(name: str) -> Callable[[Traced, Any], Any]:
-    def compare(self: Traced, other: Any) -> Any:
-        return self.tape.condition(name, self, other) if _is_number(other) else NotImplemented
-
-    return compare
-
-
-def _is_number(x: Any) -> bool:
-    return isinstance(x, int | float | np.number | Traced)
-
-
-for _name in _SIGNS:
-    setattr(Traced, f"__{_name}__", _operator(_name, False))
-    setattr(Traced, f"__r{_name}__", _operator(_name, True))
-for _name in _COMPARISONS:
-    setattr(Traced, f"__{_name}__", _comparison(_name))
 Real.register(Traced)
 
 

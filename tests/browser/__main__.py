@@ -1,6 +1,6 @@
 """Motions of every shipped structure by every method, in WebAssembly and in machine code.
 
-python -m tests.explorer        list those whose bits differ; a few minutes
+python -m tests.browser        list those whose bits differ; a few minutes
 """
 
 from __future__ import annotations

@@ -13,16 +13,16 @@ from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
 
+from rockeom.browser.webassembly import Module, module
 from rockeom.compiler.machine import Function, Loaded, compiled
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.printer import Program as Printed
 from rockeom.compiler.types import FLOAT, Entry
-from rockeom.explorer.webassembly import Module, module
 from rockeom.integrator.program import LOOP, Program, printed, sizes_of
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.integrator.texts import text_of
 
-_ELEMENTARY = "explorer/elementary.py"
+_ELEMENTARY = "browser/elementary.py"
 _LLVM = re.compile(r"@(?:llvm\.(sin|cos|exp|log|pow)\.f64|(expm1|log1p|tan|a?sin|a?cos|atan|a?sinh"
                    r"|a?cosh|a?tanh))\(")  # fmt: skip
 """Calls of elementary functions, as the printer writes them."""

@@ -68,7 +68,7 @@ class Explorer {
 
   showValues() {
     this.inputs.forEach((/** @type {any} */ { input, output }, /** @type {number} */ i) => {
-      const unit = this.of.sliders[i].unit;
+      const unit = this.of.sliders[i].unit === "-" ? "" : this.of.sliders[i].unit;
       const degrees = unit === "rad" ? ` (${few((this.values[i] * 180) / Math.PI)}°)` : "";
       output.textContent = `${few(this.values[i])} ${unit}${degrees}`;
       if (Number(input.value) !== this.values[i]) input.value = String(this.values[i]);
@@ -86,7 +86,21 @@ class Explorer {
     by("time").max = String(end);
     this.time = Math.min(this.time, end);
     this.sketch.measure();
+    this.moved = this.displacement();
     this.redraw();
+  }
+
+  /** Displacement of the ground at each sample [m], by the trapezoidal rule, twice. */
+  displacement() {
+    const { ground, spacing } = this.runner;
+    const moved = new Float64Array(SAMPLES);
+    let speed = 0;
+    for (let i = 1; i < SAMPLES; i++) {
+      const faster = speed + (spacing[0] * (ground[i - 1] + ground[i])) / 2;
+      moved[i] = moved[i - 1] + (spacing[0] * (speed + faster)) / 2;
+      speed = faster;
+    }
+    return moved;
   }
 
   /** @param {number} outcome */
@@ -94,11 +108,11 @@ class Explorer {
     const { of, spacing } = this.runner;
     const rotation = this.charts.column(of.rotation, 1);
     const most = Math.abs(peak(rotation));
-    const share = most / this.charts.unit();
     const word = of.outcomes[outcome];
     const impacts = spacing[2] === 1 ? "1 impact" : `${spacing[2]} impacts`;
     const unit = of.stateUnits[of.rotation];
-    return `${word[0].toUpperCase()}${word.slice(1)}: largest ${of.states[of.rotation]} ${few(most)} ${unit}, ${few(100 * share)} % of overturning; ${impacts}.`;
+    const degrees = unit === "rad" ? ` (${few((most * 180) / Math.PI)}°)` : "";
+    return `${word[0].toUpperCase()}${word.slice(1)}: largest ${of.states[of.rotation]} ${few(most)} ${unit}${degrees}, ${impacts}.`;
   }
 
   // --- time
@@ -134,7 +148,7 @@ class Explorer {
   redraw() {
     if (!this.known) return;
     const sample = Math.min(Math.floor(this.time / this.runner.spacing[0]), this.charts.shown() - 1);
-    this.sketch.draw(sample, 0);
+    this.sketch.draw(sample, this.moved[sample]);
     this.charts.draw(sample);
     this.map.draw();
     by("now").textContent = `${this.time.toFixed(2)} s of ${few(Number(by("time").max))} s`;

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import wasmtime
 
+from rockeom.browser.program import Portable
 from rockeom.compiler.types import BOOL, FLOAT, NOTHING, Array, Entry
-from rockeom.explorer.program import Portable
 from rockeom.integrator.schema import GeneratedModule
 
 STACK = 1 << 20

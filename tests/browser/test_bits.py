@@ -7,8 +7,8 @@ import importlib
 import pytest
 
 import rockeom as rk
-from rockeom.explorer.program import portable
-from rockeom.explorer.webassembly import module
+from rockeom.browser.program import portable
+from rockeom.browser.webassembly import module
 from rockeom.structures.classes import SHIPPED
 from tests.shipped import plain
 
@@ -17,7 +17,7 @@ simulation = importlib.import_module("rockeom.simulation.simulate")
 
 METHODS = ("DOP853", "RK45", "Radau")
 RUNS = [(name, METHODS[(i + 1) % 3]) for i, name in enumerate(SHIPPED)]
-"""`python -m tests.explorer` runs each structure by each method."""
+"""`python -m tests.browser` runs each structure by each method."""
 
 
 def motion_of(structure, method: str, program, monkeypatch) -> rk.Response:

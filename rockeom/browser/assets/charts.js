@@ -29,11 +29,6 @@ class Charts {
     return Math.max(2, Math.round(this.runner.spacing[1]));
   }
 
-  /** The bound of overturning, by which rotations are divided. */
-  unit() {
-    return this.runner.numbers[this.runner.of.fallen] || 1;
-  }
-
   /** Draw both; sample i is marked. @param {number} i */
   draw(i) {
     const { of, ground, spacing } = this.runner;
@@ -44,8 +39,8 @@ class Charts {
     const name = of.states[of.rotation];
     const unit = of.stateUnits[of.rotation];
     this.curves(this.history, end, i, [
-      { values: rotation, color: "blue", label: `${name} [${unit}], at most ${few(peak(rotation))}` },
-      { values: shaking, color: "orange", label: `ground [m/s²], at most ${few(peak(shaking))}` },
+      { values: rotation, color: "blue", label: `${name} [${unit}], at most ${few(Math.abs(peak(rotation)))}` },
+      { values: shaking, color: "orange", label: `ground [m/s²], at most ${few(Math.abs(peak(shaking)))}` },
     ]);
     this.portrait(rotation, rate, i);
   }

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from mpmath import mp, mpf, workprec
 
-from rockeom.explorer import elementary
-from rockeom.explorer.program import portable
+from rockeom.browser import elementary
+from rockeom.browser.program import portable
 from rockeom.structures.base import generated_module
 
 DRAW = random.Random(1)

@@ -1,6 +1,6 @@
 """The questions that a page asks of its program: a motion, its end, and where the bodies are.
 
-This text is joined to others, behind the set-up; see `rockeom.explorer.page`.
+This text is joined to others, behind the set-up; see `rockeom.browser.page`.
 """
 
 from typing import TYPE_CHECKING
@@ -24,7 +24,7 @@ from rockeom.codes import (
 from rockeom.compiler.decorators import Floats, Floats2, Ints, entry
 
 if TYPE_CHECKING:  # joined before this text
-    from rockeom.explorer.setup_text import MOST_P, ROWS_X, ROWS_Y, set_up
+    from rockeom.browser.written import MOST_P, ROWS_X, ROWS_Y, set_up
     from rockeom.integrator.batches import at_rest, falls
     from rockeom.integrator.extremes import widen
     from rockeom.integrator.ground import ground_acceleration, segment_for

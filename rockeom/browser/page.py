@@ -6,6 +6,7 @@ import base64
 import gzip
 import html
 import json
+import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -16,19 +17,19 @@ from typing import Any
 import numpy as np
 
 from rockeom import files as whole
+from rockeom.browser.program import Portable, portable
+from rockeom.browser.setup import FALLEN, Setup, Slider, setup_of, spread
+from rockeom.browser.traced import UntracedError
+from rockeom.browser.webassembly import Module, module
 from rockeom.codes import OUTCOMES
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import Array
-from rockeom.explorer.program import Portable, portable
-from rockeom.explorer.setup import FALLEN, Setup, Slider, setup_of, spread
-from rockeom.explorer.traced import UntracedError
-from rockeom.explorer.webassembly import Module, module
-from rockeom.integrator.schema import has_points
 from rockeom.integrator.texts import text_of
 from rockeom.numbers.checks import described, is_number
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
+from rockeom.sweeps.case_numbers import OtherCase, function_of
 
 ENTRIES = ("motion", "fate", "places", "corners", "energy_of")
 MOST_SLIDERS = 12
@@ -36,35 +37,42 @@ METHOD = "DOP853"
 MOTIONS = 16
 """Places of the sliders whose motions are compared with `rk.simulate`."""
 _SCRIPTS = ("runtime.js", "drawing.js", "charts.js", "map.js", "page.js")
-_ASSETS = files("rockeom").joinpath("explorer", "assets")
+_ASSETS = files("rockeom").joinpath("browser", "assets")
 
 
 def explorer(
-    case: Callable[..., Case], sliders: Mapping[str, tuple[float, ...]], title: str = ""
+    case: Case | Callable[..., Case], sliders: Mapping[str, tuple[float, ...]], title: str = ""
 ) -> Explorer:
     """A page in which the motion of a case follows sliders, integrated in the browser.
 
-    case : a function of the sliders, by name, that gives a `Case`. sliders : for each the lowest
-    and the highest value, and the first one (the middle if not given). title : of the page; the
-    structure if not given.
+    case : a case, whose numbers the sliders are by name, as in sweeps; or a function of the sliders
+    that gives one. sliders : for each the lowest and the highest value, and the first one; if that
+    is not given, the value of the case or the middle. title : of the page; the structure if not
+    given.
 
-        def statue(half_width, amplitude):
-            block = rk.RigidBlock(half_width=half_width, half_height=0.6)
-            return rk.Case(block, rk.GroundMotion.half_sine(amplitude, 0.8, duration=6.0))
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.6)
+    >>> pulse = rk.GroundMotion.half_sine(3.0, 0.8, duration=6.0)
+    >>> sliders = {"half_width": (0.05, 0.4), "amplitude": (0.5, 8.0)}
+    >>> page = rk.explorer(rk.Case(block, pulse), sliders)
+    >>> page.save("block.html")
 
-        page = rk.explorer(statue, {"half_width": (0.05, 0.4, 0.15), "amplitude": (0.5, 8.0)})
-        page.save("statue.html")
-
-    Everything that the case does between the sliders and the numbers is recorded, and compared with
+    All that happens between the sliders and the equations of motion is recorded, and compared with
     Python at 2048 places of the sliders before there is a page. Raises UntracedError, naming the
     line, where a page could not repeat it, and ValueError for sliders without a range.
     """
-    if not callable(case):
-        raise TypeError(f"case is {described(case)}: give a function of the sliders")
-    return Explorer(case, {n: _slider(n, given) for n, given in sliders.items()}, title)
+    if not (isinstance(case, Case) or callable(case)):
+        raise TypeError(f"case is {described(case)}: give a case, or a function of the sliders")
+    function = function_of(case, tuple(sliders))
+    known = function.numbers if isinstance(function, OtherCase) else {}
+    values = {name: number.value for name, number in known.items()}
+    return Explorer(
+        function,
+        {name: _slider(name, given, values.get(name)) for name, given in sliders.items()},
+        title,
+    )
 
 
-def _slider(name: str, given: tuple[float, ...]) -> Slider:
+def _slider(name: str, given: tuple[float, ...], first: float | None) -> Slider:
     several = isinstance(given, tuple | list) and len(given) in (2, 3)
     if not (several and all(map(is_number, given))):
         raise TypeError(
@@ -72,8 +80,9 @@ def _slider(name: str, given: tuple[float, ...]) -> Slider:
             "first)"
         )
     low, high = float(given[0]), float(given[1])
-    start = float(given[2]) if len(given) == 3 else (low + high) / 2
-    if not (low < high and low <= start <= high):
+    start = (low + high) / 2 if first is None else min(max(first, low), high)
+    start = float(given[2]) if len(given) == 3 else start
+    if not (-math.inf < low < high < math.inf and low <= start <= high):
         raise ValueError(
             f"slider {name!r} goes from {low:g} to {high:g}, first {start:g}: give two finite "
             "numbers, the lower one first, and a first value between them"
@@ -92,12 +101,6 @@ class Explorer:
     def __post_init__(self) -> None:
         if not 1 <= len(self.sliders) <= MOST_SLIDERS:
             raise ValueError(f"{len(self.sliders)} sliders: give from 1 to {MOST_SLIDERS}")
-        structure = self._first.structure
-        if has_points(structure.module):
-            raise UntracedError(
-                f"{structure.model}: the mode at the start is searched for among contacts that may "
-                "slide and open, which is not recorded yet: give a structure with declared modes"
-            )
 
     def save(self, path: str | Path) -> Path:
         """Write the page into one HTML file, which needs no network; returns its path."""
@@ -160,7 +163,7 @@ class Explorer:
     def _texts(self) -> tuple[Text, ...]:
         p, horizontal, vertical = self.setup.sizes
         sizes = f"MOST_P, ROWS_X, ROWS_Y = {p}, {horizontal}, {vertical}\n"
-        name = "explorer/questions.py"
+        name = "browser/questions.py"
         return self.setup.text, Text("sizes of the set-up", sizes), Text(name, text_of(name))
 
     def description(self) -> dict[str, Any]:
@@ -168,8 +171,10 @@ class Explorer:
         structure = self._first.structure
         m = structure.module
         units = dict(zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True))
+        units |= dict(zip(m.STATES, m.STATE_UNITS, strict=True))
+        if isinstance(self.case, OtherCase):
+            units |= {name: number.unit for name, number in self.case.numbers.items()}
         meanings = dict(zip(m.PARAMETERS, m.PARAMETER_MEANINGS, strict=True))
-        states = dict(zip(m.STATES, m.STATE_UNITS, strict=True))
         return {
             "title": self.heading,
             "structure": type(structure).__name__,
@@ -178,7 +183,7 @@ class Explorer:
             "sliders": [
                 {
                     "name": name, "low": one.low, "high": one.high, "start": one.start,
-                    "unit": units.get(name) or states.get(name) or "",
+                    "unit": units.get(name, ""),
                     "meaning": meanings.get(name, ""),
                 }
                 for name, one in self.sliders.items()
@@ -203,7 +208,7 @@ class Explorer:
 
     def _motions(self, made: Portable) -> Iterator[tuple[dict[str, float], bool]]:
         """Places of the sliders, and whether the motions there end alike and reach as far."""
-        fate = made.native(self._first.structure.module).fate  # type: ignore[attr-defined]
+        fate = made.native(self._first.structure.module).fate
         extremes = np.zeros((2, len(self._first.structure.states)))
         for place in list(spread(self.sliders))[2 : 2 + MOTIONS]:
             named = dict(zip(self.sliders, place.tolist(), strict=True))

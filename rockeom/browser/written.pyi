@@ -1,0 +1,11 @@
+"""Names of the text that a set-up writes, see `rockeom.browser.setup`."""
+
+from rockeom.compiler.decorators import Floats, Floats2
+
+MOST_P: int
+ROWS_X: int
+ROWS_Y: int
+
+def set_up(
+    sliders: Floats, y: Floats, p: Floats, horizontal: Floats2, vertical: Floats2, numbers: Floats
+) -> int: ...

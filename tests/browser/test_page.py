@@ -1,0 +1,157 @@
+"""A page is one file that runs by itself, and its motions are those of `rk.simulate`."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rockeom as rk
+from rockeom.browser.page import ENTRIES
+from rockeom.browser.traced import UntracedError
+from rockeom.cli import main
+from rockeom.codes import OUTCOMES
+
+ASSETS = Path(rk.__file__).parent / "browser" / "assets"
+PULSE = rk.GroundMotion.half_sine(4.0, 0.8, duration=5.0)
+BLOCK = rk.Case(rk.RigidBlock(half_width=0.15, half_height=0.6), PULSE)
+SLIDERS = {"half_width": (0.05, 0.4), "amplitude": (0.5, 8.0), "initial theta": (-0.2, 0.2, 0.0)}
+
+
+@pytest.fixture(scope="module")
+def page():
+    return rk.explorer(BLOCK, SLIDERS, title="A <b>statue</b> </script>")
+
+
+def data_of(text: str) -> dict:
+    return json.loads(re.search(r'id="data">(.*?)</script>', text, re.DOTALL)[1])
+
+
+def test_page_is_one_small_file_that_asks_for_nothing(page, tmp_path):
+    path = page.save(tmp_path / "block.html")
+    text = path.read_text("utf-8")
+    assert path.stat().st_size < 100e3
+    assert not re.search(r"https?://|src=|<link|import\(|fetch\(", text)
+    assert "<!-- " not in text
+
+
+def test_title_and_names_are_escaped(page):
+    assert "<b>statue" not in page.html
+    assert page.html.count("</script>") == 2  # of the data and of the code
+    assert data_of(page.html)["of"]["title"] == "A <b>statue</b> </script>"
+
+
+def test_sliders_have_the_units_and_values_of_the_case(page):
+    sliders = page.description()["sliders"]
+    assert [s["unit"] for s in sliders] == ["m", "m/s2", "rad"]
+    assert [s["start"] for s in sliders] == [0.15, 4.0, 0.0]
+
+
+def test_no_script_is_long():
+    for path in ASSETS.glob("*.js"):
+        assert len(path.read_text("utf-8").splitlines()) <= 300, path.name
+
+
+@pytest.mark.parametrize(
+    ("sliders", "message"),
+    [
+        ({}, "0 sliders: give from 1 to 12"),
+        ({"half_width": (0.4, 0.1)}, "from 0.4 to 0.1"),
+        ({"half_width": (0.1, 0.4, 0.9)}, "first 0.9"),
+        ({"half_width": (0.1, float("inf"))}, "two finite"),
+        ({"half_wdth": (0.1, 0.4)}, "'half_wdth' is unknown .did you mean half_width"),
+    ],
+)
+def test_sliders_that_cannot_be_are_refused(sliders, message):
+    with pytest.raises(ValueError, match=message):
+        rk.explorer(BLOCK, sliders)
+
+
+def test_what_is_no_case_and_no_range_is_refused():
+    with pytest.raises(TypeError, match="give a case, or a function of the sliders"):
+        rk.explorer(BLOCK.structure, {"half_width": (0.1, 0.4)})
+    with pytest.raises(TypeError, match=r"slider 'half_width' is 0.1: give \(lowest, highest\)"):
+        rk.explorer(BLOCK, {"half_width": 0.1})
+
+
+def test_structures_on_contacts_that_slide_are_refused_with_the_reason():
+    sliding = rk.SlidingBlock(half_width=0.1, half_height=0.4, friction=0.5, restitution=0.1)
+    with pytest.raises(
+        UntracedError, match="contacts slide and open: give a structure with declared"
+    ):
+        _ = rk.explorer(rk.Case(sliding, PULSE), {"half_width": (0.1, 0.2)}).setup
+
+
+def test_motions_of_a_page_are_those_of_simulate(page):
+    """In machine code, which has the bits of the page."""
+    found = list(page._motions(page.program))
+    assert len(found) >= 12
+    assert all(same for _, same in found)
+
+
+def test_jupyter_shows_it_in_a_frame_without_a_network(page):
+    shown = page._repr_html_()
+    assert shown.startswith('<iframe srcdoc="&lt;!doctype html&gt;')
+    assert "allow-same-origin" not in shown
+
+
+@pytest.mark.skipif(not shutil.which("node"), reason="there is no node here")
+def test_motion_in_node_has_the_bits_of_machine_code(page):
+    data = data_of(page.html)
+    rng = np.random.default_rng(4)
+    low, high = (np.array([s[i] for s in SLIDERS.values()]) for i in (0, 1))
+    places = (low + rng.random((40, len(SLIDERS))) * (high - low)).tolist()
+    asked = {"runtime": (ASSETS / "runtime.js").read_text("utf-8"), **data, "places": places}
+    ran = subprocess.run(
+        ["node", str(Path(__file__).parent / "run_page.js")],
+        input=json.dumps(asked), capture_output=True, text=True, check=True, timeout=60,
+    )  # fmt: skip
+    program = page.program.native(BLOCK.structure.module)
+    extremes = np.zeros((2, 2))
+    outcomes = set()
+    for place, found in zip(places, json.loads(ran.stdout), strict=True):
+        code = int(program.fate(np.array(place), extremes))
+        assert found["outcome"] == found["fate"] == code
+        assert np.array(found["extremes"]).tobytes() == extremes.tobytes()
+        run = rk.simulate(
+            rk.RigidBlock(half_width=place[0], half_height=0.6),
+            rk.GroundMotion.half_sine(place[1], 0.8, duration=5.0), initial={"theta": place[2]},
+        )  # fmt: skip
+        assert OUTCOMES[code] == str(run.outcome)
+        assert np.abs(extremes[:, 0]).max() == pytest.approx(abs(run.extremes("theta").peak))
+        outcomes.add(code)
+    assert len(outcomes) > 1
+
+
+def test_program_exports_what_a_page_calls(page):
+    assert set(page.description()["entries"]) == set(ENTRIES)
+
+
+def test_command_makes_a_page(tmp_path, capsys):
+    path = tmp_path / "block.html"
+    words = "explore rigid_block --set half_width=0.15 half_height=0.6 --pulse half-sine"
+    words += " amplitude=4 period=0.8 --vary half_width=0.05..0.4 --out"
+    assert main([*words.split(), str(path)]) == 0
+    assert "open it in a browser" in capsys.readouterr().out
+    assert data_of(path.read_text("utf-8"))["of"]["structure"] == "RigidBlock"
+
+
+@pytest.mark.parametrize(
+    ("vary", "out", "message"),
+    [
+        ("half_width=0.1", "a.html", "write lowest..highest"),
+        ("half_width=0.1..b", "a.html", "write lowest..highest"),
+        ("half_width=0.1..0.4", "a.txt", "ends in .html"),
+        ("width=0.1..0.4", "a.html", "'width' is unknown"),
+    ],
+)
+def test_command_refuses_what_cannot_be_a_page(vary, out, message, tmp_path, capsys):
+    words = "explore rigid_block --set half_width=0.15 half_height=0.6 --free --duration 5 --vary"
+    assert main([*words.split(), vary, "--out", str(tmp_path / out)]) != 0
+    assert message in capsys.readouterr().err
+    assert not (tmp_path / out).exists()
