@@ -306,6 +306,11 @@ def _varied(data: np.ndarray, name: str) -> tuple[list[str], list[str]]:
         if (values == values[0]).all():
             texts.append(number_text(values[0]))
             continue
+        if (step := values[1] - values[0]) > 0.0:  # equal times, of a record
+            first = round(values[0] / step)
+            if (values == step * (first + np.arange(len(values)))).all():
+                texts.append(f"{number_text(step)} * float(i + {first})")
+                continue
         constants.append(f"{name}_{k} = np.array({values.tolist()!r})\n")
         texts.append(f"{name}_{k}[i]")
     return texts, constants

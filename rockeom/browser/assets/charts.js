@@ -39,7 +39,11 @@ class Charts {
     const name = of.states[of.rotation];
     const unit = of.stateUnits[of.rotation];
     this.curves(this.history, end, i, [
-      { values: rotation, color: "blue", label: `${name} [${unit}], at most ${few(Math.abs(peak(rotation)))}` },
+      {
+        values: rotation,
+        color: "blue",
+        label: `${name} [${unit}], at most ${few(Math.abs(peak(rotation)))}`,
+      },
       { values: shaking, color: "orange", label: `ground [m/s²], at most ${few(Math.abs(peak(shaking)))}` },
     ]);
     this.portrait(rotation, rate, i);
@@ -57,17 +61,26 @@ class Charts {
       const [middle, half] = [room * (k + 0.56), 0.38 * room];
       const most = Math.abs(peak(values)) || 1;
       to.strokeStyle = color("faint");
-      line(to, [[0, middle], [width, middle]]);
+      line(to, [
+        [0, middle],
+        [width, middle],
+      ]);
       to.strokeStyle = color(of);
       to.lineWidth = 1.4;
-      line(to, values.map((v, n) => [(n * width) / (SAMPLES - 1), middle - (half * v) / most]));
+      line(
+        to,
+        values.map((v, n) => [(n * width) / (SAMPLES - 1), middle - (half * v) / most]),
+      );
       to.fillStyle = color(of);
       to.fillText(label, 6, room * k + 13);
     });
     const x = (i * width) / (SAMPLES - 1);
     to.strokeStyle = color("ink");
     to.lineWidth = 1;
-    line(to, [[x, 0], [x, height]]);
+    line(to, [
+      [x, 0],
+      [x, height],
+    ]);
     to.fillStyle = color("ink");
     to.fillText("0 s", 4, height - 4);
     const text = `${few(end)} s`;
@@ -81,10 +94,19 @@ class Charts {
     /** @param {number} k @returns {[number, number]} */
     const on = (k) => [(width * (1 + rotation[k] / mx)) / 2, (height * (1 - rate[k] / my)) / 2];
     to.strokeStyle = color("faint");
-    line(to, [[0, height / 2], [width, height / 2]]);
-    line(to, [[width / 2, 0], [width / 2, height]]);
+    line(to, [
+      [0, height / 2],
+      [width, height / 2],
+    ]);
+    line(to, [
+      [width / 2, 0],
+      [width / 2, height],
+    ]);
     to.strokeStyle = color("blue");
-    line(to, rotation.map((_, k) => on(k)));
+    line(
+      to,
+      rotation.map((_, k) => on(k)),
+    );
     const now = on(Math.min(i, rotation.length - 1));
     to.fillStyle = color("orange");
     to.beginPath();

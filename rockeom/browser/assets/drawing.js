@@ -30,7 +30,8 @@ class Sketch {
     this.runner.at(0);
     let most = 0;
     const bodies = this.outlines();
-    for (let i = 0; i < of.positions.length; i++) most = Math.max(most, Math.abs(places[3 * i]), places[3 * i + 1]);
+    for (let i = 0; i < of.positions.length; i++)
+      most = Math.max(most, Math.abs(places[3 * i]), places[3 * i + 1]);
     for (const corners of Object.values(bodies)) {
       for (const [x, y] of corners) most = Math.max(most, Math.abs(x), y);
     }

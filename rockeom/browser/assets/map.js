@@ -45,6 +45,12 @@ class OutcomeMap {
     this.canvas = canvas;
     this.kinds = new Uint8Array(CELLS * CELLS).fill(255);
     this.number = 0;
+    /** @type {number[] | undefined} */
+    this.values = undefined;
+    /** @type {any} */
+    this.across = undefined;
+    /** @type {any} */
+    this.up = undefined;
     const code = /** @type {HTMLElement} */ (document.getElementById("code")).textContent;
     const address = URL.createObjectURL(new Blob([String(code)], { type: "text/javascript" }));
     this.worker = new Worker(address);
@@ -76,8 +82,10 @@ class OutcomeMap {
       const [row, column] = [Math.floor(i / CELLS), i % CELLS];
       to.fillRect(column * w, height - (row + 1) * h, w + 0.5, h + 0.5);
     });
-    if (!this.across || !this.values) return;
-    const share = (/** @type {any} */ of) => (/** @type {any} */ (this.values)[of.place] - of.low) / (of.high - of.low);
+    const values = this.values;
+    if (!this.across || !values) return;
+    const share = (/** @type {any} */ of) =>
+      /** @type {any} */ (values[of.place] - of.low) / (of.high - of.low);
     const [x, y] = [share(this.across) * width, height * (1 - share(this.up))];
     to.strokeStyle = color("ink");
     to.lineWidth = 2.5;

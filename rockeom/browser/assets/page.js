@@ -28,6 +28,8 @@ class Explorer {
     this.map = new OutcomeMap(by("map"), module, of);
     this.values = of.sliders.map((/** @type {any} */ s) => s.start);
     this.time = 0;
+    this.known = false;
+    this.moved = new Float64Array(SAMPLES);
     this.playing = !window.matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.fromAddress();
     this.makeSliders();
@@ -159,7 +161,9 @@ class Explorer {
   makeMap() {
     const names = this.of.sliders.map((/** @type {any} */ s) => s.name.replaceAll("_", " "));
     for (const id of ["across", "up"]) {
-      names.forEach((/** @type {string} */ name, /** @type {number} */ i) => by(id).add(new Option(name, String(i))));
+      names.forEach((/** @type {string} */ name, /** @type {number} */ i) =>
+        by(id).add(new Option(name, String(i))),
+      );
       by(id).addEventListener("change", () => this.askMap());
     }
     by("up").value = String(Math.min(1, names.length - 1));
@@ -216,7 +220,9 @@ class Explorer {
   // --- address, and files
 
   address() {
-    return this.of.sliders.map((/** @type {any} */ s, /** @type {number} */ i) => `${s.name}=${this.values[i]}`).join("&");
+    return this.of.sliders
+      .map((/** @type {any} */ s, /** @type {number} */ i) => `${s.name}=${this.values[i]}`)
+      .join("&");
   }
 
   /** Values of the address; what is no number is left, and what is outside is put to the end. */
@@ -240,14 +246,22 @@ class Explorer {
       this.move();
       this.askMap();
     });
-    by("csv").addEventListener("click", () => save("motion.csv", URL.createObjectURL(new Blob([this.csv()], { type: "text/csv" }))));
+    by("csv").addEventListener("click", () =>
+      save("motion.csv", URL.createObjectURL(new Blob([this.csv()], { type: "text/csv" }))),
+    );
     by("png").addEventListener("click", () => save("structure.png", by("structure").toDataURL("image/png")));
   }
 
   csv() {
     const { states, ground, spacing } = this.runner;
     const n = this.of.states.length;
-    const head = ["t [s]", ...this.of.states.map((/** @type {string} */ s, /** @type {number} */ j) => `${s} [${this.of.stateUnits[j]}]`), "ground [m/s2]"];
+    const head = [
+      "t [s]",
+      ...this.of.states.map(
+        (/** @type {string} */ s, /** @type {number} */ j) => `${s} [${this.of.stateUnits[j]}]`,
+      ),
+      "ground [m/s2]",
+    ];
     const rows = Array.from({ length: this.charts.shown() }, (_, i) =>
       [i * spacing[0], ...states.subarray(i * n, (i + 1) * n), ground[i]].join(","),
     );

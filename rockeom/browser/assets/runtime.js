@@ -22,25 +22,37 @@ class Program {
     this.exports = new WebAssembly.Instance(module, { env }).exports;
   }
 
-  /** Numbers in the memory. @param {number[]} shape @param {boolean} [whole] */
-  array(shape, whole = false) {
-    const n = shape.reduce((a, b) => a * b, 1);
-    const Kind = whole ? BigInt64Array : Float64Array;
-    const found = new Kind(this.memory.buffer, this.heap, n);
-    this.heap += 8 * Math.max(n, 1);
+  /** Room for numbers of a shape: its place. @param {number[]} shape */
+  room(shape) {
+    const size = shape.reduce((a, b) => a * b, 1);
+    const at = this.heap;
+    this.heap += 8 * Math.max(size, 1);
     if (this.heap > this.memory.buffer.byteLength) throw new Error("the memory is full");
-    return Object.assign(found, { shape });
+    return { at, size };
+  }
+
+  /** Numbers in the memory. @param {number[]} shape */
+  floats(shape) {
+    const { at, size } = this.room(shape);
+    return Object.assign(new Float64Array(this.memory.buffer, at, size), { shape });
+  }
+
+  /** Whole numbers in the memory. @param {number[]} shape */
+  wholes(shape) {
+    const { at, size } = this.room(shape);
+    return Object.assign(new BigInt64Array(this.memory.buffer, at, size), { shape });
   }
 
   /** A function with its arguments, by name. @param {string} name @param {Record<string, any>} given */
   bind(name, given) {
+    /** @type {[string, string, number, number][]} */
     const places = [];
     let n = 0;
     for (const [argument, type, dimensions] of this.of.entries[name]) {
       places.push([argument, type, dimensions, n]);
       n += 1 + dimensions;
     }
-    const row = this.array([n + 1], true);
+    const row = this.wholes([n + 1]);
     const floats = new Float64Array(row.buffer, row.byteOffset, n + 1);
     /** @param {string} argument @param {any} value */
     const set = (argument, value) => {
@@ -72,18 +84,18 @@ class Runner {
     const program = new Program(module, of);
     const n = of.states.length;
     this.of = of;
-    this.sliders = program.array([of.sliders.length]);
-    this.p = program.array([of.mostP]);
-    this.numbers = program.array([9]);
-    this.states = program.array([SAMPLES, n]);
-    this.modes = program.array([SAMPLES], true);
-    this.ground = program.array([SAMPLES]);
-    this.impacts = program.array([IMPACTS]);
-    this.spacing = program.array([4]);
-    this.extremes = program.array([2, n]);
-    this.y = program.array([n]);
-    this.places = program.array([3 * of.positions.length]);
-    this.corners = program.array([2 * (of.corners.length + of.memberEnds.length + of.copies.length)]);
+    this.sliders = program.floats([of.sliders.length]);
+    this.p = program.floats([of.mostP]);
+    this.numbers = program.floats([9]);
+    this.states = program.floats([SAMPLES, n]);
+    this.modes = program.wholes([SAMPLES]);
+    this.ground = program.floats([SAMPLES]);
+    this.impacts = program.floats([IMPACTS]);
+    this.spacing = program.floats([4]);
+    this.extremes = program.floats([2, n]);
+    this.y = program.floats([n]);
+    this.places = program.floats([3 * of.positions.length]);
+    this.corners = program.floats([2 * (of.corners.length + of.memberEnds.length + of.copies.length)]);
     const { sliders, p, numbers, states, modes, ground, impacts, spacing } = this;
     this.motion = program.bind("motion", { sliders, p, numbers, states, modes, ground, impacts, spacing });
     this.fate = program.bind("fate", { sliders, extremes: this.extremes });
