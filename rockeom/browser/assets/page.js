@@ -214,10 +214,19 @@ class Explorer {
   askMap() {
     const [across, up] = this.axes();
     this.map.ask(this.values, across, up);
-    history.replaceState(null, "", `#${this.address()}`);
+    this.remember();
   }
 
   // --- address, and files
+
+  /** Put the values into the address. */
+  remember() {
+    try {
+      history.replaceState(null, "", `#${this.address()}`);
+    } catch {
+      // a frame, as in a notebook, has no address of its own
+    }
+  }
 
   address() {
     return this.of.sliders
@@ -237,7 +246,7 @@ class Explorer {
 
   makeTools() {
     by("share").addEventListener("click", async () => {
-      history.replaceState(null, "", `#${this.address()}`);
+      this.remember();
       await navigator.clipboard?.writeText(location.href);
       by("share").textContent = TEXTS.copied;
     });
