@@ -143,6 +143,7 @@ def setup_of(case: Callable[..., Case], sliders: Mapping[str, Slider]) -> Setup:
     """
     start = {name: one.start for name, one in sliders.items()}
     first = case(**start)
+    first.problem()  # a first case that cannot be is for the caller to mend
     found = Setup(case, sliders, len(first.structure.states))
     places = list(spread(sliders))
     _go_all_ways(found, [np.array(list(start.values())), *places])
@@ -159,8 +160,7 @@ def spread(sliders: Mapping[str, Slider], n: int = PLACES) -> Iterator[np.ndarra
 
 
 def _go_all_ways(setup: Setup, places: list[np.ndarray]) -> None:
-    """Trace the case wherever no way that is known is gone; places where Python refuses it count
-    as refused."""
+    """Trace the case wherever no known way is gone, and Python does not refuse it."""
     run = None
     for place in places:
         if run is not None and run(place)[0] >= 0:

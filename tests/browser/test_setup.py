@@ -138,6 +138,16 @@ def test_what_python_refuses_a_page_does_not_show():
     assert run(np.array([2.0]))[0] < 0
 
 
+def test_a_first_case_that_cannot_be_says_why():
+    def fallen(theta):
+        return rk.Case(
+            rk.RigidBlock(half_width=0.1, half_height=0.5), PULSE, initial={"theta": theta}
+        )
+
+    with pytest.raises(ValueError, match="initial theta is 2.5: the structure lies on the ground"):
+        setup_of(fallen, {"theta": Slider(2.0, 3.0, 2.5)})
+
+
 def test_too_many_ways_are_refused(monkeypatch):
     monkeypatch.setattr(setup, "MOST_WAYS", 4)
 
