@@ -125,7 +125,7 @@ def entry(decision: thesis.Decision) -> str:
     if one.excess:
         parts += ["Printed minus right:", displayed(one.excess_lines)]
     if one.domain:
-        parts.append(f"The printed form is right where {plain(_sentence(one.domain.words))}")
+        parts.append(f"The printed form is right where {plain(one.domain.words)}.")
     parts += [plain(_sentence(text)) for text in (one.reason, one.assumption, one.remark) if text]
     if one.undetermined:
         parts.append(f"Left open by the text: {plain(_sentence(one.undetermined))}")
