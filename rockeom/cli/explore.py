@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from rockeom.browser.page import explorer
+from rockeom.browser.traced import UntracedError
 from rockeom.cli.errors import UsageError, words
 from rockeom.cli.simulate import add_case, case
 from rockeom.files import check_target
@@ -54,7 +55,10 @@ def run(args: argparse.Namespace) -> int:
         n: _range(n, t) for n, t in words(args.vary, "--vary", "half_width=0.1..0.4").items()
     }
     page = explorer(case(args), sliders, args.title)
-    page.save(args.out)
+    try:
+        page.save(args.out)
+    except UntracedError as error:
+        raise UsageError(str(error)) from error
     print(f"wrote {args.out}: open it in a browser")
     return 0
 

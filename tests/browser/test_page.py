@@ -155,3 +155,10 @@ def test_command_refuses_what_cannot_be_a_page(vary, out, message, tmp_path, cap
     assert main([*words.split(), vary, "--out", str(tmp_path / out)]) != 0
     assert message in capsys.readouterr().err
     assert not (tmp_path / out).exists()
+
+
+def test_command_says_which_structures_have_no_page(tmp_path, capsys):
+    words = "explore sliding_block --set half_width=0.15 half_height=0.6 friction=0.4"
+    words += " restitution=0.1 --free --duration 5 --vary half_width=0.1..0.2 --out"
+    assert main([*words.split(), str(tmp_path / "a.html")]) == 2
+    assert "give a structure with declared modes" in capsys.readouterr().err
