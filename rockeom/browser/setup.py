@@ -236,9 +236,7 @@ def _way(setup: Setup, named: dict[str, float], number: int) -> Way:
     case = setup.case(**tape.sliders(named))
     try:
         problem = case.problem()
-    except UntracedError:
-        raise
-    except TypeError as error:
+    except TypeError as error:  # an UntracedError is one, too
         raise _unrecorded(case) from error
     lines = Lines()
     tables = _conditions(lines, list(tape.conditions), number)

@@ -16,6 +16,7 @@ from rockeom.browser.page import ENTRIES
 from rockeom.browser.traced import UntracedError
 from rockeom.cli import main
 from rockeom.codes import OUTCOMES
+from tests.shipped import plain
 
 ASSETS = Path(rk.__file__).parent / "browser" / "assets"
 PULSE = rk.GroundMotion.half_sine(4.0, 0.8, duration=5.0)
@@ -79,12 +80,29 @@ def test_what_is_no_case_and_no_range_is_refused():
         rk.explorer(BLOCK, {"half_width": 0.1})
 
 
-def test_structures_on_contacts_that_slide_are_refused_with_the_reason():
-    sliding = rk.SlidingBlock(half_width=0.1, half_height=0.4, friction=0.5, restitution=0.1)
-    with pytest.raises(
-        UntracedError, match="contacts slide and open: give a structure with declared"
-    ):
-        _ = rk.explorer(rk.Case(sliding, PULSE), {"half_width": (0.1, 0.2)}).setup
+CONTACTS = {
+    "sliding block": rk.SlidingBlock(
+        half_width=0.1, half_height=0.4, friction=0.5, restitution=0.1
+    ),
+    "stacked blocks": rk.StackedBlocks(**plain("stacked_blocks")),
+}
+
+
+@pytest.mark.parametrize("structure", CONTACTS.values(), ids=CONTACTS)
+def test_structures_on_contacts_that_slide_are_refused_with_the_reason(structure):
+    with pytest.raises(UntracedError, match="slide and open: give a structure with declared"):
+        _ = rk.explorer(
+            rk.Case(structure, PULSE), {"amplitude": (1.0, 5.0), "gravity": (9, 10)}
+        ).html
+
+
+def test_a_frame_of_three_storeys_has_a_page():
+    frame = rk.ShearFrame(
+        masses=[20e3] * 3, heights=[3.5, 7.0, 10.5], stiffnesses=[2e7] * 3, dampings=[12e4] * 3,
+        half_width=2.0, base_mass=10e3, base_inertia=5e3,
+    )  # fmt: skip
+    page = rk.explorer(rk.Case(frame, PULSE), {"amplitude": (1.0, 8.0), "half_width": (1.5, 3.0)})
+    assert all(same for _, same in page._motions(page.program))
 
 
 def test_motions_of_a_page_are_those_of_simulate(page):
