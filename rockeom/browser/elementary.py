@@ -44,8 +44,7 @@ def own_polynomial(coefficients, x):
 
 def own_round(x):
     """The whole number next to x, for |x| below 1e15."""
-    n = int(x + 0.5) if x >= 0.0 else int(x - 0.5)
-    return n
+    return int(x + 0.5) if x >= 0.0 else int(x - 0.5)
 
 
 @apart

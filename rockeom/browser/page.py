@@ -18,7 +18,7 @@ import numpy as np
 
 from rockeom import files as whole
 from rockeom.browser.program import Portable, portable
-from rockeom.browser.setup import FALLEN, Setup, Slider, setup_of, spread
+from rockeom.browser.setup import Setup, Slider, setup_of, spread
 from rockeom.browser.traced import UntracedError
 from rockeom.browser.webassembly import Module, module
 from rockeom.codes import OUTCOMES
@@ -31,7 +31,7 @@ from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
 from rockeom.sweeps.case_numbers import OtherCase, function_of
 
-ENTRIES = ("motion", "fate", "places", "corners", "energy_of")
+ENTRIES = ("motion", "fate", "places", "corners")
 MOST_SLIDERS = 12
 METHOD = "DOP853"
 MOTIONS = 16
@@ -135,7 +135,7 @@ class Explorer:
     def heading(self) -> str:
         return self.title or type(self._first.structure).__name__
 
-    @property
+    @cached_property
     def _first(self) -> Case:
         return self.case(**{name: one.start for name, one in self.sliders.items()})
 
@@ -188,11 +188,11 @@ class Explorer:
                 }
                 for name, one in self.sliders.items()
             ],
-            "states": m.STATES, "stateUnits": m.STATE_UNITS, "modes": m.MODES,
+            "states": m.STATES, "stateUnits": m.STATE_UNITS,
             "rotation": m.ROTATION, "positions": m.POSITIONS, "kinds": m.POSITION_KINDS,
             "corners": m.CORNERS, "members": m.MEMBERS, "memberEnds": m.MEMBER_ENDS,
-            "copies": m.COPIES, "energies": m.ENERGIES, "mostP": self.setup.sizes[0],
-            "outcomes": [OUTCOMES[i] for i in sorted(OUTCOMES)], "fallen": FALLEN,
+            "copies": m.COPIES, "mostP": self.setup.sizes[0],
+            "outcomes": [OUTCOMES[i] for i in sorted(OUTCOMES)],
         }  # fmt: skip
 
     # --- the comparison of motions

@@ -65,12 +65,11 @@ def functions(texts: Sequence[Text]) -> dict[str, Function]:
 
 def _own_functions(printed: Printed) -> str:
     """The text of a program in which calls of elementary functions are of those printed with it."""
-    ir = printed.ir()
-    called = {a or b for a, b in _LLVM.findall(ir)}
-    symbols = {name: _symbol(printed, f"own_{name}") for name in sorted(called)}
+    called = _LLVM.findall("".join(f"@{name}(" for name in printed.declared))
+    symbols = {name: _symbol(printed, f"own_{name}") for name in sorted(a or b for a, b in called)}
     ir = "\n".join(
         line
-        for line in printed.ir().splitlines()  # once more, with the functions
+        for line in printed.ir().splitlines()
         if not (line.startswith("declare") and _LLVM.search(line))
     )
     return _LLVM.sub(lambda call: f"@{symbols[call[1] or call[2]]}(", ir)

@@ -28,7 +28,7 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.batches import at_rest, falls
     from rockeom.integrator.extremes import widen
     from rockeom.integrator.ground import ground_acceleration, segment_for
-    from rockeom.integrator.interface import N_STATES, energies, positions, shapes
+    from rockeom.integrator.interface import N_STATES, positions, shapes
     from rockeom.integrator.loop import SCRATCH, integrate
     from rockeom.integrator.records import Case, Recorder
 
@@ -39,17 +39,21 @@ KEPT = 256
 """Steps in a record before it is emptied."""
 
 NUMBERS = 9
-_MODE, _LAW, _RATIO, _FALLEN, _END, _QUIET, _ROWS_X, _ROWS_Y, _SIZE = range(9)
+(
+    OF_MODE, OF_LAW, OF_RATIO, OF_FALLEN, OF_END, OF_QUIET, OF_ROWS_X, OF_ROWS_Y, OF_SIZE,
+) = range(NUMBERS)  # fmt: skip
+"""Places in the numbers of a problem: OF_ROWS_X and OF_ROWS_Y are the rows of the ground motions,
+OF_SIZE the length of p."""
 
 
 def case_of_page(numbers, p, horizontal, vertical, atol):
     """The case that a set-up has written."""
     return Case(
-        numbers[_END],
-        horizontal[0 : int(numbers[_ROWS_X])],
-        vertical[0 : int(numbers[_ROWS_Y])],
-        p[0 : int(numbers[_SIZE])],
-        int(numbers[_LAW]), numbers[_RATIO], RTOL, atol, np.inf, 0, numbers[_FALLEN], 1e-6,
+        numbers[OF_END],
+        horizontal[0 : int(numbers[OF_ROWS_X])],
+        vertical[0 : int(numbers[OF_ROWS_Y])],
+        p[0 : int(numbers[OF_SIZE])],
+        int(numbers[OF_LAW]), numbers[OF_RATIO], RTOL, atol, np.inf, 0, numbers[OF_FALLEN], 1e-6,
         MOST_IMPACTS, MOST_STEPS,
     )  # fmt: skip
 
@@ -71,7 +75,7 @@ def begin(numbers, status, clock, rate, atol):
     """The status of a motion at its start."""
     for i in range(len(AT_THE_START)):
         status[i] = AT_THE_START[i]
-    status[MODE] = int(numbers[_MODE])
+    status[MODE] = int(numbers[OF_MODE])
     for i in range(4):
         clock[i] = 0.0
     for i in range(N_STATES):
@@ -128,7 +132,7 @@ def motion(
         ground[i] = ground_acceleration(found, i * between)
     spacing[0], spacing[1] = between, float(at)
     spacing[2], spacing[3] = float(status[IMPACTS]), float(noted)
-    return ended(code, status, y, case, numbers[_QUIET])
+    return ended(code, status, y, case, numbers[OF_QUIET])
 
 
 def state_at(step_states, step, j, x):
@@ -164,7 +168,7 @@ def fate(sliders: Floats, extremes: Floats2) -> int:
         code = integrate(status, clock, y, rate, case, recorder, scratch)
         if status[STEPS] > MOST_STEPS:
             return code
-    return ended(code, status, y, case, numbers[_QUIET])
+    return ended(code, status, y, case, numbers[OF_QUIET])
 
 
 @entry
@@ -177,9 +181,3 @@ def places(mode: int, y: Floats, p: Floats, out: Floats):
 def corners(p: Floats, out: Floats):
     """Corners of the outlines of the bodies, and the ends of members."""
     shapes(p, out)
-
-
-@entry
-def energy_of(mode: int, y: Floats, p: Floats, out: Floats):
-    """Kinetic, gravitational and elastic energy."""
-    energies(mode, y, p, out)

@@ -16,8 +16,20 @@ import numpy as np
 from scipy.stats import qmc
 
 from rockeom.browser.program import functions
+from rockeom.browser.questions import (
+    NUMBERS,
+    OF_END,
+    OF_FALLEN,
+    OF_LAW,
+    OF_MODE,
+    OF_QUIET,
+    OF_RATIO,
+    OF_ROWS_X,
+    OF_ROWS_Y,
+    OF_SIZE,
+)
 from rockeom.browser.traced import (
-    COMPARED,
+    COMPARISONS,
     Condition,
     Lines,
     Node,
@@ -39,10 +51,6 @@ LONG_TABLE = 8
 """Rows of a ground motion beyond which they are written by a loop."""
 NEAR = 1e-12
 """Relative difference that is left by elementary functions of our own."""
-
-MODE, LAW, RATIO, FALLEN, END, QUIET, HORIZONTAL, VERTICAL, SIZE = range(9)
-"""Places in the numbers of a problem: HORIZONTAL and VERTICAL are the rows of the ground motions,
-SIZE the length of p."""
 
 
 class Slider(NamedTuple):
@@ -71,6 +79,10 @@ class Numbers(NamedTuple):
     numbers: np.ndarray
 
 
+Run = Callable[[np.ndarray], tuple[int, Numbers]]
+"""A compiled set-up: from the sliders to the way that is gone, and the numbers."""
+
+
 @dataclass(frozen=True)
 class Setup:
     """The ways of a case. sliders : by name. case : of them."""
@@ -97,13 +109,13 @@ class Setup:
         last = f"def set_up({_ARGUMENTS}):\n{tried}    return -1\n"
         return Text("the set-up of the page", _HEAD + ways + last)
 
-    def compiled(self) -> Callable[[np.ndarray], tuple[int, Numbers]]:
+    def compiled(self) -> Run:
         """The set-up as machine code: the way that is gone, and its numbers."""
         set_up = functions((self.text, _CALLED))["set_up_at"]
         size, rows, lifts = self.sizes
         made = Numbers(
             np.zeros(self.states), np.zeros(size), np.zeros((rows, 7)), np.zeros((lifts, 7)),
-            np.zeros(SIZE + 1),
+            np.zeros(NUMBERS),
         )  # fmt: skip
         bound = set_up.bound(np.zeros(len(self.sliders)), *made)
 
@@ -146,8 +158,8 @@ def setup_of(case: Callable[..., Case], sliders: Mapping[str, Slider]) -> Setup:
     first.problem()  # a first case that cannot be is for the caller to mend
     found = Setup(case, sliders, len(first.structure.states))
     places = list(spread(sliders))
-    _go_all_ways(found, [np.array(list(start.values())), *places])
-    _compare(found, places)
+    run = _go_all_ways(found, [np.array(list(start.values())), *places])
+    _compare(found, run, places)
     return found
 
 
@@ -159,9 +171,12 @@ def spread(sliders: Mapping[str, Slider], n: int = PLACES) -> Iterator[np.ndarra
         yield low + x * (high - low)
 
 
-def _go_all_ways(setup: Setup, places: list[np.ndarray]) -> None:
-    """Trace the case wherever no known way is gone, and Python does not refuse it."""
-    run = None
+def _go_all_ways(setup: Setup, places: list[np.ndarray]) -> Run:
+    """Trace the case wherever no known way is gone, and Python does not refuse it.
+
+    Returns the compiled set-up of all ways; the first place is one that Python does not refuse.
+    """
+    run: Run | None = None
     for place in places:
         if run is not None and run(place)[0] >= 0:
             continue
@@ -178,11 +193,12 @@ def _go_all_ways(setup: Setup, places: list[np.ndarray]) -> None:
         run = setup.compiled()
         if run(place)[0] < 0:
             raise UntracedError(f"the way that the case goes at {named} is not gone there again")
+    assert run is not None
+    return run
 
 
-def _compare(setup: Setup, places: list[np.ndarray]) -> None:
+def _compare(setup: Setup, run: Run, places: list[np.ndarray]) -> None:
     """Raise UntracedError where the numbers of the set-up are not those of Python."""
-    run = setup.compiled()
     for place in places:
         named = dict(zip(setup.sliders, place.tolist(), strict=True))
         way, made = run(place)
@@ -207,7 +223,7 @@ def difference(made: Numbers, wanted: Problem) -> str | None:
     """The first part of a problem in which two set-ups differ by more than rounding, in words."""
     p = wanted.p()
     exact = (wanted.mode, wanted.law, len(wanted.horizontal), len(wanted.vertical), len(p))
-    places = (MODE, LAW, HORIZONTAL, VERTICAL, SIZE)
+    places = (OF_MODE, OF_LAW, OF_ROWS_X, OF_ROWS_Y, OF_SIZE)
     if tuple(int(made.numbers[i]) for i in places) != exact:
         return "the mode, the impact law or the length of a table"
     ratio = 0.0 if math.isnan(wanted.ratio) else wanted.ratio
@@ -218,7 +234,7 @@ def difference(made: Numbers, wanted: Problem) -> str | None:
         "the ground motion": (made.horizontal[: len(wanted.horizontal)], wanted.horizontal),
         "the vertical ground motion": (made.vertical[: len(wanted.vertical)], wanted.vertical),
         "the ratio of the impacts, the bound of overturning or the duration": (
-            made.numbers[[RATIO, FALLEN, END, QUIET]], rest,
+            made.numbers[[OF_RATIO, OF_FALLEN, OF_END, OF_QUIET]], rest,
         ),
     }  # fmt: skip
     for words, (a, b) in pairs.items():
@@ -282,14 +298,14 @@ def _conditions(lines: Lines, conditions: list[Condition], number: int) -> list[
         if len(rows) <= LONG_TABLE:
             for row in rows:
                 left, right = (filled(shape, of) for of in (iter(row),) for shape in shapes)
-                text = f"{lines.name(left)} {COMPARED[comparison]} {lines.name(right)}"
+                text = f"{lines.name(left)} {COMPARISONS[comparison]} {lines.name(right)}"
                 lines.lines += [f"if {'not ' if holds else ''}({text}):", "    return 0"]
             continue
         texts, read = _varied(np.array(rows), f"CONDITION_{number}_{k}")
         constants += read
         of = iter(texts)
         left, right = (_expression(lines, filled(shape, of)) for shape in shapes)
-        text = f"({left}) {COMPARED[comparison]} ({right})"
+        text = f"({left}) {COMPARISONS[comparison]} ({right})"
         lines.lines += [
             f"for i in range({len(rows)}):",
             f"    if {'not ' if holds else ''}({text}):", "        return 0",

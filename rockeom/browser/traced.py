@@ -20,13 +20,11 @@ import numpy as np
 
 from rockeom.browser import elementary
 from rockeom.numbers.batch import OPERATORS, boxed
-from rockeom.numbers.functions import IN_NUMPY, Compound
+from rockeom.numbers.functions import IN_MATH, Compound
 
 _LIBRARIES = (str(Path(__file__).parents[1]), str(Path(np.__file__).parent))
-_IN_MATH = {name: here for here, name in IN_NUMPY.items()} | {"arctan2": "atan2"}
-"""Names of `math` by those of NumPy."""
 _SIGNS = {"add": "+", "sub": "-", "mul": "*", "truediv": "/"}
-_COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="}
+COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="}
 _OWN = {n.removeprefix("own_"): f for n, f in vars(elementary).items() if n.startswith("own_")}
 _MOST = 9
 """The largest whole exponent that is written as products, as in machine code."""
@@ -148,7 +146,7 @@ class Traced(Compound):
             return 1.0 if self > 0.0 else -1.0 if self < 0.0 else 0.0
         if ufunc in OPERATORS:
             return OPERATORS[ufunc](*(x if isinstance(x, Traced) else float(x) for x in given))
-        return self.of_function(_IN_MATH.get(ufunc.__name__, ufunc.__name__), given)
+        return self.of_function(IN_MATH.get(ufunc.__name__, ufunc.__name__), given)
 
     def _with(self, name: str, left: Any, right: Any) -> Traced:
         present = getattr(operator, name)(plain(left), plain(right))
@@ -252,10 +250,6 @@ class Lines:
             return f"-{given[0]}"
         called = {"abs": "abs", "sqrt": "math.sqrt"}.get(operation, f"own_{operation}")
         return f"{called}({', '.join(given)})"
-
-
-COMPARED = _COMPARISONS
-"""Comparisons as they are written."""
 
 
 def number_text(x: float) -> str:

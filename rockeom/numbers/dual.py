@@ -19,7 +19,7 @@ import numpy as np
 from rockeom.numbers import explained
 from rockeom.numbers.batch import OPERATORS, boxed
 from rockeom.numbers.checks import described, number, numbers
-from rockeom.numbers.functions import FUNCTIONS, IN_NUMPY, Compound
+from rockeom.numbers.functions import FUNCTIONS, IN_MATH, Compound
 
 Slope = Callable[..., Any]
 """The derivative of a function f of numbers by one of them, from all of them and f itself."""
@@ -95,10 +95,6 @@ _OF_ARRAYS: dict[Any, tuple[Slope, ...]] = {
 def _are_floats(given: tuple[Any, ...]) -> bool:
     """Whether an array (n,) of floats meets one dual."""
     return any(isinstance(x, np.ndarray) and x.dtype == float and x.ndim == 1 for x in given)
-
-
-_IN_MATH = {name: here for here, name in IN_NUMPY.items()} | {"arctan2": "atan2"}
-"""Names of `math` by those of NumPy."""
 
 
 def _slopes(name: str) -> tuple[Slope, ...]:
@@ -220,7 +216,7 @@ class Dual(Compound):
         if ufunc in OPERATORS:
             plain = (x if isinstance(x, Dual) else float(x) for x in given)
             return OPERATORS[ufunc](*plain)
-        return _through(ufunc, _slopes(_IN_MATH.get(ufunc.__name__, ufunc.__name__)), given)
+        return _through(ufunc, _slopes(IN_MATH.get(ufunc.__name__, ufunc.__name__)), given)
 
     def __neg__(self) -> Dual:
         return _dual(-self.value, -self.tangent)

@@ -102,6 +102,8 @@ IN_NUMPY = {
     "atanh": "arctanh",
 }  # fmt: skip
 """Names that NumPy has instead of those of `math`."""
+IN_MATH = {name: here for here, name in IN_NUMPY.items()} | {"arctan2": "atan2"}
+"""Names of `math` by those of NumPy."""
 
 _NAMES = tuple(
     name.removesuffix("_curvature") for name in vars(derivatives) if name.endswith("_curvature")

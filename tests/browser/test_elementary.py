@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from types import FunctionType, SimpleNamespace
 
 import numpy as np
 import pytest
@@ -106,16 +107,11 @@ def test_equations_of_motion_have_the_bits_of_python():
     mode = module.MODES.index("right")
     program.evaluate(np.array([mode]), t, states, still, still, p, energy, force, motion)
     own = {"math": own_mathematics(), "np": np}
-    exec(compile("", "", "exec"), own)
-    from types import FunctionType
-
     wanted = np.zeros(len(module.ENERGIES))
     FunctionType(module.energies.__code__, vars(module) | own)(mode, y, p, wanted)
     assert energy[0].tobytes() == wanted.tobytes()
 
 
 def own_mathematics():
-    from types import SimpleNamespace
-
     names = {n.removeprefix("own_"): f for n, f in vars(elementary).items() if n.startswith("own_")}
     return SimpleNamespace(**names, sqrt=math.sqrt)

@@ -15,13 +15,27 @@ class Charts {
     this.history = history;
     this.phase = phase;
     this.runner = runner;
+    /** @type {number[]} */
+    this.rotation = [];
+    /** @type {number[]} */
+    this.rate = [];
+    /** @type {number[]} */
+    this.shaking = [];
   }
 
-  /** The part of a state at all samples, over a unit. @param {number} j @param {number} unit */
-  column(j, unit) {
+  /** Take the curves of a motion, which stay while time goes on. */
+  take() {
+    const { of, ground } = this.runner;
+    this.rotation = this.column(of.rotation);
+    this.rate = this.column(of.rotation + of.states.length / 2);
+    this.shaking = Array.from(ground);
+  }
+
+  /** A state at all samples. @param {number} j */
+  column(j) {
     const { states, of } = this.runner;
     const n = of.states.length;
-    return Array.from({ length: this.shown() }, (_, i) => states[i * n + j] / unit);
+    return Array.from({ length: this.shown() }, (_, i) => states[i * n + j]);
   }
 
   /** How many samples the motion has. */
@@ -31,10 +45,8 @@ class Charts {
 
   /** Draw both; sample i is marked. @param {number} i */
   draw(i) {
-    const { of, ground, spacing } = this.runner;
-    const rotation = this.column(of.rotation, 1);
-    const rate = this.column(of.rotation + of.states.length / 2, 1);
-    const shaking = Array.from(ground.subarray(0, SAMPLES));
+    const { of, spacing } = this.runner;
+    const { rotation, rate, shaking } = this;
     const end = spacing[0] * (SAMPLES - 1);
     const name = of.states[of.rotation];
     const unit = of.stateUnits[of.rotation];

@@ -3,7 +3,6 @@
 
 const TEXTS = {
   unknown: "This combination is outside of what the page knows: move a slider back.",
-  refused: "The case cannot start so: move a slider back.",
   play: "Play",
   pause: "Pause",
   copied: "Link copied",
@@ -82,6 +81,7 @@ class Explorer {
     const outcome = this.runner.run(this.values);
     this.showValues();
     this.known = outcome >= 0;
+    if (this.known) this.charts.take();
     by("verdict").textContent = this.known ? this.sentence(outcome) : TEXTS.unknown;
     if (!this.known) return;
     const end = this.runner.spacing[0] * (this.charts.shown() - 1);
@@ -108,8 +108,7 @@ class Explorer {
   /** @param {number} outcome */
   sentence(outcome) {
     const { of, spacing } = this.runner;
-    const rotation = this.charts.column(of.rotation, 1);
-    const most = Math.abs(peak(rotation));
+    const most = Math.abs(peak(this.charts.rotation));
     const word = of.outcomes[outcome];
     const impacts = spacing[2] === 1 ? "1 impact" : `${spacing[2]} impacts`;
     const unit = of.stateUnits[of.rotation];
