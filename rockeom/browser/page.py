@@ -31,7 +31,7 @@ from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
 from rockeom.sweeps.case_numbers import OtherCase, function_of
 
-ENTRIES = ("motion", "fate", "places", "corners")
+ENTRIES = ("motion", "fate", "places", "corners", "energy_history", "balance")
 MOST_SLIDERS = 12
 METHOD = "DOP853"
 MOTIONS = 16
