@@ -25,7 +25,7 @@ class Explorer {
     this.sketch = new Sketch(by("structure"), this.runner);
     this.charts = new Charts(by("history"), by("phase"), this.runner);
     this.map = new OutcomeMap(by("map"), module, of);
-    this.values = of.sliders.map((/** @type {any} */ s) => s.start);
+    this.values = [...of.start];
     this.time = 0;
     this.known = false;
     this.moved = new Float64Array(SAMPLES);
@@ -250,7 +250,7 @@ class Explorer {
       by("share").textContent = TEXTS.copied;
     });
     by("reset").addEventListener("click", () => {
-      this.values = this.of.sliders.map((/** @type {any} */ s) => s.start);
+      this.values = [...this.of.start];
       this.move();
       this.askMap();
     });
