@@ -23,8 +23,11 @@ import numpy as np
 
 import rockeom as rk
 from rockeom.browser.page import METHOD, Explorer
+from rockeom.browser.traced import UntracedError
 from rockeom.codes import OUTCOMES
 from rockeom.structures.classes import SHIPPED
+from rockeom.sweeps.case_numbers import of_structure
+from rockeom.symbolic import Body, Contact, Model, Rigid, coordinate, parameter, turned
 from tests.shipped import plain
 
 BROWSERS = {
@@ -169,27 +172,61 @@ def report(name: str, page: Explorer, browser: str) -> bool:
 
 
 def pages() -> dict[str, rk.Case]:
-    """A case of each shipped structure, a frame of three storeys and a declared structure."""
+    """A case of each shipped structure, of frames on three supports and of a declared block."""
     pulse = rk.GroundMotion.half_sine(1.0, 0.8, duration=5.0)
-    structures = {name: cls(**plain(name)) for name, cls in SHIPPED.items()}
-    structures["frame of three storeys"] = rk.ShearFrame(
-        masses=[20e3] * 3, heights=[3.5, 7.0, 10.5], stiffnesses=[2e7] * 3, dampings=[12e4] * 3,
-        half_width=2.0, base_mass=10e3, base_inertia=5e3,
-    )  # fmt: skip
-    structures["block on friction"] = (
-        rk.structure(rk.symbolic_block(), half_width=0.15, half_height=0.6)
-        if hasattr(rk, "symbolic_block")
-        else structures["rigid_block"]
+    structures: dict[str, rk.Structure] = {n: cls(**plain(n)) for n, cls in SHIPPED.items()}
+    frame = {
+        "masses": [20e3] * 3, "heights": [3.5, 7.0, 10.5], "stiffnesses": [2e7] * 3,
+        "dampings": [12e4] * 3, "half_width": 2.0, "base_mass": 10e3, "base_inertia": 5e3,
+    }  # fmt: skip
+    structures["frame of three storeys"] = rk.ShearFrame(**frame)
+    bed = rk.Winkler(springs=5, stiffness=2e7, damping=2e4)
+    structures["frame on a bed"] = rk.ShearFrame(**frame, support=bed)
+    structures["frame that slides"] = rk.ShearFrame(
+        **frame, support=rk.Sliding(friction=0.3, restitution=0.0)
     )
+    structures["declared block that slides"] = _declared_block()
     return {name: rk.Case(structure, pulse) for name, structure in structures.items()}
+
+
+def _declared_block() -> rk.Structure:
+    """A block on feet that slide, declared by a user."""
+    x, y = coordinate("x", "x", "m", "place"), coordinate("y", "y", "m", "height of the base")
+    theta = coordinate("theta", "theta", "rad", "rotation")
+    m, b, h, inertia, g, mu, e_n = declared = [
+        parameter("m", "mass", "kg", "mass"),
+        parameter("b", "half_width", "m", "half of the distance of the feet"),
+        parameter("h", "height", "m", "height of the centroid"),
+        parameter("I", "inertia", "kg m2", "moment of inertia about the centroid"),
+        parameter("g", "gravity", "m/s2", "acceleration of gravity"),
+        parameter("mu", "friction", "-", "coefficient of friction"),
+        parameter("e_n", "restitution", "-", "ratio of the rates of a gap"),
+    ]
+
+    def placed(across: Any, up: Any) -> tuple[Any, Any]:
+        right, above = turned((across, up), (0, 0), theta.position)
+        return x.position + right, y.position + above
+
+    def foot(name: str, side: int) -> Contact:
+        along, gap = placed(side * b.symbol, 0)
+        return Contact(name, gap=gap, slip=along, law=Rigid(e_n.symbol, mu.symbol))
+
+    model = Model(
+        name="declared_sliding_block", title="A block on feet that slide", parameters=declared,
+        coordinates=(x, y, theta), rotation=theta, gravity=g.symbol,
+        bodies=[Body("block", m.symbol, placed(0, h.symbol), inertia.symbol, theta.position)],
+        contacts=[foot("left", -1), foot("right", 1)],
+    )  # fmt: skip
+    return rk.structure(
+        model, mass=1.0, half_width=0.2, height=0.7, inertia=0.18, gravity=9.81, friction=0.4,
+        restitution=0.0,
+    )  # fmt: skip
 
 
 def page_of(case: rk.Case) -> Explorer:
     """A page with the amplitude and two parameters of the structure."""
     module = case.structure.module
     least = case.structure.uplift_acceleration or 5.0
-    from rockeom.sweeps.case_numbers import of_structure
-
     lengths = [
         (name, number.value)
         for name, number in of_structure(case.structure).items()
@@ -207,6 +244,12 @@ def main() -> int:
         if asked and name not in asked:
             continue
         page = page_of(case)
+        try:
+            _ = page.html
+        except UntracedError as error:
+            print(f"{name} has no page: {error}", flush=True)
+            right = False
+            continue
         for browser in filter(shutil.which, BROWSERS):
             right &= report(name, page, browser)
     return not right

@@ -189,3 +189,20 @@ def test_code_of_a_function_has_its_source(capsys):
     run = run_code(page, [1.0, 3.0])
     assert run.structure.half_width == 0.25
     capsys.readouterr()
+
+
+# --- a widget
+
+
+def test_values_of_a_widget_are_those_of_controls_and_give_the_case(page):
+    pytest.importorskip("anywidget", reason="widgets are made with anywidget")
+    shown = page.widget()
+    assert shown.values == {
+        "half_width": 0.15, "amplitude": 4.0, "impact": "Housner", "motion": "half sine",
+    }  # fmt: skip
+    shown.values = {"half_width": 0.2, "impact": "r = 0.7"}
+    assert shown.values["amplitude"] == 4.0
+    assert shown.case.structure.half_width == 0.2
+    assert shown.case.impact == LAWS["r = 0.7"]
+    with pytest.raises(ValueError, match="half_width is 7: give a number from"):
+        shown.values = {"half_width": 7}
