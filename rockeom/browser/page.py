@@ -40,6 +40,12 @@ ENTRIES = ("motion", "fate", "places", "corners")
 METHOD = "DOP853"
 MOTIONS = 16
 """Places of the sliders whose motions are compared with `rk.simulate`."""
+_NO_STATICS = """import numpy as np
+
+
+def uplift_and_friction(p):
+    return np.nan, np.nan
+"""
 _SCRIPTS = ("runtime.js", "drawing.js", "charts.js", "map.js", "page.js")
 _ASSETS = files("rockeom").joinpath("browser", "assets")
 
@@ -202,25 +208,24 @@ class Explorer:
 
     def _texts(self) -> tuple[Text, ...]:
         p, horizontal, vertical = self.setup.sizes
-        sizes = f"MOST_P, ROWS_X, ROWS_Y = {p}, {horizontal}, {vertical}\n{self._feet()}"
-        names = ("browser/verdict.py", "browser/questions.py")
+        sizes = f"MOST_P, ROWS_X, ROWS_Y = {p}, {horizontal}, {vertical}\n"
+        name = "browser/questions.py"
         return (
             self.setup.text,
             Text("sizes of the set-up", sizes),
-            *(Text(name, text_of(name)) for name in names),
+            *self._statics(),
+            Text(name, text_of(name)),
         )
 
-    def _feet(self) -> str:
-        """The mode of full contact, and the places of the forces on both feet."""
+    def _statics(self) -> tuple[Text, ...]:
+        """The statics of feet on rigid ground; of other structures they are not known."""
         structure = self._first.structure
-        m, mode, left, right = structure.module, 0, 0, 0
-        if structure.rocks_on_rigid_ground:
-            mode = m.MODES.index("both")
-            left, right = (m.REACTIONS.index(f"{side}_reaction") for side in ("left", "right"))
-        return (
-            f"FEET, BOTH_MODE = {structure.rocks_on_rigid_ground}, {mode}\n"
-            f"LEFT_FOOT, RIGHT_FOOT = {left}, {right}\n"
-        )
+        if not structure.rocks_on_rigid_ground:
+            return (Text("no statics", _NO_STATICS),)
+        m, name = structure.module, "browser/verdict.py"
+        left, right = (m.REACTIONS.index(f"{side}_reaction") for side in ("left", "right"))
+        places = f"BOTH_MODE, LEFT_FOOT, RIGHT_FOOT = {m.MODES.index('both')}, {left}, {right}\n"
+        return Text("places of feet", places), Text(name, text_of(name))
 
     def description(self) -> dict[str, Any]:
         """Names, units and sizes that a page needs besides its program."""
