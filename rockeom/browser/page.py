@@ -36,7 +36,10 @@ MOST_SLIDERS = 12
 METHOD = "DOP853"
 MOTIONS = 16
 """Places of the sliders whose motions are compared with `rk.simulate`."""
-_SCRIPTS = ("runtime.js", "drawing.js", "charts.js", "map.js", "page.js")
+_SCRIPTS = (
+    "texts.js", "runtime.js", "drawing.js", "charts.js", "map.js", "panel.js", "address.js",
+    "plane.js", "lesson.js", "verdict.js", "tools.js", "page.js",
+)  # fmt: skip
 _ASSETS = files("rockeom").joinpath("browser", "assets")
 
 
