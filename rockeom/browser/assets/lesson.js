@@ -74,7 +74,7 @@ class Lesson {
   /** Run a case from the start; values that it does not give are those at first. @param {Given} given */
   run(given) {
     const { page } = this;
-    page.values = startOf(page.of);
+    page.values = [...page.of.start];
     page.set(given);
     page.restart();
   }
@@ -107,9 +107,10 @@ class Lesson {
     const right = choice === found;
     const { of } = this.page;
     const unit = { peak: of.stateUnits[of.rotation], period: "s", duration: "s" }[compare] ?? "";
-    const both = compare === "overturns" ? [a.text, b.text] : [quantity(a.x, unit), quantity(b.x, unit)];
+    const answer = fill(TEXTS.answers[found], quantity(a.x, unit), quantity(b.x, unit));
     const said = right ? TEXTS.predicted : fill(TEXTS.otherwise, TEXTS.choices[choice]);
-    return { right, text: `${said} ${fill(TEXTS.answers[found], ...both)}` };
+    const both = compare === "overturns" ? `\n${fill(TEXTS.both, a.text, b.text)}` : "";
+    return { right, text: `${answer} ${said}${both}` };
   }
 
   /** Why there is no number to compare. @param {string} compare */

@@ -15,7 +15,8 @@ class Explorer {
   constructor(module, of) {
     this.of = of;
     this.inputs = inputsOf(of);
-    this.values = startOf(of);
+    /** @type {number[]} of the inputs, and of the size where the program has one */
+    this.values = [...of.start];
     this.runner = new Runner(module, of);
     this.sketch = new Sketch(by("structure"), this.runner);
     this.charts = new Charts(by("history"), by("phase"), this.runner);
@@ -142,7 +143,8 @@ class Explorer {
   /** Hold the controls and hide the map, which tell the answer of a question. @param {boolean} locked */
   lock(locked) {
     by("controls").disabled = locked;
-    by("plane").classList.toggle("locked", locked);
+    by("plane").hidden = locked;
+    this.redraw();
   }
 
   // --- time

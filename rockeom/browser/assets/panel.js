@@ -15,13 +15,6 @@ function inputsOf(of) {
   return [...of.sliders, ...menus];
 }
 
-/** The values at first; the size, which is no input, is one. @param {any} of @returns {number[]} */
-function startOf(of) {
-  const values = inputsOf(of).map((input) => input.start);
-  if (typeof of.size === "number") values[of.size] = 1;
-  return values;
-}
-
 /** @param {number} x @param {{low: number, high: number}} range */
 function within(x, { low, high }) {
   return Math.min(Math.max(x, low), high);

@@ -74,10 +74,11 @@ const TEXTS = {
   },
   /** @type {Record<string, string>} */
   choices: { yes: "yes", no: "no", grows: "grows", same: "stays the same", falls: "falls" },
+  both: "Before: {0}\nAfter: {1}",
   /** @type {Record<string, string>} with the numbers before and after */
   answers: {
-    yes: "Yes. Before: {0} After: {1}",
-    no: "No. Before: {0} After: {1}",
+    yes: "It overturns.",
+    no: "It does not overturn.",
     grows: "It grows from {0} to {1}.",
     same: "It stays the same, within 1 %: {0} and {1}.",
     falls: "It falls from {0} to {1}.",
@@ -90,7 +91,7 @@ const TEXTS = {
   // verdict
   uplift: "A foot lifts at {0} g ({1} m/s²).",
   slides: "It rocks before it slides where the friction coefficient is at least {0}.",
-  limit: "It overturns beyond {0}; this motion reaches {1} % of that.",
+  limit: "Beyond {0} it counts as overturned; this motion reaches {1} % of that.",
   motions: "{0} of {1} motions overturn it.",
   motionsUnknown: "{0} of {1} motions overturn it; the page does not know {2} of them.",
 };

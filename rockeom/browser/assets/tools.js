@@ -15,7 +15,7 @@ function makeTools(page) {
   );
   by("png").addEventListener("click", () => save("structure.png", by("structure").toDataURL("image/png")));
   by("reset").addEventListener("click", () => {
-    page.values = startOf(page.of);
+    page.values = [...page.of.start];
     page.set({});
   });
 }
