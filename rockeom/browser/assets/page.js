@@ -113,7 +113,7 @@ class Explorer {
     clearTimeout(this.saying);
     this.saying = setTimeout(() => {
       const parts = ["note", "outcome", ...(this.mode === "verdict" ? ["verdict"] : [])];
-      by("said").textContent = parts.map((id) => by(id).textContent).join(" ");
+      by("said").textContent = parts.map((id) => by(id).innerText).join(" ");
     }, SILENCE);
   }
 

@@ -20,6 +20,12 @@ function within(x, { low, high }) {
   return Math.min(Math.max(x, low), high);
 }
 
+/** A round step, 250 to 625 of which go through a range. @param {number} range */
+function roundStep(range) {
+  const size = 10 ** Math.floor(Math.log10(range / 250));
+  return size * ([5, 2].find((k) => k * size <= range / 250) ?? 1);
+}
+
 class Panel {
   /** @param {Explorer} page */
   constructor(page) {
@@ -54,7 +60,7 @@ class Panel {
   slider(input, place) {
     const { low, high, unit } = input;
     const range = document.createElement("input");
-    Object.assign(range, { type: "range", min: low, max: high, step: (high - low) / 400 });
+    Object.assign(range, { type: "range", min: low, max: high, step: roundStep(high - low) });
     range.addEventListener("input", () => {
       this.page.values[place] = Number(range.value);
       this.page.move();

@@ -91,7 +91,6 @@ const TEXTS = {
   // verdict
   uplift: "A foot lifts at {0} g ({1} m/s²).",
   slides: "It rocks before it slides where the friction coefficient is at least {0}.",
-  limit: "Beyond {0} it counts as overturned; this motion reaches {1} % of that.",
   motions: "{0} of {1} motions overturn it.",
   motionsUnknown: "{0} of {1} motions overturn it; the page does not know {2} of them.",
 };

@@ -2,7 +2,7 @@
 // A verdict in sentences: what lifts a foot, what slides first, and how many motions overturn it.
 
 /** Places among the numbers of a problem, as in questions.py. */
-const [FALLEN, UPLIFT, FRICTION] = [3, 9, 10];
+const [UPLIFT, FRICTION] = [9, 10];
 /** Time after the last move before motions are counted [ms]. */
 const PAUSE = 150;
 
@@ -37,14 +37,10 @@ class Verdict {
   }
 
   sentences() {
-    const { runner, charts, of } = this.page;
-    const [fallen, uplift, friction] = [FALLEN, UPLIFT, FRICTION].map((i) => runner.numbers[i]);
-    const reached = few((100 * Math.abs(peak(charts.rotation))) / fallen);
-    const limit = quantity(fallen, of.stateUnits[of.rotation]);
+    const [uplift, friction] = [UPLIFT, FRICTION].map((i) => this.page.runner.numbers[i]);
     return [
       Number.isFinite(uplift) && fill(TEXTS.uplift, few(uplift / G), few(uplift)),
       Number.isFinite(friction) && fill(TEXTS.slides, few(friction)),
-      Number.isFinite(fallen) && fallen > 0 && fill(TEXTS.limit, limit, reached),
     ].filter((text) => typeof text === "string");
   }
 
