@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import inspect
+import re
+import textwrap
 from collections.abc import Callable, Mapping
 from contextlib import suppress
-from dataclasses import MISSING, fields, is_dataclass
+from dataclasses import fields, is_dataclass
 from typing import Any
 
-from rockeom.browser.controls import Controls, Menu
+from rockeom.browser.controls import Controls, Menu, Slider
 from rockeom.browser.traced import SIGNS, Node, Tape, Traced, node_of
 from rockeom.motion import GroundMotion, MotionError
 from rockeom.motion.formula import formula_of
 from rockeom.simulation.case import Case
 from rockeom.structures.declared import DeclaredStructure
-from rockeom.sweeps.case_numbers import FACTORS, OtherCase
+from rockeom.sweeps.case_numbers import OtherCase
 
+_DATE = re.compile(r"\d+/\d+/")
+"""The month and the day of a record, which its name in the library has not."""
 _HEAD = "import numpy as np\nimport rockeom as rk\n\n"
 _TAIL = (
     '\nrun = rk.simulate({call}, options=rk.SolverOptions(method="DOP853"))\nprint(run.summary())\n'
@@ -34,16 +38,13 @@ def script(case: Callable[..., Case], controls: Controls) -> str:
 
 def _of_function(case: Callable[..., Case], controls: Controls) -> str:
     try:
-        source = inspect.cleandoc(inspect.getsource(case))
+        source = textwrap.dedent(inspect.getsource(case))
     except (OSError, TypeError):
         source = ""
     name = getattr(case, "__name__", "case")
     if not source.startswith("def "):
         source, name = "function = ...  # that of the page", "function"
-    given = [
-        f"{n}={_chosen(control, k) if isinstance(control, Menu) else f'{{{k}}}'}"
-        for k, (n, control) in enumerate(controls.of.items())
-    ]
+    given = [f"{n}={_chosen(control, k)}" for k, (n, control) in enumerate(controls.of.items())]
     made = f"case = {name}({', '.join(given)})\n"
     parts = ("impact", "initial", "duration", "vertical", "mode")
     rest = "".join(f", {part}=case.{part}" for part in parts)
@@ -53,40 +54,51 @@ def _of_function(case: Callable[..., Case], controls: Controls) -> str:
 
 def _of_case(other: OtherCase, controls: Controls) -> str:
     place = {name: k for k, name in enumerate(controls.of)}
+    factors = {name: n.path[0] for name, n in other.numbers.items() if _is_factor(n)}
+    unscaled = OtherCase(other.case, tuple(name for name in other.names if name not in factors))
     given = controls.traced(Tape(), controls.start)
-    factors = {name: number.path[0] for name, number in other.numbers.items() if _is_factor(number)}
-    for name in factors:
-        given[name] = controls.start[place[name]]
-    case = other(**given)
-    parts = {}
-    for name in (f.name for f in fields(Case)):
-        value = getattr(other.case if name in ("motion", "vertical") and factors else case, name)
-        control = controls.of.get(name)
+    given = {name: x for name, x in given.items() if name not in factors}
+    parts = _parts(unscaled(**given))
+    for name, control in controls.of.items():
         if isinstance(control, Menu):
-            parts[name] = _chosen(control, place[name])
-        elif value is not None:
-            parts[name] = code_of(value)
+            chosen = {label: _parts(unscaled(**{**given, name: x})).get(name, "None")
+                      for label, x in control.options.items()}  # fmt: skip
+            parts[name] = _choice(chosen, place[name])
     for name, factor in factors.items():
-        for motion in ("motion", "vertical"):
-            if motion in parts and other.numbers[name].part in ("case", motion):
-                parts[motion] += (
-                    f".scaled({factor}={{{place[name]}}})"
-                    if factor in FACTORS
-                    else (f".scaled_to(pga={{{place[name]}}})")
-                )
+        call = f".{_SCALED[factor].format(f'{{{place[name]}}}')}"
+        part = other.numbers[name].part
+        for motion in ("motion", "vertical") if part == "case" else (part,):
+            if motion in parts:
+                parts[motion] += call
     lines = [f"structure = {parts.pop('structure')}", f"motion = {parts.pop('motion')}"]
     rest = "".join(f", {name}={text}" for name, text in parts.items())
     return _HEAD + "\n".join(lines) + "\n" + _TAIL.format(call=f"structure, motion{rest}")
 
 
+_SCALED = {
+    "scale": "scaled({})", "time_scale": "scaled(1.0, time={})", "pga": "scaled_to(pga={})",
+}  # fmt: skip
+
+
 def _is_factor(number: Any) -> bool:
-    return number.path[0] in (*FACTORS, "pga")
+    return number.path[0] in _SCALED
 
 
-def _chosen(menu: Menu, place: int) -> str:
+def _parts(case: Case) -> dict[str, str]:
+    """The parts of a case that were given."""
+    parts = {field.name: getattr(case, field.name) for field in fields(Case)}
+    return {name: code_of(x) for name, x in parts.items() if x is not None}
+
+
+def _choice(options: Mapping[str, str], place: int) -> str:
     """The option of a menu whose label is in place."""
-    options = ", ".join(f"{label!r}: {code_of(x)}" for label, x in menu.options.items())
-    return f"{{{options}}}[{{{place}}}]"
+    return f"{{{', '.join(f'{label!r}: {x}' for label, x in options.items())}}}[{{{place}}}]"
+
+
+def _chosen(control: Slider | Menu, place: int) -> str:
+    if isinstance(control, Menu):
+        return _choice({label: code_of(x) for label, x in control.options.items()}, place)
+    return f"{{{place}}}"
 
 
 def code_of(x: Any) -> str:
@@ -105,13 +117,15 @@ def code_of(x: Any) -> str:
 
 
 def _arguments(x: Any) -> str:
-    of = () if isinstance(x, DeclaredStructure) else fields(x)
-    defaults = {f.name: f.default for f in of if f.default is not MISSING}
-    given = {f.name: getattr(x, f.name) for f in of if f.init} or x.parameters()
+    if isinstance(x, DeclaredStructure):
+        defaults, given = type(x).defaults(), x.parameters()
+    else:
+        defaults = {f.name: f.default for f in fields(x)}
+        given = {f.name: getattr(x, f.name) for f in fields(x) if f.init}
     return ", ".join(
         f"{name}={code_of(value)}"
         for name, value in given.items()
-        if _is_traced(value) or name not in defaults or value != defaults[name]
+        if _is_traced(value) or (value is not defaults.get(name) and value != defaults.get(name))
     )
 
 
@@ -132,8 +146,9 @@ def _motion(motion: GroundMotion) -> str:
 def _record(motion: GroundMotion) -> str:
     """A record by its name in the library, if it has one; the file of another is the reader's."""
     with suppress(MotionError, ImportError):
-        if GroundMotion.from_library(motion.name) == motion:
-            return f"rk.GroundMotion.from_library({motion.name!r})"
+        words = " ".join(re.findall(r"\w+", _DATE.sub("", motion.name)))
+        if GroundMotion.from_library(words) == motion:
+            return f"rk.GroundMotion.from_library({words!r})"
     return f"rk.GroundMotion.read({motion.name!r})"
 
 

@@ -71,6 +71,16 @@ class Controls:
         pairs = zip(self.of.items(), place.tolist(), strict=True)
         return {name: _given(control, x, x) for (name, control), x in pairs}
 
+    def labelled(self) -> dict[str, Any]:
+        """The values at first by name, those of menus by their labels."""
+        return {name: control.labels[0] if isinstance(control, Menu) else control.start
+                for name, control in self.of.items()}  # fmt: skip
+
+    def given(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """What a case is given at values by name, those of menus by their labels."""
+        places = self.places("values", values)
+        return self.named(np.array([places[k] for k in range(len(self.of))]))
+
     def traced(self, tape: Tape, place: np.ndarray) -> dict[str, Any]:
         """The same, the numbers traced, and the option that was chosen a condition."""
         numbers = tape.sliders(dict(zip(self.of, place.tolist(), strict=True)))

@@ -26,6 +26,7 @@ from rockeom.browser.setup import Setup, setup_of
 from rockeom.browser.sizes import Sized, can_be_enlarged
 from rockeom.browser.traced import UntracedError
 from rockeom.browser.webassembly import Module, module
+from rockeom.browser.widget import widget_of
 from rockeom.codes import OUTCOMES
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import Array
@@ -129,6 +130,18 @@ class Explorer:
         """Write the page into one HTML file, which needs no network; returns its path."""
         whole.write(path, self.html)
         return Path(path)
+
+    def widget(self) -> Any:
+        """The page as a widget of a notebook, with the extra `widget` (anywidget).
+
+        `values` are those of the sliders and menus by name: they follow the page, and the page
+        follows them. `case` is the case at them.
+
+        >>> shown = page.widget()
+        >>> shown.values = {"half_width": 0.2}
+        >>> rk.simulate(shown.case.structure, shown.case.motion)
+        """
+        return widget_of(self)
 
     def _repr_html_(self) -> str:
         """The page in a frame of its own, as Jupyter shows it."""
