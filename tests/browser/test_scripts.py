@@ -39,8 +39,8 @@ def test_script_of_a_page_is_whole_without_its_comments():
     assert ran.returncode == 0, ran.stderr
 
 
-def test_scripts_of_a_page_are_all_there_are():
-    assert sorted(_SCRIPTS) == sorted(path.name for path in ASSETS.glob("*.js"))
+def test_scripts_are_those_of_a_page_and_of_a_widget():
+    assert sorted((*_SCRIPTS, "widget.js")) == sorted(path.name for path in ASSETS.glob("*.js"))
 
 
 def test_page_has_no_text_of_its_own():
