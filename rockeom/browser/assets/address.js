@@ -20,7 +20,7 @@ function accept(page, source, given) {
     const short = [name, value].map((x) => String(x).slice(0, 60));
     if (note) notes.push(fill(note[0], source, ...short, note[1]));
   }
-  page.note(notes.join(" "));
+  page.note = notes.join(" ");
 }
 
 /**

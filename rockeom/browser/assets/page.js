@@ -31,6 +31,8 @@ class Explorer {
     this.time = 0;
     this.playing = false;
     this.saying = 0;
+    /** What to say of values from outside at the next move; the one after takes it away. */
+    this.note = "";
     this.moved = new Float64Array(SAMPLES);
     makeTools(this);
     this.makeModes();
@@ -59,6 +61,8 @@ class Explorer {
   move() {
     this.outcome = this.runner.run(this.values);
     this.known = this.outcome >= 0;
+    by("note").textContent = this.note;
+    this.note = "";
     this.panel.show();
     if (this.known) this.charts.take();
     by("outcome").textContent = this.known ? this.sentence() : TEXTS.unknown;
@@ -101,11 +105,6 @@ class Explorer {
     const most = quantity(Math.abs(peak(charts.rotation)), of.stateUnits[of.rotation]);
     const impacts = runner.spacing[2] === 1 ? TEXTS.impact : fill(TEXTS.impacts, runner.spacing[2]);
     return fill(TEXTS.summary, TEXTS.outcomes[word] ?? word, of.states[of.rotation], most, impacts);
-  }
-
-  /** Say what was refused of values from outside. @param {string} text */
-  note(text) {
-    by("note").textContent = text;
   }
 
   /** Tell a screen reader what there is to read, once the values rest. */
