@@ -5,10 +5,11 @@ from __future__ import annotations
 import base64
 import gzip
 import html
+import itertools
 import json
-import math
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from importlib.resources import files
 from pathlib import Path
@@ -17,38 +18,59 @@ from typing import Any
 import numpy as np
 
 from rockeom import files as whole
+from rockeom.browser.code import script
+from rockeom.browser.controls import Controls, Menu, Slider, check_number, menu, slider
+from rockeom.browser.lesson import OBJECTS, Question
 from rockeom.browser.program import Portable, portable
-from rockeom.browser.setup import Setup, Slider, setup_of, spread
+from rockeom.browser.setup import Setup, setup_of
+from rockeom.browser.sizes import Sized, can_be_enlarged
 from rockeom.browser.traced import UntracedError
 from rockeom.browser.webassembly import Module, module
+from rockeom.browser.widget import widget_of
 from rockeom.codes import OUTCOMES
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import Array
 from rockeom.integrator.texts import text_of
-from rockeom.numbers.checks import described, is_number
+from rockeom.numbers.checks import described
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
 from rockeom.sweeps.case_numbers import OtherCase, function_of
 
 ENTRIES = ("motion", "fate", "places", "corners", "energy_history", "balance")
-MOST_SLIDERS = 12
 METHOD = "DOP853"
 MOTIONS = 16
 """Places of the sliders whose motions are compared with `rk.simulate`."""
-_SCRIPTS = ("runtime.js", "drawing.js", "charts.js", "map.js", "page.js")
+_NO_STATICS = """import numpy as np
+
+
+def uplift_and_friction(p):
+    return np.nan, np.nan
+"""
+_SCRIPTS = (
+    "texts.js", "runtime.js", "drawing.js", "charts.js", "map.js", "panel.js", "address.js",
+    "plane.js", "lesson.js", "verdict.js", "tools.js", "page.js",
+)  # fmt: skip
 _ASSETS = files("rockeom").joinpath("browser", "assets")
 
 
 def explorer(
-    case: Case | Callable[..., Case], sliders: Mapping[str, tuple[float, ...]], title: str = ""
+    case: Case | Callable[..., Case],
+    sliders: Mapping[str, tuple[float, ...]],
+    title: str = "",
+    *,
+    menus: Mapping[str, Mapping[str, Any]] | None = None,
+    presets: Mapping[str, Mapping[str, Any]] | None = None,
+    questions: Sequence[Question] = (),
 ) -> Explorer:
     """A page in which the motion of a case follows sliders, integrated in the browser.
 
     case : a case, whose numbers the sliders are by name, as in sweeps; or a function of the sliders
     that gives one. sliders : for each the lowest and the highest value, and the first one; if that
     is not given, the value of the case or the middle. title : of the page; the structure if not
-    given.
+    given. menus : parts of the case to choose from, by the name of the part ("impact", "motion",
+    "initial", "vertical", or an argument of the function) and a label of each. presets : values
+    of sliders and menus, by a name. questions : to predict, and then to see; `Question`.
 
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.6)
     >>> pulse = rk.GroundMotion.half_sine(3.0, 0.8, duration=6.0)
@@ -57,37 +79,41 @@ def explorer(
     >>> page.save("block.html")
 
     All that happens between the sliders and the equations of motion is recorded, and compared with
-    Python at 2048 places of the sliders before there is a page. Raises UntracedError, naming the
-    line, where a page could not repeat it, and ValueError for sliders without a range.
+    Python at 2048 places of the sliders before there is a page. Records that a page shows are a
+    part of its file, with their licence.
+
+    Raises UntracedError, naming the line, where a page could not repeat it, and ValueError for
+    sliders without a range, for more than 12 controls and 24 combinations of menus, and for presets
+    and questions outside of them.
     """
     if not (isinstance(case, Case) or callable(case)):
         raise TypeError(f"case is {described(case)}: give a case, or a function of the sliders")
-    function = function_of(case, tuple(sliders))
+    menu_of = {name: menu(name, options) for name, options in (menus or {}).items()}
+    check_number(sliders, menu_of)
+    function = function_of(case, (*sliders, *menu_of))
     known = function.numbers if isinstance(function, OtherCase) else {}
-    values = {name: number.value for name, number in known.items()}
+    first = {name: number.value for name, number in known.items()}
+    slider_of = {name: slider(name, given, first.get(name)) for name, given in sliders.items()}
     return Explorer(
         function,
-        {name: _slider(name, given, values.get(name)) for name, given in sliders.items()},
+        Controls({**slider_of, **menu_of}),
         title,
+        {**_objects(function, slider_of), **(presets or {})},
+        tuple(questions),
     )
 
 
-def _slider(name: str, given: tuple[float, ...], first: float | None) -> Slider:
-    several = isinstance(given, tuple | list) and len(given) in (2, 3)
-    if not (several and all(map(is_number, given))):
-        raise TypeError(
-            f"slider {name!r} is {described(given)}: give (lowest, highest) or (lowest, highest, "
-            "first)"
-        )
-    low, high = float(given[0]), float(given[1])
-    start = (low + high) / 2 if first is None else min(max(first, low), high)
-    start = float(given[2]) if len(given) == 3 else start
-    if not (-math.inf < low < high < math.inf and low <= start <= high):
-        raise ValueError(
-            f"slider {name!r} goes from {low:g} to {high:g}, first {start:g}: give two finite "
-            "numbers, the lower one first, and a first value between them"
-        )
-    return Slider(low, high, start)
+def _objects(function: Callable[..., Case], sliders: Mapping[str, Slider]) -> dict[str, Any]:
+    """Objects of every day that are in the range of the sliders, for a page of a block."""
+    of_block = isinstance(function, OtherCase) and type(function.case.structure).__name__
+    if of_block != "RigidBlock" or not {"half_width", "half_height"} <= sliders.keys():
+        return {}
+    return {
+        name: {"half_width": b, "half_height": h}
+        for name, (b, h) in OBJECTS.items()
+        if all(sliders[n].low <= x <= sliders[n].high
+               for n, x in (("half_width", b), ("half_height", h)))
+    }  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -95,17 +121,33 @@ class Explorer:
     """A page with sliders; see `explorer`. It is made when it is first asked for."""
 
     case: Callable[..., Case]
-    sliders: Mapping[str, Slider]
+    controls: Controls
     title: str = ""
+    presets: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
+    questions: tuple[Question, ...] = ()
 
     def __post_init__(self) -> None:
-        if not 1 <= len(self.sliders) <= MOST_SLIDERS:
-            raise ValueError(f"{len(self.sliders)} sliders: give from 1 to {MOST_SLIDERS}")
+        for name, values in self.presets.items():
+            self.controls.places(f"preset {name!r}", values)
+        for question in self.questions:
+            question.described(self.controls)
 
     def save(self, path: str | Path) -> Path:
         """Write the page into one HTML file, which needs no network; returns its path."""
         whole.write(path, self.html)
         return Path(path)
+
+    def widget(self) -> Any:
+        """The page as a widget of a notebook, with the extra `widget` (anywidget).
+
+        `values` are those of the sliders and menus by name: they follow the page, and the page
+        follows them. `case` is the case at them.
+
+        >>> shown = page.widget()
+        >>> shown.values = {"half_width": 0.2}
+        >>> rk.simulate(shown.case.structure, shown.case.motion)
+        """
+        return widget_of(self)
 
     def _repr_html_(self) -> str:
         """The page in a frame of its own, as Jupyter shows it."""
@@ -123,7 +165,7 @@ class Explorer:
             "title": html.escape(self.heading),
             "style": _ASSETS.joinpath("page.css").read_text("utf-8"),
             "data": json.dumps(data).replace("<", "\\u003c"),
-            "script": "\n".join(_ASSETS.joinpath(s).read_text("utf-8") for s in _SCRIPTS),
+            "script": "\n".join(_bare(_ASSETS.joinpath(s).read_text("utf-8")) for s in _SCRIPTS),
         }
         for name, text in parts.items():
             page = page.replace(f"<!-- {name} -->", text)
@@ -137,12 +179,20 @@ class Explorer:
 
     @cached_property
     def _first(self) -> Case:
-        return self.case(**{name: one.start for name, one in self.sliders.items()})
+        return self.case(**self.controls.named(self.controls.start))
+
+    @cached_property
+    def _sized(self) -> Sized | None:
+        """The case with a factor of size, where the structure can be enlarged."""
+        return Sized(self.case) if can_be_enlarged(self._first.structure) else None
 
     @cached_property
     def setup(self) -> Setup:
         """The set-up of the case, compared with Python."""
-        return setup_of(self.case, self.sliders)
+        if self._sized is None:
+            return setup_of(self.case, self.controls)
+        size = {self._sized.name: Slider(1.0, 4.0, 1.0)}
+        return setup_of(self._sized, Controls({**self.controls.of, **size}))
 
     @cached_property
     def program(self) -> Portable:
@@ -164,7 +214,22 @@ class Explorer:
         p, horizontal, vertical = self.setup.sizes
         sizes = f"MOST_P, ROWS_X, ROWS_Y = {p}, {horizontal}, {vertical}\n"
         name = "browser/questions.py"
-        return self.setup.text, Text("sizes of the set-up", sizes), Text(name, text_of(name))
+        return (
+            self.setup.text,
+            Text("sizes of the set-up", sizes),
+            *self._statics(),
+            Text(name, text_of(name)),
+        )
+
+    def _statics(self) -> tuple[Text, ...]:
+        """The statics of feet on rigid ground; of other structures they are not known."""
+        structure = self._first.structure
+        if not structure.rocks_on_rigid_ground:
+            return (Text("no statics", _NO_STATICS),)
+        m, name = structure.module, "browser/verdict.py"
+        left, right = (m.REACTIONS.index(f"{side}_reaction") for side in ("left", "right"))
+        places = f"BOTH_MODE, LEFT_FOOT, RIGHT_FOOT = {m.MODES.index('both')}, {left}, {right}\n"
+        return Text("places of feet", places), Text(name, text_of(name))
 
     def description(self) -> dict[str, Any]:
         """Names, units and sizes that a page needs besides its program."""
@@ -186,14 +251,35 @@ class Explorer:
                     "unit": units.get(name, ""),
                     "meaning": meanings.get(name, ""),
                 }
-                for name, one in self.sliders.items()
+                for name, one in self.controls.of.items() if isinstance(one, Slider)
             ],
+            **self._choices(),
+            "verdict": structure.rocks_on_rigid_ground,
+            "start": self.setup.controls.start.tolist(),
             "states": m.STATES, "stateUnits": m.STATE_UNITS,
             "rotation": m.ROTATION, "positions": m.POSITIONS, "kinds": m.POSITION_KINDS,
             "corners": m.CORNERS, "members": m.MEMBERS, "memberEnds": m.MEMBER_ENDS,
             "copies": m.COPIES, "mostP": self.setup.sizes[0],
             "outcomes": [OUTCOMES[i] for i in sorted(OUTCOMES)],
         }  # fmt: skip
+
+    def _choices(self) -> dict[str, Any]:
+        """Menus, presets and questions, and code that simulates the same."""
+        controls = self.controls
+        found: dict[str, Any] = {
+            "menus": [
+                {"name": name, "options": one.labels}
+                for name, one in controls.of.items()
+                if isinstance(one, Menu)
+            ],
+            "presets": [
+                {"name": name, "values": controls.places("presets", values)}
+                for name, values in self.presets.items()
+            ],
+            "questions": [question.described(controls) for question in self.questions],
+            "code": script(self.case, controls),
+        }
+        return found if self._sized is None else {**found, "size": len(controls.of)}
 
     # --- the comparison of motions
 
@@ -210,10 +296,11 @@ class Explorer:
         """Places of the sliders, and whether the motions there end alike and reach as far."""
         fate = made.native(self._first.structure.module).fate
         extremes = np.zeros((2, len(self._first.structure.states)))
-        for place in list(spread(self.sliders))[2 : 2 + MOTIONS]:
-            named = dict(zip(self.sliders, place.tolist(), strict=True))
+        setup = self.setup
+        for place in itertools.islice(setup.controls.spread(MOTIONS), 2, None):
+            named = setup.controls.named(place)
             try:
-                case = self.case(**named)
+                case = setup.case(**named)
                 run = simulated(case, case.problem(), SolverOptions(method=METHOD))
             except ValueError:
                 continue
@@ -224,6 +311,11 @@ class Explorer:
             wanted = run.extremes(name).peak
             near = abs(peak - abs(wanted)) <= 1e-6 * max(abs(wanted), 1e-9)
             yield named, OUTCOMES.get(code) == str(run.outcome) and bool(near)
+
+
+def _bare(text: str) -> str:
+    """A script without the lines of its comments, a fifth of it: the source is for who reads it."""
+    return re.sub(r"^ *(//.*|/\*\*((?!\*/)[\s\S])*\*/)\n", "", text, flags=re.MULTILINE)
 
 
 def _packed(code: bytes) -> str:

@@ -8,13 +8,13 @@ over the ranges of all sliders, the numbers are then compared with those of Pyth
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.stats import qmc
 
+from rockeom.browser.controls import Controls
 from rockeom.browser.program import functions
 from rockeom.browser.questions import (
     NUMBERS,
@@ -46,19 +46,11 @@ from rockeom.simulation.case import Case, Problem
 
 PLACES = 2048
 """Places of the sliders at which a set-up is compared with Python's."""
-MOST_WAYS = 24
+MOST_WAYS = 48
 LONG_TABLE = 8
 """Rows of a ground motion beyond which they are written by a loop."""
 NEAR = 1e-12
 """Relative difference that is left by elementary functions of our own."""
-
-
-class Slider(NamedTuple):
-    """A number of a page. low, high : its range. start : its value at first."""
-
-    low: float
-    high: float
-    start: float
 
 
 @dataclass(frozen=True)
@@ -85,10 +77,10 @@ Run = Callable[[np.ndarray], tuple[int, Numbers]]
 
 @dataclass(frozen=True)
 class Setup:
-    """The ways of a case. sliders : by name. case : of them."""
+    """The ways of a case. case : of the values of the controls."""
 
     case: Callable[..., Case]
-    sliders: Mapping[str, Slider]
+    controls: Controls
     states: int
     ways: list[Way] = field(default_factory=list)
 
@@ -117,7 +109,7 @@ class Setup:
             np.zeros(self.states), np.zeros(size), np.zeros((rows, 7)), np.zeros((lifts, 7)),
             np.zeros(NUMBERS),
         )  # fmt: skip
-        bound = set_up.bound(np.zeros(len(self.sliders)), *made)
+        bound = set_up.bound(np.zeros(len(self.controls.of)), *made)
 
         def run(sliders: np.ndarray) -> tuple[int, Numbers]:
             bound["sliders"] = sliders
@@ -147,60 +139,58 @@ def set_up_at(
 )
 
 
-def setup_of(case: Callable[..., Case], sliders: Mapping[str, Slider]) -> Setup:
-    """The set-up of a case for all values of its sliders.
+def setup_of(case: Callable[..., Case], controls: Controls) -> Setup:
+    """The set-up of a case for all values of its controls.
 
     Raises UntracedError where a page could not repeat what the case does, or where at one of the
     places it gives other numbers than Python.
     """
-    start = {name: one.start for name, one in sliders.items()}
-    first = case(**start)
+    first = case(**controls.named(controls.start))
     first.problem()  # a first case that cannot be is for the caller to mend
-    found = Setup(case, sliders, len(first.structure.states))
-    places = list(spread(sliders))
-    run = _go_all_ways(found, [np.array(list(start.values())), *places])
+    found = Setup(case, controls, len(first.structure.states))
+    for place in controls.combinations():
+        _go(found, place)
+    places = list(controls.spread(PLACES))
+    run = _go_all_ways(found, places)
     _compare(found, run, places)
     return found
 
 
-def spread(sliders: Mapping[str, Slider], n: int = PLACES) -> Iterator[np.ndarray]:
-    """Places of the sliders that fill their ranges evenly (Sobol), and their corners."""
-    low, high = (np.array([getattr(s, end) for s in sliders.values()]) for end in ("low", "high"))
-    yield from (low, high)
-    for x in qmc.Sobol(len(sliders), seed=1).random(n):
-        yield low + x * (high - low)
+def _go(setup: Setup, place: np.ndarray) -> bool:
+    """Add the way that the case goes at a place; False where Python refuses the case there."""
+    named = setup.controls.named(place)
+    try:
+        case = setup.case(**named)
+        case.problem()
+    except ValueError:
+        return False
+    if len(setup.ways) == MOST_WAYS:
+        raise UntracedError(
+            f"the case goes more than {MOST_WAYS} ways: narrow the ranges of the sliders"
+        )
+    setup.ways.append(_way(setup, place, len(setup.ways)))
+    return True
 
 
 def _go_all_ways(setup: Setup, places: list[np.ndarray]) -> Run:
-    """Trace the case wherever no known way is gone, and Python does not refuse it.
-
-    Returns the compiled set-up of all ways; the first place is one that Python does not refuse.
-    """
-    run: Run | None = None
+    """Trace the case wherever no known way is gone, and return the compiled set-up of all ways."""
+    run = setup.compiled()
     for place in places:
-        if run is not None and run(place)[0] >= 0:
+        if run(place)[0] >= 0 or not _go(setup, place):
             continue
-        named = dict(zip(setup.sliders, place.tolist(), strict=True))
-        try:
-            setup.case(**named).problem()
-        except ValueError:
-            continue
-        if len(setup.ways) == MOST_WAYS:
-            raise UntracedError(
-                f"the case goes more than {MOST_WAYS} ways: narrow the ranges of the sliders"
-            )
-        setup.ways.append(_way(setup, named, len(setup.ways)))
         run = setup.compiled()
         if run(place)[0] < 0:
-            raise UntracedError(f"the way that the case goes at {named} is not gone there again")
-    assert run is not None
+            raise UntracedError(
+                f"the way that the case goes at {setup.controls.named(place)} is not gone there "
+                "again"
+            )
     return run
 
 
 def _compare(setup: Setup, run: Run, places: list[np.ndarray]) -> None:
     """Raise UntracedError where the numbers of the set-up are not those of Python."""
     for place in places:
-        named = dict(zip(setup.sliders, place.tolist(), strict=True))
+        named = setup.controls.named(place)
         way, made = run(place)
         try:
             wanted = setup.case(**named).problem()
@@ -247,9 +237,9 @@ def difference(made: Numbers, wanted: Problem) -> str | None:
 # --- the text of a way
 
 
-def _way(setup: Setup, named: dict[str, float], number: int) -> Way:
+def _way(setup: Setup, place: np.ndarray, number: int) -> Way:
     tape = Tape()
-    case = setup.case(**tape.sliders(named))
+    case = setup.case(**setup.controls.traced(tape, place))
     try:
         problem = case.problem()
     except TypeError as error:  # an UntracedError is one, too

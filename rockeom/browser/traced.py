@@ -23,7 +23,7 @@ from rockeom.numbers.batch import OPERATORS, boxed
 from rockeom.numbers.functions import IN_MATH, Compound
 
 _LIBRARIES = (str(Path(__file__).parents[1]), str(Path(np.__file__).parent))
-_SIGNS = {"add": "+", "sub": "-", "mul": "*", "truediv": "/"}
+SIGNS = {"add": "+", "sub": "-", "mul": "*", "truediv": "/"}
 COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="}
 _OWN = {n.removeprefix("own_"): f for n, f in vars(elementary).items() if n.startswith("own_")}
 _MOST = 9
@@ -244,8 +244,8 @@ class Lines:
 
     def expression(self, operation: str, given: list[str]) -> str:
         """An operation of things that have names."""
-        if operation in _SIGNS:
-            return f"{given[0]} {_SIGNS[operation]} {given[1]}"
+        if operation in SIGNS:
+            return f"{given[0]} {SIGNS[operation]} {given[1]}"
         if operation == "neg":
             return f"-{given[0]}"
         called = {"abs": "abs", "sqrt": "math.sqrt"}.get(operation, f"own_{operation}")

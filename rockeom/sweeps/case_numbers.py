@@ -21,7 +21,7 @@ from rockeom.motion.recording import Recording
 from rockeom.motion.scaling import target
 from rockeom.numbers.checks import is_number, near
 from rockeom.numbers.degrees import ANGLES, RADIANS, SUFFIX
-from rockeom.numbers.functions import mathematics
+from rockeom.numbers.functions import Compound, mathematics
 from rockeom.simulation.case import Case
 from rockeom.structures.base import Structure
 from rockeom.structures.declared import DeclaredStructure
@@ -66,7 +66,7 @@ class Number(NamedTuple):
 def numbers_of(case: Case) -> dict[str, Number]:
     """All numbers of a case by their names in full."""
     return {
-        **_of_structure(case.structure),
+        **of_structure(case.structure),
         **_of_motion("motion", case),
         **_of_law(case),
         **_of_start(case),
@@ -207,7 +207,8 @@ def sweep_of(case: Case, cases: Cases) -> tuple[OtherCase, Cases]:
 # -- the numbers of each part
 
 
-def _of_structure(structure: Structure) -> dict[str, Number]:
+def of_structure(structure: Structure) -> dict[str, Number]:
+    """Numbers that a structure was made of, by their names in full."""
     module = structure.module
     signs = dict(zip(module.PARAMETERS, module.PARAMETER_SIGNS, strict=True))
     units = dict(zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True))
@@ -281,15 +282,15 @@ def _made_of(x: Any) -> dict[str, Any]:
     return {field.name: getattr(x, field.name) for field in fields(x)}
 
 
-def _numbers(values: Mapping[str, Any]) -> Iterator[tuple[str, _Path, float]]:
+def _numbers(values: Mapping[str, Any]) -> Iterator[tuple[str, _Path, Any]]:
     """(name, path, value) of each number in values, in lists and in supports among them."""
     for name, value in values.items():
         yield from _numbers_at(name, (name,), value)
 
 
-def _numbers_at(name: str, path: _Path, value: Any) -> Iterator[tuple[str, _Path, float]]:
+def _numbers_at(name: str, path: _Path, value: Any) -> Iterator[tuple[str, _Path, Any]]:
     if is_number(value) and np.isfinite(value):
-        yield name, path, float(value)
+        yield name, path, value if isinstance(value, Compound) else float(value)
     elif isinstance(value, tuple | list):
         for i, item in enumerate(value):
             yield from _numbers_at(f"{name}[{i}]", (*path, i), item)

@@ -61,7 +61,7 @@ def test_no_script_is_long():
 @pytest.mark.parametrize(
     ("sliders", "message"),
     [
-        ({}, "0 sliders: give from 1 to 12"),
+        ({}, "0 sliders and 0 menus: give a slider or more, and at most 12 of both"),
         ({"half_width": (0.4, 0.1)}, "from 0.4 to 0.1"),
         ({"half_width": (0.1, 0.4, 0.9)}, "first 0.9"),
         ({"half_width": (0.1, float("inf"))}, "two finite"),
@@ -123,7 +123,8 @@ def test_motion_in_node_has_the_bits_of_machine_code(page):
     data = data_of(page.html)
     rng = np.random.default_rng(4)
     low, high = (np.array([s[i] for s in SLIDERS.values()]) for i in (0, 1))
-    places = (low + rng.random((40, len(SLIDERS))) * (high - low)).tolist()
+    places = low + rng.random((40, len(SLIDERS))) * (high - low)
+    places = np.column_stack([places, np.ones(40)]).tolist()  # as large as it is
     asked = {"runtime": (ASSETS / "runtime.js").read_text("utf-8"), **data, "places": places}
     ran = subprocess.run(
         ["node", str(Path(__file__).parent / "run_page.js")],

@@ -41,7 +41,8 @@ def shown(case: rk.Case) -> Shown:
     p, numbers = np.zeros(page.setup.sizes[0]), np.zeros(NUMBERS)
     states, modes = np.zeros((SAMPLES, len(case.structure.states))), np.zeros(SAMPLES, np.int64)
     ground, impacts, spacing = np.zeros((2, SAMPLES)), np.zeros(10), np.zeros(4)
-    program.motion(np.array([9.81]), p, numbers, states, modes, ground, impacts, spacing)
+    start = page.setup.controls.start
+    program.motion(start, p, numbers, states, modes, ground, impacts, spacing)
     found, angles, separatrix = np.zeros((5, SAMPLES)), np.zeros(2), np.zeros((2, 64))
     program.energy_history(states, modes, p, ground, spacing, found)
     program.balance(p, numbers, angles, separatrix)

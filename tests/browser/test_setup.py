@@ -9,8 +9,14 @@ import pytest
 
 import rockeom as rk
 from rockeom.browser import setup
-from rockeom.browser.setup import Slider, difference, setup_of
+from rockeom.browser.controls import Controls, Slider
+from rockeom.browser.setup import difference
 from rockeom.browser.traced import Tape, UntracedError
+
+
+def setup_of(case, sliders):
+    return setup.setup_of(case, Controls(sliders))
+
 
 WIDTH = Slider(0.05, 0.4, 0.2)
 AMPLITUDE = Slider(-6.0, 6.0, 3.0)

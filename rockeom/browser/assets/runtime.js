@@ -84,12 +84,12 @@ class Runner {
     const program = new Program(module, of);
     const n = of.states.length;
     this.of = of;
-    this.sliders = program.floats([of.sliders.length]);
+    this.sliders = program.floats([of.start.length]);
     this.p = program.floats([of.mostP]);
-    this.numbers = program.floats([9]);
+    this.numbers = program.floats([11]);
     this.states = program.floats([SAMPLES, n]);
     this.modes = program.wholes([SAMPLES]);
-    this.ground = program.floats([SAMPLES]);
+    this.ground = program.floats([2, SAMPLES]); // horizontal, then vertical
     this.impacts = program.floats([IMPACTS]);
     this.spacing = program.floats([4]);
     this.extremes = program.floats([2, n]);

@@ -1,0 +1,181 @@
+"""The controls of a page: sliders, and menus of parts of a case; and values of them by name.
+
+All values of a page are one array, a number for each control in their order: the value of a slider,
+and the number of the option of a menu.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.stats import qmc
+
+from rockeom.browser.traced import Tape
+from rockeom.numbers.checks import described, is_number, near
+
+MOST_CONTROLS = 12
+MOST_COMBINATIONS = 24
+"""Combinations of the options of all menus; the set-up of each is a part of the page."""
+
+
+class Slider(NamedTuple):
+    """A number of a page. low, high : its range. start : its value at first."""
+
+    low: float
+    high: float
+    start: float
+
+    def at(self, share: float) -> float:
+        """The value at a share of the range, 0 to 1."""
+        return self.low + share * (self.high - self.low)
+
+
+@dataclass(frozen=True)
+class Menu:
+    """A part of a case to choose from. options : by label, the first one at first."""
+
+    options: Mapping[str, Any]
+
+    @property
+    def start(self) -> float:
+        """The number of the option at first."""
+        return 0.0
+
+    @property
+    def labels(self) -> list[str]:
+        return list(self.options)
+
+    def at(self, share: float) -> float:
+        """The number of an option at a share of the menu, 0 to 1."""
+        return float(min(int(share * len(self.options)), len(self.options) - 1))
+
+
+@dataclass(frozen=True)
+class Controls:
+    """The controls of a page by name, in the order of their values."""
+
+    of: Mapping[str, Slider | Menu]
+
+    @property
+    def start(self) -> np.ndarray:
+        """The values at first."""
+        return np.array([control.start for control in self.of.values()])
+
+    def named(self, place: np.ndarray) -> dict[str, Any]:
+        """What a case is given at some values: a number, or the option of a menu."""
+        pairs = zip(self.of.items(), place.tolist(), strict=True)
+        return {name: _given(control, x, x) for (name, control), x in pairs}
+
+    def labelled(self) -> dict[str, Any]:
+        """The values at first by name, those of menus by their labels."""
+        return {name: control.labels[0] if isinstance(control, Menu) else control.start
+                for name, control in self.of.items()}  # fmt: skip
+
+    def given(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """What a case is given at values by name, those of menus by their labels."""
+        places = self.places("values", values)
+        return self.named(np.array([places[k] for k in range(len(self.of))]))
+
+    def traced(self, tape: Tape, place: np.ndarray) -> dict[str, Any]:
+        """The same, the numbers traced, and the option that was chosen a condition."""
+        numbers = tape.sliders(dict(zip(self.of, place.tolist(), strict=True)))
+        for (name, control), x in zip(self.of.items(), place.tolist(), strict=True):
+            if isinstance(control, Menu):
+                tape.condition("eq", numbers[name], x)
+        pairs = zip(self.of.items(), place.tolist(), strict=True)
+        return {name: _given(control, numbers[name], x) for (name, control), x in pairs}
+
+    def combinations(self) -> Iterator[np.ndarray]:
+        """The first values, with each combination of the options of all menus."""
+        choices = [
+            range(len(c.options)) if isinstance(c, Menu) else (c.start,) for c in self.of.values()
+        ]
+        yield from map(np.array, itertools.product(*choices))
+
+    def spread(self, n: int) -> Iterator[np.ndarray]:
+        """Values that fill all ranges evenly (Sobol), and both ends of them."""
+        ends = ([0.0] * len(self.of), [1.0] * len(self.of))
+        for shares in (*ends, *qmc.Sobol(len(self.of), seed=1).random(n).tolist()):
+            yield np.array([c.at(x) for c, x in zip(self.of.values(), shares, strict=True)])
+
+    def places(self, where: str, values: Mapping[str, Any]) -> dict[int, float]:
+        """Some values by their place in the array; raises ValueError for one that cannot be.
+
+        where : the argument that has them.
+        """
+        return {list(self.of).index(self._known(where, n)): self._value(where, n, x)
+                for n, x in values.items()}  # fmt: skip
+
+    def _known(self, where: str, name: str) -> str:
+        if name not in self.of:
+            raise ValueError(f"{where}: {name!r} is no slider and no menu{near(name, self.of)}")
+        return name
+
+    def _value(self, where: str, name: str, x: Any) -> float:
+        control = self.of[name]
+        if isinstance(control, Menu):
+            if x not in control.options:
+                raise ValueError(f"{where}: {name} is {x!r}: give one of {control.labels}")
+            return float(control.labels.index(x))
+        if not (is_number(x) and control.low <= x <= control.high):
+            raise ValueError(
+                f"{where}: {name} is {described(x)}: give a number from {control.low:g} to "
+                f"{control.high:g}, the range of the slider"
+            )
+        return float(x)
+
+
+def _given(control: Slider | Menu, number: Any, x: float) -> Any:
+    return control.options[control.labels[int(x)]] if isinstance(control, Menu) else number
+
+
+def slider(name: str, given: Any, first: float | None) -> Slider:
+    """A slider of (lowest, highest) or (lowest, highest, first); first : if that is not given."""
+    several = isinstance(given, tuple | list) and len(given) in (2, 3)
+    if not (several and all(map(is_number, given))):
+        raise TypeError(
+            f"slider {name!r} is {described(given)}: give (lowest, highest) or (lowest, highest, "
+            "first)"
+        )
+    low, high = float(given[0]), float(given[1])
+    start = (low + high) / 2 if first is None else min(max(first, low), high)
+    start = float(given[2]) if len(given) == 3 else start
+    if not (-math.inf < low < high < math.inf and low <= start <= high):
+        raise ValueError(
+            f"slider {name!r} goes from {low:g} to {high:g}, first {start:g}: give two finite "
+            "numbers, the lower one first, and a first value between them"
+        )
+    return Slider(low, high, start)
+
+
+def menu(name: str, given: Any) -> Menu:
+    """A menu of options by label."""
+    labels = isinstance(given, Mapping) and all(isinstance(label, str) for label in given)
+    if not labels or len(given) < 2:
+        raise TypeError(
+            f"menu {name!r} is {described(given)}: give two options or more by their labels, such "
+            'as {"Housner": rk.AngularMomentum(), "r = 0.8": rk.EnergyRatio(0.8)}'
+        )
+    return Menu(dict(given))
+
+
+def check_number(sliders: Mapping[str, Any], menus: Mapping[str, Menu]) -> None:
+    """Raise ValueError for too many controls, and for a name that two of them have."""
+    if not sliders or len(sliders) + len(menus) > MOST_CONTROLS:
+        raise ValueError(
+            f"{len(sliders)} sliders and {len(menus)} menus: give a slider or more, and at most "
+            f"{MOST_CONTROLS} of both"
+        )
+    if both := sliders.keys() & menus.keys():
+        raise ValueError(f"{min(both)!r} is a slider and a menu: name one of both")
+    combinations = math.prod(len(one.options) for one in menus.values())
+    if combinations > MOST_COMBINATIONS:
+        raise ValueError(
+            f"the menus have {combinations} combinations of their options: give at most "
+            f"{MOST_COMBINATIONS}"
+        )

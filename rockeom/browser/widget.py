@@ -1,0 +1,46 @@
+"""A page as a widget of a notebook, whose values stay in step with Python."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from typing import TYPE_CHECKING, Any
+
+from rockeom.simulation.case import Case
+
+if TYPE_CHECKING:
+    from rockeom.browser.page import Explorer
+
+
+def widget_of(explorer: Explorer) -> Any:
+    """A widget of anywidget; its class is made here, since it derives from one of the extra."""
+    try:
+        import anywidget
+        import traitlets
+    except ImportError as error:
+        raise ImportError(
+            "a widget of a page needs the package anywidget: pip install anywidget, or "
+            'pip install -e ".[widget]"; without it the page itself is shown'
+        ) from error
+
+    class PageWidget(anywidget.AnyWidget):
+        """A page, with `values` of its sliders and menus by name, and the `case` at them."""
+
+        _esm = files("rockeom").joinpath("browser", "assets", "widget.js").read_text("utf-8")
+        title = traitlets.Unicode().tag(sync=True)
+        page = traitlets.Unicode().tag(sync=True)
+        values = traitlets.Dict().tag(sync=True)
+
+        @traitlets.validate("values")
+        def _complete(self, proposal: Any) -> dict[str, Any]:
+            """The values with those that are not named as they were."""
+            explorer.controls.places("values", proposal["value"])
+            return {**self.values, **proposal["value"]}
+
+        @property
+        def case(self) -> Case:
+            """The case at the present values."""
+            return explorer.case(**explorer.controls.given(self.values))
+
+    return PageWidget(
+        title=explorer.heading, page=explorer.html, values=explorer.controls.labelled()
+    )

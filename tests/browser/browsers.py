@@ -1,0 +1,259 @@
+"""Pages in real browsers: motions at random places of the sliders, compared with `rk.simulate`.
+
+python -m tests.browser.browsers [NAME ...]   all structures in each browser; half an hour
+
+A page is served by this process with a few lines more, which run the motions and send them back. So
+any browser does that opens an address; it needs no driver.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import threading
+from collections.abc import Iterator
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any, NamedTuple
+
+import numpy as np
+
+import rockeom as rk
+from rockeom.browser.page import METHOD, Explorer
+from rockeom.browser.traced import UntracedError
+from rockeom.codes import OUTCOMES
+from rockeom.structures.classes import SHIPPED
+from rockeom.sweeps.case_numbers import of_structure
+from rockeom.symbolic import Body, Contact, Model, Rigid, coordinate, parameter, turned
+from tests.shipped import plain
+
+BROWSERS = {
+    "chromium": ["--headless", "--no-sandbox", "--disable-gpu", "--user-data-dir={}",
+                 "--no-first-run", "--disable-background-networking", "--disable-component-update",
+                 "--disable-sync"],
+    "firefox-esr": ["--headless", "--no-remote", "--profile", "{}"],
+}  # fmt: skip
+PLACES = 300
+SAME = 1e-9
+"""Difference of the largest rotations of two motions that are the same [rad], and relative to those
+beyond 1."""
+NEXT = 1.0 + 1e-12
+"""A motion is sensitive if this factor of the ground motion changes it by more than `SAME`."""
+
+_MOTIONS = """<script>
+(async () => {
+  const data = JSON.parse(document.getElementById("data").textContent);
+  const module = await WebAssembly.compile(await unpacked(data.program));
+  const runner = new Runner(module, data.of);
+  const motions = PLACES.map((values) => {
+    runner.sliders.set(values);
+    const fate = runner.fate();
+    return [fate, Array.from(runner.extremes), runner.run(values)];
+  });
+  await fetch("/results", { method: "POST", body: JSON.stringify(motions) });
+})().catch((error) => fetch("/results", { method: "POST", body: JSON.stringify(String(error)) }));
+</script>"""
+
+
+class Motion(NamedTuple):
+    """A motion of a page: its outcome, when it is only followed and when it is recorded, and the
+    largest rotation."""
+
+    outcome: str
+    recorded: str
+    peak: float
+
+
+def answered(html: str, browser: str, seconds: float = 300.0) -> Any:
+    """What a page sends to /results when a browser opens it."""
+    found: list[Any] = []
+    done = threading.Event()
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            self._reply("text/html; charset=utf-8", html.encode())
+
+        def do_POST(self) -> None:
+            found.append(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
+            self._reply("text/plain", b"")
+            done.set()
+
+        def _reply(self, kind: str, body: bytes) -> None:
+            self.send_response(200)
+            self.send_header("Content-Type", kind)
+            self.send_header("Content-Length", str(len(body)))
+            self.end_headers()
+            self.wfile.write(body)
+
+        def log_message(self, *_: Any) -> None:
+            pass
+
+    with (
+        ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server,
+        tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder,
+    ):
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        options = [option.format(folder) for option in BROWSERS[browser]]
+        address = f"http://127.0.0.1:{server.server_port}/"
+        process = subprocess.Popen(
+            [browser, *options, address], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        try:
+            assert done.wait(seconds), f"{browser} sent nothing within {seconds:g} s"
+        finally:
+            process.terminate()
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                process.wait(20)
+            server.shutdown()
+    (result,) = found[:1]
+    assert not isinstance(result, str), result
+    return result
+
+
+def motions(page: Explorer, places: np.ndarray, browser: str) -> Iterator[Motion]:
+    """Motions of a page in a browser."""
+    script = _MOTIONS.replace("PLACES", json.dumps(places.tolist()))
+    html = page.html.replace("</body>", f"{script}</body>")
+    rotation = page.case(**page.controls.named(page.controls.start)).structure.module.ROTATION
+    for fate, extremes, recorded in answered(html, browser):
+        of_rotation = np.array(extremes).reshape(2, -1)[:, rotation]
+        yield Motion(
+            OUTCOMES.get(fate, "unknown"),
+            OUTCOMES.get(recorded, "unknown"),
+            float(np.abs(of_rotation).max()),
+        )
+
+
+def random_places(page: Explorer, n: int) -> np.ndarray:
+    """Random values of all controls, of the hidden one as it is at first."""
+    rng = np.random.default_rng(len(page.controls.of))
+    shares = rng.random((n, len(page.controls.of)))
+    controls = page.controls.of.values()
+    rows = [[c.at(x) for c, x in zip(controls, row, strict=True)] for row in shares]
+    hidden = page.setup.controls.start[len(page.controls.of) :]
+    return np.array([[*row, *hidden] for row in rows])
+
+
+def of_python(page: Explorer, place: np.ndarray, factor: float = 1.0) -> tuple[str, float]:
+    """Outcome and largest rotation by `rk.simulate`, the ground motion times a factor."""
+    case = page.case(**page.controls.named(place[: len(page.controls.of)]))
+    run = rk.simulate(
+        case.structure, case.motion if factor == 1.0 else case.motion.scaled(factor),
+        impact=case.impact, initial=case.initial, duration=case.duration, vertical=case.vertical,
+        options=rk.SolverOptions(method=METHOD),
+    )  # fmt: skip
+    return str(run.outcome), abs(run.extremes(run.states[run.structure.module.ROTATION]).peak)
+
+
+def report(name: str, page: Explorer, browser: str) -> bool:
+    """Print how the motions of a page agree with Python; whether the page is right."""
+    places = random_places(page, PLACES)
+    wrong, sensitive = 0, 0
+    for place, motion in zip(places, motions(page, places, browser), strict=True):
+        outcome, peak = of_python(page, place)
+        near = abs(motion.peak - peak) <= SAME * max(peak, 1.0)
+        if motion.outcome == motion.recorded == outcome and near:
+            continue
+        other, moved = of_python(page, place, NEXT)
+        if other != outcome or abs(moved - peak) > SAME * max(peak, 1.0):
+            sensitive += 1
+        else:
+            wrong += 1
+        print(f"  {name} at {place.tolist()}: {motion} not {outcome}, {peak!r}; {moved!r} next to")
+    print(
+        f"{name} in {browser}: {PLACES - wrong - sensitive} of {PLACES} the same, {sensitive} "
+        f"sensitive, {wrong} differ; {len(page.html) / 1e3:.0f} kB",
+        flush=True,
+    )
+    return wrong == 0 and sensitive <= 0.05 * PLACES
+
+
+def pages() -> dict[str, rk.Case]:
+    """A case of each shipped structure, of frames on three supports and of a declared block."""
+    pulse = rk.GroundMotion.half_sine(1.0, 0.8, duration=5.0)
+    structures: dict[str, rk.Structure] = {n: cls(**plain(n)) for n, cls in SHIPPED.items()}
+    frame = {
+        "masses": [20e3] * 3, "heights": [3.5, 7.0, 10.5], "stiffnesses": [2e7] * 3,
+        "dampings": [12e4] * 3, "half_width": 2.0, "base_mass": 10e3, "base_inertia": 5e3,
+    }  # fmt: skip
+    structures["frame of three storeys"] = rk.ShearFrame(**frame)
+    bed = rk.Winkler(springs=5, stiffness=2e7, damping=2e4)
+    structures["frame on a bed"] = rk.ShearFrame(**frame, support=bed)
+    structures["frame that slides"] = rk.ShearFrame(
+        **frame, support=rk.Sliding(friction=0.3, restitution=0.0)
+    )
+    structures["declared block that slides"] = _declared_block()
+    return {name: rk.Case(structure, pulse) for name, structure in structures.items()}
+
+
+def _declared_block() -> rk.Structure:
+    """A block on feet that slide, declared by a user."""
+    x, y = coordinate("x", "x", "m", "place"), coordinate("y", "y", "m", "height of the base")
+    theta = coordinate("theta", "theta", "rad", "rotation")
+    m, b, h, inertia, g, mu, e_n = declared = [
+        parameter("m", "mass", "kg", "mass"),
+        parameter("b", "half_width", "m", "half of the distance of the feet"),
+        parameter("h", "height", "m", "height of the centroid"),
+        parameter("I", "inertia", "kg m2", "moment of inertia about the centroid"),
+        parameter("g", "gravity", "m/s2", "acceleration of gravity"),
+        parameter("mu", "friction", "-", "coefficient of friction"),
+        parameter("e_n", "restitution", "-", "ratio of the rates of a gap"),
+    ]
+
+    def placed(across: Any, up: Any) -> tuple[Any, Any]:
+        right, above = turned((across, up), (0, 0), theta.position)
+        return x.position + right, y.position + above
+
+    def foot(name: str, side: int) -> Contact:
+        along, gap = placed(side * b.symbol, 0)
+        return Contact(name, gap=gap, slip=along, law=Rigid(e_n.symbol, mu.symbol))
+
+    model = Model(
+        name="declared_sliding_block", title="A block on feet that slide", parameters=declared,
+        coordinates=(x, y, theta), rotation=theta, gravity=g.symbol,
+        bodies=[Body("block", m.symbol, placed(0, h.symbol), inertia.symbol, theta.position)],
+        contacts=[foot("left", -1), foot("right", 1)],
+    )  # fmt: skip
+    return rk.structure(
+        model, mass=1.0, half_width=0.2, height=0.7, inertia=0.18, gravity=9.81, friction=0.4,
+        restitution=0.0,
+    )  # fmt: skip
+
+
+def page_of(case: rk.Case) -> Explorer:
+    """A page with the amplitude and two parameters of the structure."""
+    module = case.structure.module
+    least = case.structure.uplift_acceleration or 5.0
+    lengths = [
+        (name, number.value)
+        for name, number in of_structure(case.structure).items()
+        if number.value and number.unit in ("m", "kg", "N/m", "-") and number.smooth
+    ][:2]
+    sliders = {"amplitude": (0.5 * least, 3.0 * least)}
+    sliders |= {name: (0.8 * value, 1.25 * value) for name, value in lengths}
+    return rk.explorer(case, sliders, module.NAME)
+
+
+def main() -> int:
+    asked = sys.argv[1:]
+    right = True
+    for name, case in pages().items():
+        if asked and name not in asked:
+            continue
+        page = page_of(case)
+        try:
+            _ = page.html
+        except UntracedError as error:
+            print(f"{name} has no page: {error}", flush=True)
+            right = False
+            continue
+        for browser in filter(shutil.which, BROWSERS):
+            right &= report(name, page, browser)
+    return not right
+
+
+if __name__ == "__main__":
+    sys.exit(main())
