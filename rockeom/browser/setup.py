@@ -150,7 +150,7 @@ def setup_of(case: Callable[..., Case], controls: Controls) -> Setup:
     found = Setup(case, controls, len(first.structure.states))
     for place in controls.combinations():
         _go(found, place)
-    places = list(controls.spread(PLACES))
+    places = [*controls.special(), *controls.spread(PLACES)]
     run = _go_all_ways(found, places)
     _compare(found, run, places)
     return found
