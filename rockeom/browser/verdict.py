@@ -24,15 +24,16 @@ def uplift_and_friction(p):
 
     Both are nan where the structure has no feet on rigid ground.
     """
-    if not FEET:
-        return np.nan, np.nan
-    uplift = min(lifting(LEFT_FOOT, p), lifting(RIGHT_FOOT, p))
-    y, forces = np.zeros(N_STATES), np.zeros(8)
-    reactions(BOTH_MODE, y, p, 0.0, 0.0, forces)
-    weight = forces[LEFT_FOOT] + forces[RIGHT_FOOT]
-    reactions(BOTH_MODE, y, p, 0.0, 1.0, forces)
-    mass = forces[LEFT_FOOT] + forces[RIGHT_FOOT] - weight
-    return uplift, uplift * mass / weight
+    if FEET:
+        uplift = min(lifting(LEFT_FOOT, p), lifting(RIGHT_FOOT, p))
+        y, forces = np.zeros(N_STATES), np.zeros(8)
+        reactions(BOTH_MODE, y, p, 0.0, 0.0, forces)
+        weight = forces[LEFT_FOOT] + forces[RIGHT_FOOT]
+        reactions(BOTH_MODE, y, p, 0.0, 1.0, forces)
+        friction = uplift * (forces[LEFT_FOOT] + forces[RIGHT_FOOT] - weight) / weight
+    else:
+        uplift, friction = np.nan, np.nan
+    return uplift, friction
 
 
 def lifting(foot, p):
