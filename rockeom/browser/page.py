@@ -7,6 +7,7 @@ import gzip
 import html
 import itertools
 import json
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -40,7 +41,16 @@ ENTRIES = ("motion", "fate", "places", "corners")
 METHOD = "DOP853"
 MOTIONS = 16
 """Places of the sliders whose motions are compared with `rk.simulate`."""
-_SCRIPTS = ("runtime.js", "drawing.js", "charts.js", "map.js", "page.js")
+_NO_STATICS = """import numpy as np
+
+
+def uplift_and_friction(p):
+    return np.nan, np.nan
+"""
+_SCRIPTS = (
+    "texts.js", "runtime.js", "drawing.js", "charts.js", "map.js", "panel.js", "address.js",
+    "plane.js", "lesson.js", "verdict.js", "tools.js", "page.js",
+)  # fmt: skip
 _ASSETS = files("rockeom").joinpath("browser", "assets")
 
 
@@ -155,7 +165,7 @@ class Explorer:
             "title": html.escape(self.heading),
             "style": _ASSETS.joinpath("page.css").read_text("utf-8"),
             "data": json.dumps(data).replace("<", "\\u003c"),
-            "script": "\n".join(_ASSETS.joinpath(s).read_text("utf-8") for s in _SCRIPTS),
+            "script": "\n".join(_bare(_ASSETS.joinpath(s).read_text("utf-8")) for s in _SCRIPTS),
         }
         for name, text in parts.items():
             page = page.replace(f"<!-- {name} -->", text)
@@ -202,25 +212,24 @@ class Explorer:
 
     def _texts(self) -> tuple[Text, ...]:
         p, horizontal, vertical = self.setup.sizes
-        sizes = f"MOST_P, ROWS_X, ROWS_Y = {p}, {horizontal}, {vertical}\n{self._feet()}"
-        names = ("browser/verdict.py", "browser/questions.py")
+        sizes = f"MOST_P, ROWS_X, ROWS_Y = {p}, {horizontal}, {vertical}\n"
+        name = "browser/questions.py"
         return (
             self.setup.text,
             Text("sizes of the set-up", sizes),
-            *(Text(name, text_of(name)) for name in names),
+            *self._statics(),
+            Text(name, text_of(name)),
         )
 
-    def _feet(self) -> str:
-        """The mode of full contact, and the places of the forces on both feet."""
+    def _statics(self) -> tuple[Text, ...]:
+        """The statics of feet on rigid ground; of other structures they are not known."""
         structure = self._first.structure
-        m, mode, left, right = structure.module, 0, 0, 0
-        if structure.rocks_on_rigid_ground:
-            mode = m.MODES.index("both")
-            left, right = (m.REACTIONS.index(f"{side}_reaction") for side in ("left", "right"))
-        return (
-            f"FEET, BOTH_MODE = {structure.rocks_on_rigid_ground}, {mode}\n"
-            f"LEFT_FOOT, RIGHT_FOOT = {left}, {right}\n"
-        )
+        if not structure.rocks_on_rigid_ground:
+            return (Text("no statics", _NO_STATICS),)
+        m, name = structure.module, "browser/verdict.py"
+        left, right = (m.REACTIONS.index(f"{side}_reaction") for side in ("left", "right"))
+        places = f"BOTH_MODE, LEFT_FOOT, RIGHT_FOOT = {m.MODES.index('both')}, {left}, {right}\n"
+        return Text("places of feet", places), Text(name, text_of(name))
 
     def description(self) -> dict[str, Any]:
         """Names, units and sizes that a page needs besides its program."""
@@ -302,6 +311,11 @@ class Explorer:
             wanted = run.extremes(name).peak
             near = abs(peak - abs(wanted)) <= 1e-6 * max(abs(wanted), 1e-9)
             yield named, OUTCOMES.get(code) == str(run.outcome) and bool(near)
+
+
+def _bare(text: str) -> str:
+    """A script without the lines of its comments, a fifth of it: the source is for who reads it."""
+    return re.sub(r"^ *(//.*|/\*\*((?!\*/)[\s\S])*\*/)\n", "", text, flags=re.MULTILINE)
 
 
 def _packed(code: bytes) -> str:

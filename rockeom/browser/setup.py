@@ -118,7 +118,7 @@ class Setup:
         return Text("the set-up of the page", _HEAD + ways + last)
 
     def numbers(self, sliders: np.ndarray) -> Numbers | None:
-        """The numbers of a case by machine code, None where no way is known; kept until the next."""
+        """The numbers of a case, until the next; None where no way that is known is gone."""
         for way in self.ways[len(self._runs) :]:
             self._runs.append(way.compiled(len(self.controls.of), self.states))
         for run in self._runs:

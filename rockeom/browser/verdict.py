@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 if TYPE_CHECKING:  # joined before this text
-    from rockeom.browser.written import BOTH_MODE, FEET, LEFT_FOOT, RIGHT_FOOT
+    from rockeom.browser.written import BOTH_MODE, LEFT_FOOT, RIGHT_FOOT
     from rockeom.integrator.interface import N_STATES, ROTATION, rates, reactions
 
 N = N_STATES // 2
@@ -20,20 +20,14 @@ TURNS = 8
 
 
 def uplift_and_friction(p):
-    """The static uplift acceleration [m/s2], and the friction coefficient that sliding first needs.
-
-    Both are nan where the structure has no feet on rigid ground.
-    """
-    if FEET:
-        uplift = min(lifting(LEFT_FOOT, p), lifting(RIGHT_FOOT, p))
-        y, forces = np.zeros(N_STATES), np.zeros(8)
-        reactions(BOTH_MODE, y, p, 0.0, 0.0, forces)
-        weight = forces[LEFT_FOOT] + forces[RIGHT_FOOT]
-        reactions(BOTH_MODE, y, p, 0.0, 1.0, forces)
-        friction = uplift * (forces[LEFT_FOOT] + forces[RIGHT_FOOT] - weight) / weight
-    else:
-        uplift, friction = np.nan, np.nan
-    return uplift, friction
+    """The static uplift acceleration [m/s2], and the friction coefficient below which it slides."""
+    uplift = min(lifting(LEFT_FOOT, p), lifting(RIGHT_FOOT, p))
+    y, forces = np.zeros(N_STATES), np.zeros(8)
+    reactions(BOTH_MODE, y, p, 0.0, 0.0, forces)
+    weight = forces[LEFT_FOOT] + forces[RIGHT_FOOT]
+    reactions(BOTH_MODE, y, p, 0.0, 1.0, forces)
+    mass = forces[LEFT_FOOT] + forces[RIGHT_FOOT] - weight
+    return uplift, uplift * mass / weight
 
 
 def lifting(foot, p):

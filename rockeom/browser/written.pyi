@@ -5,7 +5,6 @@ from rockeom.compiler.decorators import Floats, Floats2
 MOST_P: int
 ROWS_X: int
 ROWS_Y: int
-FEET: bool
 BOTH_MODE: int
 LEFT_FOOT: int
 RIGHT_FOOT: int

@@ -200,6 +200,8 @@ def _stacked(tables: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
     return np.concatenate(parts), np.array([places[id(table)] for table in tables])
 
 
+_ROUNDING = 1e-12
+"""Of the accelerations at the start: what turns the structure less than by this is rounding."""
 AT_THE_END = 1e-9
 """So far beyond the bound of overturning, relative to it, may be the last state of a motion."""
 
@@ -299,20 +301,21 @@ class Case:
         """Sign of the rotation to come from upright and at rest, by the equations; 0 if none is.
 
         Weight or springs may turn a structure, too, that shaking does not. Those of both sides are
-        added: what only one of them has is its support. Where nothing turns it yet, the first push
-        of the ground will.
+        added: what only one of them has is its support. Where nothing but rounding turns it yet,
+        the first push of the ground will.
         """
         structure, y0 = self.structure, value_of(y0)
         p = value_of(structure.vector)
         m = structure.module_for(y0, p)
         lift = 0.0 if self.vertical is None else next(_pushes(self.vertical))
         first = next((push for push in _pushes(self.motion) if push != 0.0), 0.0)
-        turn, rate = 0.0, np.zeros(len(y0), np.result_type(y0, p))
+        turn, size, rate = 0.0, 0.0, np.zeros(len(y0), np.result_type(y0, p))
         for side in (-1.0, 1.0):
             mode = structure.mode_number(y0, None, partial(float, side))
             m.rates(mode, y0, p, next(_pushes(self.motion)), lift, rate)
             turn += rate[m.ROTATION_RATE]
-        return np.sign(turn) or -np.sign(first)
+            size += sum(map(abs, rate[len(y0) // 2 :]))
+        return (np.sign(turn) if abs(turn) > _ROUNDING * size else 0.0) or -np.sign(first)
 
 
 def check_case(case: Any) -> None:

@@ -75,7 +75,7 @@ class Points:
         m, kind = len(self.module.POINTS), np.result_type(self.y, self.p, 0.0)
         contacts = Contacts(np.zeros(m, np.int64), np.zeros(m), np.zeros(m, kind))
         if m:
-            search = _searching(self.module, kind == object)
+            search = _searching(self.module, kind.hasobject)
             y, p, known = self.y.astype(kind), self.p, np.zeros(search["N_KNOWN"], kind)
             search["all_known"](y, p, 0, known)  # its mode matters to forces alone
             search["closed_points"](y, p, 0, known, contacts.closed, contacts.slides)

@@ -8,15 +8,25 @@ export default {
     frame.srcdoc = model.get("page");
     frame.setAttribute("sandbox", "allow-scripts allow-downloads");
     frame.style.cssText = "width: 100%; height: 72em; border: 0";
-    const send = () => frame.contentWindow?.postMessage({ rockeom: "set", values: model.get("values") }, "*");
+    let ready = false; // the first message of a page says that it listens
+    let told = ""; // what the page tells is not sent back: it has moved on by then
+    const send = () => {
+      const values = model.get("values");
+      if (JSON.stringify(values) !== told) frame.contentWindow?.postMessage({ rockeom: "set", values }, "*");
+    };
     /** @param {MessageEvent} event */
     const receive = ({ source, data }) => {
       if (source !== frame.contentWindow || data?.rockeom !== "values") return;
+      if (!ready) {
+        ready = true;
+        send();
+        return;
+      }
+      told = JSON.stringify(data.values);
       model.set("values", data.values);
       model.save_changes();
     };
     window.addEventListener("message", receive);
-    frame.addEventListener("load", send);
     model.on("change:values", send);
     el.append(frame);
     return () => {

@@ -1,0 +1,45 @@
+"""A page with sliders for each structure of the gallery, written next to the built pages."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import gallery
+
+import rockeom as rk
+from rockeom.structures.classes import SHIPPED
+from rockeom.sweeps.case_numbers import of_structure
+
+FOLDER = "explorers"
+MOST = 3
+"""Numbers of the structure that a page moves, besides the amplitude of the pulse."""
+
+
+def explorer_of(name: str) -> rk.Explorer:
+    """The page of a shipped structure: its example in the gallery, shaken by a pulse."""
+    structure, _ = gallery.sketched(name)
+    amplitude = structure.uplift_acceleration or 5.0
+    module = structure.module
+    still = "m/s2" not in module.PARAMETER_UNITS  # times and accelerations have no unit
+    period = 2.0 if still else 0.8
+    case = rk.Case(
+        structure, rk.GroundMotion.single_sine(1.5 * amplitude, period, duration=10.0 * period)
+    )
+    numbers = [
+        (full.removeprefix("structure."), number.value)
+        for full, number in of_structure(structure).items()
+        if number.value and number.value > 0.0 and number.smooth and "gravity" not in full
+    ]
+    sliders = {
+        "amplitude": (0.2 * amplitude, 5.0 * amplitude, 1.5 * amplitude),
+        **{f"structure.{n}": (0.6 * x, 1.6 * x, x) for n, x in numbers[:MOST]},
+    }
+    return rk.explorer(case, sliders, f"{SHIPPED[name].__name__} under a pulse")
+
+
+def write(outdir: Path) -> None:
+    """Write the pages of all structures."""
+    folder = outdir / FOLDER
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in SHIPPED:
+        explorer_of(name).save(folder / f"{name}.html")

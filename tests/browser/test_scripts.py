@@ -1,0 +1,51 @@
+"""The scripts of a page keep their types and their form, and its texts are in one table."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+import rockeom as rk
+from rockeom.browser.page import _SCRIPTS, _bare
+
+HERE = Path(__file__).parent
+ASSETS = Path(rk.__file__).parent / "browser" / "assets"
+TOOLS = os.pathsep.join((str(HERE / "node_modules" / ".bin"), os.environ["PATH"]))
+_MISSING = [tool for tool in ("npm", "tsc", "prettier") if not shutil.which(tool, path=TOOLS)]
+
+
+@pytest.mark.skipif(
+    bool(_MISSING),
+    reason=f"no {', '.join(_MISSING)} here: `npm install --prefix tests/browser` gets both tools",
+)
+def test_scripts_are_typed_and_formatted():
+    ran = subprocess.run(
+        ["npm", "run", "--silent", "check"],
+        cwd=HERE, env={**os.environ, "PATH": TOOLS}, capture_output=True, text=True, timeout=120,
+    )  # fmt: skip
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+
+
+@pytest.mark.skipif(not shutil.which("node"), reason="there is no node here")
+def test_script_of_a_page_is_whole_without_its_comments():
+    script = "\n".join(_bare((ASSETS / name).read_text("utf-8")) for name in _SCRIPTS)
+    assert not re.search(r"^\s*(//|\*|/\*\*.*\*/$)", script, re.MULTILINE)
+    ran = subprocess.run(["node", "--check", "-"], input=script, capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stderr
+
+
+def test_scripts_are_those_of_a_page_and_of_a_widget():
+    assert sorted((*_SCRIPTS, "widget.js")) == sorted(path.name for path in ASSETS.glob("*.js"))
+
+
+def test_page_has_no_text_of_its_own():
+    page, texts = ((ASSETS / name).read_text("utf-8") for name in ("page.html", "texts.js"))
+    for name in re.findall(r'data-(?:text|label)="(\w+)"', page):
+        assert f"\n  {name}: " in texts, name
+    body = re.sub(r"<!--.*?-->|<[^>]*>", "", page)
+    assert not body.strip()
