@@ -8,7 +8,7 @@ over the ranges of all sliders, the numbers are then compared with those of Pyth
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
@@ -35,7 +35,6 @@ from rockeom.browser.traced import (
     Node,
     Tape,
     UntracedError,
-    filled,
     node_of,
     number_text,
     plain,
@@ -57,8 +56,28 @@ NEAR = 1e-12
 class Way:
     """A function of the set-up, for the sliders that go this way. sizes : of p, and of the rows."""
 
+    name: str
     text: str
     sizes: tuple[int, int, int]
+
+    def compiled(self, controls: int, states: int) -> Callable[[np.ndarray], Numbers | None]:
+        """The way as machine code: its numbers, or None for sliders that go another one.
+
+        Each is compiled by itself: the next one adds nothing to the time of those before.
+        """
+        called = Text("the way as it is called", _CALLED.format(self.name))
+        way = functions((Text(self.name, _HEAD + self.text), called))["way_at"]
+        size, *rows = self.sizes
+        made = Numbers(
+            np.zeros(states), np.zeros(size), *(np.zeros((n, 7)) for n in rows), np.zeros(NUMBERS)
+        )
+        bound = way.bound(np.zeros(controls), *made)
+
+        def run(sliders: np.ndarray) -> Numbers | None:
+            bound["sliders"] = sliders
+            return made if bound() > 0 else None
+
+        return run
 
 
 class Numbers(NamedTuple):
@@ -71,10 +90,6 @@ class Numbers(NamedTuple):
     numbers: np.ndarray
 
 
-Run = Callable[[np.ndarray], tuple[int, Numbers]]
-"""A compiled set-up: from the sliders to the way that is gone, and the numbers."""
-
-
 @dataclass(frozen=True)
 class Setup:
     """The ways of a case. case : of the values of the controls."""
@@ -83,6 +98,7 @@ class Setup:
     controls: Controls
     states: int
     ways: list[Way] = field(default_factory=list)
+    _runs: list[Callable[[np.ndarray], Numbers | None]] = field(default_factory=list)
 
     @property
     def sizes(self) -> tuple[int, int, int]:
@@ -94,28 +110,21 @@ class Setup:
     def text(self) -> Text:
         """All ways, and `set_up`, which returns the number of the way that was gone, or -1."""
         tried = "".join(
-            f"    if way_{i}({_ARGUMENTS}) > 0:\n        return {i}\n"
-            for i in range(len(self.ways))
+            f"    if {way.name}({_ARGUMENTS}) > 0:\n        return {i}\n"
+            for i, way in enumerate(self.ways)
         )
         ways = "".join(way.text for way in self.ways)
         last = f"def set_up({_ARGUMENTS}):\n{tried}    return -1\n"
         return Text("the set-up of the page", _HEAD + ways + last)
 
-    def compiled(self) -> Run:
-        """The set-up as machine code: the way that is gone, and its numbers."""
-        set_up = functions((self.text, _CALLED))["set_up_at"]
-        size, rows, lifts = self.sizes
-        made = Numbers(
-            np.zeros(self.states), np.zeros(size), np.zeros((rows, 7)), np.zeros((lifts, 7)),
-            np.zeros(NUMBERS),
-        )  # fmt: skip
-        bound = set_up.bound(np.zeros(len(self.controls.of)), *made)
-
-        def run(sliders: np.ndarray) -> tuple[int, Numbers]:
-            bound["sliders"] = sliders
-            return bound(), made
-
-        return run
+    def numbers(self, sliders: np.ndarray) -> Numbers | None:
+        """The numbers of a case, until the next; None where no way that is known is gone."""
+        for way in self.ways[len(self._runs) :]:
+            self._runs.append(way.compiled(len(self.controls.of), self.states))
+        for run in self._runs:
+            if (made := run(sliders)) is not None:
+                return made
+        return None
 
 
 _ARGUMENTS = "sliders, y, p, horizontal, vertical, numbers"
@@ -125,18 +134,15 @@ import numpy as np
 
 
 """
-_CALLED = Text(
-    "the set-up as it is called",
-    """from rockeom.compiler.decorators import Floats, Floats2, entry
+_CALLED = """from rockeom.compiler.decorators import Floats, Floats2, entry
 
 
 @entry
-def set_up_at(
+def way_at(
     sliders: Floats, y: Floats, p: Floats, horizontal: Floats2, vertical: Floats2, numbers: Floats
 ) -> int:
-    return set_up(sliders, y, p, horizontal, vertical, numbers)
-""",
-)
+    return {}(sliders, y, p, horizontal, vertical, numbers)
+"""
 
 
 def setup_of(case: Callable[..., Case], controls: Controls) -> Setup:
@@ -150,9 +156,8 @@ def setup_of(case: Callable[..., Case], controls: Controls) -> Setup:
     found = Setup(case, controls, len(first.structure.states))
     for place in controls.combinations():
         _go(found, place)
-    places = list(controls.spread(PLACES))
-    run = _go_all_ways(found, places)
-    _compare(found, run, places)
+    for place in (*controls.special(), *controls.spread(PLACES)):
+        _compare(found, place)
     return found
 
 
@@ -172,41 +177,30 @@ def _go(setup: Setup, place: np.ndarray) -> bool:
     return True
 
 
-def _go_all_ways(setup: Setup, places: list[np.ndarray]) -> Run:
-    """Trace the case wherever no known way is gone, and return the compiled set-up of all ways."""
-    run = setup.compiled()
-    for place in places:
-        if run(place)[0] >= 0 or not _go(setup, place):
-            continue
-        run = setup.compiled()
-        if run(place)[0] < 0:
-            raise UntracedError(
-                f"the way that the case goes at {setup.controls.named(place)} is not gone there "
-                "again"
-            )
-    return run
+def _compare(setup: Setup, place: np.ndarray) -> None:
+    """Raise UntracedError where the numbers of the set-up are not those of Python.
 
-
-def _compare(setup: Setup, run: Run, places: list[np.ndarray]) -> None:
-    """Raise UntracedError where the numbers of the set-up are not those of Python."""
-    for place in places:
-        named = setup.controls.named(place)
-        way, made = run(place)
-        try:
-            wanted = setup.case(**named).problem()
-        except ValueError:
-            if way >= 0:
-                raise UntracedError(
-                    f"a page would show the case at {named}, which is refused"
-                ) from None
-            continue
-        if way < 0:
-            raise UntracedError(f"no way of the case is known at {named}: narrow the ranges")
-        if (wrong := difference(made, wanted)) is not None:
+    Where no known way is gone, the case is traced.
+    """
+    made, named = setup.numbers(place), setup.controls.named(place)
+    try:
+        wanted = setup.case(**named).problem()
+    except ValueError:
+        if made is not None:
             raise UntracedError(
-                f"at {named} {wrong} of the page is not that of Python: a number was taken from a "
-                "slider in a way that is not recorded"
-            )
+                f"a page would show the case at {named}, which is refused"
+            ) from None
+        return
+    if made is None:
+        _go(setup, place)
+        made = setup.numbers(place)
+    if made is None:
+        raise UntracedError(f"the way that the case goes at {named} is not gone there again")
+    if (wrong := difference(made, wanted)) is not None:
+        raise UntracedError(
+            f"at {named} {wrong} of the page is not that of Python: a number was taken from a "
+            "slider in a way that is not recorded"
+        )
 
 
 def difference(made: Numbers, wanted: Problem) -> str | None:
@@ -262,8 +256,9 @@ def _way(setup: Setup, place: np.ndarray, number: int) -> Way:
     for i, x in enumerate(numbers):
         lines.lines.append(f"numbers[{i}] = {lines.name(node_of(x))}")
     body = "\n".join(f"    {line}" for line in [*lines.lines, "return 1"])
-    head = f"def way_{number}(sliders, y, p, horizontal, vertical, numbers):\n"
-    return Way("".join([*tables, head, body, "\n\n\n"]), (len(p), *rows))
+    name = f"way_{number}"
+    head = f"def {name}({_ARGUMENTS}):\n"
+    return Way(name, "".join([*tables, head, body, "\n\n\n"]), (len(p), *rows))
 
 
 def _unrecorded(case: Case) -> UntracedError:
@@ -278,23 +273,22 @@ def _conditions(lines: Lines, conditions: list[Condition], number: int) -> list[
 
     Conditions that differ in their numbers alone, such as of every sample of a record, are a loop.
     """
-    alike: dict[Any, list[list[float]]] = {}
+    alike: dict[Any, list[tuple[Condition, list[float]]]] = {}
     for one in conditions:
         numbers: list[float] = []
         shapes = tuple(skeleton(x, numbers) for x in (one.left, one.right))
-        alike.setdefault((one.comparison, one.holds, shapes), []).append(numbers)
+        alike.setdefault((one.comparison, one.holds, shapes), []).append((one, numbers))
     constants = []
     for k, ((comparison, holds, shapes), rows) in enumerate(alike.items()):
         if len(rows) <= LONG_TABLE:
-            for row in rows:
-                left, right = (filled(shape, of) for of in (iter(row),) for shape in shapes)
-                text = f"{lines.name(left)} {COMPARISONS[comparison]} {lines.name(right)}"
+            for one, _ in rows:
+                text = f"{lines.name(one.left)} {COMPARISONS[comparison]} {lines.name(one.right)}"
                 lines.lines += [f"if {'not ' if holds else ''}({text}):", "    return 0"]
             continue
-        texts, read = _varied(np.array(rows), f"CONDITION_{number}_{k}")
+        texts, read = _varied(np.array([row for _, row in rows]), f"CONDITION_{number}_{k}")
         constants += read
         of = iter(texts)
-        left, right = (_expression(lines, filled(shape, of)) for shape in shapes)
+        left, right = (_expression(lines, shape, of) for shape in shapes)
         text = f"({left}) {COMPARISONS[comparison]} ({right})"
         lines.lines += [
             f"for i in range({len(rows)}):",
@@ -346,14 +340,14 @@ def _column(lines: Lines, column: np.ndarray, name: str) -> tuple[str, list[str]
         raise UntracedError("the rows of the ground motion are not all calculated alike")
     (shape,) = shapes
     texts, constants = _varied(np.array(of_rows), name)
-    return _expression(lines, filled(shape, iter(texts))), constants
+    return _expression(lines, shape, iter(texts)), constants
 
 
-def _expression(lines: Lines, node: Any) -> str:
-    """An expression of a node whose numbers are texts."""
-    if not isinstance(node, Node):
-        return str(node)
-    if node.operation == "slider":
-        return lines.name(node)
-    given = [_expression(lines, x) for x in node.of]
-    return lines.expression(node.operation, [f"({x})" for x in given])
+def _expression(lines: Lines, shape: Any, texts: Iterator[str]) -> str:
+    """An expression of a skeleton, with texts for its numbers."""
+    if shape is None:
+        return next(texts)
+    if isinstance(shape, Node):
+        return lines.name(shape)
+    operation, *of = shape
+    return lines.expression(operation, [f"({_expression(lines, x, texts)})" for x in of])

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 import operator
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from numbers import Real
 from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
@@ -26,6 +26,10 @@ _LIBRARIES = (str(Path(__file__).parents[1]), str(Path(np.__file__).parent))
 SIGNS = {"add": "+", "sub": "-", "mul": "*", "truediv": "/"}
 COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="}
 _OWN = {n.removeprefix("own_"): f for n, f in vars(elementary).items() if n.startswith("own_")}
+LONG = 64
+"""Operations from which on an expression is long, and none of the rows of a table."""
+_FUNCTIONS = _OWN | {"sqrt": math.sqrt, "max": max, "min": min}
+_EXTREMES = {np.maximum: "max", np.minimum: "min"}
 _MOST = 9
 """The largest whole exponent that is written as products, as in machine code."""
 
@@ -34,11 +38,18 @@ class UntracedError(TypeError):
     """A calculation with a slider that a page cannot repeat, with the line of it."""
 
 
-class Node(NamedTuple):
-    """An operation. of : its arguments, nodes or numbers; those of a slider are its place."""
+class Node:
+    """An operation of a tape, which has each once.
 
-    operation: str
-    of: tuple[Any, ...]
+    of : its arguments, nodes or numbers; that of a slider is its place. size : of its expression,
+    in operations, as far as it is not long.
+    """
+
+    __slots__ = ("of", "operation", "size")
+
+    def __init__(self, operation: str, of: tuple[Any, ...]) -> None:
+        self.operation, self.of = operation, of
+        self.size = min(1 + sum(x.size for x in of if isinstance(x, Node)), LONG)
 
 
 class Condition(NamedTuple):
@@ -51,15 +62,23 @@ class Condition(NamedTuple):
 
 
 class Tape:
-    """The conditions of a calculation, in their order."""
+    """The operations of a calculation, and its conditions in their order."""
 
     def __init__(self) -> None:
         self.conditions: dict[Condition, None] = {}
+        self.nodes: dict[tuple[Any, ...], Node] = {}
+
+    def node(self, operation: str, *of: Any) -> Node:
+        """The operation of nodes or numbers; of zeros, which are equal, by their signs."""
+        key = operation, *(x or str(x) for x in of)
+        if key not in self.nodes:
+            self.nodes[key] = Node(operation, of)
+        return self.nodes[key]
 
     def sliders(self, values: dict[str, float]) -> dict[str, Traced]:
         """A traced number for each slider, by name."""
         return {
-            name: Traced(self, Node("slider", (i,)), float(value))
+            name: Traced(self, self.node("slider", i), float(value))
             for i, (name, value) in enumerate(values.items())
         }
 
@@ -126,12 +145,14 @@ class Traced(Compound):
             return abs(given[0])
         if name == "hypot":
             return np.sqrt(given[0] * given[0] + given[1] * given[1])
+        if name in ("atan2", "arctan2") and given[1] > 0.0:  # the angle of a block
+            return np.arctan(given[0] / given[1])
         if name == "isfinite":
             return abs(given[0]) < math.inf
-        if name not in _OWN and name != "sqrt":
+        if name not in _FUNCTIONS:
             _refuse(f"{name} of a slider", "a page has no such function")
-        function = math.sqrt if name == "sqrt" else _OWN[name]
-        node = Node(name, tuple(map(node_of, given)))
+        function = _FUNCTIONS[name]
+        node = tape.node(name, *map(node_of, given))
         return cls(tape, node, float(function(*map(plain, given))))
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *given: Any, **how: Any) -> Any:
@@ -142,6 +163,8 @@ class Traced(Compound):
             return ufunc(*(boxed(x) if type(x) is Traced else x for x in given), **how)
         if how:
             _refuse(f"numpy.{ufunc.__name__} of a slider with {', '.join(how)}", "leave them out")
+        if ufunc in _EXTREMES:
+            return self.of_function(_EXTREMES[ufunc], given)
         if ufunc is np.sign:
             return 1.0 if self > 0.0 else -1.0 if self < 0.0 else 0.0
         if ufunc in OPERATORS:
@@ -150,7 +173,7 @@ class Traced(Compound):
 
     def _with(self, name: str, left: Any, right: Any) -> Traced:
         present = getattr(operator, name)(plain(left), plain(right))
-        return Traced(self.tape, Node(name, (node_of(left), node_of(right))), present)
+        return Traced(self.tape, self.tape.node(name, node_of(left), node_of(right)), present)
 
     __add__, __radd__ = _binary("add")
     __sub__, __rsub__ = _binary("sub")
@@ -162,13 +185,13 @@ class Traced(Compound):
     __hash__ = None  # type: ignore[assignment]
 
     def __neg__(self) -> Traced:
-        return Traced(self.tape, Node("neg", (self.node,)), -self.present)
+        return Traced(self.tape, self.tape.node("neg", self.node), -self.present)
 
     def __pos__(self) -> Traced:
         return self
 
     def __abs__(self) -> Traced:
-        return Traced(self.tape, Node("abs", (self.node,)), abs(self.present))
+        return Traced(self.tape, self.tape.node("abs", self.node), abs(self.present))
 
     def __pow__(self, exponent: Any) -> Any:
         if isinstance(exponent, Traced) or not 0 < exponent <= _MOST or exponent % 1:
@@ -248,7 +271,8 @@ class Lines:
             return f"{given[0]} {SIGNS[operation]} {given[1]}"
         if operation == "neg":
             return f"-{given[0]}"
-        called = {"abs": "abs", "sqrt": "math.sqrt"}.get(operation, f"own_{operation}")
+        called = f"own_{operation}" if operation in _OWN else operation
+        called = "math.sqrt" if operation == "sqrt" else called
         return f"{called}({', '.join(given)})"
 
 
@@ -262,19 +286,13 @@ def number_text(x: float) -> str:
 
 
 def skeleton(node: Node | float, numbers: list[float]) -> Any:
-    """A node without its numbers, which are added to the list: rows of a table may share it."""
+    """A node without its numbers, which are added to the list: rows of a table may share it.
+
+    A long node stands for itself: rows share it as a whole.
+    """
     if not isinstance(node, Node):
         numbers.append(node)
         return None
-    if node.operation == "slider":
+    if node.operation == "slider" or node.size == LONG:
         return node
-    return Node(node.operation, tuple(skeleton(x, numbers) for x in node.of))
-
-
-def filled(shape: Any, numbers: Iterator[Any]) -> Any:
-    """A node of a skeleton, with other things for its numbers."""
-    if shape is None:
-        return next(numbers)
-    if shape.operation == "slider":
-        return shape
-    return Node(shape.operation, tuple(filled(x, numbers) for x in shape.of))
+    return node.operation, *(skeleton(x, numbers) for x in node.of)

@@ -72,15 +72,16 @@ class Points:
 
     def contacts(self) -> Contacts:
         """The points that are closed in a state of a user, and how they slip."""
-        m = len(self.module.POINTS)
-        contacts = Contacts(np.zeros(m, np.int64), np.zeros(m), np.zeros(m))
+        m, kind = len(self.module.POINTS), np.result_type(self.y, self.p, 0.0)
+        contacts = Contacts(np.zeros(m, np.int64), np.zeros(m), np.zeros(m, kind))
         if m:
-            search, y, p = _searching(self.module), self.y.astype(float), self.p
-            known = np.zeros(search["N_KNOWN"])
+            search = _searching(self.module, kind.hasobject)
+            y, p, known = self.y.astype(kind), self.p, np.zeros(search["N_KNOWN"], kind)
             search["all_known"](y, p, 0, known)  # its mode matters to forces alone
             search["closed_points"](y, p, 0, known, contacts.closed, contacts.slides)
-            radius = [search["radius_of"](known, i) for i in range(m)]
-            contacts.least_gap[:] = -search["GIVEN"] * np.maximum(self.size, radius)
+            for i, size in enumerate(self.size):
+                radius = search["radius_of"](known, i)
+                contacts.least_gap[i] = -search["GIVEN"] * np.maximum(size, radius)
         return contacts
 
 
@@ -177,8 +178,8 @@ def _standing(
         moved[n + move] -= _least_squares(rows[:, move], lacking)
         there = Points(module, moved, p)
         fits = np.abs(rows @ moved[n:]) <= _CLOSED * (np.abs(rows) @ np.abs(moved[n:]) + 1e-300)
-        opens = there.gap_rate >= -_CLOSED * there.speed
-        if fits[: len(held)].all() and opens[down].all():
+        opens = there.gap_rate[down] >= -_CLOSED * there.speed[down]
+        if fits[: len(held)].all() and opens.all():
             return moved
     return y
 
@@ -215,20 +216,22 @@ def _lowered(module: SearchedModes, y: np.ndarray, p: np.ndarray, free: np.ndarr
 def _joined(held: list[int], lowest: int, levers: np.ndarray) -> list[int]:
     """The points held and the lowest one, which replaces one that cannot touch at the same time."""
     if held:
-        share = np.linalg.lstsq(levers[held].T, levers[lowest], rcond=None)[0]
+        share = _least_squares(levers[held].T, levers[lowest])
         lacking = levers[lowest] - share @ levers[held]
-        if np.linalg.norm(lacking) <= _CLOSED * np.linalg.norm(levers[lowest]):
+        if lacking @ lacking <= _CLOSED**2 * (levers[lowest] @ levers[lowest]):
             replaced = int(np.argmax(share))
             held = [*held[:replaced], *held[replaced + 1 :]]
     return [*held, lowest]
 
 
 def _least_squares(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """The least x (n,) of those for which a x is nearest to b, of duals as well.
+    """The least x (n,) of those for which a x is nearest to b, of compounds as well.
 
     Derivatives of the pseudoinverse: Golub and Pereyra (1973), where the rank of a stays.
     """
     plain, b_ = value_of(a), value_of(b)
+    if object in (plain.dtype, b_.dtype):
+        return _least_of_compounds(plain, b_)
     x = np.linalg.lstsq(plain, b_, rcond=None)[0]
     if not (m := directions(a, b)):
         return x
@@ -238,6 +241,34 @@ def _least_squares(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     drawn = np.einsum("ijm,i->jm", da, inverse.T @ x)
     along = inverse @ (db - np.einsum("ijm,j->im", da, x) + inverse.T @ left) + free @ drawn
     return with_tangent(x, along)
+
+
+def _least_of_compounds(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """`_least_squares` by operations of numbers: x is a sum of the directions of the rows of a.
+
+    Raises TypeError for the numbers of many cases, each of which LAPACK would round otherwise.
+    """
+    if any(isinstance(x, Many) for x in (*a.flat, *b)):
+        raise TypeError("cases whose states are to be completed are made one by one")
+    rows = _orthonormal(a)
+    columns = rows @ a.T  # (r, k), of full rank
+    across = _orthonormal(columns)
+    of_rows = np.zeros(len(rows), dtype=object)
+    for i in reversed(range(len(rows))):  # across @ columns.T is triangular
+        of_rows[i] = across[i] @ (b - of_rows @ columns) / (across[i] @ columns[i])
+    return of_rows @ rows
+
+
+def _orthonormal(rows: np.ndarray) -> np.ndarray:
+    """(r, n) directions of rows (k, n), by Gram and Schmidt; not of those that others span."""
+    found: list[np.ndarray] = []
+    for row in rows:
+        left = row
+        for other in (*found, *found):  # the second time removes what rounding left
+            left = left - (other @ left) * other
+        if left @ left > _CLOSED**2 * (row @ row):
+            found.append(left / np.sqrt(left @ left))
+    return np.array(found, dtype=object).reshape(-1, rows.shape[1])
 
 
 def drawn_out(
@@ -431,11 +462,17 @@ def _holding(m: SearchedModes, p: np.ndarray, y: np.ndarray) -> tuple[np.ndarray
 
 
 @cache
-def _searching(module: SearchedModes) -> dict[str, Any]:
-    """The functions that search for modes, as plain Python, for a generated module."""
-    names = dict(vars(module)) | {"ANGLES": angles(module)}
+def _searching(module: SearchedModes, compounds: bool = False) -> dict[str, Any]:
+    """The functions that search for modes, as plain Python, for a generated module.
+
+    compounds : numbers may be such, in those functions of them that find closed points.
+    """
+    own = vars(of_compounds(module) if compounds else module)
+    names = own | {"ANGLES": angles(module)}
     for path in POINT_TEXTS:
         exec(compile(text_of(path), path, "exec"), names)
+    if compounds:  # their globals: what the texts import is for numbers
+        names.update(math=own["math"], np=own["np"], max=np.maximum, min=np.minimum)
     return names
 
 
@@ -453,8 +490,8 @@ def _with_elements(
 
     def margin(mode: int, element: int) -> float:
         if mode not in values:
-            values[mode] = np.zeros(module.N_GUARDS + module.N_PARTS)
-            module.guards(mode, y, p, 0.0, 0.0, values[mode])
+            values[mode] = np.zeros(module.N_GUARDS + module.N_PARTS, np.result_type(y, p))
+            for_arrays(module, y, p).guards(mode, y, p, 0.0, 0.0, values[mode])
         subject = len(module.POINTS) + element
         guards = zip(values[mode], module.SUBJECTS[mode], strict=False)
         return min((g for g, of in guards if of == subject), default=0.0)
