@@ -245,7 +245,7 @@ def balance(p: Floats, numbers: Floats, angles: Floats, separatrix: Floats2):
         side, fallen = 2.0 * k - 1.0, numbers[OF_FALLEN]
         mode = only_mode(side)
         angles[k] = 0.0
-        if mode >= 0 and fallen < np.inf:
+        if min(mode, only_mode(0.0)) >= 0 and fallen < np.inf:
             angles[k] = overturning_angle(mode, side, fallen, y, p)
         if N_STATES > 2 or angles[k] == 0.0:
             continue

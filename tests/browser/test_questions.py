@@ -12,6 +12,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.browser.questions import NUMBERS
+from rockeom.structures.classes import SHIPPED
 from tests.shipped import plain
 
 SAMPLES = 4801
@@ -94,9 +95,16 @@ def test_overturning_angles_are_those_of_a_structure(structure):
     assert found.separatrix.any() == (len(structure.states) == 2)
 
 
-def test_no_angle_is_told_where_elements_change_the_modes_of_a_side():
-    wall = rk.ControlledWall(**plain("controlled_wall"))
-    assert not shown(rk.Case(wall, PULSE, initial={"theta": 0.01})).angles.any()
+@pytest.mark.parametrize(
+    ("name", "why"),
+    [
+        ("controlled_wall", "elements change the modes of a side"),
+        ("two_spring_structure", "it stands on springs"),
+    ],
+)
+def test_no_angle_is_told_where_a_side_has_no_mode_of_its_own(name, why):
+    case = rk.Case(SHIPPED[name](**plain(name)), PULSE, initial={"theta": 0.01})
+    assert not shown(case).angles.any(), why
 
 
 @pytest.mark.parametrize("place", [12, 20, 27, 36, 43, 51])
