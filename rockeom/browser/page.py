@@ -31,6 +31,7 @@ from rockeom.codes import OUTCOMES
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import Array
 from rockeom.integrator.texts import text_of
+from rockeom.motion.formula import UNITS
 from rockeom.numbers.checks import described
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
@@ -235,7 +236,7 @@ class Explorer:
         """Names, units and sizes that a page needs besides its program."""
         structure = self._first.structure
         m = structure.module
-        units = dict(zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True))
+        units = UNITS | dict(zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True))
         units |= dict(zip(m.STATES, m.STATE_UNITS, strict=True))
         if isinstance(self.case, OtherCase):
             units |= {name: number.unit for name, number in self.case.numbers.items()}
