@@ -36,9 +36,10 @@ from rockeom.numbers.checks import described
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
+from rockeom.structures.units import main_units
 from rockeom.sweeps.case_numbers import OtherCase, function_of
 
-ENTRIES = ("motion", "fate", "places", "corners")
+ENTRIES = ("motion", "fate", "places", "corners", "energy_history", "balance")
 METHOD = "DOP853"
 MOTIONS = 16
 """Places of the sliders whose motions are compared with `rk.simulate`."""
@@ -49,8 +50,9 @@ def uplift_and_friction(p):
     return np.nan, np.nan
 """
 _SCRIPTS = (
-    "texts.js", "runtime.js", "drawing.js", "charts.js", "map.js", "panel.js", "address.js",
-    "plane.js", "lesson.js", "verdict.js", "tools.js", "page.js",
+    "texts.js", "runtime.js", "views.js", "drawing.js", "phase.js", "energy.js", "charts.js",
+    "map.js", "sizes.js", "panel.js", "address.js", "plane.js", "lesson.js", "verdict.js",
+    "tools.js", "page.js",
 )  # fmt: skip
 _ASSETS = files("rockeom").joinpath("browser", "assets")
 
@@ -258,6 +260,8 @@ class Explorer:
             "verdict": structure.rocks_on_rigid_ground,
             "start": self.setup.controls.start.tolist(),
             "states": m.STATES, "stateUnits": m.STATE_UNITS,
+            "energyUnit": main_units(m)["total_energy"],
+            "groundUnit": main_units(m)["ground_acceleration"],
             "rotation": m.ROTATION, "positions": m.POSITIONS, "kinds": m.POSITION_KINDS,
             "corners": m.CORNERS, "members": m.MEMBERS, "memberEnds": m.MEMBER_ENDS,
             "copies": m.COPIES, "mostP": self.setup.sizes[0],
