@@ -69,7 +69,7 @@ class Controls:
         return np.array([control.start for control in self.of.values()])
 
     def named(self, place: np.ndarray) -> dict[str, Any]:
-        """What a case is given at some values: a number, or the option of a menu."""
+        """Arguments of the case at some values: numbers, and the options of menus."""
         pairs = zip(self.of.items(), place.tolist(), strict=True)
         return {name: _given(control, x, x) for (name, control), x in pairs}
 
@@ -79,7 +79,7 @@ class Controls:
                 for name, control in self.of.items()}  # fmt: skip
 
     def given(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """What a case is given at values by name, those of menus by their labels."""
+        """Arguments of the case at values by name, those of menus by their labels."""
         places = self.places("values", values)
         return self.named(np.array([places[k] for k in range(len(self.of))]))
 

@@ -19,7 +19,6 @@ from rockeom.codes import (
     LANDING,
     MODE,
     OVERTURNED,
-    STEPS,
     STEPS_KEPT,
 )
 from rockeom.compiler.decorators import Floats, Floats2, Ints, entry
@@ -187,8 +186,6 @@ def fate(sliders: Floats, extremes: Floats2) -> int:
     while code == FULL:
         status[EVENTS_KEPT] = 0
         code = integrate(status, clock, y, rate, case, recorder, scratch)
-        if status[STEPS] > MOST_STEPS:
-            return code
     return ended(code, status, y, case, numbers[OF_QUIET])
 
 

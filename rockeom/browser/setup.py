@@ -67,10 +67,11 @@ class Way:
         """
         called = Text("the way as it is called", _CALLED.format(self.name))
         way = functions((Text(self.name, _HEAD + self.text), called))["way_at"]
-        size, *rows = self.sizes
+        size, horizontal, vertical = self.sizes
         made = Numbers(
-            np.zeros(states), np.zeros(size), *(np.zeros((n, 7)) for n in rows), np.zeros(NUMBERS)
-        )
+            np.zeros(states), np.zeros(size), np.zeros((horizontal, 7)), np.zeros((vertical, 7)),
+            np.zeros(NUMBERS),
+        )  # fmt: skip
         bound = way.bound(np.zeros(controls), *made)
 
         def run(sliders: np.ndarray) -> Numbers | None:
@@ -236,8 +237,12 @@ def _way(setup: Setup, place: np.ndarray, number: int) -> Way:
     case = setup.case(**setup.controls.traced(tape, place))
     try:
         problem = case.problem()
-    except TypeError as error:  # an UntracedError is one, too
-        raise _unrecorded(case) from error
+    except UntracedError:
+        raise
+    except TypeError as error:
+        raise UntracedError(
+            f"{case.structure.model} takes a slider in a way that is not recorded: {error}"
+        ) from error
     lines = Lines()
     tables = _conditions(lines, list(tape.conditions), number)
     p = [*problem.vector, *problem.table]
@@ -259,13 +264,6 @@ def _way(setup: Setup, place: np.ndarray, number: int) -> Way:
     name = f"way_{number}"
     head = f"def {name}({_ARGUMENTS}):\n"
     return Way(name, "".join([*tables, head, body, "\n\n\n"]), (len(p), *rows))
-
-
-def _unrecorded(case: Case) -> UntracedError:
-    return UntracedError(
-        f"{case.structure.model} takes a slider in a way that is not recorded yet, as all do whose "
-        "contacts slide and open: give a structure with declared modes"
-    )
 
 
 def _conditions(lines: Lines, conditions: list[Condition], number: int) -> list[str]:

@@ -49,7 +49,7 @@ class Node:
 
     def __init__(self, operation: str, of: tuple[Any, ...]) -> None:
         self.operation, self.of = operation, of
-        self.size = min(1 + sum(x.size for x in of if isinstance(x, Node)), LONG)
+        self.size: int = min(1 + sum(x.size for x in of if isinstance(x, Node)), LONG)
 
 
 class Condition(NamedTuple):

@@ -44,6 +44,31 @@ def column(half_width, stiffness, theta, amplitude):
     return rk.Case(structure, motion, rk.EnergyRatio(left=0.8, right=0.9), initial={"theta": theta})
 
 
+def sliding_start(half_width, friction, theta, theta_dot, x_dot):
+    structure = rk.SlidingBlock(
+        half_width=half_width, half_height=0.4, friction=friction, restitution=0.2
+    )
+    start = {"theta": theta, "theta_dot": theta_dot, "x_dot": x_dot}
+    return rk.Case(structure, PULSE, initial=start)
+
+
+def leaning_stack(lower_half_width, theta):
+    structure = rk.StackedBlocks(
+        lower_half_width=lower_half_width, lower_half_height=0.5, upper_half_width=0.3,
+        upper_half_height=0.6,
+    )  # fmt: skip
+    return rk.Case(structure, PULSE, initial={"theta": theta})
+
+
+def leaning_on_a_bed(stiffness, theta):
+    frame = rk.ShearFrame(
+        masses=[20e3], heights=[3.5], stiffnesses=[2e7], dampings=[12e4], half_width=1.2,
+        base_mass=10e3, base_inertia=5e4,
+        support=rk.Winkler(springs=5, stiffness=stiffness, damping=1e5),
+    )  # fmt: skip
+    return rk.Case(frame, PULSE, initial={"theta": theta})
+
+
 CASES = {
     block: {
         "half_width": WIDTH, "half_height": Slider(0.2, 1.5, 0.6), "theta": Slider(-0.5, 0.5, 0.1),
@@ -54,6 +79,14 @@ CASES = {
         "half_width": Slider(0.1, 0.5, 0.3), "stiffness": Slider(1e5, 1e6, 5e5),
         "theta": Slider(-0.05, 0.05, 0.01), "amplitude": AMPLITUDE,
     },
+    sliding_start: {
+        "half_width": WIDTH, "friction": Slider(0.1, 0.8, 0.3), "theta": Slider(-0.1, 0.1, 0.05),
+        "theta_dot": Slider(-0.5, 0.5, 0.1), "x_dot": Slider(-1.0, 1.0, 0.1),
+    },
+    leaning_stack: {
+        "lower_half_width": Slider(0.3, 0.6, 0.4), "theta": Slider(-0.1, 0.1, 0.05),
+    },
+    leaning_on_a_bed: {"stiffness": Slider(1e6, 1e7, 4e6), "theta": Slider(-0.05, 0.05, 0.01)},
 }  # fmt: skip
 
 

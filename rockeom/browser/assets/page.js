@@ -96,7 +96,9 @@ class Explorer {
       moved[i] = moved[i - 1] + (spacing[0] * (speed + faster)) / 2;
       speed = faster;
     }
-    return moved;
+    // a pulse leaves the ground moving on: in axes of its mean velocity it ends where it began
+    const drift = moved[SAMPLES - 1] / (SAMPLES - 1);
+    return moved.map((x, i) => x - drift * i);
   }
 
   // --- sentences

@@ -78,6 +78,7 @@ NOTHING = 1e-9  # of the size of a structure: a point that is higher is open, as
 STILL = 1e-8  # of sqrt(a l): slower points of a given state do not move, whatever else does
 STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
+NO_TURN = 1e-14  # rate of a rotation that points hold: rounding errors of the last impacts
 SLOW = 1e-6  # of sqrt(a l): the speed of landings between whose outcomes nothing decides
 SIGN_OF = (0.0, 0.0, 1.0, -1.0, 0.0)  # by the state of a point
 
@@ -699,7 +700,7 @@ def nothing_moves(mode, y, p):
 
 def held_upright(mode, y, p):
     """Whether points are closed that keep the structure from turning."""
-    if y[ROTATION + N_COORDINATES] != 0.0:
+    if abs(y[ROTATION + N_COORDINATES]) > NO_TURN:
         return False
     dy = np.empty(N_STATES)
     rates(mode, y, p, 0.0, 0.0, dy)
