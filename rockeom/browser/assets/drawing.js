@@ -72,7 +72,7 @@ class Sketch {
     const paint = pen(this.canvas);
     const { width, height } = paint;
     const scale = Math.min(width / 3, height / 1.25) / this.size;
-    // a pulse leaves the ground moving on: what leaves the picture comes back on the other side
+    // what leaves the picture all the same comes back on the other side
     const away = ((((shift * scale) % width) + 1.5 * width) % width) - width / 2;
     this.ground(paint, height - 28, away);
     this.stand(paint, [width / 2 + away, height - 28], scale, i);
