@@ -34,6 +34,7 @@ function pen(canvas) {
   to.clearRect(0, 0, width, height);
   to.font = "12px system-ui, sans-serif";
   to.lineJoin = "round";
+  to.lineWidth = 1;
   const style = getComputedStyle(document.documentElement);
   return { to, width, height, color: (name) => style.getPropertyValue(`--${name}`).trim() };
 }
