@@ -537,6 +537,19 @@ plt.show()
 # *Figure 4. Level lines of the energy (grey), the separatrix through the balance points (orange),
 # and a free motion (blue) from $0.9\,\alpha$. The vertical steps at $\theta = 0$ are impacts, see
 # [energy lost in an impact](restitution.py). Time runs clockwise.*
+#
+# The same to be moved: release the block elsewhere, and see where its line crosses the separatrix.
+
+# %% tags=["hide-input"]
+rk.explorer(
+    rk.Case(block, rk.GroundMotion.none(6.0), initial={"theta": 0.9 * block.alpha}),
+    {
+        "initial theta": (-0.95 * block.alpha, 0.95 * block.alpha),
+        "initial theta_dot": (-1.5 * p * block.alpha, 1.5 * p * block.alpha),
+        "half_width": (0.5 * block.half_width, 2 * block.half_width),
+    },
+    "The phase plane of a free block",
+)
 
 # %% [markdown]
 # ## 9. Forces on the pivot

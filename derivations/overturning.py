@@ -452,6 +452,25 @@ plt.show()
 # weak short pulse overturns by it, and only by it: of the two ways to fall, the one through an
 # impact needs less. But it ends, and then there is only (10).
 #
+# The same map to be moved: the point is the pulse; sliders change the restitution and the size.
+
+# %% tags=["hide-input"]
+rk.explorer(
+    rk.Case(
+        rk.SlenderBlock.from_frequency(p=2.0, alpha=0.2),
+        rk.GroundMotion.single_sine(6.0, 0.8, duration=8.0),
+        rk.VelocityRatio(0.9),
+    ),
+    {
+        "frequency": (0.3, 2.0),  # Hz
+        "amplitude": (2.2, 18.0),  # m/s2
+        "restitution": (0.6, 1.0),
+        "radius": (0.5, 4.0),  # m
+    },
+    "A slender block under one sine: the safe window above overturning",
+)
+
+# %% [markdown]
 # ## 6. Digits, by Newton's method
 #
 # A block that is not slender has (4) as well. Without shaking its energy is conserved between
@@ -615,6 +634,22 @@ plt.show()
 # Milne's question has an answer after all, but of another kind: a field of stones of many sizes and
 # shapes, some lying and some standing, encloses acceleration *and* velocity. One stone gives two
 # bounds, and which of them is close it does not say.
+#
+# Size to be moved: "three sizes" shows a stone next to those of twice and four times its size.
+
+
+# %% tags=["hide-input"]
+def stone_of(height, slenderness, amplitude):
+    """A stone under half a sine of 0.2 s."""
+    block = rk.RigidBlock(half_width=height / 2 / slenderness, half_height=height / 2)
+    return rk.Case(block, rk.GroundMotion.half_sine(amplitude, 2 * first_push, duration=12.0))
+
+
+rk.explorer(
+    stone_of,
+    {"height": (0.2, 6.0, 0.5), "slenderness": (1.5, 6.0, 4.0), "amplitude": (1.0, 20.0, 6.0)},
+    "The size of a stone",
+)
 
 # %% [markdown]
 # ## Exercises

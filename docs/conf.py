@@ -16,6 +16,7 @@ sys.path[:0] = [str(ROOT), str(HERE)]
 
 import catalogue  # noqa: E402
 import docstrings  # noqa: E402
+import explorers  # noqa: E402
 import gallery  # noqa: E402
 import notebooks  # noqa: E402
 from docutils import nodes  # noqa: E402
@@ -112,6 +113,12 @@ def write_thumbnail(app, doctree, docname) -> None:
         gallery.thumbnail(Path(app.srcdir, picture), target)
 
 
+def write_explorers(app, error) -> None:
+    """The pages with sliders to which the gallery leads."""
+    if error is None and app.builder.name == "html":
+        explorers.write(Path(app.outdir))
+
+
 def setup(app) -> None:
     notebooks.copy()
     app.add_config_value("code", CODE, "env")  # where the code changed, every page is read again
@@ -119,6 +126,7 @@ def setup(app) -> None:
     app.connect("source-read", leave_out_links_to_code)
     app.connect("doctree-read", let_tags_stand)
     app.connect("doctree-resolved", write_thumbnail)
+    app.connect("build-finished", write_explorers)
     app.connect("autodoc-process-signature", docstrings.shorten)
     app.connect("autodoc-process-docstring", docstrings.process)
     app.connect("autodoc-skip-member", docstrings.skip)

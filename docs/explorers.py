@@ -10,7 +10,6 @@ import rockeom as rk
 from rockeom.structures.classes import SHIPPED
 from rockeom.sweeps.case_numbers import of_structure
 
-FOLDER = "explorers"
 MOST = 3
 """Numbers of the structure that a page moves, besides the amplitude of the pulse."""
 
@@ -39,7 +38,7 @@ def explorer_of(name: str) -> rk.Explorer:
 
 def write(outdir: Path) -> None:
     """Write the pages of all structures."""
-    folder = outdir / FOLDER
+    folder = outdir / gallery.EXPLORERS
     folder.mkdir(parents=True, exist_ok=True)
     for name in SHIPPED:
         explorer_of(name).save(folder / f"{name}.html")

@@ -32,6 +32,8 @@ HERE = Path(__file__).parent
 PICTURES = HERE / "_build" / "gallery"
 WIDTH = 360  # of a thumbnail [pixels]
 LINES_OF_OUTPUT = 10
+EXPLORERS = "explorers"
+"""The folder of the pages with sliders, see `explorers`."""
 
 FIRST = """\
 import rockeom as rk
@@ -245,6 +247,7 @@ def _structure_card(name: str) -> str:
             f"**[{cls.__name__}](#rockeom.{cls.__name__})**",
             _image(picture, f"structure-{name}", f"{cls.__name__}, sketched, and its motion"),
             text,
+            f'<a href="{EXPLORERS}/{name}.html">Move it on a page with sliders</a>',
             _python(f"{example.structure}\n{example.run}"),
         ]
     )

@@ -19,6 +19,8 @@ from rockeom.browser.traced import Tape
 from rockeom.numbers.checks import described, is_number, near
 
 MOST_CONTROLS = 12
+MOST_SPECIAL = 1024
+"""Values that are looked at because a case may go another way just there."""
 MOST_COMBINATIONS = 24
 """Combinations of the options of all menus; the set-up of each is a part of the page."""
 
@@ -67,7 +69,7 @@ class Controls:
         return np.array([control.start for control in self.of.values()])
 
     def named(self, place: np.ndarray) -> dict[str, Any]:
-        """What a case is given at some values: a number, or the option of a menu."""
+        """Arguments of the case at some values: numbers, and the options of menus."""
         pairs = zip(self.of.items(), place.tolist(), strict=True)
         return {name: _given(control, x, x) for (name, control), x in pairs}
 
@@ -77,7 +79,7 @@ class Controls:
                 for name, control in self.of.items()}  # fmt: skip
 
     def given(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """What a case is given at values by name, those of menus by their labels."""
+        """Arguments of the case at values by name, those of menus by their labels."""
         places = self.places("values", values)
         return self.named(np.array([places[k] for k in range(len(self.of))]))
 
@@ -102,6 +104,22 @@ class Controls:
         ends = ([0.0] * len(self.of), [1.0] * len(self.of))
         for shares in (*ends, *qmc.Sobol(len(self.of), seed=1).random(n).tolist()):
             yield np.array([c.at(x) for c, x in zip(self.of.values(), shares, strict=True)])
+
+    def special(self) -> Iterator[np.ndarray]:
+        """Values with some controls at an end, at first or at zero, and the others spread.
+
+        A case often goes another way just there: a block that stands upright, a ground at rest.
+        """
+        marks = [_special(control) for control in self.of.values()]
+        chosen = (
+            (group, values)
+            for size in (1, 2, 3)
+            for group in itertools.combinations(range(len(marks)), size)
+            for values in itertools.product(*(marks[k] for k in group))
+        )
+        for place, (group, values) in zip(self.spread(MOST_SPECIAL), chosen, strict=False):
+            place[list(group)] = values
+            yield place
 
     def places(self, where: str, values: Mapping[str, Any]) -> dict[int, float]:
         """Some values by their place in the array; raises ValueError for one that cannot be.
@@ -128,6 +146,13 @@ class Controls:
                 f"{control.high:g}, the range of the slider"
             )
         return float(x)
+
+
+def _special(control: Slider | Menu) -> list[float]:
+    if isinstance(control, Menu):
+        return [float(i) for i in range(len(control.options))]
+    within = [0.0] if control.low < 0.0 < control.high else []
+    return sorted({control.low, control.start, control.high, *within})
 
 
 def _given(control: Slider | Menu, number: Any, x: float) -> Any:

@@ -29,8 +29,8 @@ class Question:
     into the second. compare : "overturns", whether the second one does; or what grows, falls or
     stays within 1 % from the first to the second: the "peak" of the rotation, the number of
     "impacts", the "period" between the first and the third, the "duration" until the last.
-    before : values of the first motion; the present ones if not given. explanation : shown with the
-    answer.
+    before : values of the first motion that differ from those at first. explanation : shown with
+    the answer.
 
     >>> rk.Question("Does a block of twice the size survive?", {"size": 2.0}, before={"size": 1.0})
     """

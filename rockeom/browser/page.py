@@ -31,13 +31,15 @@ from rockeom.codes import OUTCOMES
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import Array
 from rockeom.integrator.texts import text_of
+from rockeom.motion.formula import UNITS
 from rockeom.numbers.checks import described
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
+from rockeom.structures.units import main_units
 from rockeom.sweeps.case_numbers import OtherCase, function_of
 
-ENTRIES = ("motion", "fate", "places", "corners")
+ENTRIES = ("motion", "fate", "places", "corners", "energy_history", "balance")
 METHOD = "DOP853"
 MOTIONS = 16
 """Places of the sliders whose motions are compared with `rk.simulate`."""
@@ -48,8 +50,9 @@ def uplift_and_friction(p):
     return np.nan, np.nan
 """
 _SCRIPTS = (
-    "texts.js", "runtime.js", "drawing.js", "charts.js", "map.js", "panel.js", "address.js",
-    "plane.js", "lesson.js", "verdict.js", "tools.js", "page.js",
+    "texts.js", "runtime.js", "views.js", "drawing.js", "phase.js", "energy.js", "charts.js",
+    "map.js", "sizes.js", "panel.js", "address.js", "plane.js", "lesson.js", "verdict.js",
+    "tools.js", "page.js",
 )  # fmt: skip
 _ASSETS = files("rockeom").joinpath("browser", "assets")
 
@@ -159,13 +162,13 @@ class Explorer:
     @cached_property
     def html(self) -> str:
         """The page as text."""
-        page = _ASSETS.joinpath("page.html").read_text("utf-8")
+        page = _asset("page.html")
         data = {"program": _packed(self.module.code), "of": self.description()}
         parts = {
             "title": html.escape(self.heading),
-            "style": _ASSETS.joinpath("page.css").read_text("utf-8"),
+            "style": _asset("page.css"),
             "data": json.dumps(data).replace("<", "\\u003c"),
-            "script": "\n".join(_bare(_ASSETS.joinpath(s).read_text("utf-8")) for s in _SCRIPTS),
+            "script": "\n".join(map(_asset, _SCRIPTS)),
         }
         for name, text in parts.items():
             page = page.replace(f"<!-- {name} -->", text)
@@ -235,7 +238,7 @@ class Explorer:
         """Names, units and sizes that a page needs besides its program."""
         structure = self._first.structure
         m = structure.module
-        units = dict(zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True))
+        units = UNITS | dict(zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True))
         units |= dict(zip(m.STATES, m.STATE_UNITS, strict=True))
         if isinstance(self.case, OtherCase):
             units |= {name: number.unit for name, number in self.case.numbers.items()}
@@ -257,6 +260,8 @@ class Explorer:
             "verdict": structure.rocks_on_rigid_ground,
             "start": self.setup.controls.start.tolist(),
             "states": m.STATES, "stateUnits": m.STATE_UNITS,
+            "energyUnit": main_units(m)["total_energy"],
+            "groundUnit": main_units(m)["ground_acceleration"],
             "rotation": m.ROTATION, "positions": m.POSITIONS, "kinds": m.POSITION_KINDS,
             "corners": m.CORNERS, "members": m.MEMBERS, "memberEnds": m.MEMBER_ENDS,
             "copies": m.COPIES, "mostP": self.setup.sizes[0],
@@ -313,9 +318,11 @@ class Explorer:
             yield named, OUTCOMES.get(code) == str(run.outcome) and bool(near)
 
 
-def _bare(text: str) -> str:
-    """A script without the lines of its comments, a fifth of it: the source is for who reads it."""
-    return re.sub(r"^ *(//.*|/\*\*((?!\*/)[\s\S])*\*/)\n", "", text, flags=re.MULTILINE)
+def _asset(name: str) -> str:
+    """A file of the page without comments and indents, a third of it: the source is for readers."""
+    text = _ASSETS.joinpath(name).read_text("utf-8")
+    text = re.sub(r"^ *(//.*|/\*\*((?!\*/)[\s\S])*\*/)\n", "", text, flags=re.MULTILINE)
+    return re.sub(r"^ +", "", text, flags=re.MULTILINE)
 
 
 def _packed(code: bytes) -> str:

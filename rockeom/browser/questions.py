@@ -3,6 +3,7 @@
 This text is joined to others, behind the set-up; see `rockeom.browser.page`.
 """
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -28,7 +29,17 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.batches import at_rest, falls
     from rockeom.integrator.extremes import widen
     from rockeom.integrator.ground import ground_acceleration, segment_for
-    from rockeom.integrator.interface import N_STATES, positions, shapes
+    from rockeom.integrator.interface import (
+        N_STATES,
+        ROTATION,
+        ROTATION_RATE,
+        SIDES,
+        energies,
+        positions,
+        powers,
+        shapes,
+        statics,
+    )
     from rockeom.integrator.loop import SCRATCH, integrate
     from rockeom.integrator.records import Case, Recorder
 
@@ -85,13 +96,14 @@ def begin(numbers, status, clock, rate, atol):
 
 @entry
 def motion(
-    sliders: Floats, p: Floats, numbers: Floats, states: Floats2, modes: Ints, ground: Floats,
+    sliders: Floats, p: Floats, numbers: Floats, states: Floats2, modes: Ints, ground: Floats2,
     impacts: Floats, spacing: Floats,
 ) -> int:  # fmt: skip
     """A motion at equal times: its outcome, or -1 where no way of the set-up is known.
 
-    states (n, N), modes (n,), ground (n,) : at each. impacts (k,) : times of the first ones.
-    spacing (4,) : of the times; how many there are, of impacts, and of impacts that are noted.
+    states (n, N), modes (n,), ground (2, n) : at each, the ground horizontal and vertical.
+    impacts (k,) : times of the first ones. spacing (4,) : of the times; how many there are, of
+    impacts, and of impacts that are noted.
     """
     y, horizontal = np.empty(N_STATES), np.empty((ROWS_X, 7))
     vertical, atol, rate = np.empty((ROWS_Y, 7)), np.empty(N_STATES), np.empty(N_STATES)
@@ -128,13 +140,19 @@ def motion(
             if (kind in (IMPACT, LANDING)) and noted < impacts.shape[0]:
                 impacts[noted] = events[i]
                 noted = noted + 1
-    row = 0
-    for i in range(n):
-        row, found = segment_for(case.horizontal, row, i * between)
-        ground[i] = ground_acceleration(found, i * between)
+    sample_ground(case.horizontal, between, ground[0])
+    sample_ground(case.vertical, between, ground[1])
     spacing[0], spacing[1] = between, float(at)
     spacing[2], spacing[3] = float(status[IMPACTS]), float(noted)
     return ended(code, status, y, case, numbers[OF_QUIET])
+
+
+def sample_ground(table, between, out):
+    """Ground accelerations by a table at equal times."""
+    row = 0
+    for i in range(len(out)):
+        row, found = segment_for(table, row, i * between)
+        out[i] = ground_acceleration(found, i * between)
 
 
 def state_at(step_states, step, j, x):
@@ -181,3 +199,116 @@ def places(mode: int, y: Floats, p: Floats, out: Floats):
 def corners(p: Floats, out: Floats):
     """Corners of the outlines of the bodies, and the ends of members."""
     shapes(p, out)
+
+
+@entry
+def energy_history(
+    states: Floats2, modes: Ints, p: Floats, ground: Floats2, spacing: Floats, out: Floats2
+):
+    """Energies at the samples of a motion, out (5, n), as `motion` has left it.
+
+    Kinetic, gravitational and elastic energy, each less that upright at rest; work of the ground
+    and of declared forces since the start, by the trapezoidal rule on the samples; and what was
+    lost since then, which is what these leave: at impacts, in dampers and by yielding.
+    """
+    energy, rest, power = np.empty(3), np.empty(3), np.empty(3)
+    energies(modes[0], np.zeros(N_STATES), p, rest)
+    work, before, start = 0.0, 0.0, 0.0
+    for i in range(int(spacing[1])):
+        energies(modes[i], states[i], p, energy)
+        powers(modes[i], states[i], p, ground[0, i], ground[1, i], power)
+        driving, total = power[0] + power[2], 0.0
+        for j in range(3):
+            out[j, i] = energy[j] - rest[j]
+            total += out[j, i]
+        if i == 0:
+            start = total
+        else:
+            work += 0.5 * spacing[0] * (before + driving)
+        before = driving
+        out[3, i], out[4, i] = work, start + work - total
+
+
+@entry
+def balance(p: Floats, numbers: Floats, angles: Floats, separatrix: Floats2):
+    """The overturning angles (2,) to the left and right, 0 where none is found.
+
+    separatrix (2, n) : of one coordinate, rotations and the rates there with which a free motion
+    just comes to the overturning angle of its side.
+    """
+    y = np.empty(N_STATES)
+    half = separatrix.shape[1] // 2
+    for k in range(2):
+        side, fallen = 2.0 * k - 1.0, numbers[OF_FALLEN]
+        mode = only_mode(side)
+        angles[k] = 0.0
+        if mode >= 0 and fallen < np.inf:
+            angles[k] = overturning_angle(mode, side, fallen, y, p)
+        if N_STATES > 2 or angles[k] == 0.0:
+            continue
+        most = potential(mode, side * angles[k], 0.0, y, p)
+        for i in range(half):
+            part = 1.0 - i / (half - 1.0) if k == 0 else i / (half - 1.0)
+            rotation = side * part * min(1.5 * angles[k], fallen)
+            low = potential(mode, rotation, 0.0, y, p)
+            of_rate = potential(mode, rotation, 1.0, y, p) - low
+            at = k * half + i
+            separatrix[0, at] = rotation
+            separatrix[1, at] = math.sqrt(max(most - low, 0.0) / of_rate)
+
+
+def only_mode(side):
+    """The mode on a side, -1 where there is none or elements make several of it."""
+    found = -1
+    for mode in range(len(SIDES)):
+        if SIDES[mode] == side:
+            if found >= 0:
+                return -1
+            found = mode
+    return found
+
+
+def potential(mode, rotation, rate, y, p):
+    """Energy of one coordinate at a rotation and a rate."""
+    energy = np.empty(3)
+    y[ROTATION], y[ROTATION_RATE] = rotation, rate
+    energies(mode, y, p, energy)
+    return energy[0] + energy[1] + energy[2]
+
+
+def overturning_angle(mode, side, fallen, y, p):
+    """The rotation at which nothing drives the structure back, 0 if it is not below `fallen`."""
+    for i in range(N_STATES):
+        y[i] = 0.0
+    low, high, found = 0.0, 0.0, False
+    for i in range(1, 65):
+        high = fallen * i / 64
+        if side * held_back(mode, side * high, y, p) <= 0.0:
+            found = True
+            break
+        low = high
+    if not found:
+        return 0.0
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        if side * held_back(mode, side * middle, y, p) <= 0.0:
+            high = middle
+        else:
+            low = middle
+    return high
+
+
+def held_back(mode, rotation, y, p):
+    """Moment against a rotation, the other coordinates in equilibrium, each in turn by Newton."""
+    lack, ahead = np.empty(N_STATES // 2), np.empty(N_STATES // 2)
+    y[ROTATION] = rotation
+    for _ in range(12):
+        for j in range(N_STATES // 2):
+            if j == ROTATION:
+                continue
+            statics(mode, y, p, 0.0, lack)
+            y[j] += 1e-6
+            statics(mode, y, p, 0.0, ahead)
+            y[j] -= 1e-6 + 1e-6 * lack[j] / (ahead[j] - lack[j])
+    statics(mode, y, p, 0.0, lack)
+    return lack[ROTATION]

@@ -157,7 +157,7 @@ def setup_of(case: Callable[..., Case], controls: Controls) -> Setup:
     found = Setup(case, controls, len(first.structure.states))
     for place in controls.combinations():
         _go(found, place)
-    for place in controls.spread(PLACES):
+    for place in (*controls.special(), *controls.spread(PLACES)):
         _compare(found, place)
     return found
 

@@ -145,6 +145,8 @@ class Traced(Compound):
             return abs(given[0])
         if name == "hypot":
             return np.sqrt(given[0] * given[0] + given[1] * given[1])
+        if name in ("atan2", "arctan2") and given[1] > 0.0:  # the angle of a block
+            return np.arctan(given[0] / given[1])
         if name == "isfinite":
             return abs(given[0]) < math.inf
         if name not in _FUNCTIONS:

@@ -201,7 +201,7 @@ def _stacked(tables: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
 
 
 _ROUNDING = 1e-12
-"""Of the accelerations at the start: what turns the structure less than by this is rounding."""
+"""Relative to the accelerations at the start: a rotation that is slower comes from rounding."""
 AT_THE_END = 1e-9
 """So far beyond the bound of overturning, relative to it, may be the last state of a motion."""
 

@@ -134,7 +134,7 @@ def test_uplift_and_sliding_are_those_of_the_assessment(structure):
     motion = page.program.native(structure.module).motion
     motion(
         np.array([4.0, 1.0]), np.zeros(page.setup.sizes[0]), n, states, np.zeros(11, np.int64),
-        np.zeros(11), np.zeros(5), np.zeros(4),
+        np.zeros((2, 11)), np.zeros(5), np.zeros(4),
     )  # fmt: skip
     statics = statics_of(structure)
     assert n[OF_UPLIFT] == pytest.approx(statics.uplift_acceleration, rel=1e-9)

@@ -10,6 +10,7 @@ import pytest
 import rockeom as rk
 from rockeom.browser import setup
 from rockeom.browser.controls import Controls, Slider
+from rockeom.browser.questions import OF_MODE
 from rockeom.browser.setup import difference
 from rockeom.browser.traced import Tape, UntracedError
 
@@ -103,7 +104,13 @@ def test_numbers_of_other_places_are_those_of_python(case):
 
 
 def test_each_side_on_which_a_block_leans_is_a_way_of_its_own():
-    assert len(setup_of(block, CASES[block]).ways) == 2
+    found = setup_of(block, CASES[block])
+    modes = [
+        found.numbers(np.array([0.2, 0.6, theta, 3.0, 1.0])).numbers[OF_MODE]
+        for theta in (-0.2, -0.1, 0.1, 0.2)
+    ]
+    assert modes == [0.0, 0.0, 2.0, 2.0]
+    assert len(found.ways) >= 2
 
 
 # --- what a page cannot repeat
@@ -218,6 +225,7 @@ def test_traced_numbers_calculate_as_numbers_do():
         (y**0.3, 2.5**0.3),
         (2.0**x, 2.0**0.7),
         (np.arctan(x), math.atan(0.7)),
+        (np.arctan2(x, y), math.atan2(0.7, 2.5)),
     ):
         assert traced.present == pytest.approx(plain, rel=1e-15)
 
@@ -229,3 +237,19 @@ def test_comparisons_are_recorded_once():
     assert held == [True, True, False, True, True]
     found = [(c.comparison, c.right, c.holds) for c in tape.conditions]
     assert found == [("gt", 0.5, True), ("lt", 0.5, False), ("ne", 0.0, True), ("gt", 0.0, True)]
+
+
+def test_a_way_that_is_gone_at_one_value_alone_is_known():
+    """A block that stands upright starts by the push of the ground, and by none if it is still."""
+
+    def case(tilt, amplitude):
+        structure = rk.RigidBlock(half_width=0.1, half_height=0.4)
+        motion = rk.GroundMotion.single_cosine(amplitude, 0.8, duration=5.0)
+        return rk.Case(structure, motion, initial={"theta": tilt * structure.alpha})
+
+    sliders = {"tilt": Slider(0.0, 0.9, 0.5), "amplitude": Slider(0.0, 9.0, 0.0)}
+    found = setup_of(case, sliders)
+    for place in ([0.0, 5.0], [0.0, 0.0], [0.4, 0.0], [0.4, 5.0]):
+        made = found.numbers(np.array(place))
+        assert made is not None
+        assert difference(made, case(*place).problem()) is None

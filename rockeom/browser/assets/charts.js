@@ -1,140 +1,177 @@
 "use strict";
-// Curves over time, and the rate over the rotation, with the place of the time that is shown.
+// The charts of one motion: a state and the ground over time, and those of phase.js and energy.js.
 
-/** A number in few digits. @param {number} x */
-function few(x) {
-  if (!Number.isFinite(x)) return String(x);
-  const size = Math.abs(x);
-  if (size === 0) return "0";
-  return size >= 1e4 || size < 1e-3 ? x.toExponential(2) : String(Number(x.toPrecision(3)));
-}
+/** The part of the overturning angle from which its limits are in the picture. */
+const NEAR_OVERTURNING = 0.2;
+const FARTHEST_RATIO = 1.5;
 
 class Charts {
   /** @param {HTMLCanvasElement} history @param {HTMLCanvasElement} phase @param {Runner} runner */
   constructor(history, phase, runner) {
     this.history = history;
-    this.phase = phase;
     this.runner = runner;
-    /** @type {number[]} */
-    this.rotation = [];
-    /** @type {number[]} */
-    this.rate = [];
-    /** @type {number[]} */
-    this.shaking = [];
+    this.portrait = new Portrait(phase, this);
+    this.bars = new EnergyBars(by("energy"), runner);
+    this.rotation = this.rate = this.ratio = this.chosen = new Float64Array(0);
+    this.sample = 0;
+    /** Whether the overturning angles are known. */
+    this.known = false;
+    this.isRatio = false;
+    this.unit = "";
+    this.most = 0;
+    /** The horizontal and vertical ground. */
+    this.shaking = [new Float64Array(SAMPLES), new Float64Array(SAMPLES)];
+    this.mostShaking = [0, 0];
+    this.menu = by("quantity");
+    this.makeMenu();
+  }
+
+  /** The menu of the upper curve: the rotation over the overturning angle, and all states. */
+  makeMenu() {
+    const { of } = this.runner;
+    const names = of.states.map((/** @type {string} */ name) => words(name));
+    this.menu.add(new Option(fill(TEXTS.ratio, names[of.rotation]), "ratio"));
+    names.forEach((/** @type {string} */ name, /** @type {number} */ j) =>
+      this.menu.add(new Option(name, String(j))),
+    );
+    this.menu.addEventListener("change", () => {
+      this.choose();
+      this.draw(this.sample);
+    });
   }
 
   /** Take the curves of a motion, which stay while time goes on. */
   take() {
-    const { of, ground } = this.runner;
+    const { of, angles } = this.runner;
+    this.runner.balance();
+    this.runner.accounted();
     this.rotation = this.column(of.rotation);
     this.rate = this.column(of.rotation + of.states.length / 2);
-    this.shaking = Array.from(ground);
+    this.known = angles[0] > 0 && angles[1] > 0;
+    this.ratio = this.rotation.map((x) => x / (x < 0 ? angles[0] : angles[1]));
+    this.choose();
+    this.portrait.describe();
+    this.bars.take();
   }
 
   /** A state at all samples. @param {number} j */
   column(j) {
     const { states, of } = this.runner;
     const n = of.states.length;
-    return Array.from({ length: this.shown() }, (_, i) => states[i * n + j]);
+    const found = new Float64Array(this.shown());
+    for (let i = 0; i < found.length; i++) found[i] = states[i * n + j];
+    return found;
   }
 
   /** How many samples the motion has. */
   shown() {
-    return Math.max(2, Math.round(this.runner.spacing[1]));
+    return this.runner.shown;
   }
 
-  /** Draw both; sample i is marked. @param {number} i */
+  /** Take the curve that the menu names. */
+  choose() {
+    const { of, ground } = this.runner;
+    this.menu.options[0].hidden = this.menu.options[0].disabled = !this.known;
+    if (!this.known && this.menu.value === "ratio") this.menu.value = String(of.rotation);
+    this.isRatio = this.menu.value === "ratio";
+    const j = Number(this.menu.value);
+    this.chosen = this.isRatio ? this.ratio : this.column(j);
+    this.unit = this.isRatio ? "-" : of.stateUnits[j];
+    this.most = Math.abs(peak(this.chosen));
+    this.shaking = [ground.subarray(0, SAMPLES), ground.subarray(SAMPLES)];
+    this.mostShaking = this.shaking.map((values) => Math.abs(peak(values)));
+    this.history.setAttribute("aria-label", `${this.label()}. ${this.groundLabel()}.`);
+  }
+
+  label() {
+    return fill(TEXTS.peakOf, this.menu.selectedOptions[0].text, quantity(this.most, this.unit));
+  }
+
+  groundLabel() {
+    const { groundUnit } = this.runner.of;
+    const [ground, vertical] = this.mostShaking.map((most) => quantity(most, groundUnit));
+    const label = fill(TEXTS.peakOf, TEXTS.ground, ground);
+    return this.mostShaking[1] ? `${label}; ${fill(TEXTS.peakOf, TEXTS.vertical, vertical)}` : label;
+  }
+
+  /** Draw all; sample i is marked. @param {number} i */
   draw(i) {
-    const { of, spacing } = this.runner;
-    const { rotation, rate, shaking } = this;
-    const end = spacing[0] * (SAMPLES - 1);
-    const name = of.states[of.rotation];
-    const unit = of.stateUnits[of.rotation];
-    this.curves(this.history, end, i, [
-      {
-        values: rotation,
-        color: "blue",
-        label: `${name} [${unit}], at most ${few(Math.abs(peak(rotation)))}`,
-      },
-      { values: shaking, color: "orange", label: `ground [m/s²], at most ${few(Math.abs(peak(shaking)))}` },
-    ]);
-    this.portrait(rotation, rate, i);
+    this.sample = Math.min(i, this.shown() - 1);
+    this.overTime(this.sample);
+    this.portrait.draw(this.sample);
+    this.bars.draw(this.sample);
   }
 
-  /**
-   * @param {HTMLCanvasElement} canvas @param {number} end @param {number} i
-   * @param {{values: number[], color: string, label: string}[]} curves
-   */
-  curves(canvas, end, i, curves) {
-    const { to, width, height, color } = pen(canvas);
-    const room = (height - 18) / curves.length;
-    to.font = "12px system-ui, sans-serif";
-    curves.forEach(({ values, color: of, label }, k) => {
-      const [middle, half] = [room * (k + 0.56), 0.38 * room];
-      const most = Math.abs(peak(values)) || 1;
-      to.strokeStyle = color("faint");
-      line(to, [
-        [0, middle],
-        [width, middle],
-      ]);
-      to.strokeStyle = color(of);
-      to.lineWidth = 1.4;
-      line(
-        to,
-        values.map((v, n) => [(n * width) / (SAMPLES - 1), middle - (half * v) / most]),
-      );
-      to.fillStyle = color(of);
-      to.fillText(label, 6, room * k + 13);
-    });
-    const x = (i * width) / (SAMPLES - 1);
+  /** The chosen curve, and the ground below it. @param {number} i */
+  overTime(i) {
+    const { spacing } = this.runner;
+    const paint = pen(this.history);
+    const { to, width, height, color } = paint;
+    const [left, right, middle] = [48, width - 10, 0.6 * (height - 20)];
+    /** @type {[number, number]} */
+    const across = [0, spacing[0] * (SAMPLES - 1)];
+    const limited = this.isRatio && this.most > NEAR_OVERTURNING;
+    const most = limited ? Math.min(Math.max(this.most, 1.04), FARTHEST_RATIO) : this.most || 1;
+    const upper = new Axes(paint, [left, 20, right, middle], across, [-1.12 * most, 1.12 * most]);
+    upper.rows(limited ? [-1, 0, 1] : undefined);
+    upper.columns();
+    if (limited) this.limits(upper);
+    to.strokeStyle = color("blue");
+    to.lineWidth = 1.6;
+    upper.inside(() => upper.course(this.chosen, spacing[0]));
+    this.impacts(upper);
+    const shaken = Math.max(...this.mostShaking) || 1;
+    const lower = new Axes(paint, [left, middle + 22, right, height - 20], across, [-shaken, shaken]);
+    lower.rows(ends(lower.up));
+    lower.columns(this.runner.of.groundUnit === "-" ? "" : "s");
+    to.strokeStyle = color("orange");
+    to.lineWidth = 1.4;
+    const [ground, vertical] = this.shaking;
+    lower.course(ground, spacing[0]);
+    to.setLineDash([4, 3]);
+    to.strokeStyle = color("ink");
+    if (this.mostShaking[1]) lower.course(vertical, spacing[0]);
+    to.setLineDash([]);
+    to.fillStyle = color("blue");
+    write(to, this.label(), left, 14);
+    to.fillStyle = color("orange");
+    write(to, this.groundLabel(), left, middle + 17);
     to.strokeStyle = color("ink");
     to.lineWidth = 1;
+    const now = upper.x(i * spacing[0]);
     line(to, [
-      [x, 0],
-      [x, height],
+      [now, 20],
+      [now, height - 20],
     ]);
-    to.fillStyle = color("ink");
-    to.fillText("0 s", 4, height - 4);
-    const text = `${few(end)} s`;
-    to.fillText(text, width - to.measureText(text).width - 4, height - 4);
   }
 
-  /** @param {number[]} rotation @param {number[]} rate @param {number} i */
-  portrait(rotation, rate, i) {
-    const { to, width, height, color } = pen(this.phase);
-    const [mx, my] = [1.1 * Math.abs(peak(rotation)) || 1, 1.1 * Math.abs(peak(rate)) || 1];
-    /** @param {number} k @returns {[number, number]} */
-    const on = (k) => [(width * (1 + rotation[k] / mx)) / 2, (height * (1 - rate[k] / my)) / 2];
-    to.strokeStyle = color("faint");
-    line(to, [
-      [0, height / 2],
-      [width, height / 2],
-    ]);
-    line(to, [
-      [width / 2, 0],
-      [width / 2, height],
-    ]);
-    to.strokeStyle = color("blue");
-    line(
-      to,
-      rotation.map((_, k) => on(k)),
-    );
-    const now = on(Math.min(i, rotation.length - 1));
-    to.fillStyle = color("orange");
-    to.beginPath();
-    to.arc(now[0], now[1], 5, 0, 7);
-    to.fill();
+  /** The overturning angles. @param {Axes} axes */
+  limits(axes) {
+    const { to } = axes;
+    to.strokeStyle = to.fillStyle = axes.color("orange");
+    to.setLineDash([6, 4]);
+    for (const side of [-1, 1])
+      line(to, [
+        [axes.left, axes.y(side)],
+        [axes.right, axes.y(side)],
+      ]);
+    to.setLineDash([]);
+    write(to, TEXTS.limit, axes.right - 4, axes.y(1) + 14, "right");
   }
-}
 
-/** The value of largest size. @param {number[]} values */
-function peak(values) {
-  return values.reduce((a, b) => (Math.abs(b) > Math.abs(a) ? b : a), 0);
-}
-
-/** @param {CanvasRenderingContext2D} to @param {number[][]} points */
-function line(to, points) {
-  to.beginPath();
-  points.forEach(([x, y], k) => (k ? to.lineTo(x, y) : to.moveTo(x, y)));
-  to.stroke();
+  /** Ticks at the impacts. @param {Axes} axes */
+  impacts(axes) {
+    const { impacts, spacing } = this.runner;
+    axes.to.strokeStyle = axes.color("ink");
+    let last = -1;
+    for (let k = 0; k < spacing[3]; k++) {
+      const x = axes.x(impacts[k]);
+      if (x < last + 2) continue;
+      line(axes.to, [
+        [x, axes.bottom],
+        [x, axes.bottom - 5],
+      ]);
+      last = x;
+    }
+  }
 }

@@ -1,20 +1,12 @@
 "use strict";
 // The structure drawn to scale, in axes that move with the ground, on a canvas.
 
-/** A canvas with a pixel for each of the screen's. @param {HTMLCanvasElement} canvas */
-function pen(canvas) {
-  const scale = window.devicePixelRatio || 1;
-  const { width, height } = canvas.getBoundingClientRect();
-  if (canvas.width !== Math.round(width * scale)) canvas.width = Math.round(width * scale);
-  if (canvas.height !== Math.round(height * scale)) canvas.height = Math.round(height * scale);
-  const to = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-  to.setTransform(scale, 0, 0, scale, 0, 0);
-  to.clearRect(0, 0, width, height);
-  const style = getComputedStyle(document.documentElement);
-  /** @param {string} name */
-  const color = (name) => style.getPropertyValue(`--${name}`).trim();
-  return { to, width, height, color };
-}
+/** @typedef {[number, number]} Point */
+
+/** Time for which an impact flashes [s]. */
+const FLASH = 0.15;
+/** Part of the size of a structure below which a foot is on the ground. */
+const ON_GROUND = 1e-6;
 
 class Sketch {
   /** @param {HTMLCanvasElement} canvas @param {Runner} runner */
@@ -24,90 +16,214 @@ class Sketch {
     this.size = 1;
   }
 
-  /** Measure the structure upright, so that the scale stays while it moves. */
+  /** Measure the structure at the start, so that the scale stays while it moves. */
   measure() {
     const { of, places } = this.runner;
     this.runner.at(0);
     let most = 0;
-    const bodies = this.outlines();
     for (let i = 0; i < of.positions.length; i++)
       most = Math.max(most, Math.abs(places[3 * i]), places[3 * i + 1]);
-    for (const corners of Object.values(bodies)) {
+    for (const corners of this.outlines()) {
       for (const [x, y] of corners) most = Math.max(most, Math.abs(x), y);
     }
     this.size = most || 1;
   }
 
-  /** Corners of the bodies, where they are now, by name. */
+  /** Outlines of the bodies, where they are now, with the copies of those that stand for several. */
   outlines() {
-    const { of, places, corners } = this.runner;
-    /** @type {Record<string, [number, number][]>} */
+    const { of, corners } = this.runner;
+    /** @type {Record<string, Point[]>} */
     const found = {};
     of.corners.forEach((/** @type {string} */ name, /** @type {number} */ i) => {
       (found[name] ??= []).push(this.point(name, corners[2 * i], corners[2 * i + 1]));
     });
-    return found;
+    return Object.entries(found).flatMap(([name, outline]) =>
+      this.shifts(name).map((shift) => outline.map(([x, y]) => /** @type {Point} */ ([x + shift, y]))),
+    );
   }
 
-  /** A point of a body or of the ground. @param {string} name @param {number} dx @param {number} dy */
+  /** How far the copies of a body are from it. @param {string} name */
+  shifts(name) {
+    const { of, corners } = this.runner;
+    const k = of.copies.indexOf(name);
+    if (k < 0) return [0];
+    const at = corners.length - 2 * (of.copies.length - k);
+    const [number, apart] = [Math.round(corners[at]), corners[at + 1]];
+    return Array.from({ length: number }, (_, i) => apart * (i - (number - 1) / 2));
+  }
+
+  /** A point of a body or of the ground. @param {string} name @param {number} dx @param {number} dy @returns {Point} */
   point(name, dx, dy) {
     const { of, places } = this.runner;
     const i = of.positions.indexOf(name);
-    if (i < 0) return /** @type {[number, number]} */ ([dx, dy]);
+    if (i < 0) return [dx, dy];
     const [x, y, angle] = [places[3 * i], places[3 * i + 1], places[3 * i + 2]];
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
-    return /** @type {[number, number]} */ ([x + c * dx + s * dy, y - s * dx + c * dy]);
+    return [x + c * dx + s * dy, y - s * dx + c * dy];
+  }
+
+  /** Tell the largest rotation and how it ends. @param {string} text */
+  describe(text) {
+    this.canvas.setAttribute("aria-label", `${TEXTS.structure}. ${text}`);
   }
 
   /** Draw sample i; shift is the displacement of the ground in the picture. @param {number} i @param {number} shift */
   draw(i, shift) {
-    const { to, width, height, color } = pen(this.canvas);
-    const { of, places, corners } = this.runner;
-    this.runner.at(i);
+    const paint = pen(this.canvas);
+    const { width, height } = paint;
     const scale = Math.min(width / 3, height / 1.25) / this.size;
     // a pulse leaves the ground moving on: what leaves the picture comes back on the other side
     const away = ((((shift * scale) % width) + 1.5 * width) % width) - width / 2;
-    const [ox, oy] = [width / 2 + away, height - 28];
-    /** @param {[number, number]} point */
-    const on = ([x, y]) => /** @type {[number, number]} */ ([ox + x * scale, oy - y * scale]);
+    this.ground(paint, height - 28, away);
+    this.stand(paint, [width / 2 + away, height - 28], scale, i);
+  }
+
+  /** The ground, hatched; away is where its hatches begin. @param {Pen} paint @param {number} level @param {number} away */
+  ground({ to, width, color }, level, away) {
     to.lineWidth = 1;
     to.strokeStyle = color("ink");
     to.beginPath();
-    to.moveTo(0, oy);
-    to.lineTo(width, oy);
-    for (let x = (away % 18) - 18; x < width; x += 18) {
-      to.moveTo(x + 9, oy);
-      to.lineTo(x, oy + 9);
+    to.moveTo(0, level);
+    to.lineTo(width, level);
+    for (let x = (away % 18) - 18; x < width + 18; x += 18) {
+      to.moveTo(x + 9, level);
+      to.lineTo(x, level + 9);
     }
     to.stroke();
+  }
+
+  /** The structure at sample i, its origin at a place of the picture. @param {Pen} paint @param {Point} origin @param {number} scale @param {number} i */
+  stand({ to, color }, [ox, oy], scale, i) {
+    const { of, places } = this.runner;
+    this.runner.at(i);
+    /** @param {Point} point @returns {Point} */
+    const on = ([x, y]) => [ox + x * scale, oy - y * scale];
     to.strokeStyle = color("blue");
     to.fillStyle = color("safe");
-    for (const outline of Object.values(this.outlines())) {
-      to.lineWidth = 1.5;
+    to.lineWidth = 1.5;
+    for (const outline of this.outlines()) {
       to.beginPath();
-      outline.forEach((point, k) => (k ? to.lineTo(...on(point)) : to.moveTo(...on(point))));
+      outline.forEach((point) => to.lineTo(...on(point)));
       to.closePath();
       to.fill();
       to.stroke();
     }
     of.members.forEach((/** @type {string} */ kind, /** @type {number} */ m) => {
-      const first = of.corners.length + 2 * m;
-      const ends = [0, 1].map((k) =>
-        this.point(of.memberEnds[2 * m + k], corners[2 * (first + k)], corners[2 * (first + k) + 1]),
-      );
-      to.lineWidth = kind === "spring" || kind === "damper" || kind === "tendon" ? 1.5 : 3;
-      to.beginPath();
-      to.moveTo(...on(ends[0]));
-      to.lineTo(...on(ends[1]));
-      to.stroke();
+      const ends = this.ends(m);
+      to.strokeStyle = color(kind === "tendon" ? "orange" : kind in SHAPES ? "ink" : "blue");
+      member(to, kind, on(ends[0]), on(ends[1]), on(ends[2]));
     });
+    const flash = this.flash(i);
     of.kinds.forEach((/** @type {string} */ kind, /** @type {number} */ k) => {
-      const at = on([places[3 * k], places[3 * k + 1]]);
-      if (kind === "load" || kind === "massless") return;
-      to.fillStyle = kind === "body" ? color("blue") : color("ink");
-      to.beginPath();
-      to.arc(at[0], at[1], kind === "body" && !of.corners.includes(of.positions[k]) ? 8 : 3.5, 0, 7);
-      to.fill();
+      /** @type {Point} */
+      const at = [places[3 * k], places[3 * k + 1]];
+      if (kind === "body") {
+        to.fillStyle = color("blue");
+        disc(to, ...on(at), of.corners.includes(of.positions[k]) ? 3.5 : 8);
+        to.fill();
+      } else if (kind !== "load" && kind !== "massless" && kind !== "point") {
+        for (const shift of this.shifts(of.copies[0] ?? "")) {
+          foot(to, color, on([at[0] + shift, at[1]]), at[1] <= ON_GROUND * this.size, flash);
+        }
+      }
     });
   }
+
+  /** The ends of a member, and the place towards which it leaves its first one. @param {number} m @returns {Point[]} */
+  ends(m) {
+    const { of, corners } = this.runner;
+    const first = of.corners.length + 2 * m;
+    const [x, y, x2, y2] = corners.subarray(2 * first, 2 * first + 4);
+    const [start, end] = of.memberEnds.slice(2 * m, 2 * m + 2);
+    const from = this.point(start, x, y);
+    const to = this.point(end, x2, y2);
+    return [from, to, this.point(start, x, y + Math.hypot(to[0] - from[0], to[1] - from[1]) / 2)];
+  }
+
+  /** Part of the flash of the last impact that is over, 1 where there was none. @param {number} i */
+  flash(i) {
+    const { impacts, spacing } = this.runner;
+    const time = i * spacing[0];
+    let [low, high] = [0, spacing[3]];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (impacts[middle] <= time) low = middle + 1;
+      else high = middle;
+    }
+    return low ? Math.min((time - impacts[low - 1]) / FLASH, 1) : 1;
+  }
+}
+
+/**
+ * A foot: filled where it is on the ground, a pivot; a ring leaves it at an impact.
+ * @param {CanvasRenderingContext2D} to @param {(name: string) => string} color @param {Point} at
+ * @param {boolean} closed @param {number} flash
+ */
+function foot(to, color, [x, y], closed, flash) {
+  to.lineWidth = 1.5;
+  to.strokeStyle = color(closed ? "orange" : "ink");
+  to.fillStyle = color(closed ? "orange" : "paper");
+  disc(to, x, y, closed ? 5 : 3.5);
+  to.fill();
+  to.stroke();
+  if (!closed || flash >= 1) return;
+  to.globalAlpha = 1 - flash;
+  to.lineWidth = 3;
+  disc(to, x, y, 6 + 16 * flash);
+  to.stroke();
+  to.globalAlpha = 1;
+}
+
+/** Lines of members: places along the member, 0 to 1, and across it [px]. @type {Record<string, Point[][]>} */
+const SHAPES = {
+  spring: [
+    [
+      [0, 0],
+      [0.15, 0],
+      ...[0, 1, 2, 3, 4, 5, 6].map((k) => /** @type {Point} */ ([0.2 + 0.1 * k, k % 2 ? 6 : -6])),
+      [0.85, 0],
+      [1, 0],
+    ],
+  ],
+  damper: [
+    [
+      [0, 0],
+      [0.35, 0],
+    ],
+    [
+      [0.7, 6],
+      [0.35, 6],
+      [0.35, -6],
+      [0.7, -6],
+    ],
+    [
+      [0.55, 4],
+      [0.55, -4],
+    ],
+    [
+      [0.55, 0],
+      [1, 0],
+    ],
+  ],
+};
+
+/** @param {CanvasRenderingContext2D} to @param {string} kind @param {Point} a @param {Point} b @param {Point} towards */
+function member(to, kind, a, b, towards) {
+  const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+  const length = Math.hypot(dx, dy) || 1;
+  to.lineWidth = kind in SHAPES || kind === "tendon" ? 1.5 : 3;
+  for (const shape of SHAPES[kind] ?? []) {
+    line(
+      to,
+      shape.map(([x, y]) => [a[0] + x * dx - (y * dy) / length, a[1] + x * dy + (y * dx) / length]),
+    );
+  }
+  if (kind in SHAPES) return;
+  to.setLineDash(kind === "tendon" ? [7, 3] : []);
+  to.beginPath();
+  to.moveTo(...a);
+  if (kind === "cantilever") to.quadraticCurveTo(...towards, ...b);
+  else to.lineTo(...b);
+  to.stroke();
+  to.setLineDash([]);
 }

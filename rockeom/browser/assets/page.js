@@ -20,6 +20,7 @@ class Explorer {
     this.runner = new Runner(module, of);
     this.sketch = new Sketch(by("structure"), this.runner);
     this.charts = new Charts(by("history"), by("phase"), this.runner);
+    this.sizes = new Sizes(by("structure"), module, of, () => this.move());
     this.map = new OutcomeMap(by("map"), module, of);
     this.panel = new Panel(this);
     this.plane = new Plane(this, this.map);
@@ -70,10 +71,11 @@ class Explorer {
     this.say();
     tell(this);
     if (!this.known) return;
-    const end = this.runner.spacing[0] * (this.charts.shown() - 1);
+    const end = Math.max(this.runner.end, this.sizes.take(this.values));
     by("time").max = String(end);
     this.time = Math.min(this.time, end);
     this.sketch.measure();
+    this.sketch.describe(this.sizes.on ? this.sizes.sentence() : this.sentence());
     this.moved = this.displacement();
     this.redraw();
   }
@@ -94,7 +96,9 @@ class Explorer {
       moved[i] = moved[i - 1] + (spacing[0] * (speed + faster)) / 2;
       speed = faster;
     }
-    return moved;
+    // a pulse leaves the ground moving on: in axes of its mean velocity it ends where it began
+    const drift = moved[SAMPLES - 1] / (SAMPLES - 1);
+    return moved.map((x, i) => x - drift * i);
   }
 
   // --- sentences
@@ -184,8 +188,9 @@ class Explorer {
 
   redraw() {
     if (!this.known) return;
-    const sample = Math.min(Math.floor(this.time / this.runner.spacing[0]), this.charts.shown() - 1);
-    this.sketch.draw(sample, this.moved[sample]);
+    const sample = this.runner.sample(this.time);
+    if (this.sizes.on) this.sizes.draw(this.time, this.moved);
+    else this.sketch.draw(sample, this.moved[sample]);
     this.charts.draw(sample);
     this.map.draw();
     by("time").value = String(this.time);

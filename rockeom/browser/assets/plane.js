@@ -36,8 +36,8 @@ class Plane {
     const canvas = by("map");
     const drag = (/** @type {PointerEvent} */ event) => {
       if (!event.buttons) return;
-      const box = canvas.getBoundingClientRect();
-      this.point((event.clientX - box.left) / box.width, 1 - (event.clientY - box.top) / box.height);
+      const [x, y] = this.map.shares(event);
+      this.point(x, y);
     };
     canvas.addEventListener("pointerdown", (/** @type {PointerEvent} */ event) => {
       canvas.setPointerCapture(event.pointerId);

@@ -89,16 +89,22 @@ class Runner {
     this.numbers = program.floats([11]);
     this.states = program.floats([SAMPLES, n]);
     this.modes = program.wholes([SAMPLES]);
-    this.ground = program.floats([SAMPLES]);
+    this.ground = program.floats([2, SAMPLES]); // horizontal, then vertical
     this.impacts = program.floats([IMPACTS]);
     this.spacing = program.floats([4]);
     this.extremes = program.floats([2, n]);
     this.y = program.floats([n]);
     this.places = program.floats([3 * of.positions.length]);
     this.corners = program.floats([2 * (of.corners.length + of.memberEnds.length + of.copies.length)]);
-    const { sliders, p, numbers, states, modes, ground, impacts, spacing } = this;
+    this.energies = program.floats([5, SAMPLES]); // kinetic, gravitational, elastic; put in, lost
+    this.angles = program.floats([2]);
+    this.separatrix = program.floats([2, 128]);
+    const { sliders, p, numbers, states, modes, ground, impacts, spacing, angles, separatrix } = this;
     this.motion = program.bind("motion", { sliders, p, numbers, states, modes, ground, impacts, spacing });
     this.fate = program.bind("fate", { sliders, extremes: this.extremes });
+    this.balance = program.bind("balance", { p, numbers, angles, separatrix });
+    const history = { states, modes, p, ground, spacing, out: this.energies };
+    this.accounted = program.bind("energy_history", history);
     this.placed = program.bind("places", { mode: 0, y: this.y, p, out: this.places });
     this.shaped = program.bind("corners", { p, out: this.corners });
   }
@@ -109,6 +115,21 @@ class Runner {
     const outcome = this.motion();
     if (outcome >= 0) this.shaped();
     return outcome;
+  }
+
+  /** How many samples the motion has. */
+  get shown() {
+    return Math.max(2, Math.round(this.spacing[1]));
+  }
+
+  /** The time of the last sample [s]. */
+  get end() {
+    return this.spacing[0] * (this.shown - 1);
+  }
+
+  /** The last sample before a time. @param {number} time */
+  sample(time) {
+    return Math.min(Math.floor(time / this.spacing[0]), this.shown - 1);
   }
 
   /** Places of bodies and feet at a sample. @param {number} i */
