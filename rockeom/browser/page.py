@@ -150,7 +150,7 @@ class Explorer:
         >>> shown.values = {"half_width": 0.2}
         >>> rk.simulate(shown.case.structure, shown.case.motion)
         """
-        return widget_of(self)
+        return widget_of(self.heading, self.html, self.controls, self.case)
 
     def _repr_html_(self) -> str:
         """The page in a frame of its own, as Jupyter shows it."""

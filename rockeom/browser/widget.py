@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from importlib.resources import files
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from rockeom.browser.controls import Controls
 from rockeom.simulation.case import Case
 
-if TYPE_CHECKING:
-    from rockeom.browser.page import Explorer
 
+def widget_of(title: str, html: str, controls: Controls, function: Callable[..., Case]) -> Any:
+    """A widget of a page of a case, a function of the controls.
 
-def widget_of(explorer: Explorer) -> Any:
-    """A widget of anywidget; its class is made here, since it derives from one of the extra."""
+    Its class is made here, since it derives from one of the extra, anywidget.
+    """
     try:
         import anywidget
         import traitlets
@@ -33,14 +35,12 @@ def widget_of(explorer: Explorer) -> Any:
         @traitlets.validate("values")
         def _complete(self, proposal: Any) -> dict[str, Any]:
             """The values with those that are not named as they were."""
-            explorer.controls.places("values", proposal["value"])
+            controls.places("values", proposal["value"])
             return {**self.values, **proposal["value"]}
 
         @property
         def case(self) -> Case:
             """The case at the present values."""
-            return explorer.case(**explorer.controls.given(self.values))
+            return function(**controls.given(self.values))
 
-    return PageWidget(
-        title=explorer.heading, page=explorer.html, values=explorer.controls.labelled()
-    )
+    return PageWidget(title=title, page=html, values=controls.labelled())

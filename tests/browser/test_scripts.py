@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import rockeom as rk
-from rockeom.browser.page import _SCRIPTS, _bare
+from rockeom.browser.page import _SCRIPTS, _asset
 
 HERE = Path(__file__).parent
 ASSETS = Path(rk.__file__).parent / "browser" / "assets"
@@ -33,7 +33,7 @@ def test_scripts_are_typed_and_formatted():
 
 @pytest.mark.skipif(not shutil.which("node"), reason="there is no node here")
 def test_script_of_a_page_is_whole_without_its_comments():
-    script = "\n".join(_bare((ASSETS / name).read_text("utf-8")) for name in _SCRIPTS)
+    script = "\n".join(map(_asset, _SCRIPTS))
     assert not re.search(r"^\s*(//|\*|/\*\*.*\*/$)", script, re.MULTILINE)
     ran = subprocess.run(["node", "--check", "-"], input=script, capture_output=True, text=True)
     assert ran.returncode == 0, ran.stderr
