@@ -540,7 +540,7 @@ plt.show()
 #
 # The same to be moved: release the block elsewhere, and see where its line crosses the separatrix.
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 rk.explorer(
     rk.Case(block, rk.GroundMotion.none(6.0), initial={"theta": 0.9 * block.alpha}),
     {

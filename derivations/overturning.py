@@ -454,7 +454,7 @@ plt.show()
 #
 # The same map to be moved: the point is the pulse; sliders change the restitution and the size.
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 rk.explorer(
     rk.Case(
         rk.SlenderBlock.from_frequency(p=2.0, alpha=0.2),
@@ -638,7 +638,7 @@ plt.show()
 # Size to be moved: "three sizes" shows a stone next to those of twice and four times its size.
 
 
-# %% tags=["hide-input"]
+# %% tags=["hide-input"] jupyter={"source_hidden": true}
 def stone_of(height, slenderness, amplitude):
     """A stone under half a sine of 0.2 s."""
     block = rk.RigidBlock(half_width=height / 2 / slenderness, half_height=height / 2)

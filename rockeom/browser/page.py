@@ -322,7 +322,7 @@ def _asset(name: str) -> str:
     """A file of the page without comments and indents, a third of it: the source is for readers."""
     text = _ASSETS.joinpath(name).read_text("utf-8")
     text = re.sub(r"^ *(//.*|/\*\*((?!\*/)[\s\S])*\*/)\n", "", text, flags=re.MULTILINE)
-    return re.sub(r"^ +", "", text, flags=re.MULTILINE)
+    return re.sub(r"^\s+", "", text, flags=re.MULTILINE)
 
 
 def _packed(code: bytes) -> str:

@@ -36,7 +36,7 @@ def data_of(text: str) -> dict:
 def test_page_is_one_small_file_that_asks_for_nothing(page, tmp_path):
     path = page.save(tmp_path / "block.html")
     text = path.read_text("utf-8")
-    assert path.stat().st_size < 120e3
+    assert path.stat().st_size < 100e3
     assert not re.search(r"https?://|src=|<link|import\(|fetch\(", text)
     assert "<!-- " not in text
 
