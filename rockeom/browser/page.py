@@ -41,7 +41,7 @@ from rockeom.sweeps.case_numbers import OtherCase, function_of
 
 ENTRIES = ("motion", "fate", "places", "corners", "energy_history", "balance")
 METHOD = "DOP853"
-MOTIONS = 16
+MOTIONS = 8
 """Places of the sliders whose motions are compared with `rk.simulate`."""
 _NO_STATICS = """import numpy as np
 
