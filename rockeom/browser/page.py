@@ -155,7 +155,7 @@ class Explorer:
     def _repr_html_(self) -> str:
         """The page in a frame of its own, as Jupyter shows it."""
         return (
-            f'<iframe srcdoc="{html.escape(self.html)}" style="width:100%;height:72em;border:0" '
+            f'<iframe srcdoc="{html.escape(self.html)}" style="width:100%;height:84em;border:0" '
             'sandbox="allow-scripts allow-downloads"></iframe>'
         )
 

@@ -41,6 +41,7 @@ from rockeom.browser.traced import (
     skeleton,
 )
 from rockeom.compiler.parsed import Text
+from rockeom.integrator.schema import GeneratedModule
 from rockeom.simulation.case import Case, Problem
 
 PLACES = 2048
@@ -97,7 +98,7 @@ class Setup:
 
     case: Callable[..., Case]
     controls: Controls
-    states: int
+    module: GeneratedModule
     ways: list[Way] = field(default_factory=list)
     _runs: list[Callable[[np.ndarray], Numbers | None]] = field(default_factory=list)
 
@@ -121,7 +122,7 @@ class Setup:
     def numbers(self, sliders: np.ndarray) -> Numbers | None:
         """The numbers of a case, until the next; None where no way that is known is gone."""
         for way in self.ways[len(self._runs) :]:
-            self._runs.append(way.compiled(len(self.controls.of), self.states))
+            self._runs.append(way.compiled(len(self.controls.of), len(self.module.STATES)))
         for run in self._runs:
             if (made := run(sliders)) is not None:
                 return made
@@ -154,7 +155,7 @@ def setup_of(case: Callable[..., Case], controls: Controls) -> Setup:
     """
     first = case(**controls.named(controls.start))
     first.problem()  # a first case that cannot be is for the caller to mend
-    found = Setup(case, controls, len(first.structure.states))
+    found = Setup(case, controls, first.structure.module)
     for place in controls.combinations():
         _go(found, place)
     for place in (*controls.special(), *controls.spread(PLACES)):
@@ -170,6 +171,11 @@ def _go(setup: Setup, place: np.ndarray) -> bool:
         case.problem()
     except ValueError:
         return False
+    if case.structure.module is not setup.module:
+        raise UntracedError(
+            f"a page has the equations of one structure, and the case is a {setup.module.NAME} or "
+            f"a {case.structure.module.NAME}: make a page of each"
+        )
     if len(setup.ways) == MOST_WAYS:
         raise UntracedError(
             f"the case goes more than {MOST_WAYS} ways: narrow the ranges of the sliders"

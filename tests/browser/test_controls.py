@@ -12,6 +12,7 @@ from rockeom.assessment.statics import statics_of
 from rockeom.browser.questions import NUMBERS, OF_FRICTION, OF_UPLIFT
 from rockeom.browser.setup import difference
 from rockeom.browser.sizes import enlarged
+from rockeom.browser.traced import UntracedError
 from rockeom.codes import OUTCOMES
 
 BLOCK = rk.RigidBlock(half_width=0.15, half_height=0.6)
@@ -85,6 +86,14 @@ def test_a_menu_of_a_function_gives_it_the_option():
 def test_what_no_control_can_have_is_refused(given, error, message):
     with pytest.raises(error, match=message):
         rk.explorer(CASE, WIDTH, **given)
+
+
+def test_a_menu_of_structures_with_other_equations_is_refused():
+    pages = rk.explorer(
+        CASE, {"amplitude": (1.0, 8.0)}, menus={"structure": {"block": BLOCK, "column": COLUMN}}
+    )
+    with pytest.raises(UntracedError, match="is a rigid_block or a flexible_structure: make a"):
+        _ = pages.html
 
 
 def test_a_question_compares_what_a_page_knows():

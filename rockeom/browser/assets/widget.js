@@ -7,7 +7,7 @@ export default {
     frame.title = model.get("title");
     frame.srcdoc = model.get("page");
     frame.setAttribute("sandbox", "allow-scripts allow-downloads");
-    frame.style.cssText = "width: 100%; height: 72em; border: 0";
+    frame.style.cssText = "width: 100%; height: 84em; border: 0";
     let ready = false; // the first message of a page says that it listens
     let told = ""; // what the page tells is not sent back: it has moved on by then
     const send = () => {
