@@ -1,0 +1,42 @@
+"""Motions of a page have the bits of machine code in every browser that is installed."""
+
+from __future__ import annotations
+
+import shutil
+
+import numpy as np
+import pytest
+
+import rockeom as rk
+from rockeom.codes import OUTCOMES
+
+from .browsers import BROWSERS, motions, random_places
+
+PULSE = rk.GroundMotion.half_sine(4.0, 0.8, duration=5.0)
+PAGES = {
+    "block": rk.explorer(
+        rk.Case(rk.RigidBlock(half_width=0.15, half_height=0.6), PULSE),
+        {"half_width": (0.05, 0.4), "amplitude": (0.5, 8.0)},
+    ),
+    "block that slides": rk.explorer(
+        rk.Case(
+            rk.SlidingBlock(half_width=0.1, half_height=0.4, friction=0.3, restitution=0.1), PULSE
+        ),
+        {"friction": (0.1, 0.6), "amplitude": (0.5, 8.0)},
+    ),
+}
+
+
+@pytest.mark.parametrize("browser", BROWSERS)
+@pytest.mark.parametrize("page", PAGES.values(), ids=PAGES)
+def test_motions_have_the_bits_of_machine_code(page, browser):
+    if not shutil.which(browser):
+        pytest.skip(f"{browser} is not installed")
+    places = random_places(page, 20)
+    structure = page.case(**page.controls.named(places[0][:2])).structure
+    fate = page.program.native(structure.module).fate
+    extremes = np.zeros((2, len(structure.states)))
+    for place, motion in zip(places, motions(page, places, browser), strict=True):
+        outcome = OUTCOMES[int(fate(place, extremes))]
+        assert motion.outcome == motion.recorded == outcome
+        assert motion.peak == np.abs(extremes[:, structure.module.ROTATION]).max()
