@@ -32,6 +32,17 @@ def test_scripts_are_typed_and_formatted():
 
 
 @pytest.mark.skipif(not shutil.which("node"), reason="there is no node here")
+def test_functions_of_the_scripts_by_node():
+    ran = subprocess.run(
+        ["node", "--test", str(HERE / "scripts_test.js")],
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert ran.returncode == 0, ran.stdout
+
+
+@pytest.mark.skipif(not shutil.which("node"), reason="there is no node here")
 def test_script_of_a_page_is_whole_without_its_comments():
     script = "\n".join(map(_asset, _SCRIPTS))
     assert not re.search(r"^\s*(//|\*|/\*\*.*\*/$)", script, re.MULTILINE)

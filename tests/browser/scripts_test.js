@@ -1,0 +1,96 @@
+"use strict";
+// Functions of the scripts of a page that need no page: `node --test`.
+const assert = require("node:assert/strict");
+const fs = require("fs");
+const path = require("path");
+const test = require("node:test");
+const vm = require("vm");
+
+const ASSETS = path.join(__dirname, "../../rockeom/browser/assets");
+const scripts = ["texts", "views", "panel", "address", "lesson", "map"];
+const context = vm.createContext({ self: {}, URLSearchParams });
+const names = "accept, differ, few, fill, kindOf, named, quantity, roundStep, short, ticks, truth, within";
+const text = scripts.map((name) => fs.readFileSync(path.join(ASSETS, `${name}.js`), "utf8")).join("\n");
+const { accept, differ, few, fill, kindOf, named, quantity, roundStep, short, ticks, truth } =
+  vm.runInContext(`${text}; ({ ${names} })`, context);
+const plain = (value) => JSON.parse(JSON.stringify(value));
+
+function page() {
+  const inputs = [
+    { name: "width", low: 0.1, high: 0.4, unit: "m" },
+    { name: "law", low: 0, high: 1, options: ["Housner", "r = 0.8"] },
+  ];
+  return { inputs, values: [0.2, 0], note: "" };
+}
+
+test("values from outside are taken by name, and options by label", () => {
+  const at = page();
+  accept(at, "The address", [
+    ["width", "0.3"],
+    ["law", "r = 0.8"],
+  ]);
+  assert.deepEqual(plain([at.values, at.note]), [[0.3, 1], ""]);
+  assert.deepEqual(plain(named(at)), { width: 0.3, law: "r = 0.8" });
+});
+
+test("a value outside of the slider is put to its end, which is said", () => {
+  const at = page();
+  accept(at, "The address", [["width", "7"]]);
+  assert.equal(at.values[0], 0.4);
+  assert.match(at.note, /gives 7 for 'width', outside of the slider: 0.4 is taken/);
+});
+
+for (const value of ["NaN", "Infinity", "-Infinity", "", " ", "0x", "1e999", "0.2; alert(1)", null, {}]) {
+  test(`${JSON.stringify(value)} is no number, and leaves the value`, () => {
+    const at = page();
+    accept(at, "The address", [["width", value]]);
+    assert.equal(at.values[0], 0.2);
+    assert.match(at.note, /no finite number/);
+  });
+}
+
+for (const name of ["height", "__proto__", "constructor", ""]) {
+  test(`the name '${name}', which the page has not, is said and leaves all values`, () => {
+    const at = page();
+    accept(at, "The address", [[name, "0.3"]]);
+    assert.deepEqual(plain(at.values), [0.2, 0]);
+    assert.match(at.note, /which this page does not have/);
+  });
+}
+
+test("an option that a menu has not is said", () => {
+  const at = page();
+  accept(at, "The address", [["law", "2"]]);
+  assert.equal(at.values[1], 0);
+  assert.match(at.note, /none of its options/);
+});
+
+test("a prediction is judged within one percent", () => {
+  assert.deepEqual(
+    [truth("peak", 1, 1.009), truth("peak", 1, 1.02), truth("peak", 1, 0.98), truth("overturns", 0, 1)],
+    ["same", "grows", "falls", "yes"],
+  );
+});
+
+test("outcomes are three kinds of cells, and a cell that is not yet known has no border", () => {
+  const outcomes = ["completed", "came to rest", "overturned", "chatter"];
+  assert.deepEqual(
+    outcomes.map((_, code) => kindOf(outcomes, code)),
+    [0, 0, 1, 2],
+  );
+  assert.equal(kindOf(outcomes, -1), 2);
+  assert.deepEqual([differ(0, 1), differ(1, 1), differ(0, 255)], [true, false, false]);
+});
+
+test("numbers have few digits, and their units", () => {
+  assert.deepEqual([few(0.12345), few(0), few(12345), few(NaN)], ["0.123", "0", "1.23e+4", "NaN"]);
+  assert.deepEqual([short(100000), short(0.25)], ["1e5", "0.25"]);
+  assert.equal(quantity(9.80665, "m/s2"), "9.81 m/s² (1 g)");
+  assert.equal(quantity(Math.PI, "rad"), "3.14 rad (180°)");
+  assert.equal(fill("{0} of {1} {2}", 1, 2), "1 of 2 {2}");
+});
+
+test("ticks and steps are round", () => {
+  assert.deepEqual(plain(ticks([-0.3, 0.3], 3)), [-0.2, 0, 0.2]);
+  assert.equal(roundStep(0.35), 0.001);
+});
