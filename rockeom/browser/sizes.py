@@ -6,6 +6,7 @@ follow from a modulus of elasticity that stays, and dampers from damping ratios 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
@@ -42,7 +43,7 @@ def can_be_enlarged(structure: Structure) -> bool:
 def enlarged(case: Case, factor: Any) -> Case:
     """The case of a structure that is larger by a factor, and so are initial displacements."""
     numbers = [
-        (number, number.value * factor ** POWERS[number.unit])
+        (number, number.value * _power(factor, POWERS[number.unit]))
         for number in of_structure(case.structure).values()
         if number.value is not None and POWERS[number.unit]
     ]
@@ -51,3 +52,8 @@ def enlarged(case: Case, factor: Any) -> Case:
         name: x * factor if units[name] == "m" else x for name, x in case.initial.items()
     }
     return replace(with_numbers(case, numbers), initial=start)
+
+
+def _power(x: Any, n: int) -> Any:
+    """A power by products, which has the same bits in Python and on a page."""
+    return math.prod([x] * n)
