@@ -17,10 +17,9 @@ MOST = 3
 def explorer_of(name: str) -> rk.Explorer:
     """The page of a shipped structure: its example in the gallery, shaken by a pulse."""
     structure, _ = gallery.sketched(name)
-    amplitude = structure.uplift_acceleration or 5.0
-    module = structure.module
-    still = "m/s2" not in module.PARAMETER_UNITS  # times and accelerations have no unit
-    period = 2.0 if still else 0.8
+    of_time = "m/s2" in structure.module.PARAMETER_UNITS  # or times and accelerations have no unit
+    amplitude = structure.uplift_acceleration or (3.5 if of_time else 0.3)
+    period = 0.8 if of_time else 2.0
     case = rk.Case(
         structure, rk.GroundMotion.single_sine(1.5 * amplitude, period, duration=10.0 * period)
     )
@@ -31,7 +30,7 @@ def explorer_of(name: str) -> rk.Explorer:
     ]
     sliders = {
         "amplitude": (0.2 * amplitude, 5.0 * amplitude, 1.5 * amplitude),
-        **{f"structure.{n}": (0.6 * x, 1.6 * x, x) for n, x in numbers[:MOST]},
+        **{n: (0.6 * x, 1.6 * x, x) for n, x in numbers[:MOST]},
     }
     return rk.explorer(case, sliders, f"{SHIPPED[name].__name__} under a pulse")
 
