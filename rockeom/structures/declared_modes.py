@@ -221,6 +221,8 @@ def _margins(module: GeneratedModule, p: np.ndarray, mode: int, y: np.ndarray) -
         return here
     doubt = np.full(len(here), 1e-300, here.dtype)
     for i, value in enumerate(y):
+        if y.dtype != object and value == 0.0:  # it has no ninth digit
+            continue
         nudged = y.copy()
         nudged[i] = value * (1.0 + 1e-9)
         doubt += np.abs(guards(nudged) - here)
