@@ -108,11 +108,15 @@ def test_processes_share_programs_race_for_them_and_see_every_change(tmp_path):
     wrong with.
     """
     cache, package = tmp_path / "cache", copy_of_the_package(tmp_path / "package")
-    killed = start(package, cache)
-    with pytest.raises(subprocess.TimeoutExpired):
-        killed.communicate(timeout=0.7)
-    killed.kill()
-    killed.communicate()
+    for delay in (0.7, 0.35, 0.17):  # a fast machine may be done with the program by then
+        shutil.rmtree(cache, ignore_errors=True)
+        killed = start(package, cache)
+        with pytest.raises(subprocess.TimeoutExpired):
+            killed.communicate(timeout=delay)
+        killed.kill()
+        killed.communicate()
+        if all(path.stem.startswith("rockeom_loop") for path in cache.glob("rockeom_*")):
+            break
 
     racing = [start(package, cache), start(package, cache)]
     first, second = (result(process) for process in racing)
