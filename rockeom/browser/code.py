@@ -11,6 +11,7 @@ from dataclasses import fields, is_dataclass
 from typing import Any
 
 from rockeom.browser.controls import Controls, Menu, Slider
+from rockeom.browser.program import METHOD
 from rockeom.browser.traced import SIGNS, Node, Tape, Traced, node_of
 from rockeom.motion import GroundMotion, MotionError
 from rockeom.motion.formula import formula_of
@@ -21,9 +22,10 @@ from rockeom.sweeps.case_numbers import OtherCase
 _DATE = re.compile(r"\d+/\d+/")
 """The month and the day of a record, which its name in the library has not."""
 _HEAD = "import numpy as np\nimport rockeom as rk\n\n"
-_TAIL = (
-    '\nrun = rk.simulate({call}, options=rk.SolverOptions(method="DOP853"))\nprint(run.summary())\n'
-)
+_TAIL = f"""
+run = rk.simulate({{call}}, options=rk.SolverOptions(method="{METHOD}"))
+print(run.summary())
+"""
 
 
 def script(case: Callable[..., Case], controls: Controls) -> str:
@@ -130,6 +132,7 @@ def _arguments(x: Any) -> str:
 
 
 def _is_traced(x: Any) -> bool:
+    """Asked here, since to a type checker no motion and no float is one."""
     return isinstance(x, Traced)
 
 

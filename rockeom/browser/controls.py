@@ -71,7 +71,10 @@ class Controls:
     def named(self, place: np.ndarray) -> dict[str, Any]:
         """Arguments of the case at some values: numbers, and the options of menus."""
         pairs = zip(self.of.items(), place.tolist(), strict=True)
-        return {name: _given(control, x, x) for (name, control), x in pairs}
+        return {
+            name: control.options[control.labels[int(x)]] if isinstance(control, Menu) else x
+            for (name, control), x in pairs
+        }
 
     def labelled(self) -> dict[str, Any]:
         """The values at first by name, those of menus by their labels."""
@@ -86,11 +89,13 @@ class Controls:
     def traced(self, tape: Tape, place: np.ndarray) -> dict[str, Any]:
         """The same, the numbers traced, and the option that was chosen a condition."""
         numbers = tape.sliders(dict(zip(self.of, place.tolist(), strict=True)))
-        for (name, control), x in zip(self.of.items(), place.tolist(), strict=True):
+        given = self.named(place)
+        for name, control in self.of.items():
             if isinstance(control, Menu):
-                tape.condition("eq", numbers[name], x)
-        pairs = zip(self.of.items(), place.tolist(), strict=True)
-        return {name: _given(control, numbers[name], x) for (name, control), x in pairs}
+                tape.condition("eq", numbers[name], numbers[name].present)
+            else:
+                given[name] = numbers[name]
+        return given
 
     def combinations(self) -> Iterator[np.ndarray]:
         """The first values, with each combination of the options of all menus."""
@@ -153,10 +158,6 @@ def _special(control: Slider | Menu) -> list[float]:
         return [float(i) for i in range(len(control.options))]
     within = [0.0] if control.low < 0.0 < control.high else []
     return sorted({control.low, control.start, control.high, *within})
-
-
-def _given(control: Slider | Menu, number: Any, x: float) -> Any:
-    return control.options[control.labels[int(x)]] if isinstance(control, Menu) else number
 
 
 def slider(name: str, given: Any, first: float | None) -> Slider:

@@ -21,7 +21,8 @@ from rockeom import files as whole
 from rockeom.browser.code import script
 from rockeom.browser.controls import Controls, Menu, Slider, check_number, menu, slider
 from rockeom.browser.lesson import OBJECTS, Question
-from rockeom.browser.program import Portable, portable
+from rockeom.browser.program import METHOD, Portable, portable
+from rockeom.browser.questions import NUMBERS
 from rockeom.browser.setup import Setup, setup_of
 from rockeom.browser.sizes import Sized, can_be_enlarged
 from rockeom.browser.traced import UntracedError
@@ -40,15 +41,8 @@ from rockeom.structures.units import main_units
 from rockeom.sweeps.case_numbers import OtherCase, function_of
 
 ENTRIES = ("motion", "fate", "places", "corners", "energy_history", "balance")
-METHOD = "DOP853"
 MOTIONS = 8
 """Places of the sliders whose motions are compared with `rk.simulate`."""
-_NO_STATICS = """import numpy as np
-
-
-def uplift_and_friction(p):
-    return np.nan, np.nan
-"""
 _SCRIPTS = (
     "texts.js", "runtime.js", "views.js", "drawing.js", "phase.js", "energy.js", "charts.js",
     "map.js", "sizes.js", "panel.js", "address.js", "plane.js", "lesson.js", "verdict.js",
@@ -209,9 +203,9 @@ class Explorer:
         """The program as WebAssembly, with the functions that a page calls."""
         ir = self.program.ir
         for name in self.program.entries:
-            if name not in ENTRIES:
+            if name not in self.entries:
                 ir = ir.replace(f"define void @{name}(ptr", f"define internal void @{name}(ptr")
-        return module(ir, ENTRIES)
+        return module(ir, self.entries)
 
     def _texts(self) -> tuple[Text, ...]:
         p, horizontal, vertical = self.setup.sizes
@@ -225,14 +219,23 @@ class Explorer:
         )
 
     def _statics(self) -> tuple[Text, ...]:
-        """The statics of feet on rigid ground; of other structures they are not known."""
+        """The statics of feet on rigid ground; other structures have none."""
         structure = self._first.structure
         if not structure.rocks_on_rigid_ground:
-            return (Text("no statics", _NO_STATICS),)
+            return ()
         m, name = structure.module, "browser/verdict.py"
         left, right = (m.REACTIONS.index(f"{side}_reaction") for side in ("left", "right"))
-        places = f"BOTH_MODE, LEFT_FOOT, RIGHT_FOOT = {m.MODES.index('both')}, {left}, {right}\n"
+        places = (
+            f"BOTH_MODE, N_REACTIONS = {m.MODES.index('both')}, {len(m.REACTIONS)}\n"
+            f"LEFT_FOOT, RIGHT_FOOT = {left}, {right}\n"
+        )
         return Text("places of feet", places), Text(name, text_of(name))
+
+    @property
+    def entries(self) -> tuple[str, ...]:
+        """The functions that a page calls: of its texts, and the statics where there are feet."""
+        feet = self._first.structure.rocks_on_rigid_ground
+        return (*ENTRIES, "uplift_and_friction") if feet else ENTRIES
 
     def description(self) -> dict[str, Any]:
         """Names, units and sizes that a page needs besides its program."""
@@ -247,7 +250,7 @@ class Explorer:
             "title": self.heading,
             "structure": type(structure).__name__,
             "dataEnd": self.module.data_end,
-            "entries": {name: _entry(self.program, name) for name in ENTRIES},
+            "entries": {name: _entry(self.program, name) for name in self.entries},
             "sliders": [
                 {
                     "name": name, "low": one.low, "high": one.high, "start": one.start,
@@ -257,7 +260,7 @@ class Explorer:
                 for name, one in self.controls.of.items() if isinstance(one, Slider)
             ],
             **self._choices(),
-            "verdict": structure.rocks_on_rigid_ground,
+            "numbers": NUMBERS,
             "start": self.setup.controls.start.tolist(),
             "states": m.STATES, "stateUnits": m.STATE_UNITS,
             "energyUnit": main_units(m)["total_energy"],

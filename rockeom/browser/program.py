@@ -22,6 +22,8 @@ from rockeom.integrator.program import LOOP, Program, printed, sizes_of
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.integrator.texts import text_of
 
+METHOD = "DOP853"
+"""The method by which pages integrate."""
 _ELEMENTARY = "browser/elementary.py"
 _LLVM = re.compile(r"@(?:llvm\.(sin|cos|exp|log|pow)\.f64|(expm1|log1p|tan|a?sin|a?cos|atan|a?sinh"
                    r"|a?cosh|a?tanh))\(")  # fmt: skip

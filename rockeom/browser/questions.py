@@ -24,7 +24,6 @@ from rockeom.codes import (
 from rockeom.compiler.decorators import Floats, Floats2, Ints, entry
 
 if TYPE_CHECKING:  # joined before this text
-    from rockeom.browser.verdict import uplift_and_friction
     from rockeom.browser.written import MOST_P, ROWS_X, ROWS_Y, set_up
     from rockeom.integrator.batches import at_rest, falls
     from rockeom.integrator.extremes import widen
@@ -49,13 +48,12 @@ MOST_IMPACTS, MOST_STEPS = 100000, 200000
 KEPT = 256
 """Steps in a record before it is emptied."""
 
-NUMBERS = 11
+NUMBERS = 9
 (
     OF_MODE, OF_LAW, OF_RATIO, OF_FALLEN, OF_END, OF_QUIET, OF_ROWS_X, OF_ROWS_Y, OF_SIZE,
-    OF_UPLIFT, OF_FRICTION,
 ) = range(NUMBERS)  # fmt: skip
 """Places in the numbers of a problem: OF_ROWS_X and OF_ROWS_Y are the rows of the ground motions,
-OF_SIZE the length of p. OF_UPLIFT and OF_FRICTION follow from them, see `verdict`."""
+OF_SIZE the length of p."""
 
 
 def case_of_page(numbers, p, horizontal, vertical, atol):
@@ -119,7 +117,6 @@ def motion(
         steps, step_modes, step_states, events, event_kinds, np.empty((KEPT, 2, N_STATES)),
         np.empty((0, N_STATES)),
     )  # fmt: skip
-    numbers[OF_UPLIFT], numbers[OF_FRICTION] = uplift_and_friction(case.p)
     n = states.shape[0]
     between = case.t_end / (n - 1)
     scratch = np.zeros(SCRATCH)

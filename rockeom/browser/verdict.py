@@ -10,8 +10,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rockeom.compiler.decorators import Floats, entry
+
 if TYPE_CHECKING:  # joined before this text
-    from rockeom.browser.written import BOTH_MODE, LEFT_FOOT, RIGHT_FOOT
+    from rockeom.browser.written import BOTH_MODE, LEFT_FOOT, N_REACTIONS, RIGHT_FOOT
     from rockeom.integrator.interface import N_STATES, ROTATION, rates, reactions
 
 N = N_STATES // 2
@@ -19,15 +21,16 @@ TURNS = 8
 """Steps of Newton's method: the first one solves what is linear."""
 
 
-def uplift_and_friction(p):
+@entry
+def uplift_and_friction(p: Floats, out: Floats):
     """The static uplift acceleration [m/s2], and the friction coefficient below which it slides."""
     uplift = min(lifting(LEFT_FOOT, p), lifting(RIGHT_FOOT, p))
-    y, forces = np.zeros(N_STATES), np.zeros(8)
+    y, forces = np.zeros(N_STATES), np.zeros(N_REACTIONS)
     reactions(BOTH_MODE, y, p, 0.0, 0.0, forces)
     weight = forces[LEFT_FOOT] + forces[RIGHT_FOOT]
     reactions(BOTH_MODE, y, p, 0.0, 1.0, forces)
     mass = forces[LEFT_FOOT] + forces[RIGHT_FOOT] - weight
-    return uplift, uplift * mass / weight
+    out[0], out[1] = uplift, uplift * mass / weight
 
 
 def lifting(foot, p):
@@ -52,7 +55,7 @@ def lifting(foot, p):
 
 def lacking(unknown, foot, p, out):
     """The force on the foot, and the accelerations of free coordinates, which equilibrium lacks."""
-    y, dy, forces = np.zeros(N_STATES), np.zeros(N_STATES), np.zeros(8)
+    y, dy, forces = np.zeros(N_STATES), np.zeros(N_STATES), np.zeros(N_REACTIONS)
     k = 1
     for i in range(N):
         if i != ROTATION:

@@ -22,7 +22,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import rockeom as rk
-from rockeom.browser.page import METHOD, Explorer
+from rockeom.browser.page import Explorer
+from rockeom.browser.program import METHOD
 from rockeom.browser.traced import UntracedError
 from rockeom.codes import OUTCOMES
 from rockeom.structures.classes import SHIPPED

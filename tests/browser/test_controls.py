@@ -9,7 +9,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.assessment.statics import statics_of
-from rockeom.browser.questions import NUMBERS, OF_FRICTION, OF_UPLIFT
+from rockeom.browser.questions import NUMBERS
 from rockeom.browser.setup import difference
 from rockeom.browser.sizes import enlarged
 from rockeom.browser.traced import UntracedError
@@ -139,15 +139,16 @@ def test_a_larger_structure_of_the_same_material_vibrates_as_much_slower():
 @pytest.mark.parametrize("structure", [BLOCK, COLUMN, FRAME], ids=["block", "column", "frame"])
 def test_uplift_and_sliding_are_those_of_the_assessment(structure):
     page = rk.explorer(rk.Case(structure, PULSE), {"amplitude": (1.0, 8.0)})
-    states, n = np.zeros((11, len(structure.states))), np.zeros(NUMBERS)
-    motion = page.program.native(structure.module).motion
-    motion(
-        np.array([4.0, 1.0]), np.zeros(page.setup.sizes[0]), n, states, np.zeros(11, np.int64),
+    states, p = np.zeros((11, len(structure.states))), np.zeros(page.setup.sizes[0])
+    program, found = page.program.native(structure.module), np.zeros(2)
+    program.motion(
+        np.array([4.0, 1.0]), p, np.zeros(NUMBERS), states, np.zeros(11, np.int64),
         np.zeros((2, 11)), np.zeros(5), np.zeros(4),
     )  # fmt: skip
+    program.uplift_and_friction(p, found)
     statics = statics_of(structure)
-    assert n[OF_UPLIFT] == pytest.approx(statics.uplift_acceleration, rel=1e-9)
-    assert n[OF_FRICTION] == pytest.approx(statics.friction_to_rock, rel=1e-9)
+    assert found[0] == pytest.approx(statics.uplift_acceleration, rel=1e-9)
+    assert found[1] == pytest.approx(statics.friction_to_rock, rel=1e-9)
 
 
 # --- code

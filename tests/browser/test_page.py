@@ -156,7 +156,7 @@ def test_motion_in_node_has_the_bits_of_machine_code(page):
 
 
 def test_program_exports_what_a_page_calls(page):
-    assert set(page.description()["entries"]) == set(ENTRIES)
+    assert set(page.description()["entries"]) == {*ENTRIES, "uplift_and_friction"}
 
 
 def test_command_makes_a_page(tmp_path, capsys):

@@ -58,14 +58,9 @@ class Charts {
   column(j) {
     const { states, of } = this.runner;
     const n = of.states.length;
-    const found = new Float64Array(this.shown());
+    const found = new Float64Array(this.runner.shown);
     for (let i = 0; i < found.length; i++) found[i] = states[i * n + j];
     return found;
-  }
-
-  /** How many samples the motion has. */
-  shown() {
-    return this.runner.shown;
   }
 
   /** Take the curve that the menu names. */
@@ -96,7 +91,7 @@ class Charts {
 
   /** Draw all; sample i is marked. @param {number} i */
   draw(i) {
-    this.sample = Math.min(i, this.shown() - 1);
+    this.sample = Math.min(i, this.runner.shown - 1);
     this.overTime(this.sample);
     this.portrait.draw(this.sample);
     this.bars.draw(this.sample);

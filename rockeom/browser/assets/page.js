@@ -20,12 +20,12 @@ class Explorer {
     this.runner = new Runner(module, of);
     this.sketch = new Sketch(by("structure"), this.runner);
     this.charts = new Charts(by("history"), by("phase"), this.runner);
-    this.sizes = new Sizes(by("structure"), module, of, () => this.move());
+    this.sizes = new Sizes(this.sketch, module, of, () => this.move());
     this.map = new OutcomeMap(by("map"), module, of);
     this.panel = new Panel(this);
     this.plane = new Plane(this, this.map);
     this.lesson = of.questions?.length ? new Lesson(this) : undefined;
-    this.verdict = of.verdict ? new Verdict(this) : undefined;
+    this.verdict = this.runner.lifted ? new Verdict(this) : undefined;
     this.mode = "explore";
     this.outcome = -1;
     this.known = false;
@@ -71,7 +71,7 @@ class Explorer {
     this.say();
     tell(this);
     if (!this.known) return;
-    const end = Math.max(this.runner.end, this.sizes.take(this.values));
+    const end = Math.max(this.runner.end, this.sizes.take(this.values, this.outcome));
     by("time").max = String(end);
     this.time = Math.min(this.time, end);
     this.sketch.measure();

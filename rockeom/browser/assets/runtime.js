@@ -86,7 +86,7 @@ class Runner {
     this.of = of;
     this.sliders = program.floats([of.start.length]);
     this.p = program.floats([of.mostP]);
-    this.numbers = program.floats([11]);
+    this.numbers = program.floats([of.numbers]);
     this.states = program.floats([SAMPLES, n]);
     this.modes = program.wholes([SAMPLES]);
     this.ground = program.floats([2, SAMPLES]); // horizontal, then vertical
@@ -103,6 +103,10 @@ class Runner {
     this.motion = program.bind("motion", { sliders, p, numbers, states, modes, ground, impacts, spacing });
     this.fate = program.bind("fate", { sliders, extremes: this.extremes });
     this.balance = program.bind("balance", { p, numbers, angles, separatrix });
+    /** The static uplift acceleration, and the friction that sliding first needs; of feet alone. */
+    this.statics = program.floats([2]);
+    if (of.entries.uplift_and_friction)
+      this.lifted = program.bind("uplift_and_friction", { p, out: this.statics });
     const history = { states, modes, p, ground, spacing, out: this.energies };
     this.accounted = program.bind("energy_history", history);
     this.placed = program.bind("places", { mode: 0, y: this.y, p, out: this.places });

@@ -42,13 +42,13 @@ async function copy(id, text) {
 }
 
 /** The motion at all samples. @param {Explorer} page */
-function csv({ runner, of, charts }) {
+function csv({ runner, of }) {
   const { states, ground, spacing } = runner;
   const n = of.states.length;
   const names = of.states.map(
     (/** @type {string} */ s, /** @type {number} */ j) => `${s} [${of.stateUnits[j]}]`,
   );
-  const rows = Array.from({ length: charts.shown() }, (_, i) =>
+  const rows = Array.from({ length: runner.shown }, (_, i) =>
     [i * spacing[0], ...states.subarray(i * n, (i + 1) * n), ground[i]].join(","),
   );
   return [["t [s]", ...names, "ground [m/s2]"].join(","), ...rows].join("\n");

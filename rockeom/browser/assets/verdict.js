@@ -1,8 +1,6 @@
 "use strict";
 // A verdict in sentences: what lifts a foot, what slides first, and how many motions overturn it.
 
-/** Places among the numbers of a problem, as in questions.py. */
-const [UPLIFT, FRICTION] = [9, 10];
 /** Time after the last move before motions are counted [ms]. */
 const PAUSE = 150;
 
@@ -37,7 +35,9 @@ class Verdict {
   }
 
   sentences() {
-    const [uplift, friction] = [UPLIFT, FRICTION].map((i) => this.page.runner.numbers[i]);
+    const { runner } = this.page;
+    runner.lifted?.();
+    const [uplift, friction] = runner.statics;
     return [
       Number.isFinite(uplift) && fill(TEXTS.uplift, few(uplift / G), few(uplift)),
       Number.isFinite(friction) && fill(TEXTS.slides, few(friction)),
