@@ -1,6 +1,7 @@
 """A block that lands on contact springs: the closed form against Housner's and integration."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,8 +9,10 @@ from hypothesis import given, settings, strategies as st
 from scipy.integrate import solve_ivp
 
 import rockeom as rk
+from benchmarks import opensees_restitution
 from rockeom.analysis import formulas
 
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "how-to" / "restitution-in-opensees.md"
 BLOCK = {"half_width": 0.1, "half_height": 0.4, "mass": 1000.0, "gravity": 9.81}
 PEAK = 0.3 * math.atan(0.25)  # rad
 TALL = {"half_width": 0.1, "half_height": 1.0, "mass": 200.0, "gravity": 9.81}
@@ -220,3 +223,24 @@ def test_mistakes_say_what_is_reached():
         wanted(0.8, half_width=0.6)
     with pytest.raises(ValueError, match=r"stiffness is -1\.0: it must be positive"):
         formulas.energy_ratio_on_contact_springs(-1.0, 0.0, peak_rotation=PEAK, **BLOCK)
+
+
+def test_table_of_opensees_expects_what_the_formula_gives_and_has_it():
+    _, _, rest = PAGE.read_text(encoding="utf-8").partition(opensees_restitution.START)
+    lines = rest.partition(opensees_restitution.END)[0].strip().splitlines()[2:]
+    rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
+    assert len(rows) == len(opensees_restitution.ways())
+    gaps = [row for row in rows if row[0] == opensees_restitution.GAP]
+    for name, softness, zeta, step, expected, measured, _follow in gaps:
+        way = opensees_restitution.Way(name, float(softness), float(zeta), float(step))
+        found = formulas.energy_ratio_on_contact_springs(
+            way.stiffness, way.damping, peak_rotation=PEAK, **BLOCK
+        )
+        assert float(expected) == pytest.approx(found, abs=5e-4)  # three digits of zeta
+        assert float(measured) == pytest.approx(found, abs=0.006 if way.step <= 0.1 else 0.02)
+
+
+def test_table_without_opensees_says_how_to_install_it(monkeypatch):
+    monkeypatch.setattr(opensees_restitution.importlib.util, "find_spec", lambda name: None)
+    with pytest.raises(SystemExit, match="pip install openseespy"):
+        opensees_restitution.main([])

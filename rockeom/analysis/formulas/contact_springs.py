@@ -26,7 +26,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.optimize import brentq
 
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.arguments import not_negative, positive, require
@@ -177,9 +176,7 @@ def _damping_ratio(where: str, wanted: float, ratio, uplift: float) -> float:
     require(
         (wanted >= finite.min()) & (wanted <= finite.max()), where, "energy_ratio", wanted, rule
     )
-    passed = np.flatnonzero((reached[:-1] - wanted) * (reached[1:] - wanted) <= 0)[0]
-    ends = np.log(_DAMPING_RATIOS[passed : passed + 2])
-    return float(np.exp(brentq(lambda log: float(ratio(np.exp(log)) - wanted), *ends)))
+    return _first_passage(lambda zeta: ratio(zeta) - wanted, _DAMPING_RATIOS)
 
 
 class _Block(NamedTuple):
@@ -243,7 +240,7 @@ def _energy_ratio(block: _Block, stiffness, damping, peak, pulls: bool) -> np.nd
 def _landing(number: float, zeta: float, mu: float, centripetal: float, pulls: bool) -> float:
     """r of a landing in the units of the module; nan where the old foot stays down.
 
-    centripetal : h omega**2/g, by which the ascent of the curve relieves the foot.
+    centripetal : h omega**2/g, by which the centripetal acceleration relieves the old foot.
     """
     if not number > 0:
         return np.nan
@@ -260,15 +257,25 @@ def _landing(number: float, zeta: float, mu: float, centripetal: float, pulls: b
         return weight + phi - u + (0.0 if pulls else 2 * zeta * (phi_dot - u_dot))
 
     times = np.geomspace(1e-12, 100 * (1 + zeta), 4000)
-    free = np.flatnonzero(pressed(times) <= 0)
-    if not len(free):
-        return np.nan
-    u, u_dot, phi, phi_dot = motion(brentq(pressed, *times[free[0] - 1 : free[0] + 1], xtol=1e-15))
+    u, u_dot, phi, phi_dot = motion(_first_passage(pressed, times))
     # the rotation about the settled new foot that has the same angular momentum about it
     rotation = (mu * (u - weight) + 2 * mu * new - phi) / (1 + mu)
     rate = (mu * u_dot - phi_dot) / (1 + mu)
     double = (1 + mu) / mu
     return (double * rate**2 / 2 + weight * rotation) / (double / 2 + weight * old)
+
+
+def _first_passage(function, grid: np.ndarray) -> float:
+    """Where a function of an array first changes its sign along a grid; nan where it does not."""
+    found = np.nan
+    for _ in range(12):  # each time in the interval that has it, an eleventh of the one before
+        values = function(grid)
+        passed = np.flatnonzero(values[:-1] * values[1:] <= 0)
+        if not len(passed):
+            break
+        found = grid[passed[0]]
+        grid = np.linspace(found, grid[passed[0] + 1], 12)
+    return float(found)
 
 
 _landings = np.vectorize(_landing, otypes=[float])
