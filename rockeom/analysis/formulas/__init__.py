@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from rockeom.analysis.groups import attributes
 
 if TYPE_CHECKING:  # for type checkers and editors, which cannot follow __getattr__
+    from rockeom.analysis.formulas.contact_springs import *
     from rockeom.analysis.formulas.controlled_wall import *
     from rockeom.analysis.formulas.damping import *
     from rockeom.analysis.formulas.foundation import *
