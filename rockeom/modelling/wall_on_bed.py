@@ -14,7 +14,7 @@ import functools
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Self
+from typing import NamedTuple
 
 import numpy as np
 import sympy as sp
@@ -30,8 +30,8 @@ from rockeom.symbolic.statics import small_rotations
 
 SECANT = 0.7
 """Part of the strength at which an effective stiffness is the secant of a curve."""
-_STIFFEST = 1e15
-"""Largest bed modulus that is tried [N/m3]: a thousand times that of steel 0.1 m thick."""
+_SOFTEST, _STIFFEST = 1e6, 1e15
+"""Bed moduli that are tried [N/m3]: of peat, and a thousand times that of steel 0.1 m thick."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,67 +149,56 @@ class WallOnBed:
         )  # fmt: skip
 
     @classmethod
-    def of_test(
-        cls, test: WallTest, *, stiffness_of: WallTest | None = None, following: bool = True,
-        springs: int = 100,
-    ) -> Self:  # fmt: skip
-        """The wall of a test, its bed from the measured stiffness of one.
+    def of_test(cls, test: WallTest, *, following: bool = True, springs: int = 100) -> WallOnBed:
+        """The wall of a test, its bed from the measured effective stiffness.
 
-        stiffness_of : the test whose effective stiffness gives the bed modulus, such as another of
-        the same level of axial force; that of the wall itself if none is given. The modulus is the
-        one with which the pushover of that wall has this secant at 0.7 of its `rocking_strength`.
-        following, springs : as above. The strength of the bed is 0.85 times the compressive one.
+        test : such as one of `analysis.identification.wall_tests()`. following, springs : as above.
+        The bed modulus is the one with which `effective_stiffness` is the measured one. The bed
+        crushes at 0.85 times the compressive strength.
 
-        Raises ValueError where no bed is as stiff: the axial force alone bends the curve.
+        Raises ValueError where no bed is as stiff, or as soft.
         """
-        of = stiffness_of or test
-        rigid = cls._of(of, _STIFFEST, following, springs)
-        modulus = rigid._modulus(of.stiffness * of.rise)
-        return cls._of(test, modulus, following, springs)
+        rigid = cls(
+            length=test.length, thickness=test.thickness, shear_span=test.shear_span,
+            axial_force=test.axial_force, strength=0.85 * test.compressive_strength,
+            bed_modulus=_STIFFEST, following=following, springs=springs,
+        )  # fmt: skip
+        return rigid._as_stiff_as(test.stiffness * test.rise)
 
     @classmethod
     def of_tests(
         cls, tests: Mapping[str, WallTest], *, following: bool = True, springs: int = 100
-    ) -> dict[str, Self]:
-        """Walls of tests by name: the first of each level gives the bed modulus of all of it.
+    ) -> dict[str, WallOnBed]:
+        """The walls of tests by name: the first of each level gives the bed of all of it.
 
-        tests : by name, such as `analysis.identification.wall_tests()`; see `of_test`. A level is
-        that of walls of one size, compressive strength and axial force, `WallTest.level`.
+        tests : by name, such as `analysis.identification.wall_tests()`. Walls of one level have the
+        same sizes, compressive strength and axial force, `WallTest.level`; see `of_test`.
         """
-        first: dict[tuple[float, ...], WallTest] = {}
-        return {
-            name: cls.of_test(
-                test, stiffness_of=first.setdefault(test.level, test), following=following,
-                springs=springs,
-            )
-            for name, test in tests.items()
-        }  # fmt: skip
+        of_level: dict[tuple[float, ...], WallOnBed] = {}
+        for test in tests.values():
+            if test.level not in of_level:
+                of_level[test.level] = cls.of_test(test, following=following, springs=springs)
+        return {name: of_level[test.level] for name, test in tests.items()}
 
-    @classmethod
-    def _of(cls, test: WallTest, bed_modulus: float, following: bool, springs: int) -> Self:
-        return cls(
-            length=test.length, thickness=test.thickness, shear_span=test.shear_span,
-            axial_force=test.axial_force, strength=0.85 * test.compressive_strength,
-            bed_modulus=bed_modulus, following=following, springs=springs,
-        )  # fmt: skip
-
-    def _modulus(self, stiffness: float) -> float:
-        """The modulus with which the wall has an `effective_stiffness`, less than its own."""
+    def _as_stiff_as(self, stiffness: float) -> WallOnBed:
+        """The wall on the bed with which it has an effective stiffness [N/m]."""
         from scipy.optimize import brentq  # slow to import
 
         force = SECANT * self.rocking_strength
 
-        def lacking(logarithm: float) -> float:
-            wall = dataclasses.replace(self, bed_modulus=float(np.exp(logarithm)))
-            return float(wall.pushover(force / stiffness).force[-1]) - force
+        def wall(logarithm: float) -> WallOnBed:
+            return dataclasses.replace(self, bed_modulus=float(np.exp(logarithm)))
 
-        ends = np.log([1e-9 * self.bed_modulus, self.bed_modulus])
-        if lacking(ends[1]) < 0:
+        def surplus(logarithm: float) -> float:
+            return float(wall(logarithm).pushover(force / stiffness).force[-1]) - force
+
+        ends = np.log([_SOFTEST, _STIFFEST])
+        if not surplus(ends[0]) < 0 < surplus(ends[1]):
             raise ValueError(
-                f"WallOnBed.of_test: no bed gives the stiffness {stiffness:.4g} N/m at a force of "
-                f"{force:.4g} N: on rigid ground the wall has less; give the stiffness in N/m"
+                f"WallOnBed.of_test: no bed of {_SOFTEST:g} to {_STIFFEST:g} N/m3 gives the "
+                f"stiffness {stiffness:.4g} N/m at a force of {force:.4g} N: give it in N/m"
             )
-        return float(np.exp(brentq(lacking, *ends, rtol=1e-12)))
+        return wall(brentq(surplus, *ends, xtol=1e-9))
 
     @property
     def rocking_strength(self) -> float:

@@ -136,7 +136,7 @@ def test_a_page_shows_both_components_of_a_load():
 
 
 def test_a_load_that_moves_with_nothing_is_refused():
-    with pytest.raises(ValueError, match="the displacement of force 'jack' is .* does no work"):
+    with pytest.raises(ValueError, match=r"the displacement of force 'jack' is .* does no work"):
         Model(
             name="fixed", title="A load on the ground", parameters=(MASS, LENGTH),
             coordinates=(LOWER,), gravity=sp.S.Zero, rotation=LOWER,
