@@ -7,7 +7,7 @@ from typing import Protocol
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+from matplotlib.figure import Figure, SubFigure
 
 from rockeom.analysis.identification.stone_walls import WallTest
 from rockeom.drawing import style
@@ -26,7 +26,12 @@ class Path(Protocol):
 
 
 @style.styled
-def wall_envelopes(tests: Mapping[str, WallTest], paths: Mapping[str, Path]) -> Figure:
+def wall_envelopes(
+    tests: Mapping[str, WallTest],
+    paths: Mapping[str, Path],
+    *,
+    figure: Figure | SubFigure | None = None,
+) -> Figure | SubFigure:
     """Measured envelopes and computed pushovers, a wall in each panel, with the error.
 
         wall_envelopes(tests, {name: walls[name].pushover(0.05) for name in tests})
@@ -34,7 +39,8 @@ def wall_envelopes(tests: Mapping[str, WallTest], paths: Mapping[str, Path]) -> 
     tests : by name, such as `analysis.identification.wall_tests()`; those with an envelope are
     drawn. paths : by name, each from zero to beyond the envelope. Both directions of a test are
     drawn to one side. The error is `WallTest.envelope_error`, rms over the measured strength;
-    dashes are the strength of rigid rocking on a crushed corner.
+    dashes are the strength of rigid rocking on a crushed corner. figure : an empty one to draw in; a
+    new one if not given.
 
     Raises ValueError where no test has an envelope, and where a path lacks.
     """
@@ -46,7 +52,8 @@ def wall_envelopes(tests: Mapping[str, WallTest], paths: Mapping[str, Path]) -> 
             raise ValueError(f"wall_envelopes: no path is called {name!r}{near(name, paths)}")
     columns = min(_COLUMNS, len(drawn))
     rows = -(-(len(drawn) + 1) // columns)
-    figure = style.new_figure(2.0 * columns, 1.75 * rows)
+    if figure is None:
+        figure = style.new_figure(2.0 * columns, 1.75 * rows)
     axes = figure.subplots(rows, columns, sharex=True, squeeze=False)
     panels = axes.ravel()
     for ax, (name, test) in zip(panels, drawn.items(), strict=False):

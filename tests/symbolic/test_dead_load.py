@@ -19,8 +19,10 @@ from rockeom.symbolic import (
     coordinate,
     dead_load,
     parameter,
+    rocking_structure,
     turned,
 )
+from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.parts.walls import wall_on_bed
 
 LOWER = coordinate("a", "lower", "rad", "rotation of the lower bar, clockwise")
@@ -111,6 +113,39 @@ def test_wall_under_a_load_that_follows_keeps_the_energy_balance_and_its_period(
     assert any("slack" in mode for mode in run.mode)
     assert any("yields" in mode for mode in run.mode)
     assert abs(analysis.energy_balance(run).error) < 1e-8
+
+
+def test_load_that_stays_vertical_on_a_rocking_block_is_a_spring_without_stiffness():
+    """Moments about the corner: P y = (m g + N) x of the top, with the weight in its middle."""
+    theta = coordinate("theta", "theta", "rad", "rotation, positive clockwise")
+    half_width = parameter("B", "half_width", "m", "half of the width")
+    height, gravity = (
+        parameter("h", "height", "m", "height"),
+        parameter("g", "gravity", "m/s2", "gravity"),
+    )
+    b, h = half_width.symbol, height.symbol
+
+    def top(pivot):
+        return turned((0, h), pivot, theta.position)
+
+    foot = (SIDE * b, sp.S.Zero)
+    model = rocking_structure(
+        name="pressed_block",
+        title="A block under a dead load",
+        parameters=(MASS, half_width, height, gravity, FORCE),
+        coordinates=(theta,),
+        bodies=lambda pivot: [Body("block", m, top(pivot), m * h**2, theta.position)],
+        elements=[Spring("load", top(foot)[1], initial_force=force)],
+        half_width=b,
+        gravity=gravity.symbol,
+    )
+    block = rk.structure(
+        model, mass=100.0, half_width=0.3, height=1.2, gravity=9.81, axial_force=5e3
+    )
+    angle = 0.1
+    x = 0.3 * np.cos(angle) - 1.2 * np.sin(angle)
+    y = 1.2 * np.cos(angle) + 0.3 * np.sin(angle)
+    assert block.pushover(angle) == pytest.approx((981.0 + 5e3) * x / y, rel=1e-12)
 
 
 @pytest.mark.parametrize(
