@@ -226,7 +226,7 @@ plt.show()
 #
 # The bed modulus is found from the measured effective stiffness of *one* wall of each level of
 # axial force, the first of the table: WS1.100, WS1.175, WS1.250, and WS.40, which is alone on its
-# level. The stiffness is taken as the secant at 0.7 of the strength (1). The other ten walls are
+# level. This stiffness counts as the secant at 0.7 of the strength (1). The other ten walls are
 # computed with it. Their strength and the shape of their envelope was used nowhere.
 
 # %%

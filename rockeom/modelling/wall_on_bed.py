@@ -111,14 +111,6 @@ class WallOnBed:
     the deformed shape is counted. Terms of the order of the rotation's square are left out. The
     base does not slide.
 
-    >>> wall = WallOnBed(
-    ...     length=1.0, thickness=0.2, shear_span=1.325, axial_force=104.8e3, bed_modulus=2.9e9,
-    ...     strength=0.85 * 73e6,
-    ... )
-    >>> path = wall.pushover(0.04)
-    >>> path.strength  # N
-    38...
-
     Raises ValueError for what is not positive, and for an axial force that crushes the bed.
     """
 

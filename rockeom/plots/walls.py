@@ -39,8 +39,8 @@ def wall_envelopes(
     tests : by name, such as `analysis.identification.wall_tests()`; those with an envelope are
     drawn. paths : by name, each from zero to beyond the envelope. Both directions of a test are
     drawn to one side. The error is `WallTest.envelope_error`, rms over the measured strength;
-    dashes are the strength of rigid rocking on a crushed corner. figure : an empty one to draw in; a
-    new one if not given.
+    dashes are the strength of rigid rocking on a crushed corner. figure : an empty one to draw in;
+    a new one if not given.
 
     Raises ValueError where no test has an envelope, and where a path lacks.
     """

@@ -130,6 +130,19 @@ def test_envelopes_do_not_fall_as_under_a_load_that_stays_vertical(errors):
     assert np.sqrt(np.mean(np.square([*worse.values()]))) == pytest.approx(0.1220, abs=5e-4)
 
 
+def test_error_hardly_depends_on_the_wall_that_gives_the_bed_of_a_level():
+    own = {name: rk.WallOnBed.of_test(test) for name, test in DRY.items()}
+    least, most = [], []
+    for test in DRY.values():
+        alike = [n for n, t in DRY.items() if t.level == test.level]
+        of_walls = [error_of(own[n], test) for n in alike]
+        least.append(min(of_walls))
+        most.append(max(of_walls))
+    # no choice of one wall a level is better or worse than that of the best or the worst for each
+    assert 0.08 < np.sqrt(np.mean(np.square(least))) < 0.092
+    assert 0.115 < np.sqrt(np.mean(np.square(most))) < 0.13
+
+
 def test_error_of_an_envelope_is_that_of_its_points():
     """A curve that is the envelope has none, and one that is zero has the mean square of it."""
     test = TESTS["WS.250"]  # of one direction

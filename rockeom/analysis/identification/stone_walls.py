@@ -201,10 +201,6 @@ def wall_tests(
 
     Raises ValueError, with file and line, for a column that lacks, a cell that is no number, a wall
     that stands twice and an envelope of no wall.
-
-    >>> walls = wall_tests()
-    >>> len(walls), walls["WS1.100"].length
-    (24, 1.0)
     """
     if walls is None:
         if envelopes is not None:
