@@ -55,6 +55,17 @@ def test_units_are_si():
     assert single.strength == 37e3
 
 
+def test_effective_stiffness_is_about_the_secant_at_seven_tenths_of_the_strength():
+    """As the computed one is defined; in the positive direction, of the measured envelopes."""
+    ratios = []
+    for test in DRY.values():
+        u, f = (x[test.envelope.force > 0] for x in test.envelope)
+        first = np.argmax(f >= 0.7 * f.max())
+        ratios.append(f[first] / u[first] / test.stiffnesses[0])
+    assert 0.65 < min(ratios) < max(ratios) < 1.12
+    assert np.mean(ratios) == pytest.approx(0.90, abs=0.02)
+
+
 @pytest.mark.parametrize("name", DRY)
 def test_largest_force_of_an_envelope_is_the_strength(name):
     """Two columns of the source that were measured once, within the thinning of the envelope."""
@@ -187,6 +198,13 @@ def copied(folder, name="stone_walls.csv", **cells):
 def test_bad_cell_is_named_by_file_line_and_column(tmp_path, column, cell, message):
     with pytest.raises(ValueError, match=message):
         identification.wall_tests(copied(tmp_path, **{column: cell}))
+
+
+def test_comma_without_quotes_is_refused(tmp_path):
+    path = copied(tmp_path)
+    path.write_text(path.read_text("utf-8").replace('"R, TC"', "R, TC"), "utf-8")
+    with pytest.raises(ValueError, match="line 3: it has more cells than there are columns"):
+        identification.wall_tests(path)
 
 
 def test_walls_of_a_file_may_lack_a_direction_and_envelopes(tmp_path):

@@ -9,6 +9,7 @@ walls["WS1.100"].strength, walls["WS1.100"].rocking_strength  # N, measured and 
 from __future__ import annotations
 
 import csv
+import io
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -212,12 +213,12 @@ def wall_tests(
     columns = [*_TEXTS, *(c for c, _ in _SIZES.values())]
     columns += [c for *pair, _ in _OF_BOTH_WAYS.values() for c in pair]
     rows: dict[str, _Row] = {}
-    for row in _rows(sources[0].name, sources[0].read_text("utf-8"), columns):
+    for row in _rows(sources[0].name, sources[0].read_text("utf-8-sig"), columns):
         if rows.setdefault(row.values["wall"], row) is not row:
             raise ValueError(f"{row.where}: the wall {row.values.get('wall')!r} stands there twice")
     measured = {}
     if len(sources) > 1:
-        measured = _envelopes(sources[1].name, sources[1].read_text("utf-8"), rows)
+        measured = _envelopes(sources[1].name, sources[1].read_text("utf-8-sig"), rows)
     return {name: WallTest._of_row(row, measured.get(name)) for name, row in rows.items()}
 
 
@@ -233,10 +234,13 @@ def _envelopes(name: str, text: str, walls: Mapping[str, _Row]) -> dict[str, Env
 
 
 def _rows(name: str, text: str, columns: Sequence[str]) -> Iterator[_Row]:
-    reader = csv.DictReader(text.splitlines(), restval="")
+    reader = csv.DictReader(io.StringIO(text, newline=""), restval="")
     lacking = [c for c in columns if c not in (reader.fieldnames or ())]
     if lacking:
         there = ", ".join(reader.fieldnames or ()) or "none"
         raise ValueError(f"{name}: it lacks the column {lacking[0]}; there are {there}")
     for row in reader:
-        yield _Row(f"{name}, line {reader.line_num}", row)
+        where = f"{name}, line {reader.line_num}"
+        if None in row:
+            raise ValueError(f"{where}: it has more cells than there are columns: quote commas")
+        yield _Row(where, row)
