@@ -109,7 +109,8 @@ class WallOnBed:
 
     Rotations are small: compressions are linear in the rotation, and besides P-delta nothing of
     the deformed shape is counted. Terms of the order of the rotation's square are left out. The
-    base does not slide.
+    base does not slide. `rockeom.symbolic.parts.walls.wall_on_bed` declares the same wall for
+    `rk.structure` and `rk.simulate`, on up to seven springs.
 
     Raises ValueError for what is not positive, and for an axial force that crushes the bed.
     """

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Protocol
+from typing import Any
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
@@ -13,22 +12,13 @@ from rockeom.analysis.identification.stone_walls import WallTest
 from rockeom.drawing import style
 from rockeom.numbers.checks import near
 
-_COLUMNS = 5
-
-
-class Path(Protocol):
-    """A computed curve from zero; such as that of `rk.WallOnBed.pushover`."""
-
-    @property
-    def displacement(self) -> np.ndarray: ...
-    @property
-    def force(self) -> np.ndarray: ...
+_COLUMNS = 4
 
 
 @style.styled
 def wall_envelopes(
     tests: Mapping[str, WallTest],
-    paths: Mapping[str, Path],
+    paths: Mapping[str, Any],
     *,
     figure: Figure | SubFigure | None = None,
 ) -> Figure | SubFigure:
@@ -37,10 +27,10 @@ def wall_envelopes(
         wall_envelopes(tests, {name: walls[name].pushover(0.05) for name in tests})
 
     tests : by name, such as `analysis.identification.wall_tests()`; those with an envelope are
-    drawn. paths : by name, each from zero to beyond the envelope. Both directions of a test are
-    drawn to one side. The error is `WallTest.envelope_error`, rms over the measured strength;
-    dashes are the strength of rigid rocking on a crushed corner. figure : an empty one to draw in;
-    a new one if not given.
+    drawn. paths : by name, each with a displacement [m] and a force [N] from zero to beyond the
+    envelope, such as those of `rk.WallOnBed.pushover`. figure : an empty one to draw in; a new one
+    if not given. Both directions of a test are drawn to one side. The error is that of
+    `WallTest.envelope_error`; dashes are the strength of rigid rocking on a crushed corner.
 
     Raises ValueError where no test has an envelope, and where a path lacks.
     """
@@ -53,7 +43,7 @@ def wall_envelopes(
     columns = min(_COLUMNS, len(drawn))
     rows = -(-(len(drawn) + 1) // columns)
     if figure is None:
-        figure = style.new_figure(2.0 * columns, 1.75 * rows)
+        figure = style.new_figure(2.0 * columns, 1.7 * rows)
     axes = figure.subplots(rows, columns, sharex=True, squeeze=False)
     panels = axes.ravel()
     for ax, (name, test) in zip(panels, drawn.items(), strict=False):
@@ -70,7 +60,7 @@ def wall_envelopes(
     return figure
 
 
-def _panel(ax: Axes, test: WallTest, path: Path) -> list:
+def _panel(ax: Axes, test: WallTest, path: Any) -> list:
     """Lines of the measured and the computed force."""
     envelope = test.envelope
     assert envelope is not None
