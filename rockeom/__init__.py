@@ -24,6 +24,7 @@ _NAMES_OF = {
     "rockeom.browser.lesson": ("Question",),
     "rockeom.browser.page": ("Explorer", "explorer"),
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
+    "rockeom.modelling.wall_on_bed": ("WallOnBed",),
     "rockeom.numbers.dual": ("Dual", "duals"),
     "rockeom.motion": ("DesignSpectrum", "GroundMotion", "MotionError", "MotionSet", "Recording"),
     "rockeom.motion.floor": ("floor_motion",),
@@ -124,6 +125,7 @@ if TYPE_CHECKING:
         Winkler as Winkler,
     )
     from rockeom.modelling.named import structure as structure
+    from rockeom.modelling.wall_on_bed import WallOnBed as WallOnBed
     from rockeom.motion import (
         DesignSpectrum as DesignSpectrum,
         GroundMotion as GroundMotion,

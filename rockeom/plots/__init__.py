@@ -28,6 +28,7 @@ from rockeom.plots.sweeps import (
     overturning_map,
     rocking_spectrum,
 )
+from rockeom.plots.walls import wall_envelopes
 
 
 def __getattr__(name: str) -> Any:
@@ -55,4 +56,5 @@ __all__ = [
     "poincare_section",
     "rocking_spectrum",
     "use_style",
+    "wall_envelopes",
 ]

@@ -7,7 +7,7 @@ from typing import Any
 from rockeom import renamed
 from rockeom.numbers import explained
 from rockeom.symbolic.contact_model import Model
-from rockeom.symbolic.contacts import Contact, Force, Pinned, Rigid, feet
+from rockeom.symbolic.contacts import Contact, Force, Pinned, Rigid, dead_load, feet
 from rockeom.symbolic.elements import Spring, Unilateral, Yielding
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import (
@@ -67,6 +67,7 @@ __all__ = [
     "Unilateral",
     "Yielding",
     "coordinate",
+    "dead_load",
     "derive",
     "feet",
     "internal_variable",

@@ -126,17 +126,54 @@ class Force:
     """A force that always acts, along a displacement: its work is that of value * d(displacement).
 
     value : a function of coordinates, velocities and internal variables, positive where it pushes
-        the displacement, a function of the coordinates, to grow.
+        the displacement, a function of the coordinates, to grow. Or both are pairs: the components
+        (F_x, F_y) of a force in the plane, and the place (x, y) of the point at which it acts.
+
+    Raises ValueError for what is no expression, and where only one of both is a pair.
     """
 
     name: str
-    value: sp.Expr
-    displacement: sp.Expr
+    value: sp.Expr | Point
+    displacement: sp.Expr | Point
 
     def __post_init__(self) -> None:
         what = f"force {self.name!r}"
         valid.texts(what, name=self.name)
-        valid.expressions(what, value=self.value, displacement=self.displacement)
+        if isinstance(self.value, tuple) or isinstance(self.displacement, tuple):
+            valid.points(what, value=self.value, displacement=self.displacement)
+        else:
+            valid.expressions(what, value=self.value, displacement=self.displacement)
+
+    @property
+    def components(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+        """(value, displacement) of each of its components, one or two."""
+        if isinstance(self.value, tuple) and isinstance(self.displacement, tuple):
+            return tuple(zip(self.value, self.displacement, strict=True))
+        return ((self.value, self.displacement),)
+
+    def on(self, position: sp.Symbol) -> sp.Expr:
+        """The generalised force on a coordinate, by virtual work."""
+        return sum((f * sp.diff(w, position) for f, w in self.components), sp.S.Zero)
+
+
+@explained.calls()
+def dead_load(name: str, force: sp.Expr, at: Point, turned: sp.Expr = sp.S.Zero) -> Force:
+    """A force of constant size that presses on a point, such as the axial load by an actuator.
+
+    force : its size [N], positive where it presses down. at : the place (x, y) of the point.
+    turned : the angle through which its direction has turned clockwise from straight down. Zero
+        for a load that stays vertical, as of a weight on the point: its work is that of a
+        potential, force * y. The rotation of the body for one that follows it, as of a jack that
+        is fixed to it: in general its work depends on the path, and there is no potential.
+
+    A force that points at an anchor is a `Spring` with an initial_force and no stiffness.
+
+        dead_load("jack", N, at=top, turned=theta)
+
+    Raises ValueError for what is no expression, and no point.
+    """
+    valid.expressions(f"force {name!r}", force=force, turned=turned)
+    return Force(name, (-force * sp.sin(turned), -force * sp.cos(turned)), at)
 
 
 @explained.calls()
@@ -214,8 +251,7 @@ class ContactDeclaration:
     def _generalised_forces(self) -> tuple[sp.Expr, ...]:
         """The force on each coordinate, by virtual work."""
         return tuple(
-            sum((f.value * sp.diff(f.displacement, c.position) for f in self.forces), sp.S.Zero)
-            for c in self.coordinates
+            sum((f.on(c.position) for f in self.forces), sp.S.Zero) for c in self.coordinates
         )
 
     @cached_property

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import sympy as sp
 from sympy.simplify.fu import TR10i
 from sympy.solvers.solveset import NonlinearError
@@ -28,6 +30,28 @@ def equilibrium(mode: Mode) -> sp.Matrix:
     x = mode.approximated(mode.load_point[0])
     lever = [sp.diff(x, c.position) for c in mode.coordinates]
     return lacking - LOAD * sp.Matrix(lever).reshape(len(lever), 1)
+
+
+class SmallRotations(NamedTuple):
+    """K q + constant - lever P, each (n, .): equilibrium to first order in the coordinates.
+
+    K has the moments of forces that the rotation moves, P-delta.
+    """
+
+    stiffness: sp.Matrix
+    constant: sp.Matrix
+    lever: sp.Matrix
+
+
+def small_rotations(mode: Mode) -> SmallRotations:
+    """`equilibrium` to first order in the coordinates, the load acting on the upright structure."""
+    rows = equilibrium(mode)
+    q = [c.position for c in mode.coordinates]
+    upright = dict.fromkeys(q, 0)
+    unloaded = rows.subs(LOAD, 0)
+    return SmallRotations(
+        unloaded.jacobian(q).subs(upright), unloaded.subs(upright), -rows.diff(LOAD).subs(upright)
+    )
 
 
 @renamed.arguments(contact="name")

@@ -397,7 +397,8 @@ def test_home_page_runs_as_it_stands_and_its_assumptions_hold():
 
 
 @pytest.mark.parametrize(
-    "page", ["structures.md", "how-to/reading-a-response.md", "how-to/equations.md"]
+    "page",
+    ["structures.md", "validation.md", "how-to/reading-a-response.md", "how-to/equations.md"],
 )
 def test_page_runs(page, capsys):
     exec(compile(cells(page), page, "exec"), {})

@@ -17,6 +17,7 @@ if TYPE_CHECKING:  # for type checkers and editors, which cannot follow __getatt
     from rockeom.analysis.formulas.controlled_wall import *
     from rockeom.analysis.formulas.damping import *
     from rockeom.analysis.formulas.foundation import *
+    from rockeom.analysis.formulas.masonry import *
     from rockeom.analysis.formulas.overturning import *
     from rockeom.analysis.formulas.periods import *
     from rockeom.analysis.formulas.restitution import *

@@ -21,6 +21,7 @@ if TYPE_CHECKING:  # for type checkers and editors, which cannot follow __getatt
     from rockeom.analysis.identification.pulses import *
     from rockeom.analysis.identification.records import *
     from rockeom.analysis.identification.slips import *
+    from rockeom.analysis.identification.stone_walls import *
     from rockeom.analysis.identification.swings_of_response import *
     from rockeom.analysis.identification.windows import *
 

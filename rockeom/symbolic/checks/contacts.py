@@ -180,8 +180,9 @@ def expressions_of_contacts(of: ContactDeclaration) -> Expressions:
     for spring in of.springs:
         yield f"initial force of element {spring.name!r}", spring.initial_force, ""
     for f in of.forces:
-        yield f"value of force {f.name!r}", f.value, "qvz"
-        yield f"displacement of force {f.name!r}", f.displacement, "q"
+        for value, displacement in f.components:
+            yield f"value of force {f.name!r}", value, "qvz"
+            yield f"displacement of force {f.name!r}", displacement, "q"
     for z, rate in of.rates.items():
         yield f"rate of {z.name!r}", rate, "qvz"
     for axis, e in zip("xy", of.load_point or (), strict=False):
@@ -214,7 +215,7 @@ def _moves(of: ContactDeclaration) -> None:
                 "coordinate changes",
             )
     for f in of.forces:
-        if not sp.sympify(f.displacement).free_symbols & q:
+        if not any(sp.sympify(w).free_symbols & q for _, w in f.components):
             fail(
                 of.name,
                 f"the displacement of force {f.name!r} is {f.displacement}, which no coordinate "

@@ -116,9 +116,10 @@ def _declared(of: ContactDeclaration, notation: Notation) -> list[Block]:
         blocks += [element.description(), Display((f"{force} = {notation.write(value)}",))]
     if of.forces:
         works = tuple(
-            rf"{_force('Q', [f.name])} = {notation.write(f.value)},"
-            rf"\quad {_force('w', [f.name])} = {notation.write(f.displacement)}"
+            rf"{_force('Q', [f.name])} = {notation.write(value)},"
+            rf"\quad {_force('w', [f.name])} = {notation.write(displacement)}"
             for f in of.forces
+            for value, displacement in f.components
         )
         blocks += [
             "Forces $Q$ that always act, each along a displacement $w$:",
