@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 from benchmarks.engines import cases
 from benchmarks.report import scientific, table
@@ -14,11 +14,10 @@ MISSED, COARSE = "missed", 0.1
 
 def answers() -> str:
     """All cases, and each of their answers."""
-    head = ("motion", "quantity", "value", "unit", "digits", "sensitivity", "without rockeom")
+    head = ("motion", "quantity", "value", "unit", "digits", "sensitivity")
     rows = []
     for case in cases():
         for i, q in enumerate(case["quantities"]):
-            how = "closed form" if case["closed_form"] else "Newton and Euler"
             rows.append(
                 (
                     "" if i else f"`{case['id']}`",
@@ -26,8 +25,7 @@ def answers() -> str:
                     f"{q['value']!r}",
                     q["unit"],
                     str(q["digits"]),
-                    f"{q['sensitivity']:.2g}",
-                    "" if i else how,
+                    f"{q['sensitivity']:.{0 if q['sensitivity'] >= 10 else 1}f}",
                 )
             )
     return table(head, rows)
@@ -35,10 +33,12 @@ def answers() -> str:
 
 def descriptions() -> str:
     """The cases in words."""
-    return "\n".join(
-        f"{n}. `{case['id']}`, {case['title'][0].lower()}{case['title'][1:]}. {case['description']}"
-        for n, case in enumerate(cases(), 1)
-    )
+    lines = []
+    for n, case in enumerate(cases(), 1):
+        title = f"{case['title'][0].lower()}{case['title'][1:]}"
+        how = "Closed form" if case["closed_form"] else "Newton and Euler"
+        lines.append(f"{n}. `{case['id']}`: {title}. {case['description']} ({how}.)")
+    return "\n".join(lines)
 
 
 def references(case: Mapping) -> dict[str, float]:
@@ -73,22 +73,28 @@ def worst(case: Mapping, rows: list[Mapping]) -> str | None:
     return None
 
 
+def few(names: list[str]) -> str:
+    return ", ".join(names) if len(names) < 10 else f"the {len(names)} others"
+
+
 def of_engine(found: Mapping) -> str:
-    """Errors of a program by case and step, each of its worst quantity."""
+    """Errors by case and step, each of the worst quantity; and the cases that are left out."""
     steps = sorted({r["step"] for rows in found["cases"].values() for r in rows if "step" in r})
     head = ("motion", "worst quantity", *(f"{s:g} s" for s in reversed(steps)), "order")
-    body = []
+    body, left_out = [], {}
     for case in cases():
         rows = found["cases"].get(case["id"], [])
-        name = worst(case, rows)
-        if name is None:
-            why = next((r["unsupported"] for r in rows if "unsupported" in r), "failed")
-            body.append((f"`{case['id']}`", why, *("" for _ in steps), ""))
+        if not rows:
             continue
+        if "unsupported" in rows[0]:
+            left_out.setdefault(rows[0]["unsupported"], []).append(f"`{case['id']}`")
+            continue
+        name = worst(case, rows)
         measured = [errors(case, row)[name] if "values" in row else None for row in rows]
         cells = (*map(cell, measured), order(rows, measured))
-        body.append((f"`{case['id']}`", f"`{name}`", *cells))
-    return table(head, body)
+        body.append((f"`{case['id']}`", f"`{name}`" if name else "", *cells))
+    without = [f"Without {few(names)}: {why}." for why, names in left_out.items()]
+    return "\n\n".join([table(head, body), *without])
 
 
 def side_by_side(found: Mapping, step: float) -> str:
@@ -105,14 +111,14 @@ def side_by_side(found: Mapping, step: float) -> str:
                 cells.append("failed")
             else:
                 cells.append(cell(max(errors(case, rows[0]).values(), default=None)))
-        body.append((f"`{case['id']}`", case["title"], *cells))
-    return table(("motion", "", *engines), body)
+        body.append((f"`{case['id']}`", str(len(references(case))), *cells))
+    return table(("motion", "measured", *engines), body)
 
 
 def parts(found: Mapping) -> dict[str, str]:
     """The text between each pair of marks of a page, by the name of the mark."""
     engines = "\n\n".join(
-        f"### {name} {one['version']}\n\n{one['settings']}.\n\n{of_engine(one)}"
+        f"### {name} {one['version']}\n\nModel: {one['settings']}.\n\n{of_engine(one)}"
         for name, one in found["engines"].items()
     )
     lacking = [f"{name} is not installed: {how}." for name, how in found["missing"].items()]
@@ -129,7 +135,7 @@ def whole(found: Mapping) -> str:
 
 
 def marks(name: str) -> tuple[str, str]:
-    return f"<!-- {name} -->", f"<!-- end of {name} -->"
+    return f"<!-- table of {name} -->", f"<!-- end of {name} -->"
 
 
 def between(page: str, name: str) -> tuple[str, str, str]:
@@ -148,8 +154,3 @@ def written(found: Mapping, page: str) -> str:
         before, _, after = between(page, name)
         page = f"{before}\n\n{text}\n\n{after}"
     return page
-
-
-def held(page: str, names: Iterable[str]) -> dict[str, str]:
-    """The parts that a page has."""
-    return {name: between(page, name)[1].strip() for name in names}

@@ -31,8 +31,8 @@ def sprung(case: Mapping) -> rk.TwoSpringStructure:
     p = {name: one["value"] for name, one in case["parameters"].items()}
     if "half_height" in p:
         part, low = 0.5 * p["mass"], p["half_height"]
-        inertia = 0.5 * case["model"]["bodies"][0]["inertia"]
-        p |= {"mass": part, "base_mass": part, "height": low, "base_height": low}
+        inertia = 0.5 * case["model"]["bodies"][0]["inertia"] - part * (0.5 * low) ** 2
+        p |= {"mass": part, "base_mass": part, "height": 1.5 * low, "base_height": 0.5 * low}
         p |= {"inertia": inertia, "base_inertia": inertia}
     names = ("mass", "height", "inertia", "base_mass", "base_height", "base_inertia", "half_width")
     return rk.TwoSpringStructure(
@@ -44,7 +44,7 @@ def sprung(case: Mapping) -> rk.TwoSpringStructure:
 def run(case: Mapping, step: float) -> Trace:
     model = case["model"]
     if model["contacts"]:
-        raise UnsupportedError("its contacts are springs and dampers, which have to be chosen")
+        raise UnsupportedError("a contact is a spring and a damper, which have to be chosen")
     (body,), stiffness = model["bodies"], model["springs"][0]["stiffness"]
     low, turn = body["half_height"], body["rotation"]
     settled = body["mass"] * model["gravity"] / (2.0 * stiffness)

@@ -26,7 +26,7 @@ def run(case: Mapping, step: float) -> Trace:
 
     model = case["model"]
     if model["springs"]:
-        raise UnsupportedError("springs and guides are no part of its bodies")
+        raise UnsupportedError("springs and guides are not built here")
     client = bullet.connect(bullet.DIRECT)
     try:
         bullet.setTimeStep(step)

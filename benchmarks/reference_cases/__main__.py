@@ -32,7 +32,8 @@ CONVENTIONS = {
     "contacts": "the corners of the first body against the ground z = 0, or against the faces of "
     "the second body. friction: Coulomb's coefficient, null where it is large enough to exclude "
     "slip, for which 1 is enough in all cases. restitution: rate of a corner's gap after over "
-    "before an impact, at each corner that lands (Newton); a corner that was closed may open in it",
+    "before an impact, at each corner that lands (Newton); a corner that was closed opens in it, "
+    "or stays closed, as the impulses ask for",
     "ground_motion": "acceleration of the ground a(t) [m/s2], positive to the right: in its frame "
     "a force -mass a(t) acts on each body",
     "springs": "linear, without mass or damping; where tension is false they press alone. Between "
@@ -154,7 +155,8 @@ def main() -> None:
         "$schema": "schema.json",
         "title": "Reference motions of bodies in contact",
         "version": 1,
-        "licence": "BSD-3-Clause, as rockeom, " + rk.__version__,
+        "source": f"rockeom {rk.__version__}",
+        "licence": "BSD-3-Clause",
         "conventions": CONVENTIONS,
         "cases": cases,
     }

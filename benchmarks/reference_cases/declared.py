@@ -287,8 +287,8 @@ NEWTON = (
 CASES = (
     Case(
         "free-decay", "Free block, ten impacts",
-        "A slender block is let go and rocks from foot to foot. Each impact takes as much as "
-        "Housner (1963) says, because the foot that lands neither slips nor bounces.",
+        "A slender block is let go and rocks from foot to foot. Each impact loses the energy that "
+        "Housner (1963) gives, because the foot that lands neither slips nor bounces.",
         {"half_width": 0.095, "half_height": 0.45, "mass": 1.0, **GRAVITY, "rotation": 0.1},
         released, 4.5, ELLIPTIC, True,
         impacts((1, "time"), (1, "before"), (1, "after"), (5, "time"), (10, "time"), (10, "after")),
@@ -297,7 +297,7 @@ CASES = (
         "free-to-rest", "Free block until it rests",
         "Infinitely many impacts in a finite time. A program that counts them needs an end.",
         {"half_width": 0.3, "half_height": 1.0, "mass": 1.0, **GRAVITY, "rotation": 0.15},
-        released, 4.0,
+        released, 6.0,
         ELLIPTIC + " The times are summed; small impacts are a geometric series.", True,
         (*impacts((1, "time"), (20, "time")), time("rest_time", "at which the impacts end")),
     ),
@@ -317,8 +317,8 @@ CASES = (
     ),
     Case(
         "threshold-uplift", "Uplift under a growing acceleration",
-        "The ground's acceleration grows until the block lifts a foot, at g half_width/half_height "
-        "(West), and turns.",
+        "The ground's acceleration grows until the block lifts a foot, at gravity times half_width "
+        "over half_height, and turns.",
         {**BLOCK, "jerk": 5.0, "time": 0.9}, under_a_ramp, 0.95,
         "The moment about the foot vanishes. From there: " + NEWTON, False,
         (

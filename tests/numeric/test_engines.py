@@ -41,7 +41,7 @@ def of_rockeom(one, step):
     ("name", "bound"),
     [
         ("free-decay", 3e-5),
-        ("tipped-past-balance", 3e-5),
+        ("tipped-past-balance", 3e-4),
         ("threshold-uplift", 1e-6),
         ("pulse-overturns", 3e-5),
         ("pulse-safe-window", 3e-5),

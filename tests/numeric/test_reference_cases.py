@@ -56,6 +56,8 @@ def test_file_has_all_that_is_declared():
             name: {"value": value, "unit": unit_of(name)} for name, value in case.parameters.items()
         }
         _close(published["model"], case.model(case.parameters))
+        texts = {"title": case.title, "description": case.description}
+        assert {name: published[name] for name in texts} == texts
         assert [q["name"] for q in published["quantities"]] == [q.name for q in case.quantities]
 
 
