@@ -22,8 +22,7 @@ import numpy as np
 from scipy.integrate import quad
 
 import rockeom as rk
-from benchmarks.engines import case, with_exudyn, with_mujoco, with_opensees
-from benchmarks.engines.trace import ROTATION
+from benchmarks.engines import case, trace, with_exudyn, with_mujoco, with_opensees
 from benchmarks.engines.with_opensees import sprung
 from benchmarks.report import scientific, table
 
@@ -77,13 +76,11 @@ def rotations_of_ours(structure: rk.Structure) -> np.ndarray:
 
 
 def crossing(t: np.ndarray, theta: np.ndarray, rate: np.ndarray) -> float:
-    """When theta first falls to zero, by the cubic through both ends of the step [s]."""
-    i = int(np.nonzero(theta <= 0.0)[0][0])
-    h, a, b = t[i] - t[i - 1], theta[i - 1], theta[i]
-    p, q = h * rate[i - 1], h * rate[i]
-    roots = np.roots([2 * a - 2 * b + p + q, -3 * a + 3 * b - 2 * p - q, p, a])
-    inside = [x.real for x in roots if abs(x.imag) < 1e-9 and -1e-9 <= x.real <= 1.0 + 1e-9]
-    return float(t[i - 1] + h * min(inside))
+    """When theta first passes through zero [s]."""
+    found = trace.crossing(t, theta, rate, 0.0)
+    if found is None:
+        raise ArithmeticError("the block does not come upright")
+    return found[1]
 
 
 # -- the programs --------------------------------------------------------------------------------
@@ -103,8 +100,8 @@ def mujoco_springs(step: float) -> np.ndarray:
 
 def by_engine(engine: ModuleType, step: float) -> np.ndarray:
     """Rotations at TIMES by a runner of the reference cases."""
-    trace = engine.run(SPRINGS_CASE, step)
-    return np.interp(TIMES, trace.t, trace.bodies["block"][:, ROTATION])
+    motion = engine.run(SPRINGS_CASE, step)
+    return np.interp(TIMES, motion.t, motion.bodies["block"][:, trace.ROTATION])
 
 
 def opensees_column(step: float) -> np.ndarray:

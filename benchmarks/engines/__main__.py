@@ -9,7 +9,7 @@ import json
 import platform
 import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
 
@@ -66,7 +66,7 @@ def measure(engine: ModuleType, steps: tuple[float, ...] = STEPS) -> dict:
     }
 
 
-def main() -> None:
+def main(argv: Sequence[str] | None = None) -> None:
     names = [engine.NAME for engine in ENGINES]
     parser = argparse.ArgumentParser(prog="python -m benchmarks.engines", description=__doc__)
     parser.add_argument("engines", nargs="*", help=f"of {', '.join(names)}; all if none is named")
@@ -74,7 +74,7 @@ def main() -> None:
     parser.add_argument("--read", type=Path, help="measure nothing: report an earlier engines.json")
     parser.add_argument("--write", type=Path, help="a page that has the tables between its marks")
     parser.add_argument("--images", type=Path, help="a folder for the pictures of the page")
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(argv)
     if unknown := set(arguments.engines) - set(names):
         parser.error(f"unknown: {', '.join(sorted(unknown))}; there are {', '.join(names)}")
     if arguments.read:

@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from benchmarks.engines import cases
 from benchmarks.report import scientific, table
 
-MISSED, COARSE = "missed", 0.1
-"""An event that a motion has not; a relative error beyond which a number says nothing."""
+MISSED = "missed"
+"""An event that a motion has not."""
 
 
 def answers() -> str:

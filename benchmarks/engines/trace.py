@@ -47,7 +47,7 @@ def measured(trace: Trace, measure: Mapping) -> float | None:
     return MEASURES[measure["what"]](trace.t, rows, measure)
 
 
-def _crossing(t: np.ndarray, y: np.ndarray, slope: np.ndarray, level: float, n: int = 1):
+def crossing(t: np.ndarray, y: np.ndarray, slope: np.ndarray, level: float, n: int = 1):
     """Step and time in which y passes through a level for the n-th time, by a cubic in the step."""
     y = y - level
     passes = np.nonzero((y[:-1] > 0) != (y[1:] > 0))[0]
@@ -63,13 +63,13 @@ def _crossing(t: np.ndarray, y: np.ndarray, slope: np.ndarray, level: float, n: 
 
 
 def _zero(t, rows, measure):
-    found = _crossing(t, rows[:, ROTATION], rows[:, RATE], 0.0, measure["n"])
+    found = crossing(t, rows[:, ROTATION], rows[:, RATE], 0.0, measure["n"])
     return found and found[1]
 
 
 def _rate_before_zero(t, rows, measure):
     """On a line through two samples: a soft contact may act on the last one before it."""
-    found = _crossing(t, rows[:, ROTATION], rows[:, RATE], 0.0, measure["n"])
+    found = crossing(t, rows[:, ROTATION], rows[:, RATE], 0.0, measure["n"])
     return found and _before(t, rows, *found)
 
 
@@ -99,12 +99,12 @@ def _at(column: int, slope: int | None):
 
 
 def _time_of_rotation(t, rows, measure):
-    found = _crossing(t, rows[:, ROTATION], rows[:, RATE], measure["rotation"])
+    found = crossing(t, rows[:, ROTATION], rows[:, RATE], measure["rotation"])
     return found and found[1]
 
 
 def _rate_at_rotation(t, rows, measure):
-    found = _crossing(t, rows[:, ROTATION], rows[:, RATE], measure["rotation"])
+    found = crossing(t, rows[:, ROTATION], rows[:, RATE], measure["rotation"])
     return found and _before(t, rows, *found)
 
 
@@ -123,7 +123,7 @@ def _landing(t, rows, measure):
 
 
 def _lowest(t, rows, measure):
-    """How far the centroid comes below a height, by the cubic in which it turns."""
+    """How far the centroid comes below a height, by the parabola in which it turns."""
     rate = rows[:, Z_RATE]
     turns = np.nonzero((rate[:-1] < 0) & (rate[1:] >= 0))[0]
     if not len(turns):

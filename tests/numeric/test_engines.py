@@ -136,6 +136,24 @@ def test_program_that_fails_or_cannot_state_a_case_goes_on(capsys):
     assert "Other is not installed: pip install other." in whole
 
 
+def test_programs_that_are_missing_have_a_remedy_and_the_page_is_written(
+    monkeypatch, tmp_path, capsys
+):
+    monkeypatch.setattr(main, "missing", lambda engine: True)
+    page = tmp_path / "page.md"
+    names = ("descriptions", "answers", "side by side", "engines")
+    page.write_text("a\n" + "".join("\n".join(tables.marks(name)) + "\n" for name in names))
+    main.main(["--out", str(tmp_path / "out"), "--write", str(page)])
+    text = page.read_text(encoding="utf-8")
+    for engine in main.ENGINES:
+        assert f"{engine.NAME} is not installed: pip install" in text
+    kept = json.loads((tmp_path / "out" / "engines.json").read_text(encoding="utf-8"))
+    assert set(kept["missing"]) == {engine.NAME for engine in main.ENGINES}
+    with pytest.raises(SystemExit):
+        main.main(["Newton"])
+    assert "unknown: Newton; there are MuJoCo" in capsys.readouterr().err
+
+
 def test_order_of_a_program_is_that_of_its_errors():
     one = case("slide-to-stop")
     (quantity,) = tables.references(one).items()

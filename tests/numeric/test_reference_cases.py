@@ -78,6 +78,7 @@ def _close(a, b):
 def test_twenty_motions_of_which_nine_are_not_sensitive():
     assert len(CASES) == 20
     assert sum(not case["sensitive"] for case in PUBLISHED["cases"]) >= 9
+    assert min(q["digits"] for case in PUBLISHED["cases"] for q in case["quantities"]) >= 12
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
