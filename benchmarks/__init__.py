@@ -10,6 +10,9 @@ python -m benchmarks.gradient         a gradient by ten parameters, in runs of t
 python -m benchmarks.precision        error against time of each method, out/precision.png
 python -m benchmarks.convergence      orders of convergence through impacts
 python -m benchmarks.reference        the references of 30 digits anew (minutes)
+python -m benchmarks.crosscheck       joints and springs by OpenSees, Exudyn and MuJoCo
+python -m benchmarks.reference_cases  twenty motions for other programs, found twice (minutes)
+python -m benchmarks.engines          those motions by other programs (minutes)
 
 workloads says what is done; with_c, with_best_c, with_rockeom, with_heyoka and with_scipy do it;
 ways lists the settings that are tried.
