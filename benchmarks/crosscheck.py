@@ -23,7 +23,7 @@ from scipy.integrate import quad
 
 import rockeom as rk
 from benchmarks.engines import case, trace, with_exudyn, with_mujoco, with_opensees
-from benchmarks.engines.with_opensees import environment as environment, sprung
+from benchmarks.engines.with_opensees import sprung
 from benchmarks.report import scientific, table
 
 # -- the motions ---------------------------------------------------------------------------------

@@ -24,7 +24,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from benchmarks.crosscheck import environment
+from benchmarks.engines.with_opensees import environment
 from benchmarks.report import table
 from rockeom.analysis import formulas
 
