@@ -193,6 +193,7 @@ def _mean_distances(x: np.ndarray) -> np.ndarray:
     """Mean of |x - y| over all y of the row of each x (n, k), by sums over the sorted row."""
     order = np.argsort(x, axis=1)
     y = np.take_along_axis(x, order, axis=1)
+    y = y - y[:, :1]  # equal values leave no rounding error
     below = np.cumsum(y, axis=1)
     count = np.arange(1, x.shape[1] + 1)
     distances = (2 * count - x.shape[1]) * y + below[:, -1:] - 2 * below
