@@ -75,7 +75,7 @@ def reliability_diagram(calibration: Calibration, *, ax: Axes | None = None) -> 
     """
     c = calibration
     if ax is None:
-        ax = style.new_figure(4.4, 4.0).add_subplot()
+        ax = style.new_figure(4.4, 4.6).add_subplot()
     per_cent = f"{100 * c.level:g} %"
     ax.plot([0, 1], [0, 1], color=style.INK, lw=0.8, ls="--")
     ax.vlines(
@@ -89,9 +89,9 @@ def reliability_diagram(calibration: Calibration, *, ax: Axes | None = None) -> 
     )  # fmt: skip
     for x, y, n in zip(c.probability, c.frequency, c.number, strict=True):
         ax.annotate(f"{n}", (x, y), xytext=(6, 3), textcoords="offset points", fontsize=7.5)
-    ax.set(xlim=(-0.04, 1.04), ylim=(-0.04, 1.04), aspect="equal")
+    ax.set(xlim=(-0.04, 1.04), ylim=(-0.04, 1.04))
     ax.set_xlabel("predicted probability of overturning [-]")
     ax.set_ylabel("observed frequency [-]")
     ax.set_title(f"{c.number.sum()} tests, p = {c.p_value:.2g}", fontsize=9)
-    ax.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.08), borderaxespad=0.0)
+    ax.legend(loc="upper left", bbox_to_anchor=(0.0, -0.16), borderaxespad=0.0)
     return style.parent_figure(ax)

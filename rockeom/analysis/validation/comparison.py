@@ -37,7 +37,7 @@ def compare_peaks(
 ) -> Significance:
     """Whether two independent ensembles have peaks of one distribution, overturning included.
 
-    measured, simulated : of any shapes; all motions of an ensemble are taken together.
+    measured, simulated : of any shapes; all motions of an ensemble count together.
     test : whose statistic is the difference of the two empirical distributions F and G: the
         largest, of "kolmogorov-smirnov"; the mean over all motions of (F - G)**2, of "cramer-von
         mises"; or of (F - G)**2/(H (1 - H)), of "anderson-darling", which sees more of the tails.
@@ -87,7 +87,7 @@ def _difference(test: str, measured: np.ndarray, last: np.ndarray) -> np.ndarray
 def compare_outcomes(measured: Ensemble, simulated: Ensemble, test: str = "fisher") -> Significance:
     """Whether two independent ensembles overturn with one probability, by an exact test.
 
-    measured, simulated : of any shapes; all motions of an ensemble are taken together.
+    measured, simulated : of any shapes; all motions of an ensemble count together.
     test : "fisher", of the numbers that overturned in both together, with the odds ratio as
         statistic; or "barnard", which rejects more often and takes long for ensembles of more than
         some hundreds of motions. Both by scipy.stats.

@@ -22,8 +22,8 @@ class Ensemble:
 
     peaks : of any shape, the largest size of the rotation [rad], or of another demand; infinite
         where the motion overturned, whatever was given there, also nan.
-    overturned : whether each overturned, of the same shape; none if not given. What was measured is
-        (n,), of n tests; what was simulated is (n, m), m motions of each of these tests, or (m,).
+    overturned : whether each overturned, of the same shape; none if not given. Measured ensembles
+        are (n,), of n tests; simulated ones (n, m), m motions of each of these tests, or (m,).
 
     An overturned motion exceeds every rotation. So it ranks above all peaks, in distributions and
     tests. Where a number is needed, in means and CRPS, peaks are censored: each counts up to a
