@@ -112,7 +112,9 @@ def compare_means(
         mean of the simulations of the same test; or (m,), an independent ensemble.
     limit : up to which peaks count, as of `Ensemble.censored`: needed where a motion overturned.
     level : probability that the interval holds the true distance, by Student's distribution, of
-        Welch (1947) for independent ensembles. It is approximate for few tests and skewed peaks.
+        Welch (1947) for independent ensembles: approximate where few peaks are skewed. It holds it
+        in 93 to 94 % of ensembles of ten to forty lognormal peaks of dispersion 0.6 instead of
+        95 %, and in 95 % where the largest three of ten are at the limit.
 
     The interval is for tests drawn at random. Doubt in a parameter that is the same in all of them
     is no scatter between them: `predictive_test` has it.
