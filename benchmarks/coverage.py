@@ -146,7 +146,7 @@ def campaign_differs(rng: np.random.Generator, n: int, part: float, **how: float
 
 def pooled_differs(rng: np.random.Generator, n: int, part: float, **how: float) -> bool:
     """The test of Cramer and von Mises of all motions together, with records that both share."""
-    pair = campaign(rng, n, 19, part, **how)
+    pair = campaign(rng, n, 9, part, **how)
     return validation.compare_peaks(*pair, seed=int(rng.integers(2**31))).p_value <= 1.0 - LEVEL
 
 
@@ -203,7 +203,7 @@ def _tests() -> Iterator[Study]:
     """Size, then power."""
     alpha = 1.0 - LEVEL
     for test in validation.comparison.PEAK_TESTS:
-        for n, m, part in ((20, 60, 0.0), (20, 60, 0.3), (40, 400, 0.6)):
+        for n, m, part in ((20, 60, 0.0), (20, 60, 0.3), (40, 160, 0.6)):
             once = partial(peaks_differ, n=n, m=m, part=part, test=test)
             yield Study(f"{test}, {n} and {m}, {part:.0%}, size", "at most", alpha, once, 4)
     for test in validation.comparison.OUTCOME_TESTS:
