@@ -388,5 +388,5 @@ def test_a_number_for_a_proportion_is_the_least():
 def test_a_number_for_a_distribution_grows_with_the_square():
     assert validation.sample_size_for_distribution(0.2) == 128
     assert validation.sample_size_for_distribution(0.1) == pytest.approx(4 * 128, abs=4)
-    with pytest.raises(ValueError, match=r"power is 0\.3: give one of 0.5 or more"):
-        validation.sample_size_for_distribution(0.1, power=0.3)
+    with pytest.raises(ValueError, match=r"power is 1\.0: it lies between 0 and 1"):
+        validation.sample_size_for_distribution(0.1, power=1.0)

@@ -67,15 +67,15 @@ def sample_size_for_distribution(distance: float, level: float = 0.95, power: fl
     level : of the band of the measured distribution, `Ensemble.band`, which then leaves out that
         of a model which is known from many simulations. power : probability of that, at least.
 
-    ((sqrt(ln(2/(1 - level))/2) + sqrt(ln(1/(1 - power))/2))/distance)**2, by the inequality of
-    Dvoretzky, Kiefer, Wolfowitz and Massart: enough for any two distributions, and for the test of
-    Kolmogorov and Smirnov, too; most need fewer. Raises ValueError for numbers that do not lie
-    between 0 and 1, and for a power below a half, for which the inequality does not hold.
+    ((sqrt(ln(2/(1 - level))/2) + sqrt(ln(1/(1 - power))/2))/distance)**2: of the width of the band,
+    and of the inequality of Hoeffding (1963), Journal of the American Statistical Association 58,
+    13-30, at the rotation of the largest difference. Enough for any two distributions, and for the
+    test of Kolmogorov and Smirnov, too; most need fewer. Raises ValueError for numbers that do not
+    lie between 0 and 1.
     """
     where = "sample_size_for_distribution"
     require(0 < distance <= 1, where, "distance", distance, "it lies between 0 and 1")
     _probabilities(where, level, power)
-    require(power >= 0.5, where, "power", power, "give one of 0.5 or more")
     reach = math.sqrt(math.log(2 / (1 - level)) / 2) + math.sqrt(math.log(1 / (1 - power)) / 2)
     return math.ceil((reach / distance) ** 2)
 
