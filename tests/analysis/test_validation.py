@@ -33,6 +33,12 @@ def test_an_overturned_motion_needs_no_peak_and_exceeds_every_rotation():
     assert repr(made) == "Ensemble: 3 motions, 1 overturned"
 
 
+def test_noise_of_a_block_at_rest_is_no_rotation():
+    made = ensemble(2e-4, 0.0, 0.3, FELL).resolved(0.001)
+    assert made.peaks.tolist() == [0.0, 0.0, 0.3, np.inf]
+    assert made.overturned.tolist() == [False, False, False, True]
+
+
 @pytest.mark.parametrize(
     ("peaks", "overturned", "error", "words"),
     [
@@ -220,12 +226,11 @@ def test_distances_of_a_campaign_are_those_of_all_pairs(columns):
     peaks = np.array(columns).T
     counted = np.minimum(peaks, 0.5)
     pairs = np.abs(counted[:, :, None] - counted[:, None, :]).mean(axis=2)
-    usual = pairs.mean(axis=1)
-    rows = [own / mean if mean > 0 else 1.0 for own, mean in zip(pairs[:, 0], usual, strict=True)]
+    expected = pairs[:, 0].sum() / pairs.mean(axis=1).sum() if pairs.any() else 1.0
     below = (peaks[:, 1:] < peaks[:, :1]).sum(1) + 0.5 * (peaks[:, 1:] == peaks[:, :1]).sum(1)
     pair = ensemble(*peaks[:, 0]), ensemble(*peaks[:, 1:])
     found = validation.predictive_test(*pair, limit=0.5)
-    assert found.distance == pytest.approx(np.mean(rows), rel=1e-9)
+    assert found.distance == pytest.approx(expected, rel=1e-9)
     assert found.bias == pytest.approx(np.mean((below + 0.5) / len(columns)) - 0.5, abs=1e-12)
 
 

@@ -135,6 +135,15 @@ class Ensemble:
             )
         return self.peaks
 
+    def resolved(self, smallest: float) -> Ensemble:
+        """The same motions, with peaks up to the smallest that a measurement can tell as zero.
+
+        smallest : the resolution, in the unit of the peaks. Use it on both ensembles before places
+        and ranks compare them: a simulated block at rest has no rotation, a measured one has noise.
+        """
+        (floor,) = positive("Ensemble.resolved", smallest=smallest)
+        return Ensemble(np.where(self.peaks <= floor, 0.0, self.peaks), self.overturned)
+
     def __repr__(self) -> str:
         shape = " x ".join(map(str, self.peaks.shape))
         return f"Ensemble: {shape} motions, {int(self.overturned.sum())} overturned"
