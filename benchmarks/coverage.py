@@ -10,6 +10,7 @@ the records, the rest that of motions under one record. Those above a quantile o
 from __future__ import annotations
 
 import argparse
+import warnings
 from collections.abc import Callable, Iterator
 from functools import partial
 from typing import NamedTuple
@@ -133,6 +134,17 @@ def peaks_differ(
     return validation.compare_peaks(*pair, test, seed=seed).p_value <= 1.0 - LEVEL
 
 
+def tables_differ(rng: np.random.Generator, n: int, m: int, part: float, test: str) -> bool:
+    """The same by a table of scipy.stats, which is for peaks that all differ."""
+    x, y = (np.minimum(independent(rng, k, part).peaks, limit_of(part)) for k in (n, m))
+    with warnings.catch_warnings():  # of p-values beyond the table
+        warnings.simplefilter("ignore")
+        done = (
+            stats.anderson_ksamp([x, y]) if test == "anderson_ksamp" else getattr(stats, test)(x, y)
+        )
+    return bool(done.pvalue <= 1.0 - LEVEL)
+
+
 def outcomes_differ(rng: np.random.Generator, n: int, part: float, other: float, test: str) -> bool:
     pair = independent(rng, n, part), independent(rng, 2 * n, other)
     return validation.compare_outcomes(*pair, test).p_value <= 1.0 - LEVEL
@@ -206,6 +218,9 @@ def _tests() -> Iterator[Study]:
         for n, m, part in ((20, 60, 0.0), (20, 60, 0.3), (40, 160, 0.6)):
             once = partial(peaks_differ, n=n, m=m, part=part, test=test)
             yield Study(f"{test}, {n} and {m}, {part:.0%}, size", "at most", alpha, once, 4)
+    for test in ("cramervonmises_2samp", "ks_2samp", "anderson_ksamp"):
+        once = partial(tables_differ, n=20, m=200, part=0.3, test=test)
+        yield Study(f"scipy.stats.{test}, 20 and 200, 30%, size", "", 0.0, once)
     for test in validation.comparison.OUTCOME_TESTS:
         once = partial(outcomes_differ, n=30, part=0.3, other=0.3, test=test)
         yield Study(f"{test}, 30 and 60, 30 %, size", "at most", alpha, once, 2)
