@@ -327,16 +327,17 @@ def test_brier_score_is_smallest_for_the_frequency():
 # --- reliability diagrams
 
 
-def test_the_expected_range_is_that_of_all_outcomes():
+@pytest.mark.parametrize("level", [0.5, 0.8, 0.9, 0.99])
+def test_the_expected_range_is_that_of_all_outcomes(level):
     p = np.array([0.05, 0.2, 0.3, 0.35, 0.6, 0.9])
     density = np.zeros(len(p) + 1)
     for outcomes in product([0, 1], repeat=len(p)):
         density[sum(outcomes)] += np.prod(np.where(outcomes, p, 1 - p))
-    found = validation.calibration_of(p > 0.5, p, bins=1, level=0.9)
+    found = validation.calibration_of(p > 0.5, p, bins=1, level=level)
     low, high = len(p) * found.expected_lower[0], len(p) * found.expected_upper[0]
-    counts = np.arange(len(p) + 1)
-    assert density[counts < low].sum() <= 0.05 < density[counts < low + 1].sum()
-    assert density[counts > high].sum() <= 0.05 < density[counts > high - 1].sum()
+    counts, tail = np.arange(len(p) + 1), (1 - level) / 2
+    assert density[counts < low - 0.5].sum() <= tail < density[counts < low + 0.5].sum()
+    assert density[counts > high + 0.5].sum() <= tail < density[counts > high - 0.5].sum()
 
 
 def test_bins_count_each_test_once_and_have_the_exact_interval():
@@ -376,6 +377,16 @@ def test_numbers_for_a_mean_are_those_of_the_tables(difference, number):
     """Cohen (1988), Statistical power analysis; two-sided, 5 %, power 0.8, by G*Power."""
     assert validation.sample_size_for_mean(-difference, 1.0) == number
     assert validation.sample_size_for_mean(3 * difference, 3.0) == number
+
+
+def test_few_tests_show_a_large_difference_as_often_as_simulated():
+    n = validation.sample_size_for_mean(2.0, 1.0)
+    rng = np.random.default_rng(6)
+    seen = [
+        (stats.ttest_1samp(2.0 + rng.standard_normal((k, 4000)), 0.0).pvalue <= 0.05).mean()
+        for k in (n - 1, n)
+    ]
+    assert seen[0] < 0.78 < 0.82 < seen[1]
 
 
 def test_a_structure_that_never_overturned_needs_many_tests():
