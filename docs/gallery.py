@@ -194,6 +194,14 @@ found = analysis.dynamics.poincare_sections(
     shaken(3.0, 1.0, 0.9), starts=starts, settling=150, cycles=12
 )
 figure = plots.basins_of_attraction(analysis.dynamics.basins(found), x="x", y="x_dot")""",
+    "peak_distributions": """\
+drawn = np.random.default_rng(1).lognormal([[-2.4], [-2.1]], 0.6, (2, 80))  # rad
+one, other = (analysis.validation.Ensemble(peaks, peaks > 0.2) for peaks in drawn)
+figure = plots.peak_distributions({"laboratory A": one, "laboratory B": other}, limit=0.2)""",
+    "reliability_diagram": """\
+probability, fate = np.random.default_rng(2).random((2, 150))
+found = analysis.validation.calibration_of(fate < probability**1.5, probability)
+figure = plots.reliability_diagram(found)""",
 }
 """Of what `rockeom.plots` draws; what has no example is named by its first sentence."""
 

@@ -18,7 +18,7 @@ import re
 import stat
 from array import array
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Context, Decimal, InvalidOperation
 from itertools import chain, islice
 from pathlib import Path
@@ -757,3 +757,69 @@ def _last_printed_digit(last_digits: np.ndarray, leading: np.ndarray) -> np.ndar
     digits = (leading - last_digits).max()
     with np.errstate(over="ignore"):
         return 10.0 ** np.maximum(last_digits.min(), leading - digits).astype(float)
+
+
+# -- tables of tests -----------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class TextTable:
+    """Cells of a table of words and numbers with a heading, as they are written.
+
+    names : of the columns, without the units that stand behind them in brackets. rows : the number
+    of the line of each row, and its cells.
+    """
+
+    names: tuple[str, ...]
+    rows: tuple[tuple[int, list[str]], ...]
+    _table: _Table
+
+    def error(self, row: int | None, what: str, remedy: str) -> MotionError:
+        """The error of a row, or of the heading."""
+        line = self._table.header_line if row is None else self.rows[row][0]
+        return MotionError.at(self._table.text.path, line, what, remedy)
+
+    def text(self, row: int, name: str) -> str:
+        """The cell of a row below a name, without blanks around it."""
+        return self.rows[row][1][self.names.index(name)]
+
+    def number(self, row: int, name: str) -> float:
+        """The finite number of a cell."""
+        line, cells = self.rows[row]
+        cell = cells[self.names.index(name)]
+        return _number(cell, self._table.text.path, line, f"{name} of row {row + 1}")
+
+    def factor(self, name: str, asked: str | None, gravity: float) -> float:
+        """The factor to SI of a column, from its heading or from the caller."""
+        return _channel_factor(self._table, self.names.index(name), name, asked, gravity)
+
+
+def read_table(path: FilePath) -> TextTable:
+    """A table of words and numbers, whose first line names its columns.
+
+    Raises MotionError for a file without such a line, for two columns of one name, and for a row
+    that has more or fewer cells than names.
+    """
+    table = _table(_open(path))
+    names = tuple(_BRACKETED.sub("", name).strip() for name in table.names)
+    if not names or table.header_line is None:
+        remedy = "write a first line with a name for each column, such as test, peak (deg), outcome"
+        raise MotionError.at(path, None, "the columns have no names", remedy)
+    for name in names:
+        if not name or names.count(name) > 1:
+            what = f"{names.count(name)} column(s) are called {_short(name)}"
+            raise MotionError.at(path, table.header_line, what, "give each a name of its own")
+    rows = []
+    for number, line in chain.from_iterable(table.text.content()):
+        if number <= table.header_line:
+            continue
+        cells = _fields(path, number, line, table.delimiter)
+        if len(cells) == len(names) - 1:
+            cells.append("")  # a last cell that is empty
+        if len(cells) != len(names):
+            what = f"{len(cells)} cells, where the heading has {len(names)}"
+            remedy = "complete this line; put what holds a comma in double quotes"
+            raise MotionError.at(path, number, what, remedy)
+        rows.append((number, cells))
+    width = replace(table, first=[""] * len(names))  # as the heading has it
+    return TextTable(names, tuple(rows), width)

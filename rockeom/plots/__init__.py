@@ -28,6 +28,7 @@ from rockeom.plots.sweeps import (
     overturning_map,
     rocking_spectrum,
 )
+from rockeom.plots.validation import peak_distributions, reliability_diagram
 from rockeom.plots.walls import wall_envelopes
 
 
@@ -48,12 +49,14 @@ __all__ = [
     "fragility_curve",
     "incremental_dynamic_analysis",
     "overturning_map",
+    "peak_distributions",
     "plot_comparison",
     "plot_motion",
     "plot_phase_portrait",
     "plot_response",
     "plot_spectra",
     "poincare_section",
+    "reliability_diagram",
     "rocking_spectrum",
     "use_style",
     "wall_envelopes",

@@ -8,9 +8,9 @@ import pytest
 
 import rockeom
 from rockeom import analysis
-from rockeom.analysis import design, dynamics, formulas, identification, risk
+from rockeom.analysis import design, dynamics, formulas, identification, risk, validation
 
-GROUPS = (design, dynamics, formulas, identification, risk)
+GROUPS = (design, dynamics, formulas, identification, risk, validation)
 FUNCTIONS = {
     name: getattr(home, name)
     for home in (analysis, *GROUPS)

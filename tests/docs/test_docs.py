@@ -17,7 +17,8 @@ ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 PAGES = [p for p in DOCS.rglob("*.md") if not {"_build", "derivations"} & set(p.parts)]
 GROUPS = tuple(
-    f"analysis.{group}" for group in ["design", "dynamics", "formulas", "identification", "risk"]
+    f"analysis.{group}"
+    for group in ["design", "dynamics", "formulas", "identification", "risk", "validation"]
 )
 HOMES = ("analysis", *GROUPS, "thesis.points_of_interest", "thesis.wall_tests")
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")

@@ -1,0 +1,305 @@
+"""Campaigns of tests: their table, their records, and the same tests simulated.
+
+campaign = validation.Campaign.from_csv("tests.csv")
+simulated = validation.simulate_campaign(campaign, case, {"r": stats.uniform(0.8, 0.15)}, 500)
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rockeom.analysis.sweeps import FALLS, STANDS
+from rockeom.analysis.unfinished import finished
+from rockeom.analysis.validation.ensembles import Ensemble
+from rockeom.motion.errors import FilePath, MotionError
+from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.motion_set import MotionSet
+from rockeom.motion.readers import TextTable, read_table
+from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers import explained
+from rockeom.numbers.arguments import numbers
+from rockeom.numbers.checks import near, whole_number
+from rockeom.simulation.case import Case
+from rockeom.sweeps.run import simulate_many
+
+_STOOD = ("stood", "stands", *STANDS)
+_COLUMNS = ("test", "record", "peak", "outcome")
+
+
+@explained.calls()
+@dataclass(frozen=True, eq=False)
+class Campaign:
+    """Tests of a structure on a shaking table: the motion, the peak and the outcome of each.
+
+    tests : (n,) their names, each another. records : (n,) the name of the motion of each test.
+    motions : those motions, a `MotionSet`; several tests may have one.
+    measured : (n,) their peaks and outcomes, an `Ensemble`.
+    parameters : numbers that differ from test to test, (n,) each, in SI units, by the names that
+        `simulate_many` has for them, such as "scale" of the motion, "half_width", "initial theta".
+    name : of the campaign.
+
+    Raises ValueError for lengths that differ, two tests of one name, and records that no motion
+    has.
+    """
+
+    tests: tuple[str, ...]
+    records: tuple[str, ...]
+    motions: MotionSet
+    measured: Ensemble
+    parameters: Mapping[str, np.ndarray] = field(default_factory=dict)
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        tests, records = tuple(self.tests), tuple(self.records)
+        parameters = {
+            name: numbers("Campaign", **{name: values})[0]
+            for name, values in self.parameters.items()
+        }
+        shapes = {"records": (len(records),), "measured": self.measured.peaks.shape}
+        shapes |= {name: values.shape for name, values in parameters.items()}
+        for name, shape in shapes.items():
+            if shape != (len(tests),):
+                raise ValueError(
+                    f"Campaign: {name} has the shape {shape}, and there are {len(tests)} tests: "
+                    "give one value for each test"
+                )
+        for test in tests:
+            if tests.count(test) > 1:
+                raise ValueError(f"Campaign: {tests.count(test)} tests are called {test!r}")
+        for record in records:
+            if record not in self.motions:
+                known = near(record, self.motions.names)
+                raise ValueError(f"Campaign: no motion is called {record!r}{known}")
+        object.__setattr__(self, "tests", tests)
+        object.__setattr__(self, "records", records)
+        object.__setattr__(self, "parameters", parameters)
+
+    @classmethod
+    def from_csv(
+        cls,
+        path: FilePath,
+        records: MotionSet | FilePath | None = None,
+        *,
+        units: Mapping[str, str] | None = None,
+        parameters: Sequence[str] | None = None,
+        record_units: str | None = None,
+        gravity: float = STANDARD_GRAVITY,
+    ) -> Campaign:
+        """The campaign that a table tells of, a test a line, with a first line of headings.
+
+            test, record, peak (deg), outcome, scale (-)
+            T1, elcentro.at2, 3.2, stood, 1.0
+            T2, elcentro.at2, , overturned, 1.5
+
+        The columns test, record, peak and outcome are needed, in any order. outcome : "stood" or
+        "overturned", or one of the outcomes of a response. peak : its size; may be empty where the
+        test overturned, and is not used there. All others are parameters, see the class.
+        records : the motions, whose names the column record has; or the folder of the files that it
+            names, that of the table if not given. They are read by `GroundMotion.read`.
+        units : name of a column -> its unit, as {"peak": "deg"}; not needed where the heading has
+            it in brackets. parameters : which columns are some, to leave out remarks and others.
+        record_units, gravity : of the accelerations in the files, as of `GroundMotion.read`.
+
+        Raises `MotionError`, a ValueError, which names the file, the line, the column, the value
+        and the remedy.
+        """
+        table = read_table(path)
+        names = _parameters(table, parameters)
+        given = dict(units or {})
+        for name in given:
+            if name not in table.names or name in ("test", "record", "outcome"):
+                what = f"units has {name!r}{near(name, table.names)}, which is no column of numbers"
+                raise table.error(None, what, "name the column of the peak, or of a parameter")
+        factors = {name: table.factor(name, given.get(name), gravity) for name in ("peak", *names)}
+        rows = range(len(table.rows))
+        fell = np.array([_overturned(table, row) for row in rows])
+        peaks = np.array([_peak(table, row, bool(fell[row])) for row in rows])
+        return cls(
+            _tests(table),
+            tuple(table.text(row, "record") for row in rows),
+            _motions(table, path, records, record_units, gravity),
+            Ensemble(peaks * factors["peak"], fell),
+            {n: np.array([table.number(row, n) for row in rows]) * factors[n] for n in names},
+            Path(path).stem,
+        )
+
+    def __len__(self) -> int:
+        return len(self.tests)
+
+    def __repr__(self) -> str:
+        return (
+            f"Campaign({self.name!r}: {len(self)} tests of {len(self.motions)} motions, "
+            f"{int(self.measured.overturned.sum())} overturned)"
+        )
+
+
+@explained.calls()
+def simulate_campaign(
+    campaign: Campaign,
+    case: Case | Callable[..., Case],
+    random: Mapping[str, Any] | None = None,
+    number: int = 200,
+    *,
+    shared: Sequence[str] = (),
+    quantity: str = "theta",
+    seed: int = 0,
+    **how: Any,
+) -> Ensemble:
+    """Peaks and outcomes, (n, number), of each test of a campaign with uncertain parameters.
+
+        block = rk.Case(rk.RigidBlock(half_width=0.1, half_height=0.4), motion, rk.EnergyRatio(0.9))
+        random = {"half_width": stats.norm(0.1, 0.002), "r": stats.uniform(0.8, 0.15)}
+        simulated = simulate_campaign(campaign, block, random, 500, shared=["half_width"])
+
+    campaign : whose motions and parameters the cases have.
+    case : a `Case`, in place of whose motion and numbers come those of each test; or a function
+        that makes one of "motion", the parameters of the campaign and the random ones, by name, as
+        in `simulate_many`.
+    random : of each uncertain parameter a distribution of scipy.stats, frozen, by name; they are
+        independent.
+    number : of campaigns to simulate, the columns of the result.
+    shared : names of random parameters that are unknown, and the same in all tests of a campaign,
+        such as the width of the specimen; the others differ from test to test as well.
+    quantity : the state or quantity whose largest size was measured.
+    seed : of what is drawn; the same seed draws the same.
+    how : other arguments of `simulate_many`: options, sweep_options.
+
+    An interrupt is raised, as some of the motions are no sample. Raises ValueError for names that
+    the case does not have or that are given twice, for what is no distribution, and for a motion
+    that gives no answer, as `Ensemble.from_sweep`.
+    """
+    count = whole_number("simulate_campaign: number", number, 1)
+    columns = {
+        "motion": np.array([campaign.motions[name] for name in campaign.records], dtype=object),
+        **campaign.parameters,
+    }
+    columns = {name: np.repeat(values, count) for name, values in columns.items()}
+    drawn = _drawn(random or {}, shared, (len(campaign), count), seed)
+    for name in drawn:
+        if name in columns:
+            raise ValueError(
+                f"simulate_campaign: {name!r} is in random and in the campaign: take it out of one"
+            )
+    columns |= drawn
+    table = np.empty(len(campaign) * count, dtype=[(n, x.dtype) for n, x in columns.items()])
+    for name, values in columns.items():
+        table[name] = values
+    kept = () if quantity in _one(case, table[0]).structure.states else (quantity,)
+    peaks = Ensemble.from_sweep(
+        finished(simulate_many(case, table, quantities=kept, **how)), quantity
+    )
+    shape = (len(campaign), count)
+    return Ensemble(peaks.peaks.reshape(shape), peaks.overturned.reshape(shape))
+
+
+def _one(case: Case | Callable[..., Case], row: Any) -> Case:
+    """One case of the sweep, whose states it keeps without being asked."""
+    if isinstance(case, Case):
+        return case
+    return case(**{name: row[name] for name in row.dtype.names})
+
+
+def _drawn(
+    random: Mapping[str, Any], shared: Sequence[str], shape: tuple[int, int], seed: int
+) -> dict[str, np.ndarray]:
+    """Values of each random parameter, test by test, those of one test in a row."""
+    for name in shared:
+        if name not in random:
+            raise ValueError(
+                f"simulate_campaign: shared has {name!r}{near(name, random)}, and random has not"
+            )
+    rng = np.random.default_rng(seed)
+    drawn = {}
+    for name, distribution in random.items():
+        if not hasattr(distribution, "rvs"):
+            raise ValueError(
+                f"simulate_campaign: random has {name} = {distribution!r}: give a distribution "
+                "with its parameters, such as scipy.stats.norm(0.1, 0.01)"
+            )
+        size = (1, shape[1]) if name in shared else shape
+        values = np.asarray(distribution.rvs(size=size, random_state=rng), dtype=float)
+        drawn[name] = np.broadcast_to(values, shape).ravel()
+    return drawn
+
+
+# -- the cells of a table ------------------------------------------------------------------------
+
+
+def _parameters(table: TextTable, wanted: Sequence[str] | None) -> list[str]:
+    """Names of the columns of parameters, where all that are needed are there."""
+    there = ", ".join(table.names)
+    for name in (*_COLUMNS, *(wanted or ())):
+        if name not in table.names:
+            what = f"no column is called {name!r}{near(name, table.names)}; there are {there}"
+            raise table.error(None, what, f"name the columns {', '.join(_COLUMNS)}")
+    others = [name for name in table.names if name not in _COLUMNS]
+    return others if wanted is None else list(wanted)
+
+
+def _tests(table: TextTable) -> tuple[str, ...]:
+    names: dict[str, int] = {}
+    for row, (line, _) in enumerate(table.rows):
+        name = table.text(row, "test")
+        if not name or name in names:
+            what = f"test is {name!r}" + (f", as in line {names[name]}" if name else "")
+            raise table.error(row, what, "give each test a name of its own")
+        names[name] = line
+    return tuple(names)
+
+
+def _overturned(table: TextTable, row: int) -> bool:
+    word = table.text(row, "outcome")
+    if word.lower() == FALLS:
+        return True
+    if word.lower() in _STOOD:
+        return False
+    what = f"outcome is {word!r}{near(word, (FALLS, *_STOOD))}"
+    raise table.error(row, what, f"write {FALLS} or {_STOOD[0]}")
+
+
+def _peak(table: TextTable, row: int, overturned: bool) -> float:
+    if overturned and not table.text(row, "peak"):
+        return np.nan
+    if not table.text(row, "peak"):
+        what = f"the peak of test {table.text(row, 'test')!r}, which {_STOOD[0]}, is missing"
+        raise table.error(row, what, "find it in its record; a test is not left out silently")
+    peak = table.number(row, "peak")
+    if peak < 0:
+        raise table.error(row, f"peak is {peak:g}", "give the size of the largest rotation")
+    return peak
+
+
+def _motions(
+    table: TextTable,
+    path: FilePath,
+    records: MotionSet | FilePath | None,
+    units: str | None,
+    gravity: float,
+) -> MotionSet:
+    """The motions of all tests, each once, in the order of the tests."""
+    first: dict[str, int] = {}
+    for row in range(len(table.rows)):
+        first.setdefault(table.text(row, "record"), row)
+    folder = Path(path).parent if records is None else records
+    found: list[GroundMotion] = []
+    for name, row in first.items():
+        if isinstance(folder, MotionSet):
+            if name not in folder:
+                what = f"record is {name!r}{near(name, folder.names)}, and no motion is called so"
+                raise table.error(row, what, "use a name of the motions that are given")
+            found.append(folder[name])
+            continue
+        file = Path(os.fspath(folder)) / name
+        try:
+            motion = GroundMotion.read(file, units=units, gravity=gravity, name=name)
+        except (MotionError, OSError) as error:
+            remedy = "give the file, relative to records= or to the table; the message tells more"
+            raise table.error(row, f"record is {name!r}: {error}", remedy) from None
+        found.append(replace(motion, name=name))
+    return MotionSet(found, Path(path).stem)

@@ -1,0 +1,149 @@
+"""Peaks of an ensemble of motions, of which some overturned, and their empirical distribution."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike
+
+from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.analysis.unfinished import check_finished
+from rockeom.numbers import explained
+from rockeom.numbers.arguments import numbers, positive, require
+from rockeom.numbers.checks import described
+
+
+@explained.calls()
+@dataclass(frozen=True, eq=False)
+class Ensemble:
+    """Peaks of motions, measured or simulated, of which some overturned.
+
+    peaks : of any shape, the largest size of the rotation [rad], or of another demand; infinite
+        where the motion overturned, whatever was given there, also nan.
+    overturned : whether each overturned, of the same shape; none if not given. Measured ensembles
+        are (n,), of n tests; simulated ones (n, m), m motions of each of these tests, or (m,).
+
+    An overturned motion exceeds every rotation. So it ranks above all peaks, in distributions and
+    tests. Where a number is needed, in means and CRPS, peaks are censored: each counts up to a
+    limit, and an overturned motion as the limit.
+
+    Raises ValueError for a peak that is missing (nan), infinite or negative although the motion
+    did not overturn, and for shapes that differ; TypeError for outcomes other than True and False.
+    """
+
+    peaks: np.ndarray
+    overturned: np.ndarray = False  # type: ignore[assignment]  # of the shape of the peaks, below
+
+    def __post_init__(self) -> None:
+        fell = np.asarray(self.overturned)
+        if fell.dtype != bool:
+            raise TypeError(
+                f"Ensemble: overturned is {described(self.overturned)}: give True or False for "
+                'each motion, such as outcomes == "overturned"'
+            )
+        try:
+            peaks = np.asarray(self.peaks, dtype=float)
+        except (TypeError, ValueError):
+            raise TypeError(f"Ensemble: peaks is {described(self.peaks)}: give numbers") from None
+        fell = np.full(peaks.shape, fell) if fell.ndim == 0 else fell
+        if fell.shape != peaks.shape or not peaks.size:
+            raise ValueError(
+                f"Ensemble: peaks has the shape {peaks.shape}, overturned {fell.shape}: give one "
+                "peak and one outcome for each motion, and one motion or more"
+            )
+        rule = "every motion that did not overturn has a peak: find it, or leave the motion out"
+        require(fell | np.isfinite(peaks), "Ensemble", "peaks", peaks, rule)
+        require(fell | (peaks >= 0), "Ensemble", "peaks", peaks, "give the size of the rotation")
+        object.__setattr__(self, "peaks", np.where(fell, np.inf, peaks))
+        object.__setattr__(self, "overturned", fell)
+
+    @classmethod
+    def from_sweep(cls, sweep: xr.Dataset, quantity: str = "theta") -> Ensemble:
+        """The ensemble of a sweep of `simulate_many`, of its shape.
+
+        quantity : the state or quantity whose largest size counts.
+
+        Raises ValueError for cases that were not run or gave no answer: without them the others
+        are no sample.
+        """
+        check_finished("Ensemble.from_sweep", sweep)
+        labels = outcome_labels(sweep)
+        fell = labels == FALLS
+        lost = ~(fell | labels.isin(STANDS)).values
+        if lost.any():
+            raise ValueError(
+                f"Ensemble.from_sweep: {lost.sum()} of {lost.size} cases gave no answer; the "
+                f"outcome of the first is {labels.values[lost][0]!r}: run them with other solver "
+                "options, or select the cases with an answer and state how many were left out"
+            )
+        return cls(peaks_of(sweep, quantity).transpose(*labels.dims).values, fell.values)
+
+    @property
+    def number(self) -> int:
+        """How many motions there are."""
+        return self.peaks.size
+
+    def distribution(self, x: ArrayLike) -> np.ndarray:
+        """The part of all motions whose peak does not exceed x, of the shape of x.
+
+        x : rotations, or what the peaks are. Overturned motions exceed each of them, so that the
+        distribution ends below 1.
+        """
+        (at,) = numbers("Ensemble.distribution", x=x)
+        return np.searchsorted(np.sort(self.peaks, axis=None), at, side="right") / self.number
+
+    def band(self, x: ArrayLike, level: float = 0.95) -> tuple[np.ndarray, np.ndarray]:
+        """Lower and upper confidence bound of the distribution at x, each of the shape of x.
+
+        x : as of `distribution`. level : probability, at least, that the true distribution lies
+        within the band everywhere.
+
+        The inequality of Dvoretzky, Kiefer and Wolfowitz (1956) with the constant of Massart
+        (1990), Annals of Probability 18(3), 1269-1283: sqrt(ln(2/(1 - level))/(2 n)) to both sides.
+        It holds for independent motions of any distribution, with a part that overturns, too.
+        Raises ValueError for a level that does not lie between 0 and 1.
+        """
+        require(0.0 < level < 1.0, "band", "level", level, "it lies between 0 and 1, as 0.95")
+        reach = np.sqrt(np.log(2.0 / (1.0 - level)) / (2.0 * self.number))
+        found = self.distribution(x)
+        return np.maximum(found - reach, 0.0), np.minimum(found + reach, 1.0)
+
+    def overturning_probability(self) -> np.ndarray:
+        """(n,) (k + 1/2)/(m + 1) of each test, where k of its m motions overturned.
+
+        The mean of the posterior of Jeffreys: a finite number of motions makes nothing certain.
+        """
+        return (self.overturned.sum(axis=-1) + 0.5) / (self.overturned.shape[-1] + 1.0)
+
+    def censored(self, limit: float | None = None) -> np.ndarray:
+        """The peaks, each up to a limit: min(peak, limit), the limit where the motion overturned.
+
+        limit : the largest rotation that is told apart from overturning, such as the slenderness
+        of a block; may be left out where no motion overturned.
+
+        Raises ValueError where it is missing, or not positive.
+        """
+        if limit is not None:
+            return np.minimum(self.peaks, positive("Ensemble.censored", limit=limit)[0])
+        if self.overturned.any():
+            raise ValueError(
+                f"{self.overturned.sum()} of {self.number} motions overturned and have no peak: "
+                "give limit=, the rotation at which they count, such as the slenderness of the "
+                "block; none is left out"
+            )
+        return self.peaks
+
+    def resolved(self, smallest: float) -> Ensemble:
+        """The same motions, with peaks up to the smallest that a measurement can tell as zero.
+
+        smallest : the resolution, in the unit of the peaks. Use it on both ensembles before places
+        and ranks compare them: a simulated block at rest has no rotation, a measured one has noise.
+        """
+        (floor,) = positive("Ensemble.resolved", smallest=smallest)
+        return Ensemble(np.where(self.peaks <= floor, 0.0, self.peaks), self.overturned)
+
+    def __repr__(self) -> str:
+        shape = " x ".join(map(str, self.peaks.shape))
+        return f"Ensemble: {shape} motions, {int(self.overturned.sum())} overturned"

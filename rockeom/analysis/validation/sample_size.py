@@ -1,0 +1,98 @@
+"""How many tests a claim needs: for a probability, a mean, a distribution."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from scipy import stats
+
+from rockeom.analysis.risk.fragility import proportion_interval
+from rockeom.numbers.arguments import positive, require
+
+_MOST = 2**40
+
+
+def sample_size_for_proportion(probability: float, width: float, level: float = 0.95) -> int:
+    """Least number of tests after which a probability, such as of overturning, is known to a width.
+
+    probability : that is expected, 0.5 if nothing is known; 0 for a structure that never overturns.
+    width : from the lower to the upper bound of its interval.
+    level : of the interval of `risk.proportion_interval`, which is calculated with n*probability
+        occurrences.
+
+    Raises ValueError for a probability that does not lie between 0 and 1, or such a width or level.
+    """
+    where = "sample_size_for_proportion"
+    require(0 <= probability <= 1, where, "probability", probability, "it lies between 0 and 1")
+    require(0 < width < 1, where, "width", width, "it lies between 0 and 1")
+
+    def known(n: int) -> bool:
+        lower, upper = proportion_interval(n * probability, n, level)
+        return bool(upper - lower <= width)
+
+    return _least(where, known)
+
+
+def sample_size_for_mean(
+    difference: float, deviation: float, level: float = 0.95, power: float = 0.8
+) -> int:
+    """Least number of tests after which a wrong mean is found wrong with a power.
+
+    difference : of the true mean peak from the simulated one [unit of the peaks]; deviation : the
+        standard deviation, from test to test, of a measured peak less the mean of its simulations.
+    level : of the interval of `compare_means` for (n, m) simulations, which then leaves out zero.
+    power : probability of that.
+
+    Power of Student's test, two-sided, by the noncentral t distribution: exact for normal
+    differences. Raises ValueError for numbers that are not positive, or lie not between 0 and 1.
+    """
+    where = "sample_size_for_mean"
+    size, spread = positive(where, difference=abs(difference), deviation=deviation)
+    _probabilities(where, level, power)
+
+    def enough(n: int) -> bool:
+        critical = stats.t.ppf(0.5 + 0.5 * level, n - 1)
+        apart = stats.nct(n - 1, float(size / spread) * math.sqrt(n))
+        return bool(apart.sf(critical) + apart.cdf(-critical) >= power)
+
+    return _least(where, enough, first=2)
+
+
+def sample_size_for_distribution(distance: float, level: float = 0.95, power: float = 0.8) -> int:
+    """Number of tests after which a wrong distribution of peaks is found wrong with a power.
+
+    distance : the largest difference of the true distribution from the simulated one, of
+        probabilities: 0.1 if 60 % of the peaks stay below a rotation, and the model says 50 %.
+    level : of the band of the measured distribution, `Ensemble.band`, which then leaves out that
+        of a model which is known from many simulations. power : probability of that, at least.
+
+    ((sqrt(ln(2/(1 - level))/2) + sqrt(ln(1/(1 - power))/2))/distance)**2: of the width of the band,
+    and of the inequality of Hoeffding (1963), Journal of the American Statistical Association 58,
+    13-30, at the rotation of the largest difference. Enough for any two distributions, and for the
+    test of Kolmogorov and Smirnov, too; most need fewer. Raises ValueError for numbers that do not
+    lie between 0 and 1.
+    """
+    where = "sample_size_for_distribution"
+    require(0 < distance <= 1, where, "distance", distance, "it lies between 0 and 1")
+    _probabilities(where, level, power)
+    reach = math.sqrt(math.log(2 / (1 - level)) / 2) + math.sqrt(math.log(1 / (1 - power)) / 2)
+    return math.ceil((reach / distance) ** 2)
+
+
+def _probabilities(where: str, level: float, power: float) -> None:
+    for name, given in (("level", level), ("power", power)):
+        require(0.0 < given < 1.0, where, name, given, "it lies between 0 and 1, as 0.95")
+
+
+def _least(where: str, enough: Callable[[int], bool], first: int = 1) -> int:
+    """The least number from `first` on that is enough, of a condition that stays true."""
+    high = first
+    while not enough(high):
+        high *= 2
+        require(high < _MOST, where, "number", high, "no number of tests tells so little")
+    low = max(high // 2, first - 1)
+    while high - low > 1:
+        middle = (low + high) // 2
+        low, high = (low, middle) if enough(middle) else (middle, high)
+    return high
