@@ -57,7 +57,10 @@ def test_missing_peaks_and_outcomes_are_named(peaks, overturned, error, words):
 
 
 def test_a_number_of_overturned_motions_needs_a_limit():
-    measured, simulated = ensemble(0.1, FELL), ensemble([0.1, 0.2, 0.3], [0.1, FELL, FELL])
+    measured, simulated = (
+        ensemble(0.1, FELL),
+        ensemble([0.1, 0.2, 0.3] * 13, [0.1, FELL, FELL] * 13),
+    )
     for function in (validation.crps, validation.compare_means, validation.predictive_test):
         with pytest.raises(ValueError, match=r"1 of 2 motions overturned and have no peak: give l"):
             function(measured, simulated)
@@ -242,24 +245,51 @@ def test_simulations_of_other_tests_are_refused():
 # --- means
 
 
-def test_the_mean_of_a_campaign_is_that_of_its_differences():
-    measured, simulated = ensemble(0.1, 0.3, FELL), ensemble([0.1, 0.3], [0.1, FELL], [0.2, 0.3])
-    found = validation.compare_means(measured, simulated, limit=0.4, level=0.9)
-    apart = np.array([-0.1, 0.05, 0.15])
-    reach = stats.t.ppf(0.95, 2) * apart.std(ddof=1) / np.sqrt(3)
-    expected = apart.mean(), apart.mean() - reach, apart.mean() + reach
-    assert tuple(found) == pytest.approx(expected)
+def test_the_mean_of_a_campaign_of_normal_peaks_has_the_interval_of_student():
+    rng = np.random.default_rng(1)
+    records = rng.uniform(1.0, 2.0, 5)
+    peaks = 0.1 * rng.standard_normal((5, 20001)) + records[:, None]
+    measured, simulated = Ensemble(3.0 * peaks[:, 0]), Ensemble(peaks[:, 1:])
+    found = validation.compare_means(measured, simulated, level=0.9)
+    apart = 3.0 * peaks[:, 0] - peaks[:, 1:].mean(axis=1)
+    reach = stats.t.ppf(0.95, 4) * apart.std(ddof=1) / np.sqrt(5)
+    assert found.value == pytest.approx(apart.mean(), rel=1e-12)
+    assert (found.lower, found.upper) == pytest.approx(
+        (apart.mean() - reach, apart.mean() + reach), abs=0.05 * reach
+    )
 
 
-def test_the_means_of_independent_ensembles_are_those_of_welch():
-    x, y = np.array([0.1, 0.3, 0.4]), np.array([0.2, 0.2, 0.5, 0.1])
-    found = validation.compare_means(ensemble(*x[:2], FELL), ensemble(*y), limit=0.4)
-    y = np.minimum(y, 0.4)
-    parts = np.array([x.var(ddof=1) / 3, y.var(ddof=1) / 4])
-    freedom = parts.sum() ** 2 / (parts**2 / [2, 3]).sum()
-    reach = stats.t.ppf(0.975, freedom) * np.sqrt(parts.sum())
-    value = x.mean() - y.mean()
-    assert tuple(found) == pytest.approx((value, value - reach, value + reach))
+def test_overturned_motions_count_in_means_at_the_limit():
+    simulated = Ensemble(np.random.default_rng(2).uniform(0.0, 0.4, (3, 40)))
+    found = validation.compare_means(ensemble(0.1, 0.3, FELL), simulated, limit=0.35)
+    expected = (0.1 + 0.3 + 0.35) / 3 - np.minimum(simulated.peaks, 0.35).mean()
+    assert found.value == pytest.approx(expected, rel=1e-12)
+    assert found.lower < found.value < found.upper
+
+
+def test_an_interval_of_the_mean_has_the_doubt_about_a_parameter_of_all_tests():
+    rng = np.random.default_rng(3)
+    own, of_campaign = 0.01 * rng.standard_normal((30, 400)), rng.standard_normal(400)
+    peaks = Ensemble(1.0 + own[:, 0]), Ensemble(1.0 + own + 0.1 * of_campaign)
+    low, high = validation.compare_means(*peaks)[1:]
+    alone = validation.compare_means(peaks[0], Ensemble(1.0 + own))
+    assert high - low > 10 * (alone.upper - alone.lower)
+
+
+def test_the_means_of_independent_normal_ensembles_are_those_of_welch():
+    rng = np.random.default_rng(4)
+    x, y = 10 + rng.standard_normal(6), 10 + rng.standard_normal(400)
+    found = validation.compare_means(Ensemble(x), Ensemble(y))
+    expected = stats.ttest_ind(x, y, equal_var=False).confidence_interval(0.95)
+    reach = 0.5 * (expected.high - expected.low)
+    assert found.value == pytest.approx(x.mean() - y.mean(), rel=1e-12)
+    assert tuple(found[1:]) == pytest.approx(tuple(expected), abs=0.1 * reach)
+
+
+def test_an_interval_of_too_few_campaigns_is_refused():
+    simulated = Ensemble(np.random.default_rng(5).uniform(size=(3, 38)))
+    with pytest.raises(ValueError, match="an interval of this level takes 39 campaigns"):
+        validation.compare_means(ensemble(0.1, 0.3, 0.2), simulated)
 
 
 # --- scores
