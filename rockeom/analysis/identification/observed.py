@@ -34,7 +34,7 @@ from rockeom.simulation.outcome import Outcome
 from rockeom.simulation.response import Response
 from rockeom.simulation.simulate import simulate
 from rockeom.sweeps.case_numbers import function_of
-from rockeom.sweeps.tangents import tangents
+from rockeom.sweeps.tangents import states_at, tangents
 
 __all__ = ["Observed", "Prediction"]
 
@@ -248,20 +248,26 @@ class _History(NamedTuple):
 
     def __call__(self, **parameters: Any) -> Prediction:
         made = self.case(**parameters)
-        carried = tangents(made, self.options) if directions(*parameters.values()) else None
-        run = carried.response if carried else simulate(**vars(made), options=self.options)
+        m = directions(*parameters.values())
+        along = np.zeros((len(self.time), m))
+        if not m:
+            run = simulate(**vars(made), options=self.options)
+        elif self.quantity in made.structure.states:
+            run, states = states_at(made, self.time, self.options)
+            along = states[:, run.states.index(self.quantity)]
+        else:
+            carried = tangents(made, self.options)
+            run = carried.response
+            inside = self.time <= run.t[-1]
+            of_quantity = quantity_tangents(carried, self.quantity, self.time[inside])
+            along[inside] = of_quantity[:, :-1]
         end = float(run.steps.span[-1].sum())
         if run.outcome is Outcome.COMPLETED and end < self.time[-1] * (1 - 1e-12):
             raise ValueError(
                 f"the case ends at {end:.6g} s, the record at {self.time[-1]:.6g} s: let it last "
                 "as long as the record"
             )
-        inside = self.time <= end
         values = _values(run, self.quantity, np.minimum(self.time, end))
-        m = directions(*parameters.values())
-        along = np.zeros((len(values), m))
-        if carried is not None:
-            along[inside] = _along(carried, self.quantity, self.time[inside])
         return _answer(run, values, along, self._mismatch(run, end))
 
     def _mismatch(self, run: Response, end: float) -> str:
@@ -275,13 +281,6 @@ def _values(run: Response, quantity: str, times: np.ndarray) -> np.ndarray:
     if quantity in run.states:  # without the samples of a whole response
         return run.steps.at(times, "right")[0][:, run.states.index(quantity)]
     return run.at(np.minimum(times, run.t[-1]), names=(quantity,))[quantity]
-
-
-def _along(carried: Any, quantity: str, times: np.ndarray) -> np.ndarray:
-    states = carried.response.states
-    if quantity in states:
-        return carried.at(times)[:, states.index(quantity)]
-    return quantity_tangents(carried, quantity, times)[:, :-1]
 
 
 def _answer(run: Response, values: np.ndarray, along: np.ndarray, mismatch: str) -> Prediction:
