@@ -58,7 +58,7 @@ def free(left: Any, right: Any, half_width: Any, theta: Any) -> rk.Case:
 
 
 def shaken(left: Any, right: Any, half_width: Any) -> rk.Case:
-    """By a pulse that overturns a quarter of the blocks."""
+    """By a pulse that overturns one block of ten."""
     pulse = rk.GroundMotion.single_sine(3.0, 0.38, duration=3.0)
     return rk.Case(block(half_width), pulse, rk.EnergyRatio(left=left, right=right))
 

@@ -37,8 +37,9 @@ from rockeom.numbers.dual import tangent_of, value_of
 
 __all__ = ["Laplace", "Posterior", "model_probabilities", "posterior"]
 
-REACH = 30.0
-"""Deviates beyond which there is no density: their probability is 1e-197."""
+REACH = 8.0
+"""Deviates beyond which there is no density: the probability of them is 1e-15, and a value so near
+the end of its prior is one with that end in floats."""
 TRIALS = 8
 """Two to this power places of the prior are tried before the search for the mode."""
 STARTS = 4
