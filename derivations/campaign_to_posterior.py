@@ -255,6 +255,7 @@ for ax, pair in zip(axes, (("left", "right"), ("half_width", "theta")), strict=T
         ax.plot(*(middle[:, None] + circle), color=dots.get_color(), lw=0.9)
     ax.plot(*(truth[one] for one in pair), "k+", ms=10)
     ax.set(xlabel=pair[0], ylabel=pair[1])
+    ax.locator_params(axis="x", nbins=4)
 axes[0].legend(markerscale=3)
 plt.show()
 
@@ -356,9 +357,9 @@ axes[0].plot(t, middle, lw=0.9, label="predicted, median")
 axes[1].fill_between(t, 1e3 * (low - middle), 1e3 * (high - middle), color="0.85", label="90 %")
 axes[1].plot(t, 1e3 * (unseen - middle), ".", ms=3)
 axes[0].set(ylabel=r"rotation $\theta$ [rad]")
-axes[1].set(xlabel="time [s]", ylabel="less the median [mrad]")
-for ax in axes:
-    ax.legend(loc="lower right")
+axes[1].set(xlabel="time [s]", ylabel="less the median [mrad]", ylim=(-3, 4))
+axes[0].legend(loc="upper center")
+axes[1].legend(loc="upper center")
 plt.show()
 
 # %% [markdown]
@@ -387,7 +388,7 @@ plt.show()
 #
 # <details><summary>Solution 2</summary>
 #
-# By two, the root of four, and a little more by chance: readings with independent errors count by
+# By two, the root of four, and a little more at random: readings with independent errors count by
 # their number. For a record that was filtered they do not, and its every sample counts too much.
 #
 # </details>

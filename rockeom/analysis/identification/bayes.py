@@ -66,7 +66,7 @@ class _Errors(NamedTuple):
         return size - 0.5 * (n + 1) * np.log1p(z**2 / n)
 
     def slope(self, z: np.ndarray) -> np.ndarray:
-        """Of -log_density."""
+        """Slope of -log_density."""
         n = self.freedom
         return z if math.isinf(n) else (n + 1) * z / (n + z**2)
 
@@ -153,7 +153,7 @@ class _Density:
         return self._nothing() if found is None else self.joined(u, parameters, found)
 
     def predictions(self, parameters: Mapping[str, Any]) -> list[Prediction] | None:
-        """Of each test; None where one has no answer."""
+        """Predictions of all tests; None where one has no answer."""
         try:
             found = [test.predict(parameters) for test in self.tests]
         except ValueError as error:
@@ -206,7 +206,7 @@ class Laplace:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the parameters."""
+        """Names of the parameters."""
         return self.space.names
 
     def interval(self, name: str, confidence: float = CONFIDENCE) -> tuple[float, float]:
@@ -338,8 +338,8 @@ class Posterior:
 
         draws : of each of the chains, behind warm_up ones that settle the step. seed : of all; the
         same seed draws the same. Chains begin scattered about the mode, by the Laplace
-        approximation; its axes and the bend of its ridges are their coordinates. What is drawn does
-        not depend on them.
+        approximation; its axes and the bend of its ridges are their coordinates, on
+        which the distribution of the draws does not depend.
 
         A motion that overturns where the test did not, one that gives no answer, and a graze behind
         which there are no derivatives are places of the density as others: they are counted in
@@ -403,11 +403,6 @@ def posterior(
 
     Raises ValueError for priors that lack a parameter or have one that no test takes, for a noise
     that may be negative, and where the model fails at the medians of the priors.
-
-    >>> tests = identification.Observed.formula(lambda r: [r, r, r], [0.82, 0.85, 0.84], noise=0.01)
-    >>> found = identification.posterior(tests, {"r": stats.uniform(0.5, 0.5)})
-    >>> round(found.map["r"], 3)
-    0.837
     """
     require(
         degrees_of_freedom > 0, "posterior", "degrees_of_freedom", degrees_of_freedom,
@@ -544,7 +539,7 @@ def _scored(density: _Density, u: np.ndarray) -> tuple[float, np.ndarray]:
 
 
 def _misfits(test: Observed, found: Prediction, name: str) -> list[np.ndarray]:
-    """What is left of the readings of a test whose noise is the parameter of that name."""
+    """Misfits of the readings of a test whose noise is the parameter of that name."""
     ends = np.cumsum([n for _, n in test.noise])
     left = [
         (test.measured[end - n : end], found.values[end - n : end])

@@ -1,4 +1,4 @@
-"""Values measured in a test beside the model that predicts them, for `posterior`.
+"""Values measured in a test, and the model that predicts them, for `posterior`.
 
     def released(left, right, half_width, theta): ...  # returns the Case of the test
 
@@ -50,7 +50,7 @@ _STEP = 1e-4
 
 
 class Prediction(NamedTuple):
-    """What a model says that a test measures.
+    """The readings of a test that a model predicts.
 
     values (n,) : nan where there is no answer. derivatives (n, m) : along the directions of the
     duals that the model was given, none of floats. outcome : "as measured", or how the motion

@@ -50,12 +50,12 @@ class Draws:
 
     @property
     def mean(self) -> dict[str, float]:
-        """Of each parameter, by name."""
+        """Mean of each parameter, by name."""
         return {name: float(x.mean()) for name, x in self.values.items()}
 
     @property
     def standard_deviation(self) -> dict[str, float]:
-        """Of each parameter, by name."""
+        """Standard deviation of each parameter, by name."""
         return {name: float(x.std()) for name, x in self.values.items()}
 
     @property
@@ -143,7 +143,7 @@ class Ridge:
         return cls(density, mode, axes, bends)
 
     def places(self, v: np.ndarray) -> np.ndarray:
-        """Of coordinates v, both (..., k)."""
+        """Places of coordinates v, both (..., k)."""
         bent = 0.5 * np.einsum("iab,...a,...b->...i", self.bends, v, v)
         return self.mode + (v + bent) @ self.axes.T
 
