@@ -192,7 +192,7 @@ def _scales(test: Observed, parameters: Mapping[str, Any], k: int) -> tuple[np.n
 
 @dataclass(frozen=True, eq=False)
 class Laplace:
-    """A posterior as a normal distribution of the deviates, with the bend of the true one.
+    """A posterior as a normal distribution of the deviates, with the curvature at its mode.
 
     deviates (k,), deviate_covariance (k, k) : of standard normal deviates of the priors, in the
     order of `names`. log_evidence : logarithm of the marginal likelihood by this approximation,
@@ -240,8 +240,8 @@ class Posterior:
     """The probability of parameters after tests; made by `posterior`.
 
     tests, space : the measurements, and the priors. mode (k,) : the most likely deviates.
-    settled : whether the search for the mode ended at one. counts : of evaluations "gradients" and
-    "simulations", and of the outcomes that the tests had in them, by name.
+    settled : whether the search for the mode ended at one. density : of the deviates, not
+    normalised.
     """
 
     tests: tuple[Observed, ...]
@@ -261,7 +261,10 @@ class Posterior:
 
     @property
     def counts(self) -> dict[str, int]:
-        """How often the tests were predicted, and with which outcome, up to now."""
+        """How often all tests were predicted, up to now, and with which outcomes, by name.
+
+        "simulations" : without derivatives, "gradients" : with them.
+        """
         return dict(self.density.counts)
 
     def log_density(self, **values: float) -> float:
@@ -337,15 +340,16 @@ class Posterior:
         """Draws from the posterior by the No-U-Turn sampler of the package mici (extra `bayes`).
 
         draws : of each of the chains, behind warm_up ones that settle the step. seed : of all; the
-        same seed draws the same. Chains begin scattered about the mode, by the Laplace
-        approximation; its axes and the bend of its ridges are their coordinates, on
-        which the distribution of the draws does not depend.
+        same seed draws the same. Chains begin scattered about the mode, by Laplace's
+        approximation; its axes and the bend of its ridges are their coordinates, on which the
+        distribution of the draws does not depend.
 
         A motion that overturns where the test did not, one that gives no answer, and a graze behind
         which there are no derivatives are places of the density as others: they are counted in
         `Draws.outcomes` and rejected or accepted by the density alone, which needs no gradient.
 
-        Raises ModuleNotFoundError without mici and arviz-stats.
+        Raises ModuleNotFoundError without mici and arviz-stats, RuntimeError where the sampler
+        stops before its last draw.
         """
         for name, value in (("draws", draws), ("chains", chains), ("warm_up", warm_up)):
             require(value >= 1, "sample", name, value, "give a whole number from 1 on")

@@ -93,7 +93,8 @@ class Observed:
             Observed.history(released, record.time, record["theta"])
 
         case : a `Case`, of whose numbers the parameters are some, as in `simulate_many`; or a
-        function of the parameters, by name, that returns one and calculates with `rk.Dual`.
+        function of the parameters, by name, that returns one and calculates with `rk.Dual`;
+        its arguments with a default are no parameters.
         time (n,) : [s], increasing, in the time of the case. values (n,) : in the unit of
         `quantity`, a state or another quantity that `rk.sensitivity` knows.
         noise : standard deviation of a reading, in the unit of the quantity, or the name of the
