@@ -206,7 +206,7 @@ def test_the_truth_of_a_free_vibration_lies_within_its_intervals(let_go):
     assert set(drawn.outcomes) == {"as measured"}
     for name, error in let_go.laplace.standard_error.items():
         assert drawn.standard_deviation[name] == pytest.approx(error, rel=0.25)
-    assert drawn.table(50).dtype.names == tuple(PRIORS)
+    assert drawn.rows(50).dtype.names == tuple(PRIORS)
     once, again = (let_go.sample(8, chains=1, warm_up=2, seed=1).values for _ in range(2))
     assert all(np.array_equal(again[name], x) for name, x in once.items())
 
@@ -345,7 +345,7 @@ def column(r):
 
 @pytest.mark.parametrize("noise", [5e-4, "noise"], ids=["noise known", "noise estimated"])
 def test_the_column_of_mcmanus_has_the_intervals_of_its_least_squares(noise):
-    """The release, which depends on nothing, is no reading of a scatter that is to be estimated."""
+    """An unknown noise is lower by the release, which is set to its reading, and not Student's."""
     known = isinstance(noise, float)
     fitted = analysis.fit_free_vibration(
         column, {"r": 0.8}, peaks=PEAKS, quantity="theta", bounds={"r": (0.0, 1.0)},

@@ -140,7 +140,9 @@ class Observed:
         or from another instant where release_time is the name of the parameter that says when the
         structure was released. Any of the three may be left out.
         noise : standard deviation of the peaks, time_noise of the times [s]; each may be the name
-        of the parameter that it is. Noise of a record enlarges the peaks that are read off it.
+        of the parameter that it is. Noise of a record enlarges the peaks that are read off it. The
+        release is a reading as others: make the start of the case a parameter; one that is set to
+        that reading seems to be without error, and lowers a noise that is unknown.
 
         A structure that decays by impacts has infinitely many swings, of which these are the first;
         their number does not change with the parameters. Records of shaken structures are compared

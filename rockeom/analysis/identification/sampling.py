@@ -73,14 +73,14 @@ class Draws:
         of = getattr(stats, what)
         return {n: float(of(x, chain_axis=0, draw_axis=1)) for n, x in self.values.items()}
 
-    def table(self, number: int) -> np.ndarray:
+    def rows(self, number: int) -> np.ndarray:
         """(number,) rows for `simulate_many`, a field of each parameter: draws at equal distances.
 
         Raises ValueError for more than there are.
         """
         total = next(iter(self.values.values())).size
         rule = f"there are {total} draws"
-        require(1 <= number <= total, "Draws.table", "number", number, rule)
+        require(1 <= number <= total, "Draws.rows", "number", number, rule)
         chosen = np.linspace(0, total - 1, number).astype(int)
         rows = np.empty(number, dtype=[(name, float) for name in self.values])
         for name, x in self.values.items():
