@@ -23,6 +23,7 @@ CODE = re.compile(r"(``.*?``|`[^`]*`)", re.DOTALL)
 FOREIGN = {"pd", "numpy", "np", "sympy", "sp", "xarray", "xr", "matplotlib", "mpl", "collections"}
 FOREIGN |= {"types", "typing", "enum", "pathlib", "os", "ArrayLike"}
 FOREIGN |= {"Motion", "Run", "Rocking", "GeneratedModule"}  # protocols of the package's own use
+FOREIGN |= {"RandomParameters", "_Density"}  # in which a posterior keeps its own
 FOREIGN |= {"Axes", "Figure", "SubFigure", "ModuleType"}  # as annotations name them
 
 

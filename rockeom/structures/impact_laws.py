@@ -553,6 +553,39 @@ class RandomEnergyRatio(TabulatedLaw):
         return Table(self.drawn["left"].tolist(), self.drawn["right"].tolist())
 
 
+@explained.attributes()
+@explained.calls()
+@dataclass(frozen=True)
+class EnergyRatioByImpact(TabulatedLaw):
+    """Energy ratio r of the first impact, of the second, and so on.
+
+        rk.EnergyRatioByImpact([0.763, 0.948, 0.769])
+
+    values : r of each, 0 to 1; behind the last one the first follows. For a test whose impacts were
+    measured one by one, and for ratios that scatter where each is itself an unknown.
+
+    Raises TypeError for anything but a list of numbers, ValueError for an empty one and for a
+    ratio outside 0 to 1.
+    """
+
+    values: tuple[float, ...]
+
+    def __post_init__(self) -> None:
+        listed = isinstance(self.values, list | tuple | np.ndarray)
+        given = tuple(self.values) if listed else ()
+        if not given:
+            raise TypeError(
+                f"values of EnergyRatioByImpact is {described(self.values)}: give the ratio of "
+                "each impact, such as [0.82, 0.77, 0.9], or EnergyRatio(0.8) for all"
+            )
+        for place, r in enumerate(given):
+            check_ratio(f"energy ratio r of impact {place}", r)
+        object.__setattr__(self, "values", given)
+
+    def table(self, structure: Landing) -> Table:
+        return Table(list(self.values), list(self.values))
+
+
 LAWS: dict[str, Any] = {
     name: law
     for name, law in globals().items()

@@ -104,32 +104,55 @@ def tangents(case: Case, options: SolverOptions | None = None) -> Tangents:
     (2, 2)
     """
     check_case(case)
+    return of_problem(case, *_with_duals(case), SolverOptions.of(options))
+
+
+def states_at(
+    case: Case, times: np.ndarray, options: SolverOptions | None = None
+) -> tuple[Response, np.ndarray]:
+    """The motion of a case that holds duals, and derivatives (n, N, m) of its states at times (n,).
+
+    The same as `tangents(case).at(times)` in half the time. times : ascending [s]; those behind the
+    end of the motion have the derivatives zero.
+    """
+    motion = _motion(case, *_with_duals(case), SolverOptions.of(options))
+    inside = times <= motion.last_time
+    found = np.zeros((len(times), len(motion.problem.y0), motion.directions))
+    found[inside] = motion.carried(times[inside]).found
+    return motion.response, found
+
+
+def _with_duals(case: Case) -> tuple[Problem, ProblemTangents]:
     problem, along = parted(case.problem())
     if not along.end.size:
         raise ValueError(
             "the case holds no duals: make its numbers by rk.duals, as in "
             "rk.RigidBlock(**rk.duals(half_width=0.1), half_height=0.4)"
         )
-    return of_problem(case, problem, along, SolverOptions.of(options))
+    return problem, along
 
 
 def of_problem(
     case: Case, problem: Problem, along: ProblemTangents, options: SolverOptions
 ) -> Tangents:
     """The same of a case in numbers: for whoever runs it again from another state."""
+    motion = _motion(case, problem, along, options)
+    found = motion.carried(np.empty(0))
+    end, end_time = _end(case, motion, found.end)
+    before, after = found.event_states[:, 0], found.event_states[:, 1]
+    return Tangents(
+        motion.response, along.y0, found.event_times, before, after,
+        end, end_time, motion.said_of(found), motion,
+    )  # fmt: skip
+
+
+def _motion(case: Case, problem: Problem, along: ProblemTangents, options: SolverOptions) -> Motion:
     if case.structure.jumps_between_events:
         raise ValueError(
             f"tangents: a force of {type(case.structure).__name__} jumps between its events, and "
             "derivatives with it: give it one law for all speeds, or the speed of the last impact"
         )
-    response = simulated(nominal(case), problem, options)
-    motion = Motion(response, problem, along)
-    found = motion.carried(np.empty(0))
-    end, end_time = _end(case, motion, found.end)
-    return Tangents(
-        response, along.y0, found.event_times, found.event_states[:, 0], found.event_states[:, 1],
-        end, end_time, motion.said_of(found), motion,
-    )  # fmt: skip
+    return Motion(simulated(nominal(case), problem, options), problem, along)
 
 
 class _Carried(NamedTuple):

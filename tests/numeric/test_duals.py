@@ -119,6 +119,7 @@ LAWS = {
         ((a, b, 0.0), (math.inf, 0.8, 0.01 * a)), height=b
     ),
     "loss": lambda a, b: rk.EnergyLossAtSpeed(left=(0.0, 0.01 * a, 0.0), right=(0.0, b, 0.02)),
+    "each": lambda a, b: rk.EnergyRatioByImpact([a, a * b]),
     "drawn": lambda a, b: rk.RandomEnergyRatio([a, b, 0.9], seed=3),
     "angular momentum": lambda a, b: rk.AngularMomentum(),
 }

@@ -17,6 +17,7 @@ LAWS = [
     rk.EnergyRatio(left=0.7, right=0.95),
     rk.EnergyRatioAtSpeed(((0.3, 0.8, 0.1), (math.inf, 0.9, 0.0)), height=1.0),
     rk.EnergyLossAtSpeed.equation_3_17(),
+    rk.EnergyRatioByImpact(MEASURED),
     rk.RandomEnergyRatio(MEASURED, seed=3),
     rk.RandomEnergyRatio(left=MEASURED[::2], right=MEASURED[1::2], seed=3),
 ]
@@ -94,6 +95,18 @@ def test_losses_in_joules_are_those_of_3_17():
             rk.NondimensionalBlock(alpha=0.25), STILL, initial={"x": 0.1},
             impact=rk.EnergyLossAtSpeed.equation_3_18(),
         )  # fmt: skip
+
+
+def test_impacts_have_their_own_ratios_in_turn():
+    r = energy_ratios(released(rk.EnergyRatioByImpact(MEASURED)))
+    assert r == pytest.approx(np.resize(MEASURED, len(r)), rel=1e-9)
+    for wrong, kind, said in (
+        ([0.8, 1.2], ValueError, r"of impact 1 is 1\.2"),
+        ([], TypeError, "ratio of each impact"),
+        (0.8, TypeError, "EnergyRatio"),
+    ):
+        with pytest.raises(kind, match=said):
+            rk.EnergyRatioByImpact(wrong)
 
 
 def test_drawn_ratios_follow_from_seed_and_number_alone():

@@ -215,6 +215,7 @@ def test_what_was_asked_before_does_not_keep_a_response_from_travelling(which, r
         rk.AngularMomentum(),
         rk.EnergyRatioAtSpeed.equation_4_38(),
         rk.EnergyLossAtSpeed.equation_3_17(),
+        rk.EnergyRatioByImpact([0.8, 0.7]),
         rk.RandomEnergyRatio.normal(0.85, 0.06, seed=4),
         rk.Winkler(stiffness=1e6, damping=1e3, springs=4),
         rk.GroundMotion.from_array([0.0, 0.1, -0.3], 0.02, name="mine"),

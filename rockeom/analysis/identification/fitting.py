@@ -432,7 +432,7 @@ class _ModelOfSwings(NamedTuple):
     def derivatives(self, **parameters: float) -> np.ndarray:
         seeds = duals(**parameters)
         shift = seeds.pop("release_time").tangent if self.shifted else np.zeros(len(seeds))
-        peak, peak_time, crossing_time = swing_tangents(
+        _, (peak, peak_time, crossing_time) = swing_tangents(
             self.case(**seeds), self.quantity, self.measured.number, self.options
         )
         return self.measured.select(peak, peak_time + shift, crossing_time + shift)

@@ -107,8 +107,8 @@ def _crests(at: _Curve, low: np.ndarray, high: np.ndarray, side: np.ndarray) -> 
 
 def swing_tangents(
     case: Case, quantity: str, number: int, options: SolverOptions | None
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Derivatives (number, m) of each of `Swings`, along the directions of the duals of a case.
+) -> tuple[Swings, Swings]:
+    """The swings of a case, and their derivatives (number, m) along the directions of its duals.
 
     quantity, number : as of `swings`. options : of the simulation. The derivative of the time of a
     peak is -x_tp/x_tt, of the exact x_t and x_p a little before and behind it.
@@ -130,7 +130,7 @@ def swing_tangents(
             nominal.crossing_time,
         ]
     )
-    along = _along(carried, quantity, times.ravel()).reshape(*times.shape, -1)
+    along = quantity_tangents(carried, quantity, times.ravel()).reshape(*times.shape, -1)
     by, rate = along[..., :-1], along[..., -1]
     turns = there & (nominal.peak_time > 0.0)  # others are those of the start
     peak_time = _quotient(by[2] - by[1], rate[2] - rate[1], turns)
@@ -139,11 +139,15 @@ def swing_tangents(
         (at,) = np.nonzero(np.abs(run.events.columns[0] - time) <= beside[row])
         if len(at):
             crossing_time[row] = carried.event_times[at[0]]
-    return np.where(there[:, None], by[0], 0.0), peak_time, crossing_time
+    return nominal, Swings(np.where(there[:, None], by[0], 0.0), peak_time, crossing_time)
 
 
-def _along(carried: Tangents, quantity: str, times: np.ndarray) -> np.ndarray:
-    """(n, m + 1) derivatives of a quantity at fixed times (n,), and the last of them by time."""
+def quantity_tangents(carried: Tangents, quantity: str, times: np.ndarray) -> np.ndarray:
+    """(n, m + 1) derivatives of a quantity at fixed times (n,), and the last of them by time.
+
+    carried : a motion with its derivatives along m directions. quantity : a state, or one that
+    `rk.sensitivity` knows.
+    """
     run, m = carried.response, len(carried.end_time)
     module, p = run.structure.module, run.structure.vector
     still = np.zeros((len(p), 1))  # by time

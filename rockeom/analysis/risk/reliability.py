@@ -27,6 +27,7 @@ from typing import Any, Protocol
 import numpy as np
 from scipy.special import ndtr
 
+from rockeom.analysis.random_parameters import RandomParameters
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
 from rockeom.analysis.unfinished import finished
 from rockeom.numbers.arguments import require
@@ -164,7 +165,7 @@ def first_order_reliability(
     Raises ValueError for distributions that are none, for a limit state that does not change at the
     medians, jumps or has no boundary within reach, and for derivatives that are not finite.
     """
-    space = _Space.of("first_order_reliability", random)
+    space = RandomParameters.of("first_order_reliability", random)
     require(reach > 0, "first_order_reliability", "reach", reach, "it must be positive")
     surface = _Smooth(space, limit_state, reach)
     if not surface.changes:
@@ -207,7 +208,7 @@ def reliability_of(
     Returns `FirstOrder`. Raises ValueError as `first_order_reliability` does, and for a motion
     without an answer.
     """
-    space = _Space.of("reliability_of", random)
+    space = RandomParameters.of("reliability_of", random)
     case = function_of(case, space.names)
     require(reach > 0, "reliability_of", "reach", reach, "it must be positive")
     condition = _Condition.of("reliability_of", demand, limit)
@@ -242,7 +243,7 @@ def monte_carlo(
     some of the samples are no sample. Raises ValueError for bad arguments, and where no case gave
     an answer.
     """
-    space = _Space.of("monte_carlo", random)
+    space = RandomParameters.of("monte_carlo", random)
     require(number >= 1, "monte_carlo", "number", number, "draw one sample at least")
     condition = _Condition.of("monte_carlo", demand, limit)
     u = np.random.default_rng(seed).standard_normal((number, len(space.names)))
@@ -261,72 +262,17 @@ def _told(values: Mapping[str, float]) -> str:
     return ", ".join(f"{name} = {x:.6g}" for name, x in values.items())
 
 
-# -- random parameters
-
-
-@dataclass(frozen=True)
-class _Space:
-    """Independent random parameters as standard normal deviates u (..., k)."""
-
-    names: tuple[str, ...]
-    marginals: tuple[Any, ...]
-
-    @classmethod
-    def of(cls, where: str, random: Mapping[str, Any]) -> _Space:
-        if not random:
-            raise ValueError(f"{where}: random is empty: give a distribution of each parameter")
-        for name, marginal in random.items():
-            if not all(hasattr(marginal, part) for part in ("ppf", "isf", "logpdf")):
-                raise ValueError(
-                    f"{where}: random has {name} = {marginal!r}: give a continuous distribution "
-                    "with its parameters, such as scipy.stats.norm(0.1, 0.01)"
-                )
-        return cls(tuple(random), tuple(random.values()))
-
-    def columns(self, u: np.ndarray) -> list[np.ndarray]:
-        """Values of each parameter; each tail from its own end, so that none loses its digits."""
-        return [
-            np.where(x > 0, of.isf(ndtr(-x)), of.ppf(ndtr(x)))
-            for of, x in zip(self.marginals, np.moveaxis(u, -1, 0), strict=True)
-        ]
-
-    def table(self, u: np.ndarray) -> np.ndarray:
-        """Rows for `simulate_many`, of deviates u (n, k)."""
-        rows = np.empty(len(u), dtype=[(name, float) for name in self.names])
-        for name, column in zip(self.names, self.columns(u), strict=True):
-            rows[name] = column
-        return rows
-
-    def values(self, u: np.ndarray) -> dict[str, float]:
-        """Values by name, of deviates u (k,)."""
-        columns = (float(x) for x in self.columns(u))
-        return dict(zip(self.names, columns, strict=True))
-
-    def duals(self, u: np.ndarray) -> dict[str, Dual]:
-        """Values by name with their derivatives by u, of deviates u (k,)."""
-        values = self.values(u)
-        log_density = -0.5 * u**2 - 0.5 * math.log(2 * math.pi)
-        slopes = [
-            math.exp(of_u - of.logpdf(x))
-            for of_u, of, x in zip(log_density, self.marginals, values.values(), strict=True)
-        ]
-        return {
-            name: Dual(x, direction)
-            for (name, x), direction in zip(values.items(), np.diag(slopes), strict=True)
-        }
+# -- the nearest point of a surface
 
 
 def _unit(vector: np.ndarray) -> np.ndarray:
     return vector / np.linalg.norm(vector)
 
 
-# -- the nearest point of a surface
-
-
 class _Surface(Protocol):
     """The boundary of failure around the medians, as rays from there meet it."""
 
-    space: _Space
+    space: RandomParameters
     side: int
     reach: float
 
@@ -400,7 +346,9 @@ def _none_found(reach: float, where: str) -> ValueError:
 class _Smooth:
     """The surface on which a limit state of `rk.Dual` is zero."""
 
-    def __init__(self, space: _Space, limit_state: Callable[..., Any], reach: float) -> None:
+    def __init__(
+        self, space: RandomParameters, limit_state: Callable[..., Any], reach: float
+    ) -> None:
         self.space, self.limit_state, self.reach = space, limit_state, reach
         self.runs = 0
         self.first = self._at(np.zeros(len(space.names)))
@@ -541,7 +489,7 @@ class _Fates:
 
     def __init__(
         self,
-        space: _Space,
+        space: RandomParameters,
         case: Callable[..., Case],
         condition: _Condition,
         reach: float,
