@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from benchmarks.crosscheck import FOLLOWED, SPRUNG, TILT, TIMES, environment, rotations_of_ours
+from benchmarks.crosscheck import FOLLOWED, SPRUNG, TILT, TIMES, rotations_of_ours
+from benchmarks.engines.with_opensees import environment
 from rockeom import __version__
 from rockeom.cli import main
 from rockeom.exports import code_of_model

@@ -28,7 +28,7 @@ import numpy as np
 from scipy.special import gammaln, log_ndtr, ndtri, stdtr
 
 from rockeom.analysis.identification.fitting import CONFIDENCE
-from rockeom.analysis.identification.observed import Observed, Prediction
+from rockeom.analysis.identification.observed import Observed, PredictedReadings
 from rockeom.analysis.identification.sampling import Draws, Ridge, hamiltonian_draws
 from rockeom.analysis.random_parameters import RandomParameters
 from rockeom.numbers import explained
@@ -152,7 +152,7 @@ class _Density:
         found = self.predictions(parameters)
         return self._nothing() if found is None else self.joined(u, parameters, found)
 
-    def predictions(self, parameters: Mapping[str, Any]) -> list[Prediction] | None:
+    def predictions(self, parameters: Mapping[str, Any]) -> list[PredictedReadings] | None:
         """Predictions of all tests; None where one has no answer."""
         try:
             found = [test.predict(parameters) for test in self.tests]
@@ -164,7 +164,7 @@ class _Density:
         return found if all(np.isfinite(one.values).all() for one in found) else None
 
     def joined(
-        self, u: np.ndarray, parameters: Mapping[str, Any], found: Sequence[Prediction]
+        self, u: np.ndarray, parameters: Mapping[str, Any], found: Sequence[PredictedReadings]
     ) -> _Point:
         """The density by the predictions of all tests."""
         k = len(u)
@@ -542,7 +542,7 @@ def _scored(density: _Density, u: np.ndarray) -> tuple[float, np.ndarray]:
     return density.joined(u, density.space.values(u), found).value, u
 
 
-def _misfits(test: Observed, found: Prediction, name: str) -> list[np.ndarray]:
+def _misfits(test: Observed, found: PredictedReadings, name: str) -> list[np.ndarray]:
     """Misfits of the readings of a test whose noise is the parameter of that name."""
     ends = np.cumsum([n for _, n in test.noise])
     left = [

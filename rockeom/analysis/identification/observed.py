@@ -36,7 +36,7 @@ from rockeom.simulation.simulate import simulate
 from rockeom.sweeps.case_numbers import function_of
 from rockeom.sweeps.tangents import states_at, tangents
 
-__all__ = ["Observed", "Prediction"]
+__all__ = ["Observed", "PredictedReadings"]
 
 AS_MEASURED = "as measured"
 OVERTURNS = "overturns, and the test did not"
@@ -49,7 +49,7 @@ _STEP = 1e-4
 """Step of central differences, in parts of the change that one deviate makes."""
 
 
-class Prediction(NamedTuple):
+class PredictedReadings(NamedTuple):
     """The readings of a test that a model predicts.
 
     values (n,) : nan where there is no answer. derivatives (n, m) : along the directions of the
@@ -68,7 +68,7 @@ class Observed:
     """Values measured in a test, their noise, and the model that predicts them.
 
     Made by `history`, `swings` or `formula`. model : a function of parameters, by name, that
-    returns a `Prediction`. measured (n,). noise : pairs of a standard deviation, or the name of the
+    returns a `PredictedReadings`. measured (n,). noise : pairs of a standard deviation, or the name of the
     parameter that it is, and the number of values that have it, in turn. limit : readings at or
     beyond it, on either side, say only that the value is. takes : names of the parameters of the
     model; None where it takes all. exact : whether the model calculates with `rk.Dual`; central
@@ -197,18 +197,18 @@ class Observed:
             model = model._replace(case=function_of(model.case, of_case))
         return replace(self, model=model, takes=names)
 
-    def predict(self, parameters: Mapping[str, Any]) -> Prediction:
+    def predict(self, parameters: Mapping[str, Any]) -> PredictedReadings:
         """The prediction by parameters, numbers or duals, some of which may be of other tests."""
         own = {name: parameters[name] for name in self.takes or ()}
         m = directions(*parameters.values())
         if m and not self.exact:
             return self._by_differences(own, m)
-        found: Prediction = self.model(**own)
+        found: PredictedReadings = self.model(**own)
         if directions(*own.values()) == m:
             return found
         return found._replace(derivatives=np.zeros((len(self.measured), m)))  # none moves it
 
-    def _by_differences(self, own: Mapping[str, Any], m: int) -> Prediction:
+    def _by_differences(self, own: Mapping[str, Any], m: int) -> PredictedReadings:
         plain = {name: value_of(x) for name, x in own.items()}
         along = np.zeros((len(self.measured), m))
         for name, x in own.items():
@@ -216,7 +216,7 @@ class Observed:
             if h > 0.0:
                 low, high = (self.model(**plain | {name: plain[name] + s}) for s in (-h, h))
                 along += np.outer((high.values - low.values) / (2 * h), x.tangent)
-        found: Prediction = self.model(**plain)
+        found: PredictedReadings = self.model(**plain)
         return found._replace(derivatives=along)
 
 
@@ -249,7 +249,7 @@ class _History(NamedTuple):
     fell: bool
     options: SolverOptions | None
 
-    def __call__(self, **parameters: Any) -> Prediction:
+    def __call__(self, **parameters: Any) -> PredictedReadings:
         made = self.case(**parameters)
         m = directions(*parameters.values())
         along = np.zeros((len(self.time), m))
@@ -286,14 +286,16 @@ def _values(run: Response, quantity: str, times: np.ndarray) -> np.ndarray:
     return run.at(np.minimum(times, run.t[-1]), names=(quantity,))[quantity]
 
 
-def _answer(run: Response, values: np.ndarray, along: np.ndarray, mismatch: str) -> Prediction:
+def _answer(
+    run: Response, values: np.ndarray, along: np.ndarray, mismatch: str
+) -> PredictedReadings:
     """A prediction whose lost derivatives are zero, and whose values are nan without an answer."""
     if run.outcome not in _ANSWERS:
-        return Prediction(np.full(len(values), np.nan), np.zeros(along.shape), NO_ANSWER)
+        return PredictedReadings(np.full(len(values), np.nan), np.zeros(along.shape), NO_ANSWER)
     lost = ~np.isfinite(along)
     if lost.any() and mismatch == AS_MEASURED:
         mismatch = GRAZES
-    return Prediction(values, np.where(lost, 0.0, along), mismatch)
+    return PredictedReadings(values, np.where(lost, 0.0, along), mismatch)
 
 
 class _Swings(NamedTuple):
@@ -305,7 +307,7 @@ class _Swings(NamedTuple):
     release_time: str | None
     options: SolverOptions | None
 
-    def __call__(self, **parameters: Any) -> Prediction:
+    def __call__(self, **parameters: Any) -> PredictedReadings:
         m = directions(*parameters.values())
         shift = parameters.pop(self.release_time) if self.release_time else 0.0
         made, number = self.case(**parameters), max(self.lengths.values())
@@ -320,7 +322,7 @@ class _Swings(NamedTuple):
         late = value_of(shift)
         values = self._chosen(found.peak, found.peak_time + late, found.crossing_time + late)
         fewer = not found.peak.all()
-        return Prediction(values, along, FEWER if fewer else AS_MEASURED)
+        return PredictedReadings(values, along, FEWER if fewer else AS_MEASURED)
 
     def _chosen(self, *columns: np.ndarray) -> np.ndarray:
         rows = dict(zip(("peaks", "peak_times", "crossing_times"), columns, strict=True))
@@ -333,7 +335,7 @@ class _Formula(NamedTuple):
     function: Callable[..., Any]
     number: int
 
-    def __call__(self, **parameters: Any) -> Prediction:
+    def __call__(self, **parameters: Any) -> PredictedReadings:
         found = np.asarray(self.function(**parameters))
         if found.shape != (self.number,):
             raise ValueError(
@@ -341,4 +343,4 @@ class _Formula(NamedTuple):
                 "return one value for each that was measured"
             )
         m = directions(*(x for x in parameters.values() if isinstance(x, Dual)))
-        return Prediction(np.asarray(value_of(found), float), tangent_of(found, m))
+        return PredictedReadings(np.asarray(value_of(found), float), tangent_of(found, m))
