@@ -68,9 +68,9 @@ class Observed:
     """Values measured in a test, their noise, and the model that predicts them.
 
     Made by `history`, `swings` or `formula`. model : a function of parameters, by name, that
-    returns a `PredictedReadings`. measured (n,). noise : pairs of a standard deviation, or the name of the
-    parameter that it is, and the number of values that have it, in turn. limit : readings at or
-    beyond it, on either side, say only that the value is. takes : names of the parameters of the
+    returns `PredictedReadings`. measured (n,). noise : pairs of a standard deviation, or the name
+    of the parameter that it is, and the number of values that have it, in turn. limit : readings at
+    or beyond it, on either side, say only that the value is. takes : names of the parameters of the
     model; None where it takes all. exact : whether the model calculates with `rk.Dual`; central
     differences replace its derivatives otherwise.
     """
