@@ -79,7 +79,7 @@ def fits(problem, p, xi, floor, loaded, senses, touching, size) -> bool:
 
 
 def newton(problem: Impact) -> list[np.ndarray]:
-    """(P, Q): u+ >= -e u-, equal where a contact takes an impulse; friction against the last slip."""
+    """(P, Q): u+ >= -e u-, equal where it takes an impulse; friction against the last slip."""
     e = np.concatenate([problem.restitution, np.zeros(len(problem.slip))])
     return complementary(problem, (1 + e) * problem.rates)
 
