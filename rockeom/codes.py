@@ -65,6 +65,9 @@ CONTACT_LAWS = {
 }  # fmt: skip
 """The impact laws of points, by their names."""
 
+LEAST_RESTITUTION = 1e-3
+"""The least above zero with laws of springs, LZB and PAIRWISE."""
+
 ENERGY_ROUNDING = 1e-9
 """An impact gains energy where the kinetic energy grows by more than this part of itself."""
 

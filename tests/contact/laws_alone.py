@@ -1,10 +1,10 @@
-"""The impact laws of points by numbers alone, as plain Python: D, velocities, restitution, friction."""
+"""The impact laws of points as plain Python, by numbers alone: D, velocities, e, friction."""
 
 from functools import cache
 
 import numpy as np
 
-from rockeom.codes import CONTACT_LAWS, NEVER_SLIPS, NEWTON
+from rockeom.codes import CONTACT_LAWS, NEVER_SLIPS
 from rockeom.integrator.schema import POINT_TEXTS
 from rockeom.integrator.texts import text_of
 
@@ -42,7 +42,6 @@ def impulses(law, d, v, w, e, mu, k=None, e_t=None):
     near, sizes, impulse = np.ones(m, np.int64), np.empty(3 * m), np.zeros(2 * m)
     names["sizes_of"](whole, known, sizes)
     rate[np.abs(rate) <= 1e-11 * sizes[: 2 * m]] = 0.0
-    assert CONTACT_LAWS[law] != NEWTON and law != "moreau"
     if not names["impulses_grow"](near, numbers, whole, known, sizes, rate, impulse):
         raise ValueError(f"no impulses of {law} fit")
     return impulse[::2], impulse[1::2]

@@ -44,10 +44,10 @@ if TYPE_CHECKING:  # joined before this text
         free_motion,
         guards,
         jump,
+        landed,
         points,
         rates,
     )
-    from rockeom.integrator.transitions.newton import landed  # or impacts.py, behind this text
     from rockeom.integrator.transitions.points import (
         COUPLING,
         GRAIN,

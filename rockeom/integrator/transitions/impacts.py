@@ -51,7 +51,7 @@ SOON = 1e-6  # parts of a step, after which the states of points are chosen
 NOTHING_LEFT = 1e-12  # of velocities and forces: what is smaller is none
 ROUNDING = 1e-13  # of theirs
 MOST_STEPS = 200000  # of springs
-MOST_TURNS = 100000  # phases, and impacts of single points
+MOST_PHASES = 100000  # phases, and impacts of single points
 # Curves that may fall through zero as springs move, of each point
 RATE, FORCE, HELD, EASES, SLIP, MORE, LESS = range(7)
 
@@ -88,8 +88,9 @@ class Meeting(NamedTuple):
 class Springs(NamedTuple):
     """Springs at points (N_POINTS,): stiffness, force, and what it grows by, see `grow`.
 
-    loads : stiffness now, 0 where a point does not press. opens : 1 where its gap opens or may not
-    close, -1 where it closes. size : of forces. omega : of frequencies. spread, pull (ROWS * N_POINTS) : all forces, and rates of change, by each of these forces.
+    loads : stiffness now, 0 where a point does not press. opens : -1 where its gap closes, else 1.
+    size : of forces. omega : of frequencies. spread, pull (ROWS * N_POINTS) : all forces, and rates
+    of change, by the force of each spring.
     """
 
     stiffness: Floats
@@ -218,7 +219,7 @@ def lines_of(m, known):
 
 
 def grips(m, known):
-    """Stop the slips of points that never slip, and may press: infinite friction stops them at once.
+    """Stop the slips of points that never slip, and may press, by infinite friction: at once.
 
     The normal impulse that goes with it is none.
     """
@@ -274,7 +275,7 @@ def combination(code, m, known):
 
 @inlined
 def friction_on_line(point, m, known):
-    """The largest coefficient of friction of the points that share the slip of one and may press."""
+    """The largest coefficient of friction of points that share the slip of one and may press."""
     most = 0.0
     for j in range(N_POINTS):
         if m.first[j] == point and m.acts[j] == 1:
@@ -388,7 +389,7 @@ def press_and_give_back(m, known):
     one point Routh's. It gains no energy where all points have one e and no friction, or where one
     point meets; where points of unequal e meet it can.
     """
-    closing, pressed = np.zeros(N_POINTS), np.zeros(N_POINTS)
+    closing = np.zeros(N_POINTS)
     for i in range(N_POINTS):
         m.acts[i] = 1 if m.near[i] == 1 and m.rate[2 * i] < 0.0 else 0
     lines_of(m, known)
@@ -405,24 +406,21 @@ def press_and_give_back(m, known):
 
 
 def phase_of_poisson(m, closing, known):
-    """Compression, of gaps that close at first at the rates of closing (N_POINTS,), or expansion."""
+    """Compression, of gaps that close at first at rates of closing (N_POINTS,), or expansion."""
     s = 0.0
-    for _ in range(MOST_TURNS):
+    for _ in range(MOST_PHASES):
         for i in range(N_POINTS):
             above = m.rate[2 * i] - (1.0 - s) * closing[i]
             m.holds[i] = 1 if m.near[i] == 1 and above <= NOTHING_LEFT * m.sizes[2 * i] else 0
             m.acts[i] = 1 if m.holds[i] == 1 or m.given[i] > 0.0 else 0
-            m.target[2 * i] = -closing[i]
         grips(m, known)
         slips_now(m)
-        ahead, fits = 1.0, choose(m, known)
-        if not fits:  # friction closes the gaps: they close faster until it has stopped the slip
+        ahead = 1.0
+        if not chosen_for(ahead, m, closing, known):
+            # friction closes the gaps: they close faster until it has stopped the slip
             ahead = -1.0
-            for i in range(N_POINTS):
-                m.target[2 * i] = closing[i]
-            fits = choose(m, known)
-        if not fits:
-            return False
+            if not chosen_for(ahead, m, closing, known):
+                return False
         lasts, stops = end_of_phase(s, ahead, m, closing)
         if not lasts < np.inf:
             return False
@@ -440,8 +438,16 @@ def phase_of_poisson(m, closing, known):
     return False
 
 
+@inlined
+def chosen_for(ahead, m, closing, known):
+    """Whether forces fit where gaps close ever slower, or, ahead -1, faster."""
+    for i in range(N_POINTS):
+        m.target[2 * i] = -ahead * closing[i]
+    return choose(m, known)
+
+
 def end_of_phase(s, ahead, m, closing):
-    """(how long, row) until a slip stops, or a gap closes as those that are held; row -1: neither."""
+    """(how long, row) until a slip stops, or a gap closes as those held do; row -1: neither."""
     lasts, stops = 1.0 - s if ahead > 0.0 else np.inf, -1
     for i in range(N_POINTS):
         if m.near[i] == 0:
@@ -466,7 +472,7 @@ def one_by_one(m, stiffness, whole, known):
     """
     alone = np.zeros(N_POINTS, np.int64)
     single = m._replace(near=alone)
-    for _ in range(MOST_TURNS):
+    for _ in range(MOST_PHASES):
         which = -1
         for i in range(N_POINTS):
             if m.near[i] == 0 or not m.rate[2 * i] < -NOTHING_LEFT * m.sizes[2 * i]:
@@ -493,11 +499,11 @@ def grow(m, stiffness, whole, known):
 
         dP_i / dP_j = F_i / F_j = (k_i / k_j)**(1/2) (E_i / E_j)**(1/2)
 
-    which is the law of Liu, Zhao and Brogliato (Proc. R. Soc. A 464, 2008 and 465, 2009) with linear
-    stiffness, eta = 1, and the energetic restitution e: each point gives back e**2 of the work that
-    it took. Their law is singular where E_i = E_j = 0. Written in time it is regular: a point at
-    rest begins to press as the others push it, which is the branch that carries load. With e = 0
-    the force drops as the gap no longer closes, to the least that keeps it from opening.
+    which is the law of Liu, Zhao and Brogliato (Proc. R. Soc. A 464, 2008 and 465, 2009) with
+    linear stiffness, eta = 1, and the energetic restitution e: each point gives back e**2 of the
+    work that it took. Their law is singular where E_i = E_j = 0. Written in time it is regular: a
+    point at rest begins to press as the others push it, which is the branch that carries load. With
+    e = 0 the force drops as the gap no longer closes, to the least that keeps it from opening.
 
     The sum of kinetic energy and of E falls by (1 / e**2 - 1) v dP in expansion, and by the work of
     friction; E is zero at both ends. So no impact gains energy.
@@ -541,22 +547,14 @@ def act_now(m, springs, known):
     move them, by which friction is chosen, too.
     """
     force, loads, soon = springs.force, springs.loads, SOON / springs.omega
-    for i in range(N_POINTS):
-        if abs(m.rate[2 * i]) <= NOTHING_LEFT * m.sizes[2 * i]:
-            m.rate[2 * i] = 0.0
-        if m.rate[2 * i] >= 0.0 and force[i] <= NOTHING_LEFT * springs.size:
-            force[i] = 0.0
-        m.acts[i] = 1 if m.near[i] == 1 and (m.rate[2 * i] < 0.0 or force[i] > 0.0) else 0
+    settle(m, springs)
     grips(m, known)
     slips_now(m)
+    settle(m, springs)
     for i in range(N_POINTS):
         v, e = m.rate[2 * i], known[LAWS + 2 * i]
-        m.acts[i] = 1 if m.near[i] == 1 and (v < 0.0 or force[i] > 0.0) else 0
         m.holds[i] = 1 if m.acts[i] == 1 and v == 0.0 and e == 0.0 else 0
-        loads[i] = springs.stiffness[i] if m.acts[i] == 1 else 0.0
-        if v > 0.0 and m.acts[i] == 1:
-            loads[i] = loads[i] / (e * e) if e > 0.0 else 0.0
-            force[i] = force[i] if e > 0.0 else 0.0
+        loads[i] = stiffness_at(v, e, springs.stiffness[i]) if m.acts[i] == 1 else 0.0
     for _ in range(N_POINTS + 1):
         for i in range(N_POINTS):
             m.given[i] = m.target[2 * i] = 0.0
@@ -567,17 +565,31 @@ def act_now(m, springs, known):
         if not some_load(m, springs, soon, known):
             break
     for i in range(N_POINTS):
-        e, turns = known[LAWS + 2 * i], m.rate[2 * i]
-        turns = m.change[2 * i] if turns == 0.0 else turns
-        springs.opens[i] = -1.0 if turns < 0.0 else 1.0
+        v = m.rate[2 * i] if m.rate[2 * i] != 0.0 else m.change[2 * i]
+        springs.opens[i] = -1.0 if v < 0.0 and m.holds[i] == 0 else 1.0
         if m.holds[i] == 1:
-            force[i] = m.force[2 * i] if m.unknown[2 * i] == 1 else 0.0
-            loads[i], springs.opens[i] = 0.0, 1.0
-        elif m.near[i] == 1 and m.rate[2 * i] == 0.0:
-            loads[i] = springs.stiffness[i] if turns < 0.0 or force[i] > 0.0 else 0.0
-            if turns > 0.0 and e > 0.0:
-                loads[i] = loads[i] / (e * e)
+            force[i], loads[i] = m.force[2 * i] if m.unknown[2 * i] == 1 else 0.0, 0.0
+        elif m.near[i] == 1 and (v < 0.0 or force[i] > 0.0):
+            loads[i] = stiffness_at(v, known[LAWS + 2 * i], springs.stiffness[i])
     return True
+
+
+@inlined
+def settle(m, springs):
+    """Which points act: their gaps close, or they press. Rates and forces that are none are zero."""
+    for i in range(N_POINTS):
+        if abs(m.rate[2 * i]) <= NOTHING_LEFT * m.sizes[2 * i]:
+            m.rate[2 * i] = 0.0
+        if m.rate[2 * i] >= 0.0 and springs.force[i] <= NOTHING_LEFT * springs.size:
+            springs.force[i] = 0.0
+        presses_on = m.rate[2 * i] < 0.0 or springs.force[i] > 0.0
+        m.acts[i] = 1 if m.near[i] == 1 and presses_on else 0
+
+
+@inlined
+def stiffness_at(v, e, k):
+    """The stiffness of a spring that loads, v <= 0, or gives back."""
+    return k if not v > 0.0 or e == 0.0 else k / (e * e)
 
 
 def some_load(m, springs, soon, known):
@@ -623,49 +635,51 @@ def move_on(m, springs, steps, known):
     """Steps of the springs, up to where a point does something else; the number of steps so far."""
     series = np.empty((N_POINTS + ROWS) * TERMS)
     curves, least = np.empty(7 * N_POINTS * TERMS), np.empty(7 * N_POINTS)
-    fastest = 0.0
+    fastest, event = 0.0, -1
     for i in range(N_POINTS):
         row = 0.0
         for j in range(N_POINTS):
             row += abs(springs.pull[2 * i * N_POINTS + j]) * springs.loads[j]
         fastest = max(fastest, row)
     h = PART / math.sqrt(fastest) if fastest > 0.0 else PART / springs.omega
-    event = -1
+    limits_of(m, springs, known, least)
     while event < 0 and steps < MOST_STEPS:
         steps += 1
         series_of(m, springs, series)
-        curves_of(m, springs, series, known, curves, least)
-        event, t = first_fall(h, curves, least)
-        for r in range(ROWS):
-            m.rate[r] = value_at(series, (N_POINTS + r) * TERMS, t)
-            for j in range(N_POINTS):
-                m.impulse[r] += springs.spread[r * N_POINTS + j] * integral_to(
-                    series, j * TERMS, t
-                )
-        for i in range(N_POINTS):
-            if m.holds[i] == 0:
-                springs.force[i] = max(value_at(series, i * TERMS, t), 0.0)
-        for i in range(N_POINTS):
-            if m.holds[i] == 1:
-                springs.force[i] = 0.0
-                for j in range(N_POINTS):
-                    if m.holds[j] == 0:
-                        by = springs.spread[2 * i * N_POINTS + j]
-                        springs.force[i] += by * springs.force[j]
-                m.rate[2 * i] = 0.0 if m.unknown[2 * i] == 1 else m.rate[2 * i]
-            if m.unknown[2 * m.first[i] + 1] == 1:
-                m.rate[2 * i + 1] = 0.0
+        curves_of(m, springs, series, known, curves)
+        event, t = falls_first(h, curves, least)
+        put_at(t, m, springs, series)
     point = int((event + 0.5) / 7.0)
     kind = event - 7 * point
-    if kind == RATE and event >= 0:
+    if kind == RATE:
         m.rate[2 * point] = 0.0
+    elif kind in (FORCE, HELD):
+        springs.force[point] = 0.0
     elif kind == SLIP:
         for i in range(N_POINTS):
             if m.first[i] == point:
                 m.rate[2 * i + 1] = 0.0
-    elif kind in (FORCE, HELD):
-        springs.force[point] = 0.0
     return steps
+
+
+def put_at(t, m, springs, series):
+    """Rates, forces and impulses at a time of the power series; what is held stays zero."""
+    for r in range(ROWS):
+        m.rate[r] = value_at(series, (N_POINTS + r) * TERMS, t)
+        for j in range(N_POINTS):
+            by = springs.spread[r * N_POINTS + j]
+            m.impulse[r] += by * integral_to(series, j * TERMS, t)
+    for i in range(N_POINTS):
+        springs.force[i] = 0.0
+        if m.holds[i] == 0:
+            springs.force[i] = max(value_at(series, i * TERMS, t), 0.0)
+        elif m.unknown[2 * i] == 1:
+            m.rate[2 * i] = 0.0
+            for j in range(N_POINTS):
+                by = springs.spread[2 * i * N_POINTS + j]
+                springs.force[i] += by * value_at(series, j * TERMS, t)
+        if m.unknown[2 * m.first[i] + 1] == 1:
+            m.rate[2 * i + 1] = 0.0
 
 
 def series_of(m, springs, series):
@@ -686,54 +700,61 @@ def series_of(m, springs, series):
             series[(N_POINTS + r) * TERMS + k + 1] = part * change
 
 
-def curves_of(m, springs, series, known, curves, least):
-    """The power series of what must not fall below zero, and how far rounding errors may take it.
-
-    A curve that is none has an infinite `least`.
-    """
+def limits_of(m, springs, known, least):
+    """How far below zero rounding may take each curve of `curves_of`; inf of what is none."""
     for i in range(N_POINTS):
-        at, held = 7 * i, m.holds[i] == 1 and m.unknown[2 * i] == 1
+        at, size, holds = 7 * i, springs.size, m.holds[i] == 1 and m.unknown[2 * i] == 1
         for c in range(7):
             least[at + c] = np.inf
         if m.near[i] == 0:
             continue
-        rate, slip = (N_POINTS + 2 * i) * TERMS, (N_POINTS + 2 * i + 1) * TERMS
-        opens = springs.opens[i]
-        leads = m.first[i] == i and m.unknown[2 * i + 1] == 0 and m.sigma[i] != 0.0
-        if not held:
+        if holds:
+            least[at + HELD] = ROUNDING * size
+            least[at + EASES] = ROUNDING * size * springs.omega
+        else:
             least[at + RATE] = ROUNDING * m.sizes[2 * i]
-        if springs.loads[i] > 0.0 and opens > 0.0:
-            least[at + FORCE] = ROUNDING * springs.size
-        if held:
-            least[at + HELD] = ROUNDING * springs.size
-            least[at + EASES] = ROUNDING * springs.size * springs.omega
-        if leads:
+        if springs.loads[i] > 0.0 and springs.opens[i] > 0.0:
+            least[at + FORCE] = ROUNDING * size
+        if m.first[i] == i and m.sigma[i] != 0.0:
             least[at + SLIP] = ROUNDING * m.sizes[2 * i + 1]
-        sticks = m.first[i] == i and m.unknown[2 * i + 1] == 1
-        if sticks and friction_on_line(i, m, known) < NEVER_SLIPS:
-            least[at + MORE] = least[at + LESS] = ROUNDING * springs.size
+        elif m.unknown[2 * i + 1] == 1 and friction_on_line(i, m, known) < NEVER_SLIPS:
+            least[at + MORE] = least[at + LESS] = ROUNDING * size
+
+
+def curves_of(m, springs, series, known, curves):
+    """The power series of what ends a phase as it falls below zero.
+
+    Of each point: how fast its gap closes still, or opens; its force; that which holds its gap, and
+    how fast that falls; its slip; the friction that it could have on either side.
+    """
+    for i in range(N_POINTS):
         for k in range(TERMS):
-            curves[(at + RATE) * TERMS + k] = opens * series[rate + k]
-            curves[(at + FORCE) * TERMS + k] = series[i * TERMS + k]
-            curves[(at + SLIP) * TERMS + k] = m.sigma[i] * series[slip + k]
-            normal = eases = friction = bound = 0.0
+            at, force = 7 * i * TERMS + k, springs_at(2 * i, springs, series, k)
+            friction, bound, eases = springs_at(2 * i + 1, springs, series, k), 0.0, 0.0
             for j in range(N_POINTS):
                 by = springs.spread[2 * i * N_POINTS + j]
-                normal += by * series[j * TERMS + k]
                 eases += by * springs.loads[j] * series[(N_POINTS + 2 * j) * TERMS + k]
-                friction += springs.spread[(2 * i + 1) * N_POINTS + j] * series[j * TERMS + k]
-                if least[at + MORE] < np.inf and m.first[j] == i:
-                    for s in range(N_POINTS):
-                        by = springs.spread[2 * j * N_POINTS + s] * series[s * TERMS + k]
-                        bound += known[LAWS + 2 * j + 1] * by
-            curves[(at + HELD) * TERMS + k] = normal
-            curves[(at + EASES) * TERMS + k] = eases
-            curves[(at + MORE) * TERMS + k] = bound - friction
-            curves[(at + LESS) * TERMS + k] = bound + friction
+                if m.first[j] == i and known[LAWS + 2 * j + 1] < NEVER_SLIPS:
+                    bound += known[LAWS + 2 * j + 1] * springs_at(2 * j, springs, series, k)
+            curves[at + RATE * TERMS] = springs.opens[i] * series[(N_POINTS + 2 * i) * TERMS + k]
+            curves[at + FORCE * TERMS] = series[i * TERMS + k]
+            curves[at + HELD * TERMS] = force
+            curves[at + EASES * TERMS] = eases
+            curves[at + SLIP * TERMS] = m.sigma[i] * series[(N_POINTS + 2 * i + 1) * TERMS + k]
+            curves[at + MORE * TERMS] = bound - friction
+            curves[at + LESS * TERMS] = bound + friction
 
 
-def first_fall(h, curves, least):
-    """(curve, time) of the first curve that falls below zero in a step h; (-1, h) where none does."""
+def springs_at(row, springs, series, k):
+    """The k-th term of the force of a row, by those of the springs."""
+    total = 0.0
+    for j in range(N_POINTS):
+        total += springs.spread[row * N_POINTS + j] * series[j * TERMS + k]
+    return total
+
+
+def falls_first(h, curves, least):
+    """(curve, time) of the first curve that falls below zero in a step h; (-1, h): none does."""
     event, first = -1, h
     for c in range(7 * N_POINTS):
         if not least[c] < np.inf:
