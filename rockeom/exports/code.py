@@ -19,7 +19,7 @@ from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
-from rockeom.integrator.schema import POINT_TEXTS, GeneratedModule, has_points
+from rockeom.integrator.schema import GeneratedModule, has_points, point_texts
 from rockeom.integrator.texts import source, text_of
 from rockeom.modelling.declared import class_of_model
 from rockeom.numbers.checks import described, near
@@ -223,7 +223,8 @@ def code(module: GeneratedModule, language: str) -> str:
 def _described(module: GeneratedModule) -> Described:
     texts = [Text(f"{module.NAME}.py", source(module))]
     if has_points(module):
-        texts += [*(Text(path, text_of(path)) for path in POINT_TEXTS), Text("impact", _OF_POINTS)]
+        texts += [Text(path, text_of(path)) for path in point_texts(module)]
+        texts.append(Text("impact", _OF_POINTS))
     texts.append(Text("sine and cosine", _SINE_COSINE))
     entries = _entries(texts, ("impact",))
     functions = Functions(texts, entries)

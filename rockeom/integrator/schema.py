@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from typing import Any, Protocol, TypeGuard
 
-from rockeom.codes import LANDING
+from rockeom.codes import LANDING, NEWTON
 
 POINTS = "integrator/transitions/points.py"
-POINT_TEXTS = (POINTS, "integrator/transitions/candidates.py")
+POINT_TEXTS = (
+    POINTS, "integrator/transitions/candidates.py", "integrator/transitions/newton.py",
+)  # fmt: skip
 """The texts that search for the mode that follows, of structures with contact points."""
+IMPACTS = "integrator/transitions/impacts.py"
+"""In place of the last one, where the impact law of the points is another."""
 
 
 class GeneratedModule(Protocol):
@@ -104,6 +108,16 @@ class SearchedModes(GeneratedModule, Protocol):
 def has_points(module: Any) -> TypeGuard[SearchedModes]:
     """Whether a structure's modes are searched for among those of its points and elements."""
     return hasattr(module, "POINT_STATES")
+
+
+def impact_law(module: Any) -> int:
+    """The impact law of the points of a structure: the number of one of `CONTACT_LAWS`."""
+    return getattr(module, "IMPACT_LAW", NEWTON)
+
+
+def point_texts(module: Any) -> tuple[str, ...]:
+    """The texts that search for the mode that follows in the motions of a structure."""
+    return POINT_TEXTS if impact_law(module) == NEWTON else (*POINT_TEXTS[:-1], IMPACTS)
 
 
 def has_landings(module: GeneratedModule) -> TypeGuard[SearchedModes]:
