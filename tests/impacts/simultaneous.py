@@ -80,8 +80,7 @@ def fits(problem, p, xi, floor, loaded, senses, touching, size) -> bool:
 
 def newton(problem: Impact) -> list[np.ndarray]:
     """(P, Q): u+ >= -e u-, equal where it takes an impulse; friction against the last slip."""
-    e = np.concatenate([problem.restitution, np.zeros(len(problem.slip))])
-    return complementary(problem, (1 + e) * problem.rates)
+    return complementary(problem, problem.rates + returned(problem, [0.0] * len(problem.slip)))
 
 
 def moreau(problem: Impact) -> list[np.ndarray]:
@@ -89,12 +88,18 @@ def moreau(problem: Impact) -> list[np.ndarray]:
 
     Contacts of one slip need one restitution for this form.
     """
-    e = list(problem.restitution)
+    e_t = []
     for j in range(len(problem.slip)):
         of_slip = {problem.restitution[i] for i, k in enumerate(problem.slips_with) if k == j}
         assert len(of_slip) == 1, "contacts that share a slip differ in restitution: split the slip"
-        e += of_slip
-    return complementary(problem, (1 + np.array(e)) * problem.rates)
+        e_t += of_slip
+    return complementary(problem, problem.rates + returned(problem, e_t))
+
+
+def returned(problem: Impact, e_t: list[float]) -> np.ndarray:
+    """e times the rates before; of a gap that opens none."""
+    rates, m = problem.rates, len(problem.normal)
+    return np.concatenate([problem.restitution * np.minimum(rates[:m], 0.0), e_t * rates[m:]])
 
 
 def poisson(problem: Impact) -> list[np.ndarray]:
