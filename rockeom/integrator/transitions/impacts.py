@@ -547,10 +547,10 @@ def act_now(m, springs, known):
     move them, by which friction is chosen, too.
     """
     force, loads, soon = springs.force, springs.loads, SOON / springs.omega
-    settle(m, springs)
+    which_act(m, springs)
     grips(m, known)
     slips_now(m)
-    settle(m, springs)
+    which_act(m, springs)
     for i in range(N_POINTS):
         v, e = m.rate[2 * i], known[LAWS + 2 * i]
         m.holds[i] = 1 if m.acts[i] == 1 and v == 0.0 and e == 0.0 else 0
@@ -575,8 +575,8 @@ def act_now(m, springs, known):
 
 
 @inlined
-def settle(m, springs):
-    """Which points act: their gaps close, or they press. Rates and forces that are none are zero."""
+def which_act(m, springs):
+    """Which points act: they close, or press. Rates and forces that are nothing are zero."""
     for i in range(N_POINTS):
         if abs(m.rate[2 * i]) <= NOTHING_LEFT * m.sizes[2 * i]:
             m.rate[2 * i] = 0.0
