@@ -776,19 +776,17 @@ def falls_first(h, curves, least):
 
 def root_between(curves, at, low, high):
     """Where a curve falls through zero between two times, to the last digits."""
-    t = 0.5 * (low + high)
+    above, below, t = low, high, 0.5 * (low + high)
     for _ in range(60):
         slope, value = 0.0, value_at(curves, at, t)
-        if value > 0.0:
-            low = t
-        else:
-            high = t
+        above, below = (t, below) if value > 0.0 else (above, t)
         for back in range(ORDER):
             k = ORDER - back
             slope = slope * t + k * curves[at + k]
-        newton = t - value / slope if slope != 0.0 else low
-        done = low < newton < high and abs(newton - t) <= 1e-15 * high
-        t = newton if low < newton < high else 0.5 * (low + high)
+        newton = t - value / slope if slope != 0.0 else above
+        inside = above <= newton <= below
+        done = inside and abs(newton - t) <= 1e-15 * high
+        t = newton if inside else 0.5 * (above + below)
         if done:
             break
     return t
