@@ -547,10 +547,10 @@ def act_now(m, springs, known):
     move them, by which friction is chosen, too.
     """
     force, loads, soon = springs.force, springs.loads, SOON / springs.omega
-    settle(m, springs)
+    which_act(m, springs)
     grips(m, known)
     slips_now(m)
-    settle(m, springs)
+    which_act(m, springs)
     for i in range(N_POINTS):
         v, e = m.rate[2 * i], known[LAWS + 2 * i]
         m.holds[i] = 1 if m.acts[i] == 1 and v == 0.0 and e == 0.0 else 0
@@ -575,8 +575,8 @@ def act_now(m, springs, known):
 
 
 @inlined
-def settle(m, springs):
-    """Which points act: their gaps close, or they press. Rates and forces that are none are zero."""
+def which_act(m, springs):
+    """Which points act: they close, or press. Rates and forces that are nothing are zero."""
     for i in range(N_POINTS):
         if abs(m.rate[2 * i]) <= NOTHING_LEFT * m.sizes[2 * i]:
             m.rate[2 * i] = 0.0
@@ -776,19 +776,17 @@ def falls_first(h, curves, least):
 
 def root_between(curves, at, low, high):
     """Where a curve falls through zero between two times, to the last digits."""
-    t = 0.5 * (low + high)
+    above, below, t = low, high, 0.5 * (low + high)
     for _ in range(60):
         slope, value = 0.0, value_at(curves, at, t)
-        if value > 0.0:
-            low = t
-        else:
-            high = t
+        above, below = (t, below) if value > 0.0 else (above, t)
         for back in range(ORDER):
             k = ORDER - back
             slope = slope * t + k * curves[at + k]
-        newton = t - value / slope if slope != 0.0 else low
-        done = low < newton < high and abs(newton - t) <= 1e-15 * high
-        t = newton if low < newton < high else 0.5 * (low + high)
+        newton = t - value / slope if slope != 0.0 else above
+        inside = above <= newton <= below
+        done = inside and abs(newton - t) <= 1e-15 * high
+        t = newton if inside else 0.5 * (above + below)
         if done:
             break
     return t
