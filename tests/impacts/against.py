@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from rockeom.codes import NEVER_SLIPS
 from tests.contact.laws_alone import impulses
 from tests.impacts.mechanics import Impact
 
@@ -14,8 +15,7 @@ def by_package(problem: Impact, law: str, **numbers: np.ndarray) -> np.ndarray:
     rows = [row for i in range(m) for row in (i, m + problem.slips_with[i])]
     if law in ("lzb", "pairwise"):
         numbers["k"] = problem.stiffness
-    friction = np.where(np.isinf(problem.friction), np.nan, problem.friction)
-    mu = None if np.isnan(friction).all() else friction
+    mu = np.where(np.isinf(problem.friction), NEVER_SLIPS, problem.friction)
     u, s = problem.rates[:m], problem.rates[m:]
     P, Q = impulses(
         law, G[np.ix_(rows, rows)], u, s[list(problem.slips_with)], problem.restitution, mu,
