@@ -66,7 +66,7 @@ CONTACT_LAWS = {
 """The impact laws of points, by their names."""
 
 LEAST_RESTITUTION = 1e-3
-"""The least above zero with laws of springs, LZB and PAIRWISE."""
+"""The least above zero with springs, LZB."""
 
 ENERGY_ROUNDING = 1e-9
 """An impact gains energy where the kinetic energy grows by more than this part of itself."""

@@ -157,8 +157,8 @@ def check_contact_law(what: str, restitution: float, law: str) -> None:
             f"{what}: law is {described(law)}{near(str(law), CONTACT_LAWS)}: give the impact law "
             f"of the feet, one of {', '.join(CONTACT_LAWS)}"
         )
-    if law in ("lzb", "pairwise") and 0.0 < restitution < LEAST_RESTITUTION:
+    if law == "lzb" and 0.0 < restitution < LEAST_RESTITUTION:
         raise ValueError(
-            f"{what}: restitution is {restitution}: with the law {law!r} give 0, or "
-            f"{LEAST_RESTITUTION:g} and more, since springs give back 1 / e times as fast"
+            f"{what}: restitution is {restitution}: with law='lzb' give 0, or "
+            f"{LEAST_RESTITUTION:g} and more, since its springs give back 1 / e times as fast"
         )

@@ -98,8 +98,7 @@ class Rigid:
         self._check_numbers_of_laws(what)
 
     def _check_numbers_of_laws(self, what: str) -> None:
-        springs = self.law in ("lzb", "pairwise")
-        if self.stiffness != 1 and not springs:
+        if self.stiffness != 1 and self.law not in ("lzb", "pairwise"):
             raise ValueError(
                 f"{what}: stiffness is {self.stiffness}, which the law {self.law!r} has none of: "
                 'leave it out, or give law="lzb" or law="pairwise"'
@@ -112,10 +111,11 @@ class Rigid:
                 'leave it out, or give law="moreau"'
             )
         restitution = sp.sympify(self.restitution)
-        if springs and restitution.is_number and 0 < restitution < LEAST_RESTITUTION:
+        of_springs = self.law == "lzb" and restitution.is_number
+        if of_springs and 0 < restitution < LEAST_RESTITUTION:
             raise ValueError(
-                f"{what}: restitution is {restitution}: with the law {self.law!r} give 0, or "
-                f"{LEAST_RESTITUTION:g} and more, since springs give back 1 / e times as fast"
+                f"{what}: restitution is {restitution}: with law='lzb' give 0, or "
+                f"{LEAST_RESTITUTION:g} and more, since its springs give back 1 / e times as fast"
             )
 
     @property

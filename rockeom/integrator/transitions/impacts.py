@@ -8,7 +8,7 @@ laws differ in normal forces:
     poisson   all gaps that close do so ever slower, in proportion; the impulses of that are given
               back, times e, see `press_and_give_back`
     lzb       springs of stiffness k as they load, and k / e**2 as they give back, see `grow`
-    pairwise  those of one point after the other, see `one_by_one`
+    pairwise  single points one after the other, with the restitution of lzb, see `one_by_one`
 
 This text is joined behind candidates.py, see `rockeom.integrator.program`.
 """
@@ -155,7 +155,7 @@ def impulses_grow(near, numbers, whole, known, sizes, rate, impulse):
     if IMPACT_LAW == LZB:
         ends = grow(m, numbers, whole, known)
     if IMPACT_LAW == PAIRWISE:
-        ends = one_by_one(m, numbers, whole, known)
+        ends = one_by_one(m, numbers, known)
     return ends
 
 
@@ -331,9 +331,8 @@ def bound_of(point, m, known):
     """The largest friction of the points that share the slip of one."""
     bound = 0.0
     for j in range(N_POINTS):
-        if m.first[j] == point and m.force[2 * j] > 0.0:
-            friction = known[LAWS + 2 * j + 1]
-            bound += friction * m.force[2 * j] if friction < NEVER_SLIPS else np.inf
+        if m.first[j] == point:
+            bound += known[LAWS + 2 * j + 1] * max(m.force[2 * j], 0.0)
     return bound
 
 
@@ -351,7 +350,7 @@ def least_margin(m, known):
             least = min(least, (m.change[normal] - m.target[normal]) / size)
         if m.first[i] != i or m.slides[i] != 0.0:
             continue
-        if m.unknown[along] == 1:
+        if m.unknown[along] == 1 and friction_on_line(i, m, known) < NEVER_SLIPS:
             least = min(least, (bound_of(i, m, known) - abs(m.force[along])) / largest)
         elif m.sigma[i] != 0.0:
             size = known[COUPLING + along * ROWS + along] * largest
@@ -462,10 +461,10 @@ def end_of_phase(s, ahead, m, closing):
     return lasts, stops
 
 
-# -- springs -------------------------------------------------------------------------------------
+# -- pairs ---------------------------------------------------------------------------------------
 
 
-def one_by_one(m, stiffness, whole, known):
+def one_by_one(m, stiffness, known):
     """Impacts of single points, until no gap closes; whether that comes to an end.
 
     The stiffest of the points that close is next; of those as stiff the one that closes fastest.
@@ -484,10 +483,58 @@ def one_by_one(m, stiffness, whole, known):
         if which < 0:
             return True
         alone[which] = 1
-        if not grow(single, stiffness, whole, known):
+        if not meet_alone(which, single, known):
             return False
         alone[which] = 0
     return False
+
+
+def meet_alone(point, m, known):
+    """The impact of one point, by Routh's method and the energetic restitution; whether it ends.
+
+    Rates are linear in its normal impulse P as long as the slip keeps its state, so that the work
+    taken, and given back, is quadratic: the impact ends where e**2 of the work has been given back.
+    """
+    row, e, energy = 2 * point, known[LAWS + 2 * point], 0.0
+    for i in range(N_POINTS):
+        m.first[i], m.holds[i], m.acts[i], m.given[i] = i, 0, m.near[i], float(m.near[i])
+        m.target[2 * i] = 0.0
+    for _ in range(MOST_PHASES):
+        grips(m, known)
+        slips_now(m)
+        if not choose(m, known):
+            return False
+        v, a, slip = m.rate[row], m.change[row], m.rate[row + 1]
+        opens = v > 0.0 or (v == 0.0 and a > 0.0)
+        part = e * e if opens else 1.0  # dE = -v dP / part
+        if opens and part * energy == 0.0:
+            return True
+        spent, ends = np.inf, -1
+        if opens and v * v + 2.0 * a * part * energy >= 0.0:
+            spent = 2.0 * part * energy / (v + math.sqrt(v * v + 2.0 * a * part * energy))
+        lasts = -v / a if v * a < 0.0 else np.inf
+        if lasts < np.inf:
+            ends = row
+        slows = -m.slides[point] * m.change[row + 1]
+        if m.slides[point] != 0.0 and slows > 0.0 and abs(slip) < lasts * slows:
+            lasts, ends = abs(slip) / slows, row + 1
+        done = spent <= lasts
+        lasts = min(lasts, spent)
+        if not lasts < np.inf:
+            return False
+        energy = max(energy - lasts * (v + 0.5 * a * lasts) / part, 0.0)
+        for r in range(ROWS):
+            m.impulse[r] += lasts * m.force[r]
+            m.rate[r] += lasts * m.change[r]
+        if m.unknown[row + 1] == 1:
+            m.rate[row + 1] = 0.0
+        if done:
+            return True
+        m.rate[ends] = 0.0
+    return False
+
+
+# -- springs -------------------------------------------------------------------------------------
 
 
 def grow(m, stiffness, whole, known):
