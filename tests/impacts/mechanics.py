@@ -54,6 +54,10 @@ class Impact:
         before = self.velocity @ self.mass @ self.velocity
         return float((after @ self.mass @ after - before) / before)
 
+    def with_velocity(self, velocity: Any) -> Impact:
+        """The same bodies with other velocities before."""
+        return replace(self, velocity=np.asarray(velocity, float))
+
     def with_(self, **changed: Any) -> Impact:
         """The same bodies with other numbers for all contacts."""
         m = len(self.normal)

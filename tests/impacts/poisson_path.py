@@ -51,6 +51,8 @@ def _follow(problem, rates, closing, given, size) -> tuple[np.ndarray, np.ndarra
         lengths += [-x / dx for x, dx in zip(gaps, approach, strict=True) if x > 0 > dx]
         lengths += [-x / dx for x, dx in zip(slips, change[m:], strict=True) if x * dx < 0]
         length = min(lengths)
+        if math.isinf(length):  # a jam that no stop of a slip ends
+            raise NoPieceError
         rates, total, a = rates + change * length, total + p * length, a + direction * length
         if a >= 1 - 1e-14:
             return rates, total
