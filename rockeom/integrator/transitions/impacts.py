@@ -218,33 +218,38 @@ def lines_of(m, known):
                 m.first[i] = j
 
 
-def grips(m, known):
+def grip(lines, m, known):
     """Stop the slips of points that never slip, and may press, by infinite friction: at once.
 
-    The normal impulse that goes with it is none.
+    The normal impulse that goes with it is none. It may let others close faster than at the rates
+    of lines (N_POINTS,), which press from now on, too.
     """
     a, held = np.empty(ROWS * (ROWS + 1)), np.empty(ROWS, np.int64)
-    order, moves = 0, False
-    for i in range(N_POINTS):
-        if m.acts[i] == 1 and known[LAWS + 2 * i + 1] >= NEVER_SLIPS:
-            held[order] = 2 * i + 1
-            moves = moves or m.rate[2 * i + 1] != 0.0
-            order += 1
-    if not moves:
-        return
-    width = order + 1
-    for r in range(order):
-        for s in range(order):
-            a[r * width + s] = known[COUPLING + held[r] * ROWS + held[s]]
-        a[r * width + order] = -m.rate[held[r]]
-    eliminate(a, order, width)
-    for r in range(order):
-        given = a[r * width + order]
-        m.impulse[held[r]] += given
-        for s in range(ROWS):
-            m.rate[s] += known[COUPLING + s * ROWS + held[r]] * given
-    for r in range(order):
-        m.rate[held[r]] = 0.0
+    for _ in range(N_POINTS):
+        order, moves = 0, False
+        for i in range(N_POINTS):
+            if m.acts[i] == 1 and known[LAWS + 2 * i + 1] >= NEVER_SLIPS:
+                held[order] = 2 * i + 1
+                moves = moves or m.rate[2 * i + 1] != 0.0
+                order += 1
+        if not moves:
+            break
+        width = order + 1
+        for r in range(order):
+            for s in range(order):
+                a[r * width + s] = known[COUPLING + held[r] * ROWS + held[s]]
+            a[r * width + order] = -m.rate[held[r]]
+        eliminate(a, order, width)
+        for r in range(order):
+            m.impulse[held[r]] += a[r * width + order]
+            for s in range(ROWS):
+                by = known[COUPLING + s * ROWS + held[r]]
+                m.rate[s] += by * a[r * width + order]
+        for r in range(order):
+            m.rate[held[r]] = 0.0
+        for i in range(N_POINTS):
+            below = m.rate[2 * i] < lines[i] - NOTHING_LEFT * m.sizes[2 * i]
+            m.acts[i] = 1 if m.near[i] == 1 and below else m.acts[i]
 
 
 def combination(code, m, known):
@@ -392,7 +397,7 @@ def press_and_give_back(m, known):
     for i in range(N_POINTS):
         m.acts[i] = 1 if m.near[i] == 1 and m.rate[2 * i] < 0.0 else 0
     lines_of(m, known)
-    grips(m, known)
+    grip(closing, m, known)
     for i in range(N_POINTS):
         closing[i] = min(m.rate[2 * i], 0.0) if m.near[i] == 1 else 0.0
         m.given[i] = 0.0
@@ -406,13 +411,19 @@ def press_and_give_back(m, known):
 
 def phase_of_poisson(m, closing, known):
     """Compression, of gaps that close at first at rates of closing (N_POINTS,), or expansion."""
-    s = 0.0
+    s, lines = 0.0, np.empty(N_POINTS)
     for _ in range(MOST_PHASES):
         for i in range(N_POINTS):
-            above = m.rate[2 * i] - (1.0 - s) * closing[i]
-            m.holds[i] = 1 if m.near[i] == 1 and above <= NOTHING_LEFT * m.sizes[2 * i] else 0
-            m.acts[i] = 1 if m.holds[i] == 1 or m.given[i] > 0.0 else 0
-        grips(m, known)
+            lines[i] = (1.0 - s) * closing[i]
+            on = m.near[i] == 1 and m.rate[2 * i] <= lines[i] + NOTHING_LEFT * m.sizes[2 * i]
+            m.acts[i] = 1 if on or m.given[i] > 0.0 else 0
+        grip(lines, m, known)
+        for i in range(N_POINTS):
+            least = NOTHING_LEFT * m.sizes[2 * i]
+            if m.rate[2 * i] < lines[i] - least:  # it closes faster, as others no longer slip
+                closing[i] = m.rate[2 * i] / (1.0 - s)
+                lines[i] = m.rate[2 * i]
+            m.holds[i] = 1 if m.near[i] == 1 and m.rate[2 * i] <= lines[i] + least else 0
         slips_now(m)
         ahead = 1.0
         if not chosen_for(ahead, m, closing, known):
@@ -496,11 +507,12 @@ def meet_alone(point, m, known):
     taken, and given back, is quadratic: the impact ends where e**2 of the work has been given back.
     """
     row, e, energy = 2 * point, known[LAWS + 2 * point], 0.0
+    lines = np.zeros(N_POINTS)
     for i in range(N_POINTS):
         m.first[i], m.holds[i], m.acts[i], m.given[i] = i, 0, m.near[i], float(m.near[i])
         m.target[2 * i] = 0.0
     for _ in range(MOST_PHASES):
-        grips(m, known)
+        grip(lines, m, known)
         slips_now(m)
         if not choose(m, known):
             return False
@@ -593,50 +605,72 @@ def act_now(m, springs, known):
     Points that rest, and those that have come to rest with e = 0, do as the forces a little later
     move them, by which friction is chosen, too.
     """
-    force, loads, soon = springs.force, springs.loads, SOON / springs.omega
-    which_act(m, springs)
-    grips(m, known)
-    slips_now(m)
-    which_act(m, springs)
+    force, soon = springs.force, SOON / springs.omega
     for i in range(N_POINTS):
-        v, e = m.rate[2 * i], known[LAWS + 2 * i]
-        m.holds[i] = 1 if m.acts[i] == 1 and v == 0.0 and e == 0.0 else 0
-        loads[i] = stiffness_at(v, e, springs.stiffness[i]) if m.acts[i] == 1 else 0.0
-    for _ in range(N_POINTS + 1):
+        if abs(m.rate[2 * i]) <= NOTHING_LEFT * m.sizes[2 * i]:
+            m.rate[2 * i] = 0.0
+        if m.rate[2 * i] >= 0.0 and force[i] <= NOTHING_LEFT * springs.size:
+            force[i] = 0.0
+        m.acts[i] = 0
+    which_act(m, springs, known)
+    for _ in range(4 * N_POINTS):
         for i in range(N_POINTS):
             m.given[i] = m.target[2 * i] = 0.0
             if m.acts[i] == 1 and m.holds[i] == 0:
-                m.given[i] = max(force[i] - soon * loads[i] * m.rate[2 * i], 0.0)
+                m.given[i] = max(force[i] - soon * springs.loads[i] * m.rate[2 * i], 0.0)
         if not choose(m, known):
             return False
-        if not some_load(m, springs, soon, known):
+        if not (some_load(m, springs, soon, known) or some_join(m, springs, known)):
             break
     for i in range(N_POINTS):
         v = m.rate[2 * i] if m.rate[2 * i] != 0.0 else m.change[2 * i]
         springs.opens[i] = -1.0 if v < 0.0 and m.holds[i] == 0 else 1.0
         if m.holds[i] == 1:
-            force[i], loads[i] = m.force[2 * i] if m.unknown[2 * i] == 1 else 0.0, 0.0
-        elif m.near[i] == 1 and (v < 0.0 or force[i] > 0.0):
-            loads[i] = stiffness_at(v, known[LAWS + 2 * i], springs.stiffness[i])
+            force[i] = m.force[2 * i] if m.unknown[2 * i] == 1 else 0.0
+            springs.loads[i] = 0.0
+        elif m.acts[i] == 1:
+            loads = stiffness_at(v, known[LAWS + 2 * i], springs.stiffness[i])
+            springs.loads[i] = loads if v < 0.0 or force[i] > 0.0 else 0.0
     return True
-
-
-@inlined
-def which_act(m, springs):
-    """Which points act: they close, or press. Rates and forces that are nothing are zero."""
-    for i in range(N_POINTS):
-        if abs(m.rate[2 * i]) <= NOTHING_LEFT * m.sizes[2 * i]:
-            m.rate[2 * i] = 0.0
-        if m.rate[2 * i] >= 0.0 and springs.force[i] <= NOTHING_LEFT * springs.size:
-            springs.force[i] = 0.0
-        presses_on = m.rate[2 * i] < 0.0 or springs.force[i] > 0.0
-        m.acts[i] = 1 if m.near[i] == 1 and presses_on else 0
 
 
 @inlined
 def stiffness_at(v, e, k):
     """The stiffness of a spring that loads, v <= 0, or gives back."""
     return k if not v > 0.0 or e == 0.0 else k / (e * e)
+
+
+def which_act(m, springs, known):
+    """The points that close, or press, and those of `acts` that rest and are pushed; their springs.
+
+    Slips of those of them that never slip end, which changes the rates of others.
+    """
+    lines = np.zeros(N_POINTS)
+    for turn in range(2):
+        for i in range(N_POINTS):
+            v, rests = m.rate[2 * i], m.acts[i] == 1 and m.rate[2 * i] == 0.0
+            acts = m.near[i] == 1 and (v < 0.0 or springs.force[i] > 0.0 or rests)
+            m.acts[i] = 1 if acts else 0
+        if turn == 0:
+            grip(lines, m, known)
+    slips_now(m)
+    for i in range(N_POINTS):
+        v, e = m.rate[2 * i], known[LAWS + 2 * i]
+        rests = v == 0.0 and springs.force[i] > 0.0
+        m.holds[i] = 1 if m.acts[i] == 1 and rests and e == 0.0 else 0
+        loads = stiffness_at(v, e, springs.stiffness[i])
+        springs.loads[i] = loads if m.acts[i] == 1 else 0.0
+
+
+def some_join(m, springs, known):
+    """Whether a point at rest is pushed by the forces, and is to press: it acts from now on."""
+    found = False
+    for i in range(N_POINTS):
+        if m.near[i] == 1 and m.acts[i] == 0 and m.rate[2 * i] == 0.0 and m.change[2 * i] < 0.0:
+            m.acts[i], found = 1, True
+    if found:
+        which_act(m, springs, known)
+    return found
 
 
 def some_load(m, springs, soon, known):
