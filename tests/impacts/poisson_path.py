@@ -77,7 +77,7 @@ def _piece(problem, gaps, slips, lift, given) -> np.ndarray | None:
                 for i in active if i not in press
             )  # fmt: skip
             for j, how in enumerate(sense):
-                touching = [i for i in range(m) if problem.slips_with[i] == j and p[i]]
+                touching = [i for i in range(m) if problem.slips_with[i] == j and p[i] > 0]
                 if how == 0:
                     good &= (
                         abs(p[m + j])

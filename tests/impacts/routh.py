@@ -27,10 +27,9 @@ def after_stop(G: np.ndarray, mu: float) -> int:
 
 
 def pieces(G: np.ndarray, rates: np.ndarray, mu: float) -> list[tuple[float, np.ndarray, float]]:
-    """(P at the start, slopes of the rates, dQ/dP) of each piece of the path."""
+    """(P at the start, slopes of the rates, dQ/dP) of each piece; infinite friction has no slip."""
     s = rates[1]
     if s == 0 or math.isinf(mu):
-        assert s == 0 or not math.isinf(mu), "a contact that never slips has slipped"
         return [(0.0, *slopes(G, after_stop(G, mu), mu))]
     first = slopes(G, int(math.copysign(1, s)), mu)
     found = [(0.0, *first)]

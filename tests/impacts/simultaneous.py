@@ -91,8 +91,8 @@ def moreau(problem: Impact) -> list[np.ndarray]:
     e_t = []
     for j in range(len(problem.slip)):
         of_slip = {problem.restitution[i] for i, k in enumerate(problem.slips_with) if k == j}
-        assert len(of_slip) == 1, "contacts that share a slip differ in restitution: split the slip"
-        e_t += of_slip
+        assert len(of_slip) == 1 or not problem.friction.any(), "split the slip"
+        e_t.append(max(of_slip))
     return complementary(problem, problem.rates + returned(problem, e_t))
 
 

@@ -133,8 +133,10 @@ class Springs:
             if sense in (1, -1):
                 rows.append(sense * unit[self.m + j])
             elif sense == STICKS:
-                limit = sum(self.problem.friction[i] * z[i] for i in self.touching(j))
-                if np.all(np.isfinite(limit)):
+                mu = self.problem.friction
+                pressed = [i for i in self.touching(j) if mode.contacts[i] != OPEN]
+                if not np.isinf(mu[pressed]).any():
+                    limit = mu[pressed] @ z[pressed]
                     rows += [limit - z[self.m + j], limit + z[self.m + j]]
         return np.array(rows)
 

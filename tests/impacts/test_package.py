@@ -1,0 +1,122 @@
+"""The package's laws of impact against the references of this folder."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.impacts.against import by_package
+from tests.impacts.energy import LAWS, cannot_gain, double_pendulum, landings
+from tests.impacts.mechanics import Impact, balls, impact
+from tests.impacts.pairwise import three_balls
+from tests.impacts.poisson_path import poisson_path
+from tests.impacts.shipped import LAWS_OF_PACKAGE, difference, land, random_landings
+from tests.impacts.springs import springs
+
+
+@pytest.mark.parametrize("law", sorted(LAWS_OF_PACKAGE))
+def test_compiled_landings_are_those_of_the_reference(law):
+    """The block on level feet, its old corner sliding or not, any e and friction."""
+    for landing in random_landings(law, seed=12, count=40):
+        assert landing is not None
+        assert difference(law, landing) < 1e-10
+        gain = landing.before.gain(landing.after)
+        assert gain < 1e-12 or not cannot_gain(landing.before, LAWS_OF_PACKAGE[law])
+
+
+@pytest.mark.parametrize(
+    ("law", "ratio"),
+    [
+        ("newton", -0.8),
+        ("moreau", -0.8),
+        ("poisson", -0.8),
+        ("lzb", 0.4970556989196844 / 4.1307601),
+        ("pairwise", 1 - 3.6 * 2.4 / 3.4 * (1 - 1.8 * 1.4 / 3.4)),
+    ],
+)
+def test_the_landing_on_the_second_corner(law, ratio):
+    """half_width .5, half_height .25, e = .8, without friction: who turns the rotation round."""
+    found = land(law, 0.5, 0.25, (0.0, -4.1307601), 0.0, 0.8)
+    before, after = found.before.velocity[2], found.after[2]
+    assert math.isclose(after / before, ratio, rel_tol=1e-10)
+
+
+def coupled(seed: int, count: int):
+    """Two contacts of a body or several, gaps and slips coupled in all ways."""
+    rng = np.random.default_rng(seed)
+    for _ in range(count):
+        n = int(rng.integers(4, 7))
+        root = rng.normal(size=(n, n))
+        normal, slip, velocity = (
+            rng.normal(size=(2, n)),
+            rng.normal(size=(2, n)),
+            rng.normal(size=n),
+        )
+        normal *= -np.sign(normal @ velocity)[:, None]
+        yield impact(
+            root @ root.T + 0.1 * np.eye(n), velocity, normal, slip,
+            friction=rng.uniform(0.0, 1.0, 2), restitution=rng.uniform(0.3, 1.0, 2),
+            stiffness=np.exp(rng.normal(size=2)),
+        )  # fmt: skip
+
+
+def apart(problem: Impact, first: np.ndarray, second: np.ndarray) -> float:
+    rates = problem.delassus @ (first - second)
+    return float(np.abs(rates).max() / np.abs(problem.rates).max())
+
+
+@pytest.mark.parametrize(("law", "reference"), [("lzb", springs), ("poisson", poisson_path)])
+def test_impulses_of_coupled_contacts_are_those_of_the_reference(law, reference):
+    for problem in coupled(13, 6):
+        expected = reference(problem)
+        expected = getattr(expected, "impulses", expected)
+        assert apart(problem, by_package(problem, law), expected) < 1e-10
+
+
+@pytest.mark.parametrize("law", ["lzb", "poisson"])
+def test_laws_that_solve_at_once_do_not_depend_on_the_order_of_contacts(law):
+    for problem in coupled(14, 3):
+        swap = [1, 0]
+        swapped = impact(
+            problem.mass, problem.velocity, problem.normal[swap], problem.slip[swap],
+            friction=problem.friction[swap], restitution=problem.restitution[swap],
+            stiffness=problem.stiffness[swap],
+        )  # fmt: skip
+        found = by_package(swapped, law)[[1, 0, 3, 2]]
+        assert apart(problem, by_package(problem, law), found) < 1e-10
+
+
+def test_pairs_of_three_balls_are_typed_two_by_two():
+    masses, e = [1.0, 2.0, 0.7], [0.8, 0.5]
+    row = balls(masses, [1.0, 0.0, 0.0], restitution=e)
+    assert np.allclose(
+        row.after(by_package(row, "pairwise")), three_balls(masses, 1.0, e), atol=1e-12
+    )
+
+
+def test_springs_of_three_balls_from_soft_to_stiff():
+    for ratio in (1e-2, 1.0, 30.0):
+        row = balls(
+            [1.0, 2.0, 0.7], [1.0, 0.0, 0.0], restitution=[0.8, 0.5], stiffness=[1.0, ratio]
+        )
+        assert apart(row, by_package(row, "lzb"), springs(row).impulses) < 1e-10
+
+
+@pytest.mark.parametrize("law", ["lzb", "poisson", "pairwise"])
+def test_laws_that_follow_the_slip_do_not_gain_in_the_double_pendulum(law):
+    pendulum = double_pendulum()
+    (expected,) = LAWS[LAWS_OF_PACKAGE[law]](pendulum)
+    after = pendulum.after(by_package(pendulum, law))
+    assert np.allclose(after, expected, rtol=1e-12)
+    assert pendulum.gain(after) < -0.4
+
+
+def test_single_corners_slip_stop_and_turn_as_by_rouths_method():
+    for problem in landings(15, 80):
+        if len(problem.normal) == 1:
+            for law in ("lzb", "poisson", "pairwise"):
+                (expected,) = LAWS[LAWS_OF_PACKAGE[law]](problem)
+                found = problem.after(by_package(problem, law))
+                assert np.allclose(found, expected, rtol=1e-10, atol=1e-11)
