@@ -110,6 +110,11 @@ class Rigid:
                 f"{what}: tangential is {self.tangential}, which the law {self.law!r} has none of: "
                 'leave it out, or give law="moreau"'
             )
+        if self.law == "lzb" and self.friction is None:
+            raise ValueError(
+                f"{what}: friction is None, and law='lzb' follows the slip through the impact: give "
+                "a coefficient of friction, or law='poisson' or 'pairwise'"
+            )
         restitution = sp.sympify(self.restitution)
         of_springs = self.law == "lzb" and restitution.is_number
         if of_springs and 0 < restitution < LEAST_RESTITUTION:

@@ -641,25 +641,16 @@ def stiffness_at(v, e, k):
 
 
 def which_act(m, springs, known):
-    """The points that close, or press, and those of `acts` that rest and are pushed; their springs.
-
-    Slips of those of them that never slip end, which changes the rates of others.
-    """
-    lines = np.zeros(N_POINTS)
-    for turn in range(2):
-        for i in range(N_POINTS):
-            v, rests = m.rate[2 * i], m.acts[i] == 1 and m.rate[2 * i] == 0.0
-            acts = m.near[i] == 1 and (v < 0.0 or springs.force[i] > 0.0 or rests)
-            m.acts[i] = 1 if acts else 0
-        if turn == 0:
-            grip(lines, m, known)
+    """Which points close, or press, or of `acts` rest and are pushed; and their springs."""
     slips_now(m)
     for i in range(N_POINTS):
         v, e = m.rate[2 * i], known[LAWS + 2 * i]
-        rests = v == 0.0 and springs.force[i] > 0.0
-        m.holds[i] = 1 if m.acts[i] == 1 and rests and e == 0.0 else 0
-        loads = stiffness_at(v, e, springs.stiffness[i])
-        springs.loads[i] = loads if m.acts[i] == 1 else 0.0
+        pressed = springs.force[i] > 0.0
+        joined = m.acts[i] == 1 and v == 0.0
+        acts = m.near[i] == 1 and (v < 0.0 or pressed or joined)
+        m.acts[i] = 1 if acts else 0
+        m.holds[i] = 1 if acts and v == 0.0 and pressed and e == 0.0 else 0
+        springs.loads[i] = stiffness_at(v, e, springs.stiffness[i]) if acts else 0.0
 
 
 def some_join(m, springs, known):
