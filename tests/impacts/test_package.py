@@ -7,9 +7,12 @@ import math
 import numpy as np
 import pytest
 
+import rockeom as rk
+from rockeom.symbolic import Rigid, parameter
+from tests.contact.declared import FRICTION, RESTITUTION, on_points
 from tests.impacts.against import by_package
 from tests.impacts.energy import LAWS, cannot_gain, double_pendulum, landings
-from tests.impacts.mechanics import Impact, balls, impact
+from tests.impacts.mechanics import Impact, balls, corner, impact
 from tests.impacts.pairwise import three_balls
 from tests.impacts.poisson_path import poisson_path
 from tests.impacts.shipped import LAWS_OF_PACKAGE, difference, land, random_landings
@@ -120,3 +123,34 @@ def test_single_corners_slip_stop_and_turn_as_by_rouths_method():
                 (expected,) = LAWS[LAWS_OF_PACKAGE[law]](problem)
                 found = problem.after(by_package(problem, law))
                 assert np.allclose(found, expected, rtol=1e-10, atol=1e-11)
+
+
+def gains_of_a_cube(tangential: float | None) -> np.ndarray:
+    """Energies [J] gained by a cube that falls on a corner, by Moreau's law: the landing of the
+    guide on contacts, which gains by Newton's."""
+    b = parameter("b", "half_width", "m", "half of the width of the base")
+    law = Rigid(RESTITUTION.symbol, FRICTION.symbol, law="moreau", tangential=tangential)
+    feet = {"left": (-b.symbol, 0), "right": (b.symbol, 0)}
+    model = on_points("cube", feet, b, laws=dict.fromkeys(feet, law))
+    cube = rk.structure(
+        model, mass=1.0, height=0.4, half_width=0.4, inertia=(0.4**2 + 0.4**2) / 3, friction=0.6,
+        restitution=0.9,
+    )  # fmt: skip
+    start = {
+        "theta": -0.1, "theta_dot": -1.5, "y": 0.4 * math.sin(0.1), "x_dot": 0.477, "y_dot": -0.24
+    }  # fmt: skip
+    return np.array(
+        rk.simulate(cube, rk.GroundMotion.none(1e-3), initial=start).impacts.energy_gains
+    )
+
+
+def test_moreaus_law_gains_with_a_tangential_restitution_of_its_own_and_says_so():
+    """With none it is Newton's law. The mirror image of the cube lands on its right corner."""
+    c, s = 0.4 * math.cos(0.1), 0.4 * math.sin(0.1)
+    velocity = [-(0.477 - 1.5 * c), -0.24 - 1.5 * s, 1.5]
+    mirrored = corner(0.4, 0.4, 0.1, velocity, friction=0.6, restitution=0.9)
+    (expected,) = (mirrored.gain(after) for after in LAWS["newton"](mirrored))
+    kinetic = 0.5 * mirrored.velocity @ mirrored.mass @ mirrored.velocity
+    assert expected > 0.2
+    assert np.allclose(gains_of_a_cube(0.0), [expected * kinetic], rtol=1e-10)
+    assert len(gains_of_a_cube(None)) == 0
