@@ -15,11 +15,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
+from rockeom.codes import CONTACT_LAWS, MOREAU, NEWTON
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
-from rockeom.integrator.schema import GeneratedModule, has_points, point_texts
+from rockeom.integrator.schema import GeneratedModule, has_points, impact_law, point_texts
 from rockeom.integrator.texts import source, text_of
 from rockeom.modelling.declared import class_of_model
 from rockeom.numbers.checks import described, near
@@ -212,6 +213,13 @@ def code(module: GeneratedModule, language: str) -> str:
     """
     if not isinstance(language, str):
         raise TypeError(f"language is {described(language)}: give one of {', '.join(LANGUAGES)}")
+    law = impact_law(module)
+    if law not in (NEWTON, MOREAU):
+        name = next(name for name, number in CONTACT_LAWS.items() if number == law)
+        raise ValueError(
+            f"{module.NAME}: its contacts have the impact law {name!r}, which is not written in "
+            'other languages: give law="newton" or "moreau"'
+        )
     if language not in LANGUAGES:
         raise ValueError(
             f"no language {language!r}{near(language, LANGUAGES)}; there are {', '.join(LANGUAGES)}"

@@ -303,8 +303,9 @@ class Structure(metaclass=explained.Constructors):
         if not self.has_impacts:
             if impact is not None and self.has_landings:
                 raise ValueError(
-                    f"{self.model} has an impact law for each of its points, as it is declared; "
-                    "leave `impact` out"
+                    f"{self.model} has an impact law for its points, as it is declared: leave "
+                    "`impact` out, and give law= to the support, rk.Sliding(..., law='lzb'), or to "
+                    "the contacts, Rigid(..., law='lzb')"
                 )
             if impact is not None:
                 raise ValueError(

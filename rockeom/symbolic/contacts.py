@@ -112,7 +112,7 @@ class Rigid:
             )
         if self.law == "lzb" and self.friction is None:
             raise ValueError(
-                f"{what}: friction is None, and law='lzb' follows the slip through the impact: give "
+                f"{what}: friction is None, and law='lzb' follows the slip through an impact: give "
                 "a coefficient of friction, or law='poisson' or 'pairwise'"
             )
         restitution = sp.sympify(self.restitution)
