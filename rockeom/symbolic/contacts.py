@@ -50,17 +50,18 @@ class Rigid:
         rates of gaps and slips, P and Q the impulses along them.
 
         "newton" : P >= 0, v after >= -e v before, one of them with equality; Q opposes the slip
-            after the impact, |Q| <= friction P. With friction and e > 0 it can gain energy.
+            after the impact, |Q| <= friction P. It gains no energy with e = 0, nor without
+            friction; else it can.
         "moreau" : the same, where Q opposes w after + e_t w before (Moreau 1988). It gains no
             energy where all e and e_t are one number, nor without friction; else it can.
         "poisson" : all gaps that close come to rest together; e times the impulses of that are
             given back. Coulomb's law holds all through the impact, in which a slip may come to rest
-            and turn (Routh 1860). It gains no energy where one point meets, nor with one e for all
-            points and no friction; with several e it can.
+            and turn (Routh 1860). It gains no energy where one point meets, nor without friction;
+            with friction at several points it can.
         "lzb" : impulses grow as those of linear springs of relative `stiffness` k, by the law of
             Liu, Zhao and Brogliato (2008), dP_i / dP_j = sqrt(k_i E_i / (k_j E_j)), E the energy
             that a spring holds, of which e**2 is given back; friction as by "poisson". It never
-            gains energy.
+            gains energy. A friction is needed, and e is 0, or 0.001 and more.
         "pairwise" : impacts of single points by "lzb", one after the other: of the points that
             close the one of the greatest `stiffness`, of equal ones the fastest. It never gains
             energy.

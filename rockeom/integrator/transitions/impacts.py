@@ -389,9 +389,10 @@ def press_and_give_back(m, known):
 
     s from 0 to 1 counts each. In compression gaps close at the rates (1 - s) times those before, or
     open; in expansion impulses grow by e times those of compression, and further where that would
-    close a gap. Without friction that is Poisson's law as Glocker and Pfeiffer have it (1995), of
-    one point Routh's. It gains no energy where all points have one e and no friction, or where one
-    point meets; where points of unequal e meet it can.
+    close a gap. Of one point that is Routh's method. Without friction the impulses are those of
+    Glocker and Pfeiffer (1995), X in expansion that which makes X D X / 2 + v X least for
+    X >= e P, and X = P would give back what compression P took: no energy is gained, whatever
+    all e are. With friction at several points it can be.
     """
     closing = np.zeros(N_POINTS)
     for i in range(N_POINTS):

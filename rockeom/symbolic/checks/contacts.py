@@ -89,7 +89,6 @@ def check_contacts(of: ContactDeclaration) -> None:
     if not of.contacts and not of.switching:
         fail(of.name, "nothing touches: declare `contacts`, or `elements` that press")
     for contact in of.contacts:
-        _side(of, contact)
         if contact.law.law != of.impact_law:
             fail(
                 of.name,
@@ -97,6 +96,8 @@ def check_contacts(of: ContactDeclaration) -> None:
                 f"{of.contacts[0].name!r} has {of.impact_law!r}: points that meet at once have "
                 "one law",
             )
+    for contact in of.contacts:
+        _side(of, contact)
 
 
 def check_places(of: ContactDeclaration) -> None:
