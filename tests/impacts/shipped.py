@@ -36,20 +36,22 @@ class Landing(NamedTuple):
 def land(
     law: str, b: float, h: float, rates: tuple[float, float], friction: float, restitution: float
 ) -> Landing | None:
-    """The first impact of a block that leans by 1e-4 on its right corner, which is closed.
+    """The first impact of a block that leans by 1e-4 on a corner, which is closed.
 
-    rates : of the slip of that corner, and of the rotation, negative: it lands on the left corner.
-    None where there is no state after the impact.
+    rates : of the slip of that corner, and of the rotation: a negative one is about the right
+    corner and lands on the left one, a positive one is the mirror image. None where there is no state after the impact.
     """
-    theta, (slip, turning) = 1e-4, rates
+    slip, turning = rates
+    theta = math.copysign(1e-4, -turning)
+    pivot = math.copysign(b, -turning)
     inertia = (b * b + h * h) / 3
     structure = rk.structure(
         model(law), half_width=b, height=h, mass=1.0, inertia=inertia, friction=friction,
         restitution=restitution,
     )  # fmt: skip
     start = {
-        "theta": theta, "theta_dot": turning, "x_dot": slip + b * math.sin(theta) * turning,
-        "y": b * math.sin(theta), "y_dot": b * math.cos(theta) * turning,
+        "theta": theta, "theta_dot": turning, "x_dot": slip + pivot * math.sin(theta) * turning,
+        "y": pivot * math.sin(theta), "y_dot": pivot * math.cos(theta) * turning,
     }  # fmt: skip
     run = rk.simulate(structure, rk.GroundMotion.none(3e-4 / abs(turning)), initial=start)
     if len(run.impacts) == 0:

@@ -46,6 +46,19 @@ def test_the_landing_on_the_second_corner(law, ratio):
     assert math.isclose(after / before, ratio, rel_tol=1e-10)
 
 
+@pytest.mark.parametrize("law", sorted(LAWS_OF_PACKAGE))
+def test_a_landing_on_the_other_corner_is_the_mirror_image(law):
+    """The declared order of the feet does not count, by no law."""
+    rng = np.random.default_rng(16)
+    for _ in range(8):
+        (b, h), slip, turning = rng.uniform(0.2, 1.0, 2), rng.normal(), -rng.uniform(0.5, 1.5)
+        numbers = {"friction": rng.uniform(0.0, 1.0), "restitution": rng.uniform(0.1, 1.0)}
+        on_left = land(law, b, h, (slip, turning), **numbers)
+        on_right = land(law, b, h, (-slip, -turning), **numbers)
+        scale = np.abs(on_left.before.rates).max()
+        assert np.abs(on_left.after * [-1, 1, -1] - on_right.after).max() < 1e-10 * scale
+
+
 def coupled(seed: int, count: int):
     """Two contacts of a body or several, gaps and slips coupled in all ways."""
     rng = np.random.default_rng(seed)
