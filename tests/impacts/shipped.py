@@ -39,7 +39,8 @@ def land(
     """The first impact of a block that leans by 1e-4 on a corner, which is closed.
 
     rates : of the slip of that corner, and of the rotation: a negative one is about the right
-    corner and lands on the left one, a positive one is the mirror image. None where there is no state after the impact.
+    corner and lands on the left one, a positive one is the mirror image. None
+    where there is no state after the impact.
     """
     slip, turning = rates
     theta = math.copysign(1e-4, -turning)
