@@ -531,7 +531,7 @@ def _point_laws(written: Written) -> None:
 
 
 def _point_numbers(written: Written) -> None:
-    """What an impact law has of each point, besides restitution and friction."""
+    """The number that an impact law has of each point, besides restitution and friction."""
     of, targets = written.of, {}
     for i, contact in enumerate(of.contacts):
         law = contact.law

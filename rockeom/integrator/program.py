@@ -26,7 +26,7 @@ from rockeom.compiler.machine import Function, Loaded, compiled, target
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import NOTHING, Array, Entry
 from rockeom.integrator.schema import (
-    IMPACTS,
+    IMPACT_TEXTS,
     POINT_TEXTS,
     POINTS,
     GeneratedModule,
@@ -55,7 +55,7 @@ _LOOPS = ("integrator/loop.py", "integrator/batches.py")
 _DERIVATIVES, _VARIATIONAL = "integrator/derivatives.py", "integrator/variational.py"
 _SLOPES = "numbers/derivatives.py"
 JOINED = (
-    *POINT_TEXTS, IMPACTS, *_OF_POINTS, _TABLE, _SEARCH, *_OF_STEPS, *_LOOPS, _LANES, _DERIVATIVES,
+    *POINT_TEXTS, *IMPACT_TEXTS, *_OF_POINTS, _TABLE, _SEARCH, *_OF_STEPS, *_LOOPS, _LANES, _DERIVATIVES,
     _VARIATIONAL,
 )  # fmt: skip
 """Files that are joined to programs, and not imported."""

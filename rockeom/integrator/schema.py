@@ -11,7 +11,10 @@ POINT_TEXTS = (
     POINTS, "integrator/transitions/candidates.py", "integrator/transitions/newton.py",
 )  # fmt: skip
 """The texts that search for the mode that follows, of structures with contact points."""
-IMPACTS = "integrator/transitions/impacts.py"
+IMPACT_TEXTS = (
+    "integrator/transitions/friction.py", "integrator/transitions/springs.py",
+    "integrator/transitions/impacts.py",
+)  # fmt: skip
 """In place of the last one, where the impact law of the points is another."""
 
 
@@ -117,7 +120,7 @@ def impact_law(module: Any) -> int:
 
 def point_texts(module: Any) -> tuple[str, ...]:
     """The texts that search for the mode that follows in the motions of a structure."""
-    return POINT_TEXTS if impact_law(module) == NEWTON else (*POINT_TEXTS[:-1], IMPACTS)
+    return POINT_TEXTS if impact_law(module) == NEWTON else (*POINT_TEXTS[:-1], *IMPACT_TEXTS)
 
 
 def has_landings(module: GeneratedModule) -> TypeGuard[SearchedModes]:

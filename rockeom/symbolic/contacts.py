@@ -46,7 +46,7 @@ class Rigid:
         "poisson" of impulses, by "lzb" and "pairwise" e**2 is that of the energy given back.
     friction : Coulomb's, the largest ratio of friction and normal force; None: it never slips;
         the number 0: a smooth contact, which is open or closed and never sticks.
-    law : of impacts, one for all contacts of a structure. Of all points that touch, v and w are the
+    law : of impacts, one for all contacts of a structure. At the points that touch v and w are the
         rates of gaps and slips, P and Q the impulses along them.
 
         "newton" : P >= 0, v after >= -e v before, one of them with equality; Q opposes the slip

@@ -5,10 +5,8 @@ from functools import cache
 import numpy as np
 
 from rockeom.codes import CONTACT_LAWS, NEVER_SLIPS
-from rockeom.integrator.schema import POINT_TEXTS
+from rockeom.integrator.schema import IMPACT_TEXTS, POINT_TEXTS
 from rockeom.integrator.texts import text_of
-
-IMPACTS = "integrator/transitions/impacts.py"
 
 
 @cache
@@ -18,7 +16,7 @@ def text(points, law):
         "N_STATES": 4 * points, "N_POINTS": points, "N_GUARDS": 1, "N_PARTS": 0, "ROTATION": 0,
         "N_ELEMENTS": 0, "IMPACT_LAW": law, "__name__": "laws alone",
     }  # fmt: skip
-    for path in (*POINT_TEXTS, IMPACTS):
+    for path in (*POINT_TEXTS, *IMPACT_TEXTS):
         exec(text_of(path), names)
     return names
 
