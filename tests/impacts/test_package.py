@@ -12,7 +12,7 @@ from rockeom.symbolic import Rigid, parameter
 from tests.contact.declared import FRICTION, RESTITUTION, on_points
 from tests.impacts.against import by_package
 from tests.impacts.energy import LAWS, cannot_gain, double_pendulum, landings
-from tests.impacts.mechanics import Impact, balls, corner, impact
+from tests.impacts.mechanics import Impact, balls, corner, impact, landing
 from tests.impacts.pairwise import three_balls
 from tests.impacts.poisson_path import poisson_path
 from tests.impacts.shipped import LAWS_OF_PACKAGE, difference, land, random_landings
@@ -22,11 +22,11 @@ from tests.impacts.springs import springs
 @pytest.mark.parametrize("law", sorted(LAWS_OF_PACKAGE))
 def test_compiled_landings_are_those_of_the_reference(law):
     """The block on level feet, its old corner sliding or not, any e and friction."""
-    for landing in random_landings(law, seed=12, count=40):
-        assert landing is not None
-        assert difference(law, landing) < 1e-10
-        gain = landing.before.gain(landing.after)
-        assert gain < 1e-12 or not cannot_gain(landing.before, LAWS_OF_PACKAGE[law])
+    for landed in random_landings(law, seed=12, count=40):
+        assert landed is not None
+        assert difference(law, landed) < 1e-10
+        gain = landed.before.gain(landed.after)
+        assert gain < 1e-12 or not cannot_gain(landed.before, LAWS_OF_PACKAGE[law])
 
 
 @pytest.mark.parametrize(
@@ -102,6 +102,26 @@ def test_laws_that_solve_at_once_do_not_depend_on_the_order_of_contacts(law):
         )  # fmt: skip
         found = by_package(swapped, law)[[1, 0, 3, 2]]
         assert apart(problem, by_package(problem, law), found) < 1e-10
+
+
+def test_springs_follow_a_slip_that_turns_for_an_instant():
+    """Seven modes into the impact the slip stops, turns, and is stopped again within a thousandth
+    of the duration, when the second foot opens."""
+    b, h = 0.8242213988807587, 0.20087511902614064
+    numbers = {"friction": 0.1780249489438728, "restitution": 0.2614885914737449}
+    rates = [-8.062535379039, 0.02004716048779]  # of the new foot's gap, and of the slip
+    turning = rates[0] / (2 * b)
+    problem = landing(b, h, turning, **numbers)
+    problem = problem.with_velocity(problem.velocity + np.array([rates[1], 0.0, 0.0]))
+    motion = springs(problem)
+    assert [mode.slips[0] for mode in motion.modes] == [1, -1, -1, -1, -1, -1, 1, 1, -1, -1]
+    assert apart(problem, by_package(problem, "lzb"), motion.impulses) < 1e-10
+
+
+def test_springs_without_restitution_of_coupled_contacts():
+    for problem in coupled(17, 6):
+        plastic = problem.with_(restitution=0.0)
+        assert apart(plastic, by_package(plastic, "lzb"), springs(plastic).impulses) < 1e-10
 
 
 def test_pairs_of_three_balls_are_typed_two_by_two():
