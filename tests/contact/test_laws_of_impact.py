@@ -269,6 +269,7 @@ def test_a_block_let_go_comes_to_rest(law):
     balance = run.energy_balance()
     assert run.outcome is rk.Outcome.CAME_TO_REST
     assert balance.error < 1e-10
+    assert f"Impact law: {law}. The impacts lost" in run.summary()
     assert balance.impact_gains == run.impacts.energy_gains.sum() == 0.0
 
 
