@@ -215,8 +215,8 @@ def code(module: GeneratedModule, language: str) -> str:
 
     C: C99, nothing included but <math.h>; what is global begins with the structure's name. MATLAB:
     a function of the structure's name that gives a struct of function handles; runs in Octave as
-    well. Raises TypeError for what is no text, and ValueError for another language, and for contacts
-    whose impact law is followed through an impact: "poisson", "lzb" and "pairwise".
+    well. Raises TypeError for what is no text, and ValueError for another language, and for
+    contacts whose impact law is followed through an impact: "poisson", "lzb" and "pairwise".
     """
     if not isinstance(language, str):
         raise TypeError(f"language is {described(language)}: give one of {', '.join(LANGUAGES)}")
