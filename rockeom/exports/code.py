@@ -15,12 +15,18 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-from rockeom.codes import CONTACT_LAWS, MOREAU, NEWTON
+from rockeom.codes import MOREAU, NEWTON
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
-from rockeom.integrator.schema import GeneratedModule, has_points, impact_law, point_texts
+from rockeom.integrator.schema import (
+    GeneratedModule,
+    has_points,
+    impact_law,
+    name_of_law,
+    point_texts,
+)
 from rockeom.integrator.texts import source, text_of
 from rockeom.modelling.declared import class_of_model
 from rockeom.numbers.checks import described, near
@@ -209,16 +215,15 @@ def code(module: GeneratedModule, language: str) -> str:
 
     C: C99, nothing included but <math.h>; what is global begins with the structure's name. MATLAB:
     a function of the structure's name that gives a struct of function handles; runs in Octave as
-    well. Raises TypeError for what is no text, and ValueError for another language.
+    well. Raises TypeError for what is no text, and ValueError for another language, and for
+    contacts whose impact law is followed through an impact: "poisson", "lzb" and "pairwise".
     """
     if not isinstance(language, str):
         raise TypeError(f"language is {described(language)}: give one of {', '.join(LANGUAGES)}")
-    law = impact_law(module)
-    if law not in (NEWTON, MOREAU):
-        name = next(name for name, number in CONTACT_LAWS.items() if number == law)
+    if impact_law(module) not in (NEWTON, MOREAU):
         raise ValueError(
-            f"{module.NAME}: its contacts have the impact law {name!r}, which is not written in "
-            'other languages: give law="newton" or "moreau"'
+            f"{module.NAME}: its contacts have the impact law {name_of_law(module)!r}, which is "
+            'not written in other languages: give law="newton" or "moreau"'
         )
     if language not in LANGUAGES:
         raise ValueError(

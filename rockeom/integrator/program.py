@@ -55,8 +55,8 @@ _LOOPS = ("integrator/loop.py", "integrator/batches.py")
 _DERIVATIVES, _VARIATIONAL = "integrator/derivatives.py", "integrator/variational.py"
 _SLOPES = "numbers/derivatives.py"
 JOINED = (
-    *POINT_TEXTS, *IMPACT_TEXTS, *_OF_POINTS, _TABLE, _SEARCH, *_OF_STEPS, *_LOOPS, _LANES, _DERIVATIVES,
-    _VARIATIONAL,
+    *POINT_TEXTS, *IMPACT_TEXTS, *_OF_POINTS, _TABLE, _SEARCH, *_OF_STEPS, *_LOOPS, _LANES,
+    _DERIVATIVES, _VARIATIONAL,
 )  # fmt: skip
 """Files that are joined to programs, and not imported."""
 _OF_ALL = (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Protocol, TypeGuard
 
-from rockeom.codes import LANDING, NEWTON
+from rockeom.codes import CONTACT_LAWS, LANDING, NEWTON
 
 POINTS = "integrator/transitions/points.py"
 POINT_TEXTS = (
@@ -116,6 +116,12 @@ def has_points(module: Any) -> TypeGuard[SearchedModes]:
 def impact_law(module: Any) -> int:
     """The impact law of the points of a structure: the number of one of `CONTACT_LAWS`."""
     return getattr(module, "IMPACT_LAW", NEWTON)
+
+
+def name_of_law(module: Any) -> str:
+    """The name of the impact law of the points of a structure; empty for Newton's."""
+    law = impact_law(module)
+    return "" if law == NEWTON else next(n for n, code in CONTACT_LAWS.items() if code == law)
 
 
 def point_texts(module: Any) -> tuple[str, ...]:

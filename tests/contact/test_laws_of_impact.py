@@ -203,6 +203,17 @@ def test_impulses_grow_as_those_of_springs_in_time(seed):
     np.testing.assert_allclose(after, by_springs(landing, e, k), atol=1e-8)
 
 
+def test_a_slip_that_turns_and_turns_back_within_a_step_is_not_lost():
+    """The rate that springs give whose motion in time is a sum of exponentials."""
+    half_width, height = 0.8242213988807587, 0.20087511902614064
+    left, slip = -8.062535379039, 0.02004716048779
+    theta_dot = 0.5 * left / half_width
+    before = (slip + height * theta_dot, 0.5 * left, theta_dot)
+    landing = Landing(half_width, height, before)
+    after = landing.after("lzb", 0.2614885914737449, 0.1780249489438728)
+    assert after[2] == pytest.approx(-0.592909472617, abs=1e-11)
+
+
 # -- what holds for all landings ------------------------------------------------------------------
 
 
@@ -258,6 +269,7 @@ def test_a_block_let_go_comes_to_rest(law):
     balance = run.energy_balance()
     assert run.outcome is rk.Outcome.CAME_TO_REST
     assert balance.error < 1e-10
+    assert f"Impact law: {law}. The impacts lost" in run.summary()
     assert balance.impact_gains == run.impacts.energy_gains.sum() == 0.0
 
 

@@ -172,7 +172,7 @@ def some_join(m, springs, known):
 def some_load(m, springs, soon, known):
     """Whether a gap that is held with e = 0 closes instead: it would take a force that grows.
 
-    Its point is no longer held then. Of others that are held the force is set.
+    Its point is no longer held then; the force of others that are held is set.
     """
     now, grows, held = np.zeros(N_POINTS), np.zeros(N_POINTS), np.empty(N_POINTS)
     some, found, least = False, False, ROUNDING * springs.size
