@@ -550,8 +550,8 @@ print(f"kinetic energy after / before: {gain:.3f}")
 # %% [markdown]
 # No real impact does this. It is the price of a law with two numbers. It cannot happen with
 # $e_n = 0$; where it happens the summary of the response says so. Then another law is wanted: one
-# that follows slip and force *through* the impact (Routh), which has other weaknesses and needs
-# more to be known.
+# that follows slip and force *through* the impact (Routh). [Which impact law?](which_impact_law.py)
+# compares them.
 #
 # ## 6. Bounces, and no solution
 #

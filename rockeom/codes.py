@@ -59,6 +59,15 @@ MOST_MODES = 4096
 NEVER_SLIPS = 1e300
 """The coefficient of friction of a point that never does."""
 
+NEWTON, MOREAU, POISSON, LZB, PAIRWISE = range(5)
+CONTACT_LAWS = {
+    "newton": NEWTON, "moreau": MOREAU, "poisson": POISSON, "lzb": LZB, "pairwise": PAIRWISE,
+}  # fmt: skip
+"""The impact laws of points, by their names."""
+
+LEAST_RESTITUTION = 1e-3
+"""The least above zero with springs, LZB."""
+
 ENERGY_ROUNDING = 1e-9
 """An impact gains energy where the kinetic energy grows by more than this part of itself."""
 

@@ -105,7 +105,7 @@ def made(args: argparse.Namespace) -> Structure:
         said = f"--set {name}={text}"
         if name in of.of_each:
             values[name] = lists(text, said, "--set", f"{name}=20e3,20e3")
-        elif name in ("support", "guided") and takes_support(of):
+        elif name in ("support", "guided", "law") and takes_support(of):
             values[name] = text
         else:
             values |= numbers([f"{name}={text}"], "--set", example)

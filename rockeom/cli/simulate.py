@@ -56,7 +56,8 @@ impact laws:
 supports (of flexible_structure, lumped_mass_structure and shear_frame), within --set:
   support=two_springs  foundation_stiffness= foundation_damping= [guided=foot]
   support=winkler      springs= foundation_stiffness= foundation_damping=
-  support=sliding      friction= restitution=
+  support=sliding      friction= restitution= [law=lzb]; laws: newton (if not given), moreau,
+                       poisson, lzb, pairwise
 
 examples:
   rockeom simulate rigid_block --free --duration 10 --set half_width=0.095 half_height=0.45 \\

@@ -19,13 +19,14 @@ accelerations elements energies guards full_contact_guards jump kinematics masse
 opening_acceleration overturning positions powers prepare rates reactions shapes sine_cosine
 sizes statics velocity_ratio fused inlined everywhere overturns_at
 
-free_motion points point_laws
+free_motion points point_laws point_numbers
 
 mode s y p ax ay dy g i number out law ratio guard load found value parameters total_gravity
 matrix forces pattern equations
 
 CLASS REVERSE MODES COPIES CORNERS ELEMENT_NAMES ENERGIES FALLS GUARDS HAS_IMPULSIVE FULL_CONTACT
-IMPULSIVE KINDS KINEMATICS MEMBERS MEMBER_ENDS NAME N_FALLS N_GUARDS N_PARTS N_STATES LOCALISED
+IMPACT_LAW IMPULSIVE KINDS KINEMATICS MEMBERS MEMBER_ENDS NAME N_FALLS N_GUARDS N_PARTS N_STATES
+LOCALISED
 PARAMETERS PARAMETER_MEANINGS PARAMETER_SIGNS PARAMETER_UNITS PARTS POSITIONS POSITION_KINDS
 RATIO REACTIONS ROTATION ROTATION_RATE ROUNDER SIDES SIZES SOURCE_HASH STATES STATE_UNITS TARGETS
 TRANSITIONS

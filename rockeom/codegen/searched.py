@@ -18,6 +18,7 @@ from rockeom.codegen.solve import TOTAL_GRAVITY, eliminated, unsymmetric
 from rockeom.codegen.tables import column, rows, table
 from rockeom.codegen.text import Text
 from rockeom.codes import (
+    CONTACT_LAWS,
     FRICTIONLESS,
     LANDING,
     LIFTING,
@@ -113,6 +114,8 @@ def searched(text: Text, search: Search) -> tuple[dict[str, Columns], list[str]]
     _free_motion(written)
     _points(written)
     _point_laws(written)
+    if search.of.impact_law != "newton":
+        _point_numbers(written)
     return {"REACTIONS": _reactions(written)}, _tables(written)
 
 
@@ -527,6 +530,21 @@ def _point_laws(written: Written) -> None:
     )
 
 
+def _point_numbers(written: Written) -> None:
+    """The number that an impact law has of each point, besides restitution and friction."""
+    of, targets = written.of, {}
+    for i, contact in enumerate(of.contacts):
+        law = contact.law
+        slips = sp.S.NegativeOne if law.tangential is None else law.tangential
+        number = slips if law.law == "moreau" else law.stiffness
+        targets[f"out[{i}]"] = sp.sympify(number)
+    written.text.function(
+        "point_numbers(p, out)",
+        "For each point: its stiffness, or with Moreau's law e of its slip, -1: that of the gap.",
+        _every(written.text, "point_numbers", targets),
+    )
+
+
 # -- forces of a state ------------------------------------------------------------------------
 
 
@@ -629,6 +647,7 @@ def _tables(written: Written) -> list[str]:
         f"N_PARTS = {2 * len(pairs_of(of))}",
         f"N_POINTS = {len(of.contacts)}",
         f"N_ELEMENTS = {len(of.switching)}",
+        *_impact_law(of),
         "TRANSITIONS = ()",
         *column("SIDES = (", dict.fromkeys(modes.names, "0.0")),
         *column("GUARDS = (", {name: str(len(row)) for name, row in guards_in.items()}),
@@ -638,6 +657,12 @@ def _tables(written: Written) -> list[str]:
         "FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1",
         "HAS_IMPULSIVE = False",
     ]
+
+
+def _impact_law(of: ContactDeclaration) -> list[str]:
+    """The number of the impact law; Newton's needs none."""
+    law = of.impact_law
+    return [] if law == "newton" else [f"IMPACT_LAW = {CONTACT_LAWS[law]}  # {law}"]
 
 
 def _states_of_contacts(of: ContactDeclaration, modes: Modes, slips: int) -> list[str]:

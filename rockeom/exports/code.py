@@ -15,11 +15,18 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
+from rockeom.codes import MOREAU, NEWTON
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
-from rockeom.integrator.schema import POINT_TEXTS, GeneratedModule, has_points
+from rockeom.integrator.schema import (
+    GeneratedModule,
+    has_points,
+    impact_law,
+    name_of_law,
+    point_texts,
+)
 from rockeom.integrator.texts import source, text_of
 from rockeom.modelling.declared import class_of_model
 from rockeom.numbers.checks import described, near
@@ -208,10 +215,16 @@ def code(module: GeneratedModule, language: str) -> str:
 
     C: C99, nothing included but <math.h>; what is global begins with the structure's name. MATLAB:
     a function of the structure's name that gives a struct of function handles; runs in Octave as
-    well. Raises TypeError for what is no text, and ValueError for another language.
+    well. Raises TypeError for what is no text, and ValueError for another language, and for
+    contacts whose impact law is followed through an impact: "poisson", "lzb" and "pairwise".
     """
     if not isinstance(language, str):
         raise TypeError(f"language is {described(language)}: give one of {', '.join(LANGUAGES)}")
+    if impact_law(module) not in (NEWTON, MOREAU):
+        raise ValueError(
+            f"{module.NAME}: its contacts have the impact law {name_of_law(module)!r}, which is "
+            'not written in other languages: give law="newton" or "moreau"'
+        )
     if language not in LANGUAGES:
         raise ValueError(
             f"no language {language!r}{near(language, LANGUAGES)}; there are {', '.join(LANGUAGES)}"
@@ -223,7 +236,8 @@ def code(module: GeneratedModule, language: str) -> str:
 def _described(module: GeneratedModule) -> Described:
     texts = [Text(f"{module.NAME}.py", source(module))]
     if has_points(module):
-        texts += [*(Text(path, text_of(path)) for path in POINT_TEXTS), Text("impact", _OF_POINTS)]
+        texts += [Text(path, text_of(path)) for path in point_texts(module)]
+        texts.append(Text("impact", _OF_POINTS))
     texts.append(Text("sine and cosine", _SINE_COSINE))
     entries = _entries(texts, ("impact",))
     functions = Functions(texts, entries)

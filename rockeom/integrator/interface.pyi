@@ -35,6 +35,7 @@ POINT_STATES: tuple[tuple[int, ...], ...]
 ELEMENT_STATES: tuple[tuple[int, ...], ...]
 SHARED: tuple[tuple[int, ...], ...]
 SUBJECTS: tuple[tuple[int, ...], ...]
+IMPACT_LAW: int
 LOCALISED: bool
 FULL_CONTACT: int
 
@@ -63,6 +64,7 @@ def free_motion(
 ) -> None: ...
 def points(y: Floats, p: Floats, out: Floats) -> None: ...
 def point_laws(p: Floats, out: Floats) -> None: ...
+def point_numbers(p: Floats, out: Floats) -> None: ...
 def sine_cosine(x: Float) -> tuple[float, float]: ...
 
 # -- of the printer: numbers with derivatives
@@ -72,6 +74,12 @@ def moving(x: Float, rate: Float) -> float: ...
 def rate(x: Float) -> float: ...
 
 ANGLES: tuple[float, ...]
+
+# -- the contract of an impact: transitions/newton.py, or transitions/impacts.py
+
+def landed(
+    mode: Int, near: Floats, y: Floats, p: Floats, ground: Floats, known: Floats, out: Floats
+) -> int: ...
 
 # -- the contract of transitions: transitions/table.py, or transitions/search.py
 

@@ -25,7 +25,15 @@ from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.compiler.machine import Function, Loaded, compiled, target
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import NOTHING, Array, Entry
-from rockeom.integrator.schema import POINT_TEXTS, POINTS, GeneratedModule, angles, has_points
+from rockeom.integrator.schema import (
+    IMPACT_TEXTS,
+    POINT_TEXTS,
+    POINTS,
+    GeneratedModule,
+    angles,
+    has_points,
+    point_texts,
+)
 from rockeom.integrator.texts import digest, source, text_of
 
 if TYPE_CHECKING:
@@ -47,8 +55,8 @@ _LOOPS = ("integrator/loop.py", "integrator/batches.py")
 _DERIVATIVES, _VARIATIONAL = "integrator/derivatives.py", "integrator/variational.py"
 _SLOPES = "numbers/derivatives.py"
 JOINED = (
-    *POINT_TEXTS, *_OF_POINTS, _TABLE, _SEARCH, *_OF_STEPS, *_LOOPS, _LANES, _DERIVATIVES,
-    _VARIATIONAL,
+    *POINT_TEXTS, *IMPACT_TEXTS, *_OF_POINTS, _TABLE, _SEARCH, *_OF_STEPS, *_LOOPS, _LANES,
+    _DERIVATIVES, _VARIATIONAL,
 )  # fmt: skip
 """Files that are joined to programs, and not imported."""
 _OF_ALL = (
@@ -332,7 +340,7 @@ def _of_points(generated: GeneratedModule) -> list[Text]:
     if not has_points(generated):
         return [Text("no points", "N_POINTS = N_KNOWN = 0\n")]
     which = f"\n\nANGLES = {angles(generated)!r}  # which coordinates are\n"
-    others = (*POINT_TEXTS[1:], *(_OF_POINTS if _bounces(generated) else ()))
+    others = (*point_texts(generated)[1:], *(_OF_POINTS if _bounces(generated) else ()))
     return [Text(POINTS, text_of(POINTS) + which), *map(_joined, others)]
 
 

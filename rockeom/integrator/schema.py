@@ -4,11 +4,18 @@ from __future__ import annotations
 
 from typing import Any, Protocol, TypeGuard
 
-from rockeom.codes import LANDING
+from rockeom.codes import CONTACT_LAWS, LANDING, NEWTON
 
 POINTS = "integrator/transitions/points.py"
-POINT_TEXTS = (POINTS, "integrator/transitions/candidates.py")
+POINT_TEXTS = (
+    POINTS, "integrator/transitions/candidates.py", "integrator/transitions/newton.py",
+)  # fmt: skip
 """The texts that search for the mode that follows, of structures with contact points."""
+IMPACT_TEXTS = (
+    "integrator/transitions/friction.py", "integrator/transitions/springs.py",
+    "integrator/transitions/impacts.py",
+)  # fmt: skip
+"""In place of the last one, where the impact law of the points is another."""
 
 
 class GeneratedModule(Protocol):
@@ -104,6 +111,22 @@ class SearchedModes(GeneratedModule, Protocol):
 def has_points(module: Any) -> TypeGuard[SearchedModes]:
     """Whether a structure's modes are searched for among those of its points and elements."""
     return hasattr(module, "POINT_STATES")
+
+
+def impact_law(module: Any) -> int:
+    """The impact law of the points of a structure: the number of one of `CONTACT_LAWS`."""
+    return getattr(module, "IMPACT_LAW", NEWTON)
+
+
+def name_of_law(module: Any) -> str:
+    """The name of the impact law of the points of a structure; empty for Newton's."""
+    law = impact_law(module)
+    return "" if law == NEWTON else next(n for n, code in CONTACT_LAWS.items() if code == law)
+
+
+def point_texts(module: Any) -> tuple[str, ...]:
+    """The texts that search for the mode that follows in the motions of a structure."""
+    return POINT_TEXTS if impact_law(module) == NEWTON else (*POINT_TEXTS[:-1], *IMPACT_TEXTS)
 
 
 def has_landings(module: GeneratedModule) -> TypeGuard[SearchedModes]:

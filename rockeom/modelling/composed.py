@@ -16,7 +16,7 @@ from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers import explained
 from rockeom.numbers.checks import described, number, whole_number
 from rockeom.structures.modal import rayleigh_damping
-from rockeom.structures.parameters import check_restitution, check_values
+from rockeom.structures.parameters import check_contact_law, check_values
 from rockeom.structures.supports import Support, SupportedStructure
 
 
@@ -214,19 +214,23 @@ class Sliding(Support):
     """Feet that open, stick, slip and bounce on rigid ground.
 
     friction : its coefficient at each foot; restitution : the ratio of the rates of a foot's gap
-    after and before it lands, 0 to 1. The states `x` and `y` [m] are the place and the height of
-    the base's centre.
+    after and before it lands alone, 0 to 1. law : by which feet that touch meet, "newton",
+    "moreau", "poisson", "lzb" or "pairwise", see `rockeom.symbolic.Rigid`. The states `x` and `y`
+    [m] are the place and the height of the base's centre.
+
+    Raises ValueError for a law of another name, and numbers out of their ranges.
     """
 
     kind: ClassVar[str] = "sliding"
 
     friction: float
     restitution: float
+    law: str = "newton"
 
     def __post_init__(self) -> None:
         values = self.parameters()
         check_values("Sliding", values, frozenset(values))
-        check_restitution("Sliding", self.restitution)
+        check_contact_law("Sliding", self.restitution, self.law)
 
     def parameters(self) -> dict[str, float]:
         return {"friction": self.friction, "restitution": self.restitution}
@@ -239,7 +243,8 @@ class Sliding(Support):
         _turns(what, inertia)
 
     def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
-        return module_of(superstructure, **arguments, support="sliding")
+        law = {} if self.law == "newton" else {"law": self.law}
+        return module_of(superstructure, **arguments, support="sliding", **law)
 
 
 class ShearFrame(SupportedStructure):

@@ -36,7 +36,7 @@ def structure(model: Any, /, **parameters: Any) -> Structure:
     support of those that take one is an object, such as `rk.Winkler(...)`, or its name,
     "two_springs", "winkler" or "sliding", with its parameters among the others:
     foundation_stiffness and foundation_damping of each spring, guided, springs, friction,
-    restitution.
+    restitution, law.
 
     A declared model, and one of a family, is derived and compiled at its first use (some seconds,
     once on a machine: the user's cache keeps both). Raises ParameterError for missing or unknown

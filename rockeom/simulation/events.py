@@ -200,9 +200,9 @@ class Impacts(Events):
         """(g,) kinetic energy gained at each impact that gained some [J]; of most motions empty.
 
         An impact gains energy where the kinetic energy grows by more than 1e-9 of itself. On a
-        structure that bends every impact law but `Impulsive` can do so; on feet that slide the
-        algebraic law, with friction and a restitution above zero. A motion that depends on such
-        impacts is not to be trusted.
+        structure that bends every impact law but `Impulsive` can do so; on feet that slide, with
+        friction and a restitution above zero, those of contacts but "lzb" and "pairwise", see
+        `rockeom.symbolic.Rigid`. A motion that depends on such impacts is not to be trusted.
         """
         before, after = self._energies
         return (after - before)[after > before * (1.0 + ENERGY_ROUNDING)]

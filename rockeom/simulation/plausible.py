@@ -115,7 +115,8 @@ def gained(structure: Structure, impacts: Impacts, law: str) -> tuple[str, ...]:
         f"{gains.sum():.4g}{unit} in all"
     )
     if structure.has_landings:
-        return (f"{text}, which friction with a restitution above zero can cause.",)
+        cause = "which friction with a restitution above zero can cause"
+        return (f"{text}, {cause}; by the laws 'lzb' and 'pairwise' none does.",)
     exact = isinstance(structure.default_impact, Impulsive)
     return (f"{text}, by {law}." + " Impulsive() conserves the momenta, and gains none." * exact,)
 

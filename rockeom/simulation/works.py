@@ -10,7 +10,7 @@ import numpy as np
 from rockeom.codes import REST
 from rockeom.integrator.schema import GeneratedModule, has_landings
 from rockeom.numbers.functions import gauss_rule
-from rockeom.simulation.events import EventColumns
+from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.steps import Rows, Steps
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import at_states, filled, jets
@@ -32,7 +32,8 @@ class EnergyBalance(NamedTuple):
     input : work of the shaking on the masses, seen from the ground that moves. damping : lost in
     dampers and by yielding, less the work of forces that are declared by themselves (`Force`).
     impacts : lost at impacts, and in springs that are let go while they are drawn. gained : energy
-    at the end less that at the start. friction : lost where points slide.
+    at the end less that at the start. friction : lost where points slide. impact_gains : what
+    impacts gained that gained energy, which `impacts` has less; see `run.impacts.energy_gains`.
     error : the rest input - damping - friction - impacts - gained, over the largest of them and
     of the kinetic energy.
     """
@@ -43,6 +44,7 @@ class EnergyBalance(NamedTuple):
     gained: float
     error: float
     friction: float = 0.0
+    impact_gains: float = 0.0
 
 
 class Works:
@@ -61,6 +63,7 @@ class Works:
         events: EventColumns,
     ) -> None:
         self.structure, self.ground, self.steps = structure, ground, steps
+        self.events = Events(structure, events)
         self.names = names_of_works(structure.module)
         starts, lengths = self.steps.span.T
         n = len(starts)
@@ -175,4 +178,5 @@ class Works:
         )[0]
         largest = max(*map(abs, (ground, lost, friction, impacts, gained)), float(kinetic.max()))
         error = abs(left) / largest if largest else 0.0
-        return EnergyBalance(ground, lost, impacts, gained, error, friction)
+        gains = float(self.events.impacts.energy_gains.sum())
+        return EnergyBalance(ground, lost, impacts, gained, error, friction, gains)

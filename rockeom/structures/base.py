@@ -14,7 +14,7 @@ import numpy as np
 from rockeom import renamed
 from rockeom.codes import IMPACT
 from rockeom.drawing.positions import Shapes, places, positions_of, rotations_of, shapes
-from rockeom.integrator.schema import GeneratedModule, has_landings
+from rockeom.integrator.schema import GeneratedModule, has_landings, name_of_law
 from rockeom.integrator.transitions.declared import velocity_ratio_at
 from rockeom.numbers import explained
 from rockeom.numbers.checks import near, number, numbers
@@ -303,8 +303,9 @@ class Structure(metaclass=explained.Constructors):
         if not self.has_impacts:
             if impact is not None and self.has_landings:
                 raise ValueError(
-                    f"{self.model} has an impact law for each of its points, as it is declared; "
-                    "leave `impact` out"
+                    f"{self.model} has an impact law for its points, as it is declared: leave "
+                    "`impact` out, and give law= to the support, rk.Sliding(..., law='lzb'), or to "
+                    "the contacts, Rigid(..., law='lzb')"
                 )
             if impact is not None:
                 raise ValueError(
@@ -331,9 +332,12 @@ class Structure(metaclass=explained.Constructors):
         return default_law(self.module) if self.has_impacts else None
 
     def describe_impact(self, impact: ImpactLaw | None) -> str:
-        """The impact law in words, and whether it is the default; empty where none applies."""
+        """The impact law in words, and whether it is the default; empty where none applies.
+
+        That of contacts is their law's name, see `rockeom.symbolic.Rigid`; empty for Newton's.
+        """
         if not self.has_impacts:
-            return ""
+            return name_of_law(self.module)
         return repr(impact) if impact is not None else f"{self.default_impact!r}, by default"
 
     @property

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any
 
+from rockeom.codes import CONTACT_LAWS, LEAST_RESTITUTION
 from rockeom.numbers.checks import described, near, number
 from rockeom.numbers.degrees import in_radians, named_in_degrees
 from rockeom.numbers.explained import listed
@@ -142,4 +143,22 @@ def check_restitution(what: str, restitution: float) -> None:
         raise ValueError(
             f"{what}: restitution is {restitution}: give the ratio of rates after and before a "
             "landing, 0 to 1"
+        )
+
+
+def check_contact_law(what: str, restitution: float, law: str) -> None:
+    """Raise ValueError for an impact law that points have not, and a restitution that it has not.
+
+    law : one of `CONTACT_LAWS`.
+    """
+    check_restitution(what, restitution)
+    if not isinstance(law, str) or law not in CONTACT_LAWS:
+        raise ValueError(
+            f"{what}: law is {described(law)}{near(str(law), CONTACT_LAWS)}: give the impact law "
+            f"of the feet, one of {', '.join(CONTACT_LAWS)}"
+        )
+    if law == "lzb" and 0.0 < restitution < LEAST_RESTITUTION:
+        raise ValueError(
+            f"{what}: restitution is {restitution}: with law='lzb' give 0, or "
+            f"{LEAST_RESTITUTION:g} and more, since its springs give back 1 / e times as fast"
         )

@@ -13,6 +13,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from rockeom.codes import CONTACT_LAWS, LEAST_RESTITUTION
 from rockeom.numbers import explained
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
@@ -40,22 +41,87 @@ from rockeom.symbolic.model import (
 class Rigid:
     """A rigid contact: it opens, sticks or slips.
 
-    restitution : Newton's, the ratio of the rates of the gap after and before an impact, 0 to 1.
+    restitution : e, 0 to 1: the ratio of the rates of the gap after and before an impact of this
+        point alone without friction. By "newton" that of any impact in which it presses, by
+        "poisson" of impulses, by "lzb" and "pairwise" e**2 is that of the energy given back.
     friction : Coulomb's, the largest ratio of friction and normal force; None: it never slips;
         the number 0: a smooth contact, which is open or closed and never sticks.
+    law : of impacts, one for all contacts of a structure. At the points that touch v and w are the
+        rates of gaps and slips, P and Q the impulses along them.
+
+        "newton" : P >= 0, v after >= -e v before, one of them with equality; Q opposes the slip
+            after the impact, |Q| <= friction P. It gains no energy with e = 0, nor without
+            friction; else it can.
+        "moreau" : the same, where Q opposes w after + e_t w before (Moreau 1988). It gains no
+            energy where all e and e_t are one number, nor without friction; else it can.
+        "poisson" : all gaps that close come to rest together; e times the impulses of that are
+            given back. Coulomb's law holds all through the impact, in which a slip may come to rest
+            and turn (Routh 1860). It gains no energy where one point meets, nor without friction;
+            with friction at several points it can.
+        "lzb" : impulses grow as those of linear springs of relative `stiffness` k, by the law of
+            Liu, Zhao and Brogliato (2008), dP_i / dP_j = sqrt(k_i E_i / (k_j E_j)), E the energy
+            that a spring holds, of which e**2 is given back; friction as by "poisson". It never
+            gains energy. A friction is needed, and e is 0, or 0.001 and more.
+        "pairwise" : impacts of single points by "lzb", one after the other: of the points that
+            close the one of the greatest `stiffness`, of equal ones the fastest. It never gains
+            energy.
+    stiffness : of "lzb" and "pairwise"; ratios of it count.
+    tangential : e_t of "moreau", 0 to 1; None: e.
+
+    Raises ValueError for a law of another name, numbers out of their ranges, and `stiffness` or
+    `tangential` with a law that has none.
+
+    >>> Rigid(restitution=0.8, friction=0.4, law="lzb").law
+    'lzb'
     """
 
     restitution: sp.Expr = sp.S.Zero
     friction: sp.Expr | None = None
+    law: str = "newton"
+    stiffness: sp.Expr = sp.S.One
+    tangential: sp.Expr | None = None
 
     def __post_init__(self) -> None:
+        what = "law Rigid"
         friction = 0 if self.friction is None else self.friction
-        valid.expressions("law Rigid", restitution=self.restitution, friction=friction)
-        valid.not_negative("law Rigid", restitution=self.restitution, friction=friction)
-        if (1 - sp.sympify(self.restitution)).is_negative:
+        tangential = 0 if self.tangential is None else self.tangential
+        ratios = {"restitution": self.restitution, "tangential": tangential}
+        given = ratios | {"friction": friction, "stiffness": self.stiffness}
+        valid.expressions(what, **given)
+        valid.not_negative(what, **given)
+        for name, ratio in ratios.items():
+            if (1 - sp.sympify(ratio)).is_negative:
+                raise ValueError(
+                    f"{what}: {name} is {ratio}: give the ratio of rates after and before an "
+                    "impact, 0 to 1"
+                )
+        valid.known(what, "law", self.law, CONTACT_LAWS)
+        self._check_numbers_of_laws(what)
+
+    def _check_numbers_of_laws(self, what: str) -> None:
+        if self.stiffness != 1 and self.law not in ("lzb", "pairwise"):
             raise ValueError(
-                f"law Rigid: restitution is {self.restitution}: give the ratio of rates after and "
-                "before an impact, 0 to 1"
+                f"{what}: stiffness is {self.stiffness}, which the law {self.law!r} has none of: "
+                'leave it out, or give law="lzb" or law="pairwise"'
+            )
+        if sp.sympify(self.stiffness).is_zero:
+            raise ValueError(f"{what}: stiffness is {self.stiffness}: give a positive one")
+        if self.tangential is not None and self.law != "moreau":
+            raise ValueError(
+                f"{what}: tangential is {self.tangential}, which the law {self.law!r} has none of: "
+                'leave it out, or give law="moreau"'
+            )
+        if self.law == "lzb" and self.friction is None:
+            raise ValueError(
+                f"{what}: friction is None, and law='lzb' follows the slip through an impact: give "
+                "a coefficient of friction, or law='poisson' or 'pairwise'"
+            )
+        restitution = sp.sympify(self.restitution)
+        of_springs = self.law == "lzb" and restitution.is_number
+        if of_springs and 0 < restitution < LEAST_RESTITUTION:
+            raise ValueError(
+                f"{what}: restitution is {restitution}: with law='lzb' give 0, or "
+                f"{LEAST_RESTITUTION:g} and more, since its springs give back 1 / e times as fast"
             )
 
     @property
@@ -77,6 +143,9 @@ class Pinned(Rigid):
 
     restitution: sp.Expr = field(default=sp.S.Zero, init=False, repr=False)
     friction: sp.Expr | None = field(default=None, init=False, repr=False)
+    law: str = field(default="newton", init=False, repr=False)
+    stiffness: sp.Expr = field(default=sp.S.One, init=False, repr=False)
+    tangential: sp.Expr | None = field(default=None, init=False, repr=False)
 
 
 @explained.attributes()
@@ -282,6 +351,11 @@ class ContactDeclaration:
         names = [c.name for c in self.coordinates]
         integrals = [c.name for c in self.integrals]
         return (*names, *integrals, *(f"{n}_dot" for n in names), *(z.name for z in self.internal))
+
+    @property
+    def impact_law(self) -> str:
+        """The impact law of all contacts, by its name."""
+        return self.contacts[0].law.law if self.contacts else "newton"
 
     @property
     def has_pinned_feet(self) -> bool:

@@ -86,7 +86,8 @@ def test_all_that_a_module_binds_is_kept_from_users_names(name):
 
 
 def test_no_name_is_kept_from_users_that_is_never_written():
-    texts = [*map(text_of, rk.models()), module_text(pulled_block())]
+    bouncing = rk.derive("sliding_block", law="moreau")
+    texts = [*map(text_of, rk.models()), module_text(pulled_block()), module_text(bouncing)]
     written = set().union(*map(names_in, texts))
     x = sp.Symbol("x")
     for declared in (sp.Min(x, 1), -sp.oo):

@@ -24,9 +24,11 @@ FUNCTIONS = {
 TABLES = {node.target.id for node in DECLARED.body if isinstance(node, ast.AnnAssign)}
 OF_POINTS = {
     "N_ELEMENTS", "POINT_STATES", "ELEMENT_STATES", "SHARED", "SUBJECTS", "ANGLES", "free_motion",
-    "points", "point_laws",
+    "points", "point_laws", "landed",
 }  # fmt: skip
 """What only modules have whose modes are found; the loop asks no other for them."""
+OF_LAWS = {"IMPACT_LAW", "point_numbers"}
+"""What those of them have whose points have another impact law than Newton's."""
 OF_TABLES = {"jump", "full_contact_guards"}
 """What they do not have, in turn."""
 OF_FALLS = {"FALLS", "overturns_at"}
@@ -56,7 +58,7 @@ def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method)
             exec(compile(text.source, text.name, "exec"), joined)
     of_lanes = {f for f in FUNCTIONS if f.endswith("_lanes")}
     elsewhere = OF_PRINTER | OF_CONTRACT | (OF_TABLES if joined["N_POINTS"] else OF_POINTS)
-    elsewhere |= set() if joined["N_FALLS"] else OF_FALLS
+    elsewhere |= OF_LAWS | (set() if joined["N_FALLS"] else OF_FALLS)
     for function in FUNCTIONS.keys() - elsewhere - (set() if lanes else of_lanes):
         assert [*inspect.signature(joined[function]).parameters] == FUNCTIONS[function]
     tables = {"LANES", "N_PARAMETERS", "PLACES", "STAGE_PLACES", "NODE_PLACES", "DAMPING"}

@@ -44,6 +44,7 @@ if TYPE_CHECKING:  # joined before this text
         free_motion,
         guards,
         jump,
+        landed,
         points,
         rates,
     )
@@ -627,10 +628,7 @@ def meet(mode, guard, near, y, p, ground, rtol, known, out):
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     as_said = mode  # by the velocities of this mode
     if kind == LANDING:
-        as_said = collide(mode, near, 0.0, known, out)
-        if as_said == AMBIGUOUS:  # not if all of them are as slow as bounces that come to an end
-            slowest = slow_landing(mode, near, y, p, ground[AX], ground[AY], known)
-            as_said = collide(mode, near, slowest, known, out)
+        as_said = landed(mode, near, y, p, ground, known, out)
         if as_said < 0:
             return as_said, -1
     # -- which of them stay, and move along, or leave

@@ -89,6 +89,14 @@ def check_contacts(of: ContactDeclaration) -> None:
     if not of.contacts and not of.switching:
         fail(of.name, "nothing touches: declare `contacts`, or `elements` that press")
     for contact in of.contacts:
+        if contact.law.law != of.impact_law:
+            fail(
+                of.name,
+                f"contact {contact.name!r} has the impact law {contact.law.law!r}, and "
+                f"{of.contacts[0].name!r} has {of.impact_law!r}: points that meet at once have "
+                "one law",
+            )
+    for contact in of.contacts:
         _side(of, contact)
 
 
@@ -170,6 +178,8 @@ def expressions_of_contacts(of: ContactDeclaration) -> Expressions:
             yield f"{axis} of the place{where}", e, "qs"
         yield f"restitution{where}", c.law.restitution, ""
         yield f"friction{where}", 0 if c.law.friction is None else c.law.friction, ""
+        yield f"stiffness{where}", c.law.stiffness, ""
+        yield f"tangential{where}", 0 if c.law.tangential is None else c.law.tangential, ""
     for element in of.elements:
         where = f" of element {element.name!r}"
         yield f"displacement{where}", element.displacement, "q"

@@ -63,6 +63,11 @@ def sizes(model: HybridModel) -> tuple[Size, ...]:
             at = f"of contact {c.name!r}"
             law = c.law
             yield size(f"1 less the restitution {at}", 1 - law.restitution, True, "give 0 to 1")
+            if law.stiffness != 1:
+                yield size(f"the stiffness {at}", law.stiffness, False, "give a positive one")
+            if law.tangential is not None:
+                yield size(f"the tangential {at}", law.tangential, True, "give 0 to 1")
+                yield size(f"1 less the tangential {at}", 1 - law.tangential, True, "give 0 to 1")
             if law.friction is not None:
                 yield size(f"the friction {at}", law.friction, True, "it must not be negative")
             if c.side:

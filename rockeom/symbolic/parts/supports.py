@@ -113,8 +113,8 @@ def winkler(of: Superstructure, springs: int) -> Model:
     )  # fmt: skip
 
 
-def sliding(of: Superstructure) -> Model:
-    """A model on feet that open, stick, slip and bounce on rigid ground."""
+def sliding(of: Superstructure, law: str = "newton") -> Model:
+    """A model on feet that open, stick, slip and bounce on rigid ground. law : as of `Rigid`."""
     place = moved((X.position, Y.position))
     bodies = of.about_the_middle(place, ROTATION.position)
     return Model(
@@ -128,7 +128,7 @@ def sliding(of: Superstructure) -> Model:
         contacts=feet(
             gap=lambda s: place((s * HALF_WIDTH.symbol, sp.S.Zero))[1],
             slip=lambda s: place((s * HALF_WIDTH.symbol, sp.S.Zero))[0],
-            law=Rigid(restitution=RESTITUTION.symbol, friction=FRICTION.symbol),
+            law=Rigid(restitution=RESTITUTION.symbol, friction=FRICTION.symbol, law=law),
         ),
         elements=of.elements,
         elastic_energy=of.elastic_energy,

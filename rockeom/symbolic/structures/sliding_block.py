@@ -17,7 +17,7 @@ from rockeom.symbolic.structures.rigid_block import BLOCK
     defaults=BLOCK["defaults"],
     called={"height": "half_height"},
 )
-def sliding_block() -> Model:
+def sliding_block(law: str = "newton") -> Model:
     """The rigid block on feet that open, stick, slip and bounce; any size of rotation.
 
     The states are the place x and the height y of the base's centre [m], theta [rad], and their
@@ -50,7 +50,7 @@ def sliding_block() -> Model:
         contacts=feet(
             gap=lambda s: placed((s * b, 0))[1],
             slip=lambda s: placed((s * b, 0))[0],
-            law=Rigid(restitution=RESTITUTION.symbol, friction=FRICTION.symbol),
+            law=Rigid(restitution=RESTITUTION.symbol, friction=FRICTION.symbol, law=law),
         ),
         load_point=block.position,
         reference="Shenton (1996)",

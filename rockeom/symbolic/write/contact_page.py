@@ -93,6 +93,18 @@ def _force(letter: str, names: Iterable[str]) -> str:
     return rf"{letter}_{{\mathrm{{{words}}}}}"
 
 
+_LAWS = {
+    "moreau": "Moreau's law, that of Newton and Coulomb for velocities after the impact plus the "
+    "restitution times those before",
+    "poisson": "Poisson's law, with Coulomb's friction all through the impact (Routh)",
+    "lzb": "the law of Liu, Zhao and Brogliato (2008), as linear springs, with Coulomb's friction "
+    "all through the impact",
+    "pairwise": "impacts of one after the other, with the energetic restitution and Coulomb's "
+    "friction all through each (Routh)",
+}
+"""Impact laws that are followed through an impact, and are no equations of a mode."""
+
+
 def _declared(of: ContactDeclaration, notation: Notation) -> list[Block]:
     """Contacts with their laws, and the energies of the free structure."""
     blocks: list[Block] = [Heading(2, "Contacts")]
@@ -110,6 +122,8 @@ def _declared(of: ContactDeclaration, notation: Notation) -> list[Block]:
             law += f", friction ${notation.plain(friction)}$"
         lines = (f"d = {notation.write(gap)}", f"u = {notation.write(slip)}")
         blocks += [f"{law}; its gap $d$ and its place $u$ along the contact are", Display(lines)]
+    if of.contacts and of.impact_law != "newton":
+        blocks.append(f"Points that touch meet by {_LAWS[of.impact_law]}.")
     for i, element in enumerate(of.switching):
         force = _force(element.symbol_of_force, [element.name])
         value = element.force(element.shown(switch_of(i)), of.coordinates)
@@ -233,7 +247,7 @@ def _mode_forces(search: Search, mode: DerivedMode, notation: Notation) -> list[
         f"{text}:",
         Display(tuple(lines)),
         *_ends(mode, notation),
-        *_landing(mode, notation),
+        *(_landing(mode, notation) if mode.model.impact_law == "newton" else []),
         *_from_rest(search, mode, notation),
     ]
 
