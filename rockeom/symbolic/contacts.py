@@ -101,14 +101,14 @@ class Rigid:
     def _check_numbers_of_laws(self, what: str) -> None:
         if self.stiffness != 1 and self.law not in ("lzb", "pairwise"):
             raise ValueError(
-                f"{what}: stiffness is {self.stiffness}, which the law {self.law!r} has none of: "
+                f"{what}: stiffness is {self.stiffness}, and the law {self.law!r} has none: "
                 'leave it out, or give law="lzb" or law="pairwise"'
             )
         if sp.sympify(self.stiffness).is_zero:
             raise ValueError(f"{what}: stiffness is {self.stiffness}: give a positive one")
         if self.tangential is not None and self.law != "moreau":
             raise ValueError(
-                f"{what}: tangential is {self.tangential}, which the law {self.law!r} has none of: "
+                f"{what}: tangential is {self.tangential}, and the law {self.law!r} has none: "
                 'leave it out, or give law="moreau"'
             )
         if self.law == "lzb" and self.friction is None:
