@@ -332,7 +332,7 @@ def test_the_text_of_laws_shares_one_name_with_those_it_is_joined_to():
         ({"law": "lzb", "friction": 0.2, "restitution": 1e-4}, "with law='lzb' give 0, or 0.001"),
         ({"stiffness": 2.0}, "stiffness is 2.0, and the law 'newton' has none"),
         ({"law": "pairwise", "stiffness": 0}, "stiffness is 0: give a positive one"),
-        ({"law": "lzb", "friction": 0.2, "tangential": 0.5}, "tangential is 0.5, which the law"),
+        ({"law": "lzb", "friction": 0.2, "tangential": 0.5}, "tangential is 0.5, and the law"),
         ({"law": "moreau", "tangential": 1.5}, "tangential is 1.5: give the ratio"),
     ],
 )

@@ -124,6 +124,29 @@ def test_springs_without_restitution_of_coupled_contacts():
         assert apart(plastic, by_package(plastic, "lzb"), springs(plastic).impulses) < 1e-10
 
 
+def test_a_force_that_jams_does_not_grow_at_once_to_hold_a_gap():
+    """Friction closes the first gap as its force grows: the least that would hold it is above the
+    force that there is, and a force that drops finds none, so that it goes to zero."""
+    delassus = np.array(
+        [[3.7821859532419793, 2.7743644951680255, -7.082301077691892, -1.9091186281103554],
+         [2.7743644951680255, 3.356141468514347, -6.185794359641757, -2.3632859265732837],
+         [-7.082301077691893, -6.185794359641761, 18.06859237439247, 7.253748602378667],
+         [-1.9091186281103556, -2.3632859265732833, 7.253748602378664, 4.402602507080579]]
+    )  # fmt: skip
+    rates = np.array(
+        [-1.5285722158455655, -3.6065577135698543, -1.967509486057274, -1.9362624057644287]
+    )
+    problem = impact(
+        np.linalg.inv(0.5 * (delassus + delassus.T)), rates, np.eye(4)[:2], np.eye(4)[2:],
+        friction=np.array([1.341201880726362, 0.8532896073472065]), restitution=np.zeros(2),
+        stiffness=np.array([1.0632967841242784, 8.52703046622882]),
+    )  # fmt: skip
+    found = by_package(problem, "lzb")
+    assert apart(problem, found, springs(problem).impulses) < 1e-9
+    soft = problem.with_(restitution=1e-3)  # the limit of small e, as no point loads again
+    assert apart(problem, found, springs(soft).impulses) < 2e-3
+
+
 def test_pairs_of_three_balls_are_typed_two_by_two():
     masses, e = [1.0, 2.0, 0.7], [0.8, 0.5]
     row = balls(masses, [1.0, 0.0, 0.0], restitution=e)

@@ -25,8 +25,8 @@ class Meeting(NamedTuple):
 
     near (N_POINTS,) : 1 of those that touch. sizes : of `sizes_of`. rate, impulse (ROWS,) : now.
     slides (N_POINTS,) : signs of slips, 0 where there is none. first : see `lines_of`.
-    holds (N_POINTS,) : 1 where a gap is held: the point presses, or leaves. acts : 1 where one may
-    press. given : normal forces, besides those that hold a gap. target (ROWS,) : rates of change of
+    holds (N_POINTS,) : 1 where a gap is held: the point presses, or leaves. most : of a force that
+    holds a gap, if that can be, or 0. acts : 1 where one may press. given : normal forces, besides those that hold a gap. target (ROWS,) : rates of change of
     the gaps that are held, and 0 of slips.
     unknown (ROWS,) : 1 of forces that are to be found, where points hold a gap or stick. sigma
     (N_POINTS,) : sign of the slip that friction opposes. force, change (ROWS,) : forces, and rates
@@ -47,6 +47,7 @@ class Meeting(NamedTuple):
     sigma: Floats
     force: Floats
     change: Floats
+    most: Floats
 
 
 def slips_now(m):
@@ -217,18 +218,38 @@ def least_margin(m, known):
 
 
 def choose(m, known):
-    """Whether forces fit: those that fit best, by `least_margin`, and what they do, on return."""
-    best, most, code = -1, -FITS, 0
-    while combination(code, m, known):
-        forces_with(m, m.given, m.target, known)
-        margin = least_margin(m, known)
-        if margin > most:
-            best, most = code, margin
-        if margin > 1e-3:
-            break
-        code += 1
+    """Whether forces fit: those that fit best, by `least_margin`, and what they do, on return.
+
+    Those that hold a gap are within `most` where some are that fit.
+    """
+    best = best_fit(True, m, known)
+    if best < 0:
+        best = best_fit(False, m, known)
     if best < 0:
         return False
     combination(best, m, known)
     forces_with(m, m.given, m.target, known)
     return True
+
+
+def best_fit(bounded, m, known):
+    """The number of the combination that fits best, or -1. bounded : only those within `most`."""
+    best, most, code = -1, -FITS, 0
+    while combination(code, m, known):
+        forces_with(m, m.given, m.target, known)
+        margin = least_margin(m, known)
+        if margin > most and not (bounded and is_beyond_most(m)):
+            best, most = code, margin
+            if margin > 1e-3:
+                break
+        code += 1
+    return best
+
+
+def is_beyond_most(m):
+    """Whether a force that holds a gap is above `most`."""
+    found = False
+    for i in range(N_POINTS):
+        holds = m.holds[i] == 1 and m.unknown[2 * i] == 1 and m.most[i] > 0.0
+        found = found or (holds and m.force[2 * i] > (1.0 + 1e-9) * m.most[i])
+    return found

@@ -91,7 +91,7 @@ def impulses_grow(near, numbers, whole, known, sizes, rate, impulse):
         near, sizes, rate, impulse, np.empty(N_POINTS), np.empty(N_POINTS, np.int64),
         np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS),
         np.zeros(ROWS), np.zeros(ROWS, np.int64), np.empty(N_POINTS), np.empty(ROWS),
-        np.empty(ROWS),
+        np.empty(ROWS), np.zeros(N_POINTS),
     )  # fmt: skip
     ends = False
     if IMPACT_LAW == POISSON:

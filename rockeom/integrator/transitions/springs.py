@@ -122,6 +122,7 @@ def act_now(m, springs, known):
     for _ in range(4 * N_POINTS):
         for i in range(N_POINTS):
             m.given[i] = m.target[2 * i] = 0.0
+            m.most[i] = force[i] if m.holds[i] == 1 else 0.0
             if m.acts[i] == 1 and m.holds[i] == 0:
                 m.given[i] = max(force[i] - soon * springs.loads[i] * m.rate[2 * i], 0.0)
         if not choose(m, known):
