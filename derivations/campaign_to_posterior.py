@@ -187,7 +187,7 @@ for name, x in truth.items():
 # steeply where the third would have stood.
 
 # %%
-widths = np.linspace(0.066, 0.095, 90)
+widths = np.linspace(0.066, 0.095, 59)
 others = {name: x for name, x in found.map.items() if name != "half_width"}
 one_by_one = [posterior(test, {n: priors[n] for n in (*test.takes, "noise")}) for test in tests]
 profile = np.array(
@@ -223,7 +223,7 @@ plt.show()
 # logarithm of the density, and needs its gradient at each step.
 
 # %%
-draws = found.sample(120, warm_up=30, seed=1)
+draws = found.sample(80, warm_up=25, seed=1)
 print(draws.summary(0.9))
 assert draws.diverging <= 4
 assert max(draws.rhat.values()) < 1.06
@@ -235,7 +235,7 @@ assert max(draws.rhat.values()) < 1.06
 
 # %%
 first = one_by_one[0]
-alone = first.sample(150, warm_up=40, seed=1)
+alone = first.sample(100, warm_up=30, seed=1)
 logs = [np.log(alone.values[name].ravel()) for name in ("left", "right")]
 print(f"correlation of the ratios {np.corrcoef(logs)[0, 1]:.2f}")
 assert np.std(logs[0] + logs[1]) < 0.5 * np.std(logs[0] - logs[1])

@@ -26,8 +26,9 @@ class Meeting(NamedTuple):
     near (N_POINTS,) : 1 of those that touch. sizes : of `sizes_of`. rate, impulse (ROWS,) : now.
     slides (N_POINTS,) : signs of slips, 0 where there is none. first : see `lines_of`.
     holds (N_POINTS,) : 1 where a gap is held: the point presses, or leaves. most : of a force that
-    holds a gap, if that can be, or 0. acts : 1 where one may press. given : normal forces, besides those that hold a gap. target (ROWS,) : rates of change of
-    the gaps that are held, and 0 of slips.
+    holds a gap, if that can be, or 0. acts : 1 where one may press. given : normal forces, besides
+    those that hold a gap. target (ROWS,) : rates of change of the gaps that are held, and 0 of
+    slips.
     unknown (ROWS,) : 1 of forces that are to be found, where points hold a gap or stick. sigma
     (N_POINTS,) : sign of the slip that friction opposes. force, change (ROWS,) : forces, and rates
     of change by them.
