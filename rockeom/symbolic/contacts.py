@@ -46,27 +46,31 @@ class Rigid:
         "poisson" of impulses, by "lzb" and "pairwise" e**2 is that of the energy given back.
     friction : Coulomb's, the largest ratio of friction and normal force; None: it never slips;
         the number 0: a smooth contact, which is open or closed and never sticks.
-    law : of impacts, one for all contacts of a structure. At the points that touch v and w are the
-        rates of gaps and slips, P and Q the impulses along them.
-
-        "newton" : P >= 0, v after >= -e v before, one of them with equality; Q opposes the slip
-            after the impact, |Q| <= friction P. It gains no energy with e = 0, nor without
-            friction; else it can.
-        "moreau" : the same, where Q opposes w after + e_t w before (Moreau 1988). It gains no
-            energy where all e and e_t are one number, nor without friction; else it can.
-        "poisson" : all gaps that close come to rest together; e times the impulses of that are
-            given back. Coulomb's law holds all through the impact, in which a slip may come to rest
-            and turn (Routh 1860). It gains no energy where one point meets, nor without friction;
-            with friction at several points it can.
-        "lzb" : impulses grow as those of linear springs of relative `stiffness` k, by the law of
-            Liu, Zhao and Brogliato (2008), dP_i / dP_j = sqrt(k_i E_i / (k_j E_j)), E the energy
-            that a spring holds, of which e**2 is given back; friction as by "poisson". It never
-            gains energy. A friction is needed, and e is 0, or 0.001 and more.
-        "pairwise" : impacts of single points by "lzb", one after the other: of the points that
-            close the one of the greatest `stiffness`, of equal ones the fastest. It never gains
-            energy.
+    law : of impacts, as below; one for all contacts of a structure.
     stiffness : of "lzb" and "pairwise"; ratios of it count.
     tangential : e_t of "moreau", 0 to 1; None: e.
+
+    At the points that touch v and w are the rates of gaps and slips, P and Q the impulses along
+    them.
+
+    "newton": P >= 0, v after >= -e v before, one of them with equality; Q opposes the slip after
+    the impact, |Q| <= friction P. It gains no energy with e = 0, nor without friction; else it can.
+
+    "moreau": the same, where Q opposes w after + e_t w before (Moreau 1988). It gains no energy
+    where all e and e_t are one number, nor without friction; else it can.
+
+    "poisson": all gaps that close come to rest together; e times the impulses of that are given
+    back. Coulomb's law holds all through the impact, in which a slip may come to rest and turn
+    (Routh 1860). It gains no energy where one point meets, nor without friction; with friction at
+    several points it can.
+
+    "lzb": impulses grow as those of linear springs of relative `stiffness` k, by the law of Liu,
+    Zhao and Brogliato (2008), dP_i / dP_j = sqrt(k_i E_i / (k_j E_j)), E the energy that a spring
+    holds, of which e**2 is given back; friction as by "poisson". It never gains energy. A friction
+    is needed, and e is 0, or 0.001 and more.
+
+    "pairwise": impacts of single points by "lzb", one after the other: of the points that close
+    the one of the greatest `stiffness`, of equal ones the fastest. It never gains energy.
 
     Raises ValueError for a law of another name, numbers out of their ranges, and `stiffness` or
     `tangential` with a law that has none.
