@@ -8,6 +8,11 @@ from dataclasses import dataclass, field
 
 Parameters = Mapping[str, float]
 GRAVITY = {"gravity": 9.81}
+STACK = {
+    "lower_half_width": 0.3, "lower_half_height": 0.5, "lower_mass": 4.0,
+    "upper_half_width": 0.2, "upper_half_height": 0.4, "upper_mass": 2.0, **GRAVITY,
+}  # fmt: skip
+"""Two blocks on one another."""
 UNITS = {
     "half_width": "m", "half_height": "m", "mass": "kg", "gravity": "m/s2", "rotation": "rad",
     "jerk": "m/s3", "time": "s", "friction": "-", "velocity": "m/s", "amplitude": "m/s2",
@@ -256,6 +261,17 @@ def length(name: str, meaning: str, **measure: object) -> Quantity:
     return Quantity(name, "m", meaning, measure or None)
 
 
+def both_turned_at(time: float) -> list[Quantity]:
+    """Rotations of the two blocks of a stack at a time."""
+    return [
+        turned_by(
+            f"{body}_rotation_later", f"of the {body} block at `time`", what="rotation", body=body,
+            time=time,
+        )
+        for body in ("lower", "upper")
+    ]  # fmt: skip
+
+
 def impacts(*asked: tuple[int, str], body: str = "block") -> tuple[Quantity, ...]:
     """Times and rates of impacts, each the n-th time that the rotation passes through zero."""
     kinds = {
@@ -470,19 +486,14 @@ CASES = (
         "stack-leans", "Two blocks on one another, both leaning",
         "Both turn about their right feet, each at its own rate, until the lower one is upright "
         "and its left foot lands, which strikes both.",
-        {"lower_half_width": 0.3, "lower_half_height": 0.5, "lower_mass": 4.0,
-         "upper_half_width": 0.2, "upper_half_height": 0.4, "upper_mass": 2.0, **GRAVITY,
-         "lower_rotation": 0.05, "upper_rotation": 0.12, "time": 0.24},
+        {**STACK, "lower_rotation": 0.05, "upper_rotation": 0.12, "time": 0.24},
         stacked, 0.25, NEWTON, False,
         (
             time("landing_time", "of the lower block's left foot", what="zero_of_rotation",
                  body="lower", n=1),
             rate("lower_rate_before", "of the lower block", what="rate_before_zero", body="lower",
                  n=1),
-            turned_by("lower_rotation_later", "of the lower block at `time`", what="rotation",
-                      body="lower", time=0.24),
-            turned_by("upper_rotation_later", "of the upper block at `time`", what="rotation",
-                      body="upper", time=0.24),
+            *both_turned_at(0.24),
             rate("lower_rate_after", "of the lower block"),
             rate("upper_rate_before", "of the upper block"),
             rate("upper_rate_after", "of the upper block"),
@@ -492,9 +503,7 @@ CASES = (
     Case(
         "upper-block-rocks", "Two blocks on one another, the upper one leaning",
         "The lower block stands still until the upper one lands, and lifts its right foot then.",
-        {"lower_half_width": 0.3, "lower_half_height": 0.5, "lower_mass": 4.0,
-         "upper_half_width": 0.2, "upper_half_height": 0.4, "upper_mass": 2.0, **GRAVITY,
-         "upper_rotation": 0.1, "time": 0.215},
+        {**STACK, "upper_rotation": 0.1, "time": 0.215},
         on_standing_lower, 0.22,
         "An elliptic integral up to the landing, impulses of Newton and Euler in it, and then: "
         + NEWTON, False,
@@ -503,10 +512,7 @@ CASES = (
                  body="upper", n=1),
             rate("upper_rate_before", "of the upper block", what="rate_before_zero", body="upper",
                  n=1),
-            turned_by("lower_rotation_later", "of the lower block at `time`", what="rotation",
-                      body="lower", time=0.215),
-            turned_by("upper_rotation_later", "of the upper block at `time`", what="rotation",
-                      body="upper", time=0.215),
+            *both_turned_at(0.215),
             rate("upper_rate_after", "of the upper block"),
             rate("lower_rate_after", "of the lower block"),
         ),

@@ -561,10 +561,10 @@ class EnergyRatioByImpact(TabulatedLaw):
 
         rk.EnergyRatioByImpact([0.763, 0.948, 0.769])
 
-    values : r of each, 0 to 1; behind the last one the first follows. For a test whose impacts were
+    values : r of each, 0 to 1; they start again after the last one. For a test whose impacts were
     measured one by one, and for ratios that scatter where each is itself an unknown.
 
-    Raises TypeError for anything but a list of numbers, ValueError for an empty one and for a
+    Raises TypeError for anything but a list of numbers and for an empty one, ValueError for a
     ratio outside 0 to 1.
     """
 
