@@ -1,0 +1,1 @@
+"""Bits of motions compared between commits, on one machine."""
