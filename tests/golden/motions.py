@@ -30,6 +30,25 @@ PIER = {
     "mass": 3e5, "height": 12.0, "inertia": 2e6, "base_mass": 4e4, "base_height": 0.5,
     "base_inertia": 6e4, "half_width": 1.5, "stiffness": 20e6, "damping": 25e4,
 }  # fmt: skip
+COLUMN = {
+    "mass": 122.6, "height": 1.05, "inertia": 44.8, "base_mass": 45.6, "base_height": 0.1,
+    "base_inertia": 1.37, "half_width": 0.285,
+}  # fmt: skip
+SIZED = {
+    "two_spring_structure": partial(
+        rk.TwoSpringStructure, **COLUMN, foundation_stiffness=550e3, foundation_damping=3e3
+    ),
+    "two_spring_cart": partial(rk.TwoSpringCart, **COLUMN, foundation_stiffness=550e3),
+    "uplifting_oscillator": partial(rk.UpliftingOscillator.from_frequency, 20.0, 0.02, 1.0, 0.3),
+    "flexible_structure": partial(rk.FlexibleStructure, **COLUMN, stiffness=571.8e3, damping=502.4),
+    "controlled_wall": rk.ControlledWall.thesis,
+    "flexible_controlled_wall": rk.FlexibleControlledWall.thesis,
+    "controlled_wall_oscillator": partial(rk.ControlledWallOscillator.thesis, 0.85),
+    "substitute_gravity_wall": rk.SubstituteGravityWall.thesis,
+}
+"""Structures that numbers about 1 do not make rock."""
+PEAKS = {"sliding_block": 12.0, "two_spring_structure": 4.0, "two_spring_cart": 3.0}
+"""PGA [m/s2] of structures of which nothing tells when they move."""
 SUPPORTS = {
     "springs": rk.TwoSprings(stiffness=3e8, damping=2e6),
     "bed": rk.Winkler(stiffness=2e7, damping=2e5, springs=5),
@@ -42,7 +61,7 @@ Build = Callable[[], rk.Structure]
 def structures() -> Iterator[tuple[str, Build]]:
     """Each shipped structure, those on other supports, and those with each law of contacts."""
     for name in SHIPPED:
-        yield name, partial(SHIPPED[name], **plain(name))
+        yield name, SIZED.get(name) or partial(SHIPPED[name], **plain(name))
     for name, support in SUPPORTS.items():
         yield f"pier on {name}", partial(rk.FlexibleStructure, **PIER, support=support)
     for law in CONTACT_LAWS:
@@ -61,7 +80,7 @@ def block_with(law: str) -> rk.Structure:
 
 def records(structure: rk.Structure) -> dict[str, tuple[rk.GroundMotion, rk.GroundMotion | None]]:
     """A measured record, and a synthetic one with a vertical component, that make it move."""
-    peak = 1.6 * (structure.uplift_acceleration or 5.0)
+    peak = PEAKS.get(structure.model) or 1.6 * (structure.uplift_acceleration or 5.0)
     measured = rk.GroundMotion.from_library("El Centro 1940 180").scaled_to(pga=peak)
     drawn, vertical = (
         rk.GroundMotion.kanai_tajimi(0.02, duration=8.0, seed=seed) for seed in (1, 2)
