@@ -26,7 +26,6 @@ from rockeom.compiler.decorators import Floats, Floats2, Ints, entry
 if TYPE_CHECKING:  # joined before this text
     from rockeom.browser.written import MOST_P, ROWS_X, ROWS_Y, set_up
     from rockeom.integrator.batches import at_rest, falls
-    from rockeom.integrator.extremes import widen
     from rockeom.integrator.ground import ground_acceleration, segment_for
     from rockeom.integrator.interface import (
         N_STATES,
@@ -176,7 +175,6 @@ def fate(sliders: Floats, extremes: Floats2) -> int:
         np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1)), events, event_kinds,
         np.empty((64, 2, N_STATES)), extremes,
     )  # fmt: skip
-    widen(extremes, y)
     for i in range(N_STATES):
         extremes[0, i] = extremes[1, i] = y[i]
     scratch, code = np.zeros(SCRATCH), FULL

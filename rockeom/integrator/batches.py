@@ -25,7 +25,6 @@ from rockeom.codes import (
 from rockeom.compiler.decorators import Floats, Floats2, Ints, entry, inlined
 
 if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.extremes import widen
     from rockeom.integrator.ground import ground_acceleration, segment_for
     from rockeom.integrator.interface import (
         KINDS,
@@ -121,7 +120,6 @@ def integrate_many(first: int, batch: Batch) -> int:
         if left < 0:
             return n
         y, status = batch.states[n], batch.status[n]
-        widen(batch.extremes[n], y)
         case = case_of(
             batch, n, batch.t_end[n],
             batch.horizontal[batch.h_rows[n, 0] : batch.h_rows[n, 1]],

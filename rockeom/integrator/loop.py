@@ -658,6 +658,7 @@ def accept(motion, step, case, a, recorder):
         if records_extremes(recorder):
             if step.turns:
                 widen_within(recorder.extremes, a.coefficients)
+            widen(recorder.extremes, a.y)  # an event may have changed it since the last step
             widen(recorder.extremes, a.y_new)
         for i in range(N_STATES):
             a.y[i] = a.y_new[i]

@@ -362,6 +362,23 @@ def test_quantities_are_asked_of_each_case():
     assert found.peak_quantity[1, 2, 0] == abs(response.extremes("displacement").peak)
 
 
+SLIDES = rk.SlidingBlock(half_width=0.2, half_height=0.6, friction=0.4, restitution=0.3)
+PIER = rk.FlexibleStructure(**S1, stiffness=571.8e3, damping=502.4)
+
+
+@pytest.mark.parametrize("lanes", [None, False])
+@pytest.mark.parametrize("structure", [SLIDES, PIER], ids=lambda structure: structure.model)
+def test_peaks_beside_impacts_are_those_of_the_motion(structure, lanes):
+    """No step may begin or end with the velocities just after an impact but the next one."""
+    case = Case(structure, sine(4.0, 0.5, duration=3.0))
+    how = rk.SweepOptions(progress=False, lanes=lanes)
+    table = rk.simulate_many(case, {"scale": [0.8, 1.0, 1.2]}, sweep_options=how)
+    for i, scale in enumerate((0.8, 1.0, 1.2)):
+        run = rk.simulate(structure, case.motion.scaled(acceleration=scale))
+        peaks = [abs(run.extremes(name).peak) for name in run.states]
+        np.testing.assert_allclose(table.peak.values[i], peaks, rtol=1e-6, atol=1e-12)
+
+
 def test_lanes_take_cases_made_at_once():
     over = {"size": spaced(0.3, 2.0, 9), "slenderness": spaced(0.12, 0.3, 3)}
 

@@ -439,6 +439,8 @@ def impact(lane, z, w, batch, scratch):
     passed = velocity_ratio_at(law, ratio, status[IMPACTS], y[ROTATION_RATE], p)
     mode = jump(before, 0, law, passed, y, p, after)
     add_gain(before, mode, y, after, p, scratch[_POWERS:_GUARDS], batch.gains[case])
+    widen_lane(lane, z, y)
+    widen_lane(lane, z, after)
     closed = -1
     status[IMPACTS] += 1
     status[GUARD_DUE] = status[RATE_STALE] = 1
@@ -496,9 +498,16 @@ def fly_or_rest(lane, z, case, mode, speed, batch, scratch):
     status[GUARD_DUE] = status[RATE_STALE] = 1
     for i in range(N_STATES):
         y[i] = y_w[i]
+    widen_lane(lane, z, y)
+    return follows, True
+
+
+@inlined
+def widen_lane(lane, z, y):
+    """Let the extremes of a lane take in a state, as `widen` does."""
+    for i in range(N_STATES):
         least, most = Z_LEAST + i * LANES + lane, Z_MOST + i * LANES + lane
         z[least], z[most] = min(z[least], y[i]), max(z[most], y[i])
-    return follows, True
 
 
 def fresh_rates(lane, z, case, batch):
