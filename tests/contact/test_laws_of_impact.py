@@ -57,6 +57,20 @@ def random_landing(rng):
     return Landing(b, h, (rng.normal(), down, theta_dot), rng.uniform(0.02, 0.5))
 
 
+@pytest.mark.parametrize("law", CONTACT_LAWS)
+@pytest.mark.parametrize("friction", [0.0, 0.6])
+def test_a_block_dropped_flat_stays_level(law, friction):
+    """Both corners land at one instant, and bounce with e of the speed; neither is the first."""
+    block = rk.structure(
+        rk.derive("sliding_block", law=law), half_width=0.2, height=0.5, mass=1.0,
+        inertia=0.29 / 3, friction=friction, restitution=0.5,
+    )  # fmt: skip
+    run = rk.simulate(block, rk.GroundMotion.none(0.4), initial={"y": 0.1})
+    assert abs(run.extremes("theta").peak) < 1e-12
+    falls = math.sqrt(2 * 0.1 * rk.RigidBlock(half_width=1, half_height=1).gravity)
+    assert run.impacts[0].after["y_dot"] == pytest.approx(0.5 * falls, rel=1e-9)
+
+
 # -- closed forms ---------------------------------------------------------------------------------
 
 

@@ -8,7 +8,8 @@ laws differ in normal forces:
     poisson   all gaps that close do so ever slower, in proportion; the impulses of that are given
               back, times e, see `press_and_give_back`
     lzb       springs of stiffness k as they load, and k / e**2 as they give back, see `grow`
-    pairwise  single points one after the other, with the restitution of lzb, see `one_by_one`
+    pairwise  single points one after the other, with the restitution of lzb; those that are alike
+              together, see `one_by_one`
 
 This text is joined behind friction.py and springs.py, see `rockeom.integrator.program`.
 """
@@ -45,6 +46,7 @@ if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.transitions.springs import grow
 
 MOST_STAGES = 100000  # of an impact, and impacts of single points in one
+SAME_RATE = 1e-9  # relative: rates of points that are alike differ by rounding, some 1e-15 a step
 
 
 def landed(mode, near, y, p, ground, known, out):
@@ -99,7 +101,7 @@ def impulses_grow(near, numbers, whole, known, sizes, rate, impulse):
     if IMPACT_LAW == LZB:
         ends = grow(m, numbers, whole, known)
     if IMPACT_LAW == PAIRWISE:
-        ends = one_by_one(m, numbers, known)
+        ends = one_by_one(m, numbers, whole, known)
     return ends
 
 
@@ -232,29 +234,41 @@ def end_of_stage(s, ahead, m, closing):
 # -- pairs ---------------------------------------------------------------------------------------
 
 
-def one_by_one(m, stiffness, known):
+def one_by_one(m, stiffness, whole, known):
     """Impacts of single points, until no gap closes; whether that comes to an end.
 
     The stiffest of the points that close is next; of those as stiff the one that closes fastest.
+    Points that are alike in both meet together, as springs do: any order of them would tell left
+    from right where nothing else does.
     """
-    alone = np.zeros(N_POINTS, np.int64)
-    single = m._replace(near=alone)
+    next_ = np.zeros(N_POINTS, np.int64)
+    apart = m._replace(near=next_)
     for _ in range(MOST_STAGES):
-        which = -1
-        for i in range(N_POINTS):
-            if m.near[i] == 0 or not m.rate[2 * i] < -NOTHING_LEFT * m.sizes[2 * i]:
-                continue
-            if which < 0 or stiffness[i] > stiffness[which]:
-                which = i
-            elif stiffness[i] == stiffness[which]:
-                which = i if m.rate[2 * i] < (1.0 + 1e-9) * m.rate[2 * which] else which
+        which = next_point(m, stiffness)
         if which < 0:
             return True
-        alone[which] = 1
-        if not meet_alone(which, single, known):
+        alike = 0
+        for i in range(N_POINTS):
+            closes = m.near[i] == 1 and m.rate[2 * i] <= (1.0 - SAME_RATE) * m.rate[2 * which]
+            next_[i] = 1 if closes and stiffness[i] == stiffness[which] else 0
+            alike += next_[i]
+        if alike == 1 and not meet_alone(which, apart, known):
             return False
-        alone[which] = 0
+        if alike > 1 and not grow(apart, stiffness, whole, known):
+            return False
     return False
+
+
+def next_point(m, stiffness):
+    """The stiffest of the points that close, of those as stiff the fastest; -1 where none does."""
+    which = -1
+    for i in range(N_POINTS):
+        if m.near[i] == 0 or not m.rate[2 * i] < -NOTHING_LEFT * m.sizes[2 * i]:
+            continue
+        stiffer = which < 0 or stiffness[i] > stiffness[which]
+        if stiffer or (stiffness[i] == stiffness[which] and m.rate[2 * i] < m.rate[2 * which]):
+            which = i
+    return which
 
 
 def meet_alone(point, m, known):
