@@ -42,6 +42,8 @@ HAPPENED = {
 
 _CLOSED = 1e-9
 """Relative to the terms of a gap, or of its rate: smaller ones are zero, in a motion."""
+_LANDED = 1e-13
+"""The same of a gap that an impact has closed, as far as rounding lets it."""
 
 
 class Points:
@@ -564,5 +566,6 @@ def _landed(
     before, after = (Points(module, states[landings, side], p) for side in (0, 1))
     met = (before.gap_rate < -_CLOSED * before.speed) & (after.gap_rate >= -_CLOSED * before.speed)
     opened = np.array(module.POINT_STATES)[events[landings, 1]] == OPEN
-    near = after.gap <= 1e-6 * np.abs(before.gap_rate)  # it did not only turn back in flight
+    # the impact puts what lands on the ground; others may turn back in flight, however close
+    near = after.gap <= _LANDED * after.size.max(axis=1, keepdims=True)
     return dict(zip(landings.tolist(), met & opened & near, strict=True))

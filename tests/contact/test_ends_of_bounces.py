@@ -12,7 +12,7 @@ from rockeom.codes import OPEN
 from rockeom.structures.searched_modes import Points
 from tests.soak.cases import Motion
 from tests.soak.mechanics import of_sliding_block, of_stack
-from tests.soak.newton import Told, on_contacts
+from tests.soak.newton import Told, lost, on_contacts
 
 STILL = rk.GroundMotion.none
 ENDED = {"came to rest", "overturned", "completed"}
@@ -172,3 +172,41 @@ def test_closed_points_of_a_rest_are_closed():
         closed = np.array(module.POINT_STATES[module.MODES.index(event.mode_after)]) != OPEN
         assert Points(module, before, p).gap[closed].max(initial=0.0) < 1e-9
         assert np.abs(Points(module, after, p).gap[closed]).max(initial=0.0) < 1e-14
+
+
+def test_a_fast_landing_beside_a_rest_is_an_impact():
+    """The upper corner throws `right`, 1.7e-14 m above the ground, down at 15 m/s.
+
+    The bounces of the upper corner end at once, and take none of that: 250 of 764 J.
+    """
+    blocks = stack(
+        (1.110456554463027, 0.3430782029258869, 0.1884001270725435),
+        (0.6924810865050224, 0.3643968977823345, 6.955596978526995),
+    )
+    record = rk.GroundMotion.from_array([-4.247665745289613, 7.66835225024107], 0.29391352976431)
+    start = {"theta": 0.2785153343050582, "theta_dot": -6.699896303106207}
+    options = rk.SolverOptions(rtol=1e-12, atol=1e-14)
+    run = rk.simulate(
+        blocks, record, vertical=rk.GroundMotion.half_sine(-4.017, 0.27268384, duration=3.0),
+        initial=start | {"phi_dot": 4.686176583199955}, duration=0.027, options=options,
+    )  # fmt: skip
+    landings = [(round(impact.time, 7), impact.contact) for impact in run.impacts]
+    assert landings == [
+        (0.0250103, "upper_right"), (0.0253259, "right"), (0.0253259, "upper_right"),
+        (0.0253259, "right"), (0.0253259, "upper_right"),
+    ]  # fmt: skip
+    motion = Motion(0, blocks, record, run.vertical, None, {}, None, options)
+    told = Told(motion, run, of_stack(blocks.parameters()))
+    assert list(on_contacts(told)) == [] == list(lost(told))
+
+
+def test_a_point_that_turns_back_in_flight_did_not_land():
+    """A bar that turns little falls on its right corner; the left one, 1e-11 m up, is thrown up."""
+    block = {"half_width": 0.2, "half_height": 0.5, "friction": 0.0, "restitution": 1.0}
+    block["inertia"] = 1.0
+    tilt = 1e-11 / 0.4
+    run = rk.simulate(
+        rk.SlidingBlock(**block), STILL(1e-3),
+        initial={"theta": tilt, "y": 0.2 * tilt + 1e-3, "y_dot": -2.0, "theta_dot": 0.0},
+    )  # fmt: skip
+    assert run.impacts[0].contact == "right"

@@ -26,12 +26,15 @@ MODELS = tuple(name for name in SHIPPED if name not in NEWER)
 METHODS = ("DOP853", "DOP853", "RK45", "DOP853", "Radau", "DOP853", "RK45", "DOP853")
 """Of one seed after the other; DOP853 is the default, and what most people use."""
 
-EVEN = {"heave", "permanent_extension", "passage_speed"}
+EVEN = {"heave", "permanent_extension", "passage_speed", "y", "eta"}
 """Coordinates that a mirror leaves as they are."""
 
 
 def model_of(seed: int) -> str:
-    return MODELS[seed % len(MODELS)]
+    """Of sixteen rigid blocks one has its centroid off the middle."""
+    model = MODELS[seed % len(MODELS)]
+    offset = model == "rigid_block" and seed // len(MODELS) % 16 == 15
+    return "offset_block" if offset else model
 
 
 def method_of(seed: int) -> str:
@@ -68,8 +71,9 @@ class Motion:
     def mirrored(self) -> Motion:
         """Left and right exchanged."""
         structure = self.structure
-        if getattr(structure, "eccentricity", 0.0):
-            structure = replace(structure, eccentricity=-structure.eccentricity)
+        for name in ("eccentricity", "offset"):
+            if getattr(structure, name, 0.0):
+                structure = replace(structure, **{name: -getattr(structure, name)})
         return replace(
             self,
             structure=structure,
@@ -323,6 +327,15 @@ def _rigid_block(dice: Dice) -> tuple[Structure, Scales]:
     )
 
 
+def _offset_block(dice: Dice) -> tuple[Structure, Scales]:
+    b, h = dice.over(0.02, 5.0), dice.over(0.05, 10.0)
+    offset = b * dice.one_of(0.0, dice.between(-0.9, 0.9))
+    block = rk.OffsetBlock(half_width=b, half_height=h, offset=offset, mass=dice.over(1e-2, 1e6))
+    near = b - abs(offset)
+    inertia = block.parameters()["inertia"] + block.mass * (near**2 + h**2)
+    return block, _rocking(block.mass, block.mass * h, inertia, near, block.gravity)
+
+
 def _slender_block(dice: Dice) -> tuple[Structure, Scales]:
     p, alpha = dice.over(0.5, 8.0), dice.over(0.01, 0.6)
     block = rk.SlenderBlock.from_frequency(p=p, alpha=alpha, mass=dice.over(1e-2, 1e6))
@@ -539,6 +552,7 @@ def _any(model: str, dice: Dice) -> tuple[Structure, Scales]:
 
 _STRUCTURES: dict[str, Callable[[Dice], tuple[Structure, Scales]]] = {
     "rigid_block": _rigid_block,
+    "offset_block": _offset_block,
     "slender_block": _slender_block,
     "nondimensional_block": _nondimensional_block,
     "dirac_delta_block": _dirac_delta_block,

@@ -17,7 +17,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.structures.base import Structure
-from rockeom.symbolic import Contact, Rigid, Unilateral, Yielding
+from rockeom.symbolic import Contact, Rigid, Unilateral, Yielding, dead_load
 from rockeom.symbolic.model import Parameter, parameter
 from tests.contact import declared
 from tests.soak import cases
@@ -166,6 +166,30 @@ def _a_block(dice: Dice, structure: Structure, by_hand: Mechanics, b: float, h: 
     lift = GRAVITY * min(b / h, 2.0)
     motion = _ground(dice, lift, h, shaken=1.0 if kind == "rest" else 0.3)
     return Drawn(structure, by_hand, initial, motion, _vertical(dice, motion.duration))
+
+
+def _other_law(law: str) -> Callable[[Dice], Drawn]:
+    """The same where feet that touch at once meet by another law of impact; some are slender."""
+
+    def drawn(dice: Dice) -> Drawn:
+        block = _sliding_block(dice)
+        numbers = dict(block.structure.parameters())
+        if dice.chance(0.2):
+            numbers["half_width"] *= dice.over(1e-5, 1.0)
+            block = replace(block, initial={"theta": numbers["half_width"] * dice.over(1e-6, 0.5)})
+        feet = tuple(
+            Foot(n, s * numbers["half_width"], 0.0, numbers["friction"], numbers["restitution"])
+            for n, s in (("left", -1), ("right", 1))
+        )
+        by_hand = BlockOnFeet(numbers["mass"], numbers["inertia"], numbers["height"], feet)
+        return replace(block, structure=rk.structure(_block_by(law), **numbers), by_hand=by_hand)
+
+    return drawn
+
+
+@functools.cache
+def _block_by(law: str):
+    return rk.derive("sliding_block", law=law)
 
 
 # -- a stack
@@ -509,6 +533,32 @@ def _held(dice: Dice, structure: Structure, by_hand: BlockOnFeet, block: dict[st
     return Drawn(structure, by_hand, initial, motion)
 
 
+@functools.cache
+def _with_a_jack(turns: bool):
+    """A block on two feet under a dead load, which turns with it or does not."""
+    feet = {"left": (-_B.symbol, sp.S.Zero), "right": (_B.symbol, sp.S.Zero)}
+    name = "block_and_jack" if turns else "block_and_weight"
+    model = declared.on_points(name, feet, _B, _LOAD, _LENGTH)
+    turned = declared.THETA.position if turns else sp.S.Zero
+    load = dead_load("load", _LOAD.symbol, declared.placed((0, _LENGTH.symbol)), turned)
+    return replace(model, forces=(load,))
+
+
+_LOAD = parameter("N", "load", "N", "force that presses on a point of the axis")
+
+
+def _loaded(turns: bool) -> Callable[[Dice], Drawn]:
+    def drawn(dice: Dice) -> Drawn:
+        block, _ = _held_block(dice)
+        load = block["mass"] * GRAVITY * dice.over(0.01, 3.0)
+        across = block["height"] * dice.between(0.5, 2.0)
+        by_hand = replace(_hand_block(block), load=(load, across, float(turns)))
+        structure = rk.structure(_with_a_jack(turns), **block, load=load, length=across)
+        return _held(dice, structure, by_hand, block)
+
+    return drawn
+
+
 # -- smooth walls: contacts without friction
 
 
@@ -601,6 +651,11 @@ _VARIANTS: dict[str, dict[str, Callable[[Dice], Drawn]]] = {
     },
     "bars": {"barred_block": _barred_block, "padded_block": _padded_block},
     "smooth": {"ladder": _a_ladder, "before_a_stop": _a_stop},
+    "laws": {
+        f"sliding_block by {law}": _other_law(law)
+        for law in ("moreau", "poisson", "lzb", "pairwise")
+    },
+    "loads": {"block_and_weight": _loaded(False), "block_and_jack": _loaded(True)},
 }
 FAMILIES = tuple(_VARIANTS)
 ALLOWED: tuple[str, ...] = ()

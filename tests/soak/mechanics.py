@@ -159,6 +159,8 @@ class Parts:
     bars: Sequence[Bar] = ()
     elastic: np.ndarray | float = 0.0
     stored: np.ndarray | float = 0.0
+    loads: Sequence[tuple[Place, np.ndarray]] = ()
+    """Places, and forces (k, 2) on them."""
 
 
 class Mechanics:
@@ -211,6 +213,8 @@ class At:
         for bar in parts.bars:
             self.elastic -= bar.force[:, None] * bar.place.jacobian[:, 1]
             self.potential += 0.5 * bar.force**2 / bar.stiffness
+        for place, force in parts.loads:
+            self.elastic += np.einsum("kin,ki->kn", place.jacobian, force)
         m = len(parts.points)
         self.rows, self.biases = np.zeros((k, m, 2, n)), np.zeros((k, m, 2))
         self.slips, self.gaps = np.zeros((k, m)), np.zeros((k, m))
@@ -357,6 +361,8 @@ class BlockOnFeet(Mechanics):
     """Name, place along and across the base, stiffness and damping."""
     bars: tuple[tuple[str, float, float, float, float], ...] = ()
     """Name, place along the base, stiffness, strength and hardening."""
+    load: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """Force that presses on a point of the axis [N], how far above the base, and 1 if it turns."""
     internal: tuple[str, ...] = ()
     gravity: float = 9.81
     coordinates: tuple[str, ...] = ("x", "y", "theta")
@@ -387,7 +393,11 @@ class BlockOnFeet(Mechanics):
                 states.internal[f"{name}_extension"], k, strength, hardening)
             for name, along, k, strength, hardening in self.bars
         ]  # fmt: skip
-        return Parts([Mass(self.mass, self.inertia, centre, theta)], points, struts, bars)
+        force, across, turns = self.load
+        _, down = _axes(*(f(turns * states.q @ theta) for f in (np.cos, np.sin)))
+        loads = [(states.carried(base, theta, 0.0, across), -force * down)]
+        mass = Mass(self.mass, self.inertia, centre, theta)
+        return Parts([mass], points, struts, bars, loads=loads)
 
 
 @dataclass(frozen=True)

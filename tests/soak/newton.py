@@ -29,7 +29,9 @@ from functools import cached_property
 import numpy as np
 
 import rockeom as rk
-from rockeom.codes import LANDING, REST
+from rockeom.codes import LANDING, LZB, NEWTON, PAIRWISE, REST
+from rockeom.integrator.schema import impact_law
+from tests.soak.cases import is_even
 from tests.soak.checks import FINEST, Record, finite, joined, ordered
 from tests.soak.mechanics import OPEN, SENSE, SLIP_LEFT, SLIP_RIGHT, STICK, At, Mechanics, Solved
 
@@ -48,6 +50,8 @@ LOST = 1e-13
 """Hops lower than this part of it are lost among rounding errors of a gap, and may end at once."""
 STEPS = 80
 """So many steps of a motion are looked at, drawn by its seed."""
+LONGEST_BALANCED = 4000
+"""Steps of a motion whose energies are added up, at most."""
 EVENTS, RESTS = 150, 60
 """And at so many events from the start, and so many rests."""
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(5)
@@ -483,6 +487,8 @@ def _shared(
                 f"landing friction: {told(i)}: {points[p].name} needs {friction[i, column]:.6g} "
                 f"N s, {bound[i]:.6g} N s there are"
             )
+        if impact_law(r.program) != NEWTON:
+            continue  # a slip may end, or turn, within the impact
         slip = rate1[:, p, 0]
         against = np.where(np.abs(slip) > room, np.copysign(bound, slip), 0.0)
         slips = (against != 0.0) & (np.abs(friction[:, column] + against) > room_i)
@@ -491,6 +497,8 @@ def _shared(
                 f"landing friction: {told(i)}: {points[p].name} slips at {slip[i]:.6g} m/s "
                 f"after {friction[i, column]:.6g} N s of {bound[i]:.6g} N s"
             )
+    if impact_law(r.program) != NEWTON:
+        touching = np.zeros(len(touching), bool)
     for p in np.flatnonzero(touching):
         least = points[p].restitution * np.maximum(-rate0[:, p, 1], 0.0)
         slow = np.where(takes_part[:, p], least - rate1[:, p, 1] - room, 0.0)
@@ -507,7 +515,7 @@ def _shared(
                     f"restitution: {told(i)}: {points[p].name} presses and leaves at "
                     f"{rate1[i, p, 1]:.6g} m/s, restitution asks for {least[i]:.6g} m/s"
                 )
-    if not any(p.restitution for p in points):
+    if not any(p.restitution for p in points) or impact_law(r.program) in (LZB, PAIRWISE):
         gain = 0.5 * np.einsum("ka,kab,kb->k", v1, before.mass, v1) - before.kinetic()
         for i in np.flatnonzero(gain > (r.loose + 1e-8) * mass * speed**2)[:1]:
             yield f"landing energy: {told(i)}: the kinetic energy grows by {gain[i]:.3g} J"
@@ -568,6 +576,7 @@ def _rested(
     q0, q1 = one.states.q[0] * turns, two.states.q[0] * turns
     rounding = (1e-7 + 1e-3 * r.loose) * (speed + r.speed)
     falls = float(np.maximum(-one.rates[0, landed, 1], 0.0).max(initial=0.0))
+    falls = min(falls, tolerance * math.sqrt(size * hard))  # a faster landing is an impact
     most = GENTLE * (hard * lasts + falls) + rounding
     most += GENTLE * math.sqrt(2.0 * LOST * size * hard)  # of hops that end among rounding errors
     gap_room = 1e-9 * size + 1e-3 * r.loose * size
@@ -645,6 +654,62 @@ def _pushed_in_rest(
     hold = mass * most
     if pulls > hold:
         yield f"rest momentum: {where}: a point pulls with {pulls:.3g} N s, {hold:.3g} may be"
+
+
+def lost(r: Told) -> Found:
+    """What no impact, friction or element has lost, slow bounces have: a rest takes no more."""
+    rests = int((r.kinds == REST).sum())
+    plain = not (r.by_hand.internal or r.at(r.first[:1]).parts.struts)
+    if not (rests and plain and len(r.start) < LONGEST_BALANCED):
+        return
+    balance, impacts = r.run.energy_balance(), r.run.impacts
+    left = balance.impacts - impacts.energy_loss + impacts.energy_gains.sum()
+    whole = r.by_hand.at(r.before[:1, r.columns], r.before[:1, r.rates_of]).whole
+    ground = max(one.peak for one in (r.motion.motion, r.motion.vertical) if one is not None)
+    hard = r.by_hand.gravity + ground + r.speed**2 / r.by_hand.size
+    slow = r.motion.options.rest_tolerance * math.sqrt(r.by_hand.size * hard)
+    room = rests * GENTLE * whole * (r.speed + slow) * slow
+    room += (r.loose + 1e-8) * len(r.start) * max(*map(abs, balance[:4]), whole * r.speed**2)
+    if abs(left) > room:
+        yield f"rest energy: {left:.3g} J are lost beside impacts, {room:.3g} J may be"
+
+
+def swept(r: Told) -> Found:
+    """A sweep has the peaks of the motion, those beside events included."""
+    case = r.motion.case()
+    table = rk.simulate_many(
+        case, {"scale": [1.0]}, options=r.motion.options,
+        sweep_options=rk.SweepOptions(progress=False, lanes=False),
+    )  # fmt: skip
+    for name in r.run.states:
+        peak, swept_peak = abs(r.run.extremes(name).peak), float(table.peak.sel(state=name)[0])
+        if abs(peak - swept_peak) > 1e-6 * peak + r.motion.options.atol:
+            yield f"sweep: the peak of {name} is {swept_peak:.9g}, that of the motion {peak:.9g}"
+
+
+def mirrored_impacts(r: Told) -> Found:
+    """The first impacts of the mirrored motion of a symmetric structure are the mirror images."""
+    landings = np.flatnonzero(r.kinds == LANDING)[:3]
+    other = r.motion.mirrored().run().events.columns
+    sides = np.array([1.0 if is_even(name) else -1.0 for name in r.run.states])
+    for i in landings:
+        scale = np.abs(r.after[i]).max() + r.speed
+        same = len(other.times) > i and np.allclose(
+            other.states[i, 1] * sides, r.after[i], rtol=0.0, atol=(100 * r.loose + 1e-7) * scale
+        )
+        if not same:
+            yield f"mirror: the landing at {r.times[i]:.9g} s is no mirror image of that mirrored"
+            return
+
+
+POINTED = ("blocks", "stacks", "feet", "frames", "bars", "smooth", "laws", "loads")
+SYMMETRIC = ("blocks", "stacks", "frames", "laws", "loads")
+SOMETIMES = {
+    "lost": (0.2, POINTED, lost),
+    "swept": (0.05, POINTED, swept),
+    "mirrored": (0.2, SYMMETRIC, mirrored_impacts),
+}
+"""Checks that take other motions or quadratures: the share of seeds, the families, the check."""
 
 
 # -- states of events

@@ -18,7 +18,7 @@ from tests.soak.cases import Dice, draw
 from tests.soak.checks import COMPARED, Record, on_record
 from tests.soak.declared import named_otherwise, pushed, unequal_feet
 from tests.soak.families import ALLOWED, drawn as of_family, family_of, method_of, model_of
-from tests.soak.newton import Told, given_back, on_contacts
+from tests.soak.newton import SOMETIMES, Told, given_back, on_contacts
 
 BATCH = 100
 LONGEST = 60.0
@@ -118,6 +118,9 @@ def by_hand(seed: int) -> Result:
         found = list(on_contacts(told))
         if Dice(seed, 1).chance(GIVEN_BACK):
             found += given_back(told)
+        for name, (share, families, check) in SOMETIMES.items():
+            if family_of(seed) in families and Dice(seed, 1, *name.encode()).chance(share):
+                found += check(told)
     except ValueError as error:
         outcome = f"refused: {error}"
         if not any(re.search(text, str(error)) for text in ALLOWED):

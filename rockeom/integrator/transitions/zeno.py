@@ -301,12 +301,16 @@ def slow_bounces(state, tolerance, known, dy, bouncing):
 
 
 def beside_bounces(mode, limit, known, dy, bounces):
-    """Let points in flight bounce, too, that land within the time of the bounces."""
+    """Let points in flight bounce, too, that land within the time of the bounces, and as slowly.
+
+    What closes a gap faster than accelerations do in that time lands by an impact of its own.
+    """
     for i in range(N_POINTS):
         gap, rate = known[i * POINT], known[i * POINT + 1]
         if POINT_STATES[mode][i] == OPEN and bounces.points[i] == 0:
             a = -acceleration_of(known, 2 * i, dy)
-            if a > 0.0 and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
+            slow = a > 0.0 and -rate <= limit * a
+            if slow and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
                 bounces.points[i], bounces.heights[i] = 1, gap
 
 
