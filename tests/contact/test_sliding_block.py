@@ -455,3 +455,32 @@ def test_a_landing_that_gains_energy_under_this_law_is_told():
     sweep = rk.simulate_many(lambda row: case, over={"row": [0]})
     assert sweep.impact_gains.item() == 1
     assert sweep.impact_energy_gained.item() == pytest.approx(gained, rel=1e-6)
+
+
+@pytest.mark.parametrize("slenderness", [1e-7, 1e-6, 1e-5, 1e-4, 1e-2])
+def test_slender_block_rocks_as_on_pinned_feet(slenderness):
+    """Its gaps are compared with their own terms: 1e-14 m is no rounding error of 1e-14 m."""
+    start, still = {"theta": 0.5 * slenderness}, rk.GroundMotion.none(3.0)
+    feet = rk.SlidingBlock(half_width=slenderness, half_height=1.0, friction=0.5, restitution=0.0)
+    pinned = rk.RigidBlock(half_width=slenderness, half_height=1.0)
+    on_feet, on_pins = (rk.simulate(block, still, initial=start) for block in (feet, pinned))
+    assert len(on_feet.impacts) == len(on_pins.impacts) == 3
+    np.testing.assert_allclose(on_feet.impacts.times, on_pins.impacts.times, rtol=1e-7)
+
+
+@pytest.mark.parametrize("slenderness", [1e-8, 1e-10, 1e-16])
+def test_feet_too_close_for_rounding_errors_are_told(slenderness):
+    block = rk.SlidingBlock(half_width=slenderness, half_height=1.0, friction=0.5, restitution=0.0)
+    run = rk.simulate(block, rk.GroundMotion.none(3.0), initial={"theta": 0.5 * slenderness})
+    assert run.outcome is rk.Outcome.SEVERAL_SOLUTIONS
+    assert "1e-7" in run.outcome.sentence
+
+
+@pytest.mark.parametrize("tilt", [1e-15, 1e-12, 1e-9, 1e-6])
+def test_no_tilt_of_an_ordinary_block_counts_as_standing(tilt):
+    """It falls back as -b g t^2 / 2 about its foot: in sqrt(2 tilt I_o / (m g b))."""
+    b, h = 0.2, 1.0
+    block = rk.SlidingBlock(half_width=b, half_height=h, friction=0.5, restitution=0.0)
+    run = rk.simulate(block, rk.GroundMotion.none(1.0), initial={"theta": tilt})
+    falls = math.sqrt(2 * tilt * 4 / 3 * (b * b + h * h) / (block.gravity * b))
+    assert run.impacts[0].time == pytest.approx(falls, rel=1e-5)

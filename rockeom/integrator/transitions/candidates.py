@@ -76,6 +76,8 @@ FITS = 1e-11  # relative rounding error of what a candidate must fulfil
 NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off at least
 GIVEN = 1e-6  # relative error of a given state: of seven digits, or of a motion with rtol 1e-6
 NOTHING = 1e-9  # of the size of a structure: a point that is higher is open, as a motion has it
+PUSH = 1e-15  # relative rounding error of the accelerations that open a gap which stays closed
+CLOSEST = 1e-7  # of the size of a structure: what opens between points that are closer is PUSH
 STILL = 1e-8  # of sqrt(a l): slower points of a given state do not move, whatever else does
 STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
@@ -100,7 +102,7 @@ def guard_noise(mode, index, y, p, ax, ay, h, b, stride):
     without_forces(y, p, ax, ay, mode, known, wanted, sizes)
     if kind == LANDING:
         _, size = rate_of(known, 2 * point, y, 0)
-        return GRAIN * size + 1e-13 * sizes[2 * point] * h * h
+        return GRAIN * size + PUSH * sizes[2 * point] * h * h
     largest = 0.0
     for i in range(GUARDS[mode]):
         if KINDS[mode][i] == LIFTING or KINDS[mode][i] == SLIPPING:
@@ -407,9 +409,10 @@ def closed_points(y, p, mode, known, near, sliding):
     """Which points touch in a given state, and the signs of their slips, into near and sliding.
 
     known : of `all_known`. near, sliding (N_POINTS,) : a point touches whose gap is closed, and
-    does not open. A gap is compared with the size of the structure, see `radius_of`; a velocity
-    with the most that the kinetic energy can give the point, or, where nothing but rounding
-    errors moves, with sqrt(a l), a the acceleration of the point in free motion.
+    does not open. A gap is compared with the error of its own terms, GIVEN, and with the size of
+    the structure, see `radius_of`: so a slender block that leans stands on one foot. A velocity is
+    compared with the most that the kinetic energy can give the point, or, where nothing but
+    rounding errors moves, with sqrt(a l), a the acceleration of the point in free motion.
     """
     free, speeds = np.empty(ROWS + N_POINTS), np.empty(ROWS + N_POINTS)
     wanted = np.empty(ROWS)
@@ -418,7 +421,7 @@ def closed_points(y, p, mode, known, near, sliding):
     for i in range(N_POINTS):
         length = radius_of(known, i)
         _, size = rate_of(known, 2 * i, y, 0)
-        closed = known[i * POINT] <= NOTHING * max(size, length)
+        closed = known[i * POINT] <= min(NOTHING * max(size, length), GIVEN * size)
         least = max(GIVEN * speeds[2 * i], STILL * math.sqrt(free[2 * i] * length))
         rate = abs(known[i * POINT + 1])
         near[i] = 1 if closed and rate <= least else 0
@@ -438,6 +441,8 @@ def fits_by_forces(mode, y, p, ax, ay):
     known, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
     near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
     all_known(y, p, mode, known)
+    if hardly_apart(known):
+        return AMBIGUOUS
     closed_points(y, p, mode, known, near, sliding)
     for i in range(N_POINTS):
         if POINT_STATES[mode][i] != OPEN:
@@ -445,6 +450,21 @@ def fits_by_forces(mode, y, p, ax, ay):
     ground = np.empty(5)
     same_ground(ax, ay, 1e-9, ground)
     return select_by_forces(mode, False, near, sliding, y, p, ground, 0.0, known, sizes)
+
+
+def hardly_apart(known):
+    """Whether two points are so close that rounding errors hide which of them carries."""
+    for i in range(N_POINTS):
+        for j in range(i):
+            apart = 0.0
+            for m in range(N_COORDINATES):
+                lever, other = known[row_of_point(2 * i) + m], known[row_of_point(2 * j) + m]
+                difference = abs(lever - other)
+                if difference > GRAIN * max(abs(lever), abs(other)):
+                    apart = max(apart, difference)
+            if 0.0 < apart < CLOSEST * radius_of(known, i):
+                return True
+    return False
 
 
 @inlined
