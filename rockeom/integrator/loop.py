@@ -709,6 +709,7 @@ def come_to_rest(motion, ground, rest, end, case, a, recorder):
     guard = STEPPED_OVER if rest.stepped else -1
     record_event(recorder, motion.n_events, t, REST, motion.mode, rest.mode, guard, a.w, a.y_new)
     if records_extremes(recorder):
+        widen(recorder.extremes, a.y)
         widen(recorder.extremes, a.y_new)
     for i in range(N_STATES):
         a.y[i] = a.y_new[i]

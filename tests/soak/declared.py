@@ -10,6 +10,7 @@ import numpy as np
 import sympy as sp
 
 import rockeom as rk
+from rockeom.codes import IMPULSIVE, RATIO
 from rockeom.codegen import module_text
 from rockeom.structures.base import Structure
 from rockeom.symbolic.algebra import SIDE
@@ -122,10 +123,12 @@ def _turned_over(m: types.ModuleType, dice: Dice) -> Iterator[str]:
     for source, arm in (("left", b2), ("right", b1)):
         rate = 1.0 if source == "left" else -1.0
         expected = (inertia + mass * (h * h - b1 * b2)) / (inertia + mass * (h * h + arm * arm))
-        for law in (0, 1) if m.HAS_IMPULSIVE else (0,):
+        ratio = m.velocity_ratio(p)  # not a number where each foot has its own
+        laws = [RATIO] * (not np.isnan(ratio)) + [IMPULSIVE] * m.HAS_IMPULSIVE
+        for law in laws:
             out = np.zeros(2)
             landing = np.array([0.0, rate])
-            m.jump(m.MODES.index(source), 0, law, m.velocity_ratio(p), landing, p, out)
+            m.jump(m.MODES.index(source), 0, law, ratio, landing, p, out)
             if not np.isclose(out[1], expected * rate, rtol=1e-9):
                 yield (
                     f"feet at {b1:.3g} and {b2:.3g} m, height {h:.3g} m: the rate after an impact "

@@ -76,8 +76,8 @@ FITS = 1e-11  # relative rounding error of what a candidate must fulfil
 NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off at least
 GIVEN = 1e-6  # relative error of a given state: of seven digits, or of a motion with rtol 1e-6
 NOTHING = 1e-9  # of the size of a structure: a point that is higher is open, as a motion has it
-PUSH = 1e-15  # relative rounding error of the accelerations that open a gap which stays closed
-CLOSEST = 1e-7  # of the size of a structure: what opens between points that are closer is PUSH
+PUSH, LEAST_PUSH = 1e-13, 1e-15  # rounding errors of accelerations, of those that open a gap
+CLOSEST = 1e-7  # of the size of a structure: what opens between closer points is LEAST_PUSH
 STILL = 1e-8  # of sqrt(a l): slower points of a given state do not move, whatever else does
 STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
@@ -102,13 +102,29 @@ def guard_noise(mode, index, y, p, ax, ay, h, b, stride):
     without_forces(y, p, ax, ay, mode, known, wanted, sizes)
     if kind == LANDING:
         _, size = rate_of(known, 2 * point, y, 0)
-        return GRAIN * size + PUSH * sizes[2 * point] * h * h
+        push = max(PUSH * freedom_of(point, mode, known), LEAST_PUSH) * sizes[2 * point]
+        return GRAIN * size + push * h * h
     largest = 0.0
     for i in range(GUARDS[mode]):
         if KINDS[mode][i] == LIFTING or KINDS[mode][i] == SLIPPING:
             for j in range(stride * i, stride * i + stride):
                 largest = max(largest, abs(b[j]))
     return max(1e-13 * largest, FITS * sizes[ROWS + point])
+
+
+def freedom_of(point, mode, known):
+    """How far a gap is free while others are closed, at most 1: it opens as their points move apart.
+
+    Square root of J M^-1 J' of the rows' difference, in that of the point alone.
+    """
+    alone = COUPLING + 2 * point * (ROWS + 1)
+    least = known[alone]
+    for i in range(N_POINTS):
+        if POINT_STATES[mode][i] != OPEN:
+            between_ = known[COUPLING + 2 * point * ROWS + 2 * i]
+            apart = known[alone] - 2.0 * between_ + known[COUPLING + 2 * i * (ROWS + 1)]
+            least = min(least, max(apart, 0.0))
+    return math.sqrt(least / known[alone])
 
 
 def is_smooth(point):

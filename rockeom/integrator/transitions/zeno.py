@@ -57,6 +57,7 @@ LOST_HOP = 1e-13  # relative to the terms of a gap: lower flights are lost among
 NO_HOP = 1e-18  # relative to the radius of gyration: so low a flight ends in no time
 SLOWEST = 5.0  # changes of velocity that are stepped over, in accelerations times the time
 TURNS = 4000  # landings and ends of slips that are followed, until few and slow ones are left
+FAST = 100.0  # rates of landings that no rest takes, in accelerations times its longest time
 SHORTER = 4  # times of a step over events that are tried, each a tenth of the one before
 LONGEST_LOST = 1e-5  # the time of lost flights that is summed, in units of sqrt(l/a)
 
@@ -303,13 +304,13 @@ def slow_bounces(state, tolerance, known, dy, bouncing):
 def beside_bounces(mode, limit, known, dy, bounces):
     """Let points in flight bounce, too, that land within the time of the bounces, and as slowly.
 
-    What closes a gap faster than accelerations do in that time lands by an impact of its own.
+    What closes a gap much faster than accelerations do in that time lands by an impact of its own.
     """
     for i in range(N_POINTS):
         gap, rate = known[i * POINT], known[i * POINT + 1]
         if POINT_STATES[mode][i] == OPEN and bounces.points[i] == 0:
             a = -acceleration_of(known, 2 * i, dy)
-            slow = a > 0.0 and -rate <= limit * a
+            slow = a > 0.0 and -rate <= FAST * limit * a
             if slow and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
                 bounces.points[i], bounces.heights[i] = 1, gap
 
