@@ -14,8 +14,8 @@ class UsageError(ValueError):
 
 
 _OPTIONS = (
-    "columns|components|damping_ratio|dt|duration|end|frames_per_second|impact|initial|output_step|"
-    "period|pga|sa|speed|start|units|vertical"
+    "columns|components|damping_ratio|dt|duration|end|frames_per_second|impact|initial|layout|"
+    "output_step|period|pga|sa|speed|start|units|vertical"
 )
 """Arguments of Python that an option of the same name gives."""
 

@@ -8,6 +8,7 @@ from functools import wraps
 from typing import Any, NamedTuple, TypeVar
 
 from rockeom.motion.errors import MotionError
+from rockeom.motion.units import acceleration
 from rockeom.numbers.checks import is_number
 
 C = TypeVar("C", bound=type)
@@ -83,9 +84,17 @@ def with_formulas(cls: C) -> C:
     return cls
 
 
+def _in_si(name: str, value: Any) -> Any:
+    """An argument of a formula; an acceleration may be a text with its unit."""
+    return acceleration(name, value) if UNITS.get(name) == "m/s2" else value
+
+
 def _recorded(make: Callable[..., Any]) -> Callable[..., Any]:
     @wraps(make)
     def recorded(cls: type, *values: Any, **named: Any) -> Any:
+        if any(isinstance(x, str) for x in (*values, *named.values())):
+            named = inspect.signature(make).bind(cls, *values, **named).arguments
+            values, named = (), {name: _in_si(name, x) for name, x in named.items() if x is not cls}
         motion = make(cls, *values, **named)
         vars(motion)[_CALL] = make.__name__, values, named
         return motion

@@ -73,6 +73,7 @@ class GroundMotion(metaclass=explained.Constructors):
     The class methods make motions: `none`, `constant`, `half_sine`, `single_sine`,
     `single_cosine`, `harmonic`, `ricker`, `mavroeidis_papageorgiou`, `kanai_tajimi`,
     `clough_penzien`, `from_array`, `from_at2`, `from_columns`, `from_csv`, `read`, `from_library`.
+    The acceleration of a formula is a number of m/s2, or a text with its unit, such as "0.3 g".
 
     segments : (n, 7) start [s], end [s], kind, c0, c1, c2, c3 (see `SegmentKind`); contiguous from
         time 0. Before and after them the acceleration is zero. Read-only.
@@ -118,7 +119,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
     @classmethod
     def constant(
-        cls, acceleration: float, duration: float, total_duration: float | None = None
+        cls, acceleration: Acceleration, duration: float, total_duration: float | None = None
     ) -> GroundMotion:
         """Constant acceleration [m/s2] for `duration` [s]: a rectangular pulse if quiet follows.
 
@@ -131,7 +132,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
     @classmethod
     def half_sine(
-        cls, amplitude: float, period: float, duration: float | None = None
+        cls, amplitude: Acceleration, period: float, duration: float | None = None
     ) -> GroundMotion:
         """Half of a sine: amplitude sin(2 pi t/period) up to period/2.
 
@@ -142,7 +143,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
     @classmethod
     def single_sine(
-        cls, amplitude: float, period: float, duration: float | None = None
+        cls, amplitude: Acceleration, period: float, duration: float | None = None
     ) -> GroundMotion:
         """One full sine: amplitude sin(2 pi t/period) up to one period.
 
@@ -153,7 +154,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
     @classmethod
     def single_cosine(
-        cls, amplitude: float, period: float, duration: float | None = None
+        cls, amplitude: Acceleration, period: float, duration: float | None = None
     ) -> GroundMotion:
         """One full cosine: amplitude cos(2 pi t/period) up to one period.
 
@@ -165,7 +166,7 @@ class GroundMotion(metaclass=explained.Constructors):
     @classmethod
     def harmonic(
         cls,
-        amplitude: float,
+        amplitude: Acceleration,
         *,
         duration: float,
         frequency: float | None = None,
@@ -199,7 +200,7 @@ class GroundMotion(metaclass=explained.Constructors):
     @classmethod
     def ricker(
         cls,
-        amplitude: float,
+        amplitude: Acceleration,
         period: float,
         duration: float | None = None,
         antisymmetric: bool = False,
@@ -425,13 +426,17 @@ class GroundMotion(metaclass=explained.Constructors):
         units: str | None = None,
         gravity: float = STANDARD_GRAVITY,
         name: str | None = None,
+        layout: str | None = None,
     ) -> GroundMotion:
         """Two columns out of several of a text file, by their headings or numbers (from 0).
 
         dt : the time step [s] of a file without a column of times. Else as in `from_columns`.
+        layout : "wrapped" for accelerations that run on from one column to the next, several on a
+        line; "columns" for a channel in each column. If it is not given, a file without a heading
+        that looks wrapped is refused, because a column of it would be one value of each line.
         """
         columns = time_column, acceleration_column
-        return _from_record(*_readers().read_csv(path, *columns, dt, units, gravity, name))
+        return _from_record(*_readers().read_csv(path, *columns, dt, units, gravity, name, layout))
 
     @classmethod
     def read(
@@ -825,7 +830,7 @@ def _analytic(name: str, segments: list[tuple[float, ...]]) -> GroundMotion:
 
 def _pulse(
     shape: str,
-    amplitude: float,
+    amplitude: Acceleration,
     period: float,
     periods: float,
     angle: float,

@@ -12,6 +12,7 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom.files import in_text
 from rockeom.motion import intensity as measured, library
 from rockeom.motion.arguments import positive
 from rockeom.motion.components import name_of
@@ -121,7 +122,7 @@ class MotionSet(Sequence[GroundMotion]):
                 "silently: mend them, or give a pattern that they do not have\n  "
                 + "\n  ".join(faults)
             )
-        made = cls(motions, folder.name)
+        made = cls(motions, in_text(folder).name)
         kept = chosen(dict(zip(made.names, made, strict=True)), components, str(folder))
         return cls(kept.values(), made.name)
 

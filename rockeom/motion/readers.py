@@ -26,6 +26,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from rockeom.files import in_text
 from rockeom.motion import components
 from rockeom.motion.arguments import positive
 from rockeom.motion.errors import FilePath, MotionError
@@ -82,16 +83,29 @@ def read_csv(
     units: str | None,
     gravity: float,
     name: str | None,
+    layout: str | None = None,
 ) -> Record:
     """Two columns out of several, each named by its heading or its number (the first is 0).
 
     dt : the time step [s] in place of a column of times; a file of one column has none to name.
+    layout : "columns", "wrapped" for values that run on from one column to the next, or None, which
+    refuses what looks like these.
     """
+    if layout not in (None, "columns", "wrapped"):
+        raise MotionError(f'layout is {described(layout)}: choose "columns" or "wrapped"')
     table = _table(_open(path))
     if (time_column is None) == (dt is None):
         what = "time_column and dt are both given, or neither"
         remedy = "give the column of the times, or the time step [s] of a file without one"
         raise MotionError.at(path, None, what, remedy)
+    if layout == "wrapped":
+        if dt is None or acceleration_column is not None:
+            what = 'layout="wrapped" has no columns to name'
+            raise MotionError.at(path, None, what, "give dt, and no column")
+        return _record(table, positive("dt", dt), 0, units, gravity, name, _in_sequence(table))
+    if layout is None and dt is not None and not table.names and _runs_on(table):
+        what = f"its {len(table.first)} columns look like one sequence of values, line by line"
+        raise MotionError.at(path, table.first_line, what, f'{_WRAPPED}, or layout="columns"')
     if acceleration_column is None and (len(table.first) > 1 or dt is None):
         what = f"no column of {len(table.first)} is named as that of the acceleration"
         raise MotionError.at(path, table.first_line, what, "name acceleration_column")
@@ -133,7 +147,7 @@ def read_channels(
     factors = [_channel_factor(table, i, n, units.get(n), gravity) for i, n in columns.items()]
     start, dt, values = _sampled(table, time, columns)
     scaled = {n: v * f for n, v, f in zip(wanted, values, factors, strict=True)}
-    return Channels(start, dt, scaled, Path(path).stem)
+    return Channels(start, dt, scaled, in_text(path).stem)
 
 
 def _full(table: _Table, name: str) -> str:
@@ -399,11 +413,9 @@ def _at2(text: _Text, units: str | None, gravity: float, name: str | None) -> Re
         raise MotionError.at(path, last, what, remedy)
 
     titled = len(header) >= 2 and unit_line != 2 and header[1].strip()
-    title = " ".join(header[1].split()) if titled else Path(path).stem
-    source = f"{Path(path).name}, line 2: {title}" if titled else Path(path).name
-    is_vertical = components.is_vertical(
-        components.name_of(Path(path)), title if titled else "", header
-    )
+    title = " ".join(header[1].split()) if titled else in_text(path).stem
+    source = f"{in_text(path).name}, line 2: {title}" if titled else in_text(path).name
+    is_vertical = components.is_vertical(components.name_of(path), title if titled else "", header)
     return Record(np.array(samples) * to_si, dt, name or title, source, is_vertical)
 
 
@@ -471,6 +483,7 @@ _NAME = re.compile(r"[^\d+\-.]*[^\W\d_]|.*[^\W\d_eEdD]")
 _BRACKETED = re.compile(r"[\[(]([^\[\]()]+)[\])]")
 _NAME_WITH_UNIT = re.compile(r"[^\s\[(]+(?:\s*[\[(][^\[\]()]*[\])])?")
 _EXACT = Context(prec=28)  # not the caller's
+_WRAPPED = 'say layout="wrapped" with dt if they are'
 
 
 @dataclass(frozen=True)
@@ -497,6 +510,8 @@ class _Table:
                 if len(row) != width:
                     what = f"{len(row)} columns, where line {self.first_line} has {width}"
                     remedy = "complete this line, or write comments behind #"
+                    if not self.names:
+                        remedy += f"; if all are values one after the other, {_WRAPPED}"
                     raise MotionError.at(path, number, what, remedy)
             if rows:
                 yield rows
@@ -519,6 +534,8 @@ def _columns(text: _Text, units: str | None, gravity: float, name: str | None) -
             "name the columns of time and acceleration with GroundMotion.from_csv, "
             "and write numbers with a decimal point"
         )
+        if not table.names:
+            remedy += f"; if all are values one after the other, {_WRAPPED}"
         raise MotionError.at(text.path, table.first_line, what, remedy)
     return _record(table, 0, 1, units, gravity, name)
 
@@ -600,24 +617,29 @@ def _record(
     units: str | None,
     gravity: float,
     name: str | None,
+    values: np.ndarray | None = None,
 ) -> Record:
-    """time : the number of its column, or the time step [s] as a float."""
+    """time : the number of its column, or the time step [s] as a float.
+
+    values : the accelerations (n,), if they are not those of a column.
+    """
     path = table.text.path
     in_file = _unit_in_heading(table, acceleration)
     in_file = in_file if in_file is not None and is_known(in_file) else None
     to_si = _factor(path, table.header_line, in_file, units, gravity)
     if isinstance(time, float):
-        start, dt, a = 0.0, time, _values(table, acceleration)
+        start, dt = 0.0, time
+        a = _values(table, acceleration) if values is None else values
     else:
         start, dt, (a,) = _sampled(table, time, {acceleration: "acceleration"})
-    source = Path(path).name
+    source = in_text(path).name
     if start != 0.0:
         source += f", whose time {start:g} s is the start of the motion"
     header = [line for _, line in islice(table.text.lines(), table.first_line - 1)]
     if len(table.names) == len(table.first):
         heading = _BRACKETED.sub("", table.names[acceleration]).strip()
         header.insert(0, f"component: {components.split(heading)[1]}")
-    file_name = components.name_of(Path(path))
+    file_name = components.name_of(path)
     is_vertical = components.is_vertical(file_name, header=header)
     return Record(a * to_si, dt, name or file_name, source, is_vertical)
 
@@ -634,6 +656,30 @@ def _values(table: _Table, column: int) -> np.ndarray:
             ]
         )
     return np.array(found)
+
+
+def _in_sequence(table: _Table) -> np.ndarray:
+    """The numbers (n,) of all rows, one after the other; the last row may be shorter."""
+    values, path = array("d"), table.text.path
+    for line, text in chain.from_iterable(table.text.content()):
+        if line < table.first_line:
+            continue
+        if len(values) % len(table.first):
+            what = f"{len(values)} values stand above, and the first line has {len(table.first)}"
+            raise MotionError.at(path, line, what, "complete the line above")
+        fields = _fields(path, line, text, table.delimiter)
+        values.extend(_numbers(fields) or _glued(fields, path, line, len(values)))
+    return np.array(values)
+
+
+def _runs_on(table: _Table) -> bool:
+    """Whether numbers change less from column to column than from row to row."""
+    rows = [_numbers(row) for _, row in chain.from_iterable(table.blocks())]
+    if len(table.first) == 1 or None in rows:
+        return False
+    x = np.array(rows)
+    across, down = np.abs(np.diff(x.ravel())), np.abs(np.diff(x, axis=0))
+    return len(x) == 1 or bool(across.mean() < down.mean())
 
 
 def _sampled(

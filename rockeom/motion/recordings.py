@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from rockeom import renamed
 from rockeom.motion.arguments import COMPONENTS
-from rockeom.motion.components import split
+from rockeom.motion.components import channel, split
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.recording import Recording
@@ -21,7 +21,17 @@ def recordings(motions: Iterable[GroundMotion], set_name: str) -> tuple[Recordin
     groups: dict[str, list[GroundMotion]] = {}
     for motion in motions:
         groups.setdefault(split(motion.name)[0] or set_name, []).append(motion)
-    return tuple(_recording(name, group) for name, group in groups.items())
+    return tuple(one for name, group in groups.items() for one in _by_instrument(name, group))
+
+
+def _by_instrument(name: str, group: Sequence[GroundMotion]) -> Iterator[Recording]:
+    """One recording, or where a station has more than three components one of each instrument."""
+    instruments: dict[str, list[GroundMotion]] = {}
+    for motion in group:
+        code = channel(split(motion.name)[1]) if len(group) > 3 else ""
+        instruments.setdefault(code, []).append(motion)
+    for code, components in instruments.items():
+        yield _recording(f"{name}, {code}" if len(instruments) > 1 else name, components)
 
 
 def _recording(name: str, group: Sequence[GroundMotion]) -> Recording:
@@ -37,7 +47,8 @@ def _recording(name: str, group: Sequence[GroundMotion]) -> Recording:
     azimuths = [int(at) for motion in horizontal if (at := split(motion.name)[1]).isdigit()]
     skew = len(azimuths) == 2 and abs((azimuths[0] - azimuths[1]) % 180 - 90) > _RIGHT_ANGLE
     if len(horizontal) > 2 or len(vertical) > 1 or skew:
-        what = "two components at no right angle" if skew else "more than three components"
+        counted = f"{len(horizontal)} horizontal and {len(vertical)} vertical components"
+        what = "two components at no right angle" if skew else counted
         raise MotionError(
             f"the recording {name!r} has {what}: {members}. Name the motions by recording and "
             'component, as in "ELC-180", by dataclasses.replace(motion, name=...)'
