@@ -21,6 +21,7 @@ _OPTIONS = (
 
 _REMEDIES = (
     (r"GroundMotion\.from_csv\(path, dt=(\S+)\)", r"--dt \1, with the time step of the file"),
+    (r'GroundMotion\.from_csv\(path, dt=(\S+), layout="(\w+)"\)', r"--dt \1 --layout \2"),
     (r"with GroundMotion\.from_csv", "by --columns"),
     (r"with GroundMotion\.from_columns", "from a file whose name does not end in .AT2"),
     (r"read it with GroundMotion\.from_at2", "let its name end in .AT2"),

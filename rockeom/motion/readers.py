@@ -105,7 +105,8 @@ def read_csv(
         return _record(table, positive("dt", dt), 0, units, gravity, name, _in_sequence(table))
     if layout is None and dt is not None and not table.names and _runs_on(table):
         what = f"its {len(table.first)} columns look like one sequence of values, line by line"
-        raise MotionError.at(path, table.first_line, what, f'{_WRAPPED}, or layout="columns"')
+        remedy = 'say layout="wrapped" if it is one, or layout="columns" if each is a channel'
+        raise MotionError.at(path, table.first_line, what, remedy)
     if acceleration_column is None and (len(table.first) > 1 or dt is None):
         what = f"no column of {len(table.first)} is named as that of the acceleration"
         raise MotionError.at(path, table.first_line, what, "name acceleration_column")
@@ -483,7 +484,7 @@ _NAME = re.compile(r"[^\d+\-.]*[^\W\d_]|.*[^\W\d_eEdD]")
 _BRACKETED = re.compile(r"[\[(]([^\[\]()]+)[\])]")
 _NAME_WITH_UNIT = re.compile(r"[^\s\[(]+(?:\s*[\[(][^\[\]()]*[\])])?")
 _EXACT = Context(prec=28)  # not the caller's
-_WRAPPED = 'say layout="wrapped" with dt if they are'
+_WRAPPED = '; GroundMotion.from_csv(path, dt=0.01, layout="wrapped") reads values that run on'
 
 
 @dataclass(frozen=True)
@@ -510,8 +511,7 @@ class _Table:
                 if len(row) != width:
                     what = f"{len(row)} columns, where line {self.first_line} has {width}"
                     remedy = "complete this line, or write comments behind #"
-                    if not self.names:
-                        remedy += f"; if all are values one after the other, {_WRAPPED}"
+                    remedy += "" if self.names else _WRAPPED
                     raise MotionError.at(path, number, what, remedy)
             if rows:
                 yield rows
@@ -534,8 +534,7 @@ def _columns(text: _Text, units: str | None, gravity: float, name: str | None) -
             "name the columns of time and acceleration with GroundMotion.from_csv, "
             "and write numbers with a decimal point"
         )
-        if not table.names:
-            remedy += f"; if all are values one after the other, {_WRAPPED}"
+        remedy += "" if table.names else _WRAPPED
         raise MotionError.at(text.path, table.first_line, what, remedy)
     return _record(table, 0, 1, units, gravity, name)
 

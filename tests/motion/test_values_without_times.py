@@ -49,7 +49,7 @@ def test_values_that_run_on_from_one_column_to_the_next_are_asked_for(
     wrapped = GroundMotion.from_csv(path, dt=0.02, units="g", layout="wrapped")
     assert np.array_equal(wrapped.samples, SEQUENCE[:number] * 9.81)
     for column in (None, 0, width - 1):
-        with pytest.raises(MotionError, match='say layout="wrapped"'):
+        with pytest.raises(MotionError, match='layout="wrapped"'):
             GroundMotion.from_csv(path, dt=0.02, units="g", acceleration_column=column)
     with pytest.raises(MotionError):
         GroundMotion.read(path, units="g")
