@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import repeat
 from typing import Any
 
 from matplotlib.axes import Axes
@@ -36,17 +37,29 @@ def plot_quantities(
     return figure, axes
 
 
-def _draw(ax: Axes, run: Run, names: Sequence[str]) -> None:
-    """Quantities of one unit on axes of their own, in the colours of these axes."""
-    unit = run.units[names[0]]
+def draw_curves(
+    ax: Axes,
+    run: Run,
+    names: Mapping[str, str],
+    what: str,
+    strokes: Iterable[Mapping[str, str]] = repeat({}),
+) -> None:
+    """Quantities of one unit against time, with their largest sizes, and a legend above them.
+
+    names : what each is called. strokes : colour and line of each; those of the axes if not given.
+    """
+    unit = run.units[next(iter(names))]
     factor, shown = style.length_scale(run) if unit == "m" else (1.0, unit)
-    for name in names:
-        label = f"{_word(name)}, {style.largest(run, name, factor, shown)}"
-        ax.plot(run.t, run[name] * factor, label=label)
-        style.mark_overturning(ax, run, run[name] * factor)
-    what = _word(names[0]) if len(names) == 1 else ""
+    for (name, word), stroke in zip(names.items(), strokes, strict=False):
+        label = f"{word}, {style.largest(run, name, factor, shown)}"
+        ax.plot(run.t, run[name] * factor, label=label, **stroke)  # type: ignore[arg-type]
+        style.mark_overturning(ax, run, run[name] * factor, color=stroke.get("color", "k"))
     ax.set_ylabel(f"{what}\n[{shown}]".strip())
     style.legend_above(ax)
+
+
+def _draw(ax: Axes, run: Run, names: Sequence[str]) -> None:
+    draw_curves(ax, run, {n: _word(n) for n in names}, _word(names[0]) if len(names) == 1 else "")
 
 
 def _word(name: str) -> str:
