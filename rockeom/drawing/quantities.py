@@ -53,7 +53,8 @@ def draw_curves(
     for (name, word), stroke in zip(names.items(), strokes, strict=False):
         label = f"{word}, {style.largest(run, name, factor, shown)}"
         ax.plot(run.t, run[name] * factor, label=label, **stroke)  # type: ignore[arg-type]
-        style.mark_overturning(ax, run, run[name] * factor, color=stroke.get("color", "k"))
+    for name, line in zip(names, ax.lines[-len(names) :], strict=True):
+        style.mark_overturning(ax, run, run[name] * factor, color=str(line.get_color()))
     ax.set_ylabel(f"{what}\n[{shown}]".strip())
     style.legend_above(ax)
 

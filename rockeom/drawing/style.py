@@ -191,6 +191,11 @@ def largest(run: Run, name: str, factor: float, unit: str) -> str:
     return f"largest {shown}{'' if unit == '-' else f' {unit}'}"
 
 
+def digits(value: float, number: int = 3) -> str:
+    """A value rounded to so many digits, without an exponent up to ten digits."""
+    return f"{float(f'{value:.{number}g}'):.10g}"
+
+
 def wrapped(text: str, width: int = 105) -> str:
     return "\n".join(textwrap.wrap(text, width))
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -41,7 +42,7 @@ def test_page_lists_the_demands_of_each_record_the_largest_first(page):
         1e3 * abs(fixed.extremes("displacement").peak),
         1e3 * max(rocking.extremes(f"{foot}_uplift").maximum for foot in ("left", "right")),
         abs(rocking.extremes("theta").peak) / column().overturning_angles[0],
-        shears[0],
+        1e-3 * shears[0],
         shears[0] / shears[1],
         abs(rocking.support.base_moment.peak) / abs(fixed.support.base_moment.peak),
         rocking.support.friction_demand,
@@ -59,6 +60,28 @@ def test_page_says_what_was_assumed_and_how_far_it_held(page):
     (error,) = re.findall(r"energy balances close to (\S+) or better", said)
     assert float(error) < 1e-6
     assert "under 3 of 3 records a foot lifted" in said
+
+
+def test_page_has_whole_names_plain_numbers_and_no_text_over_another():
+    heavy = rk.FlexibleStructure(
+        mass=3e6, height=12.0, inertia=2e7, base_mass=4e5, base_height=0.5, base_inertia=6e5,
+        half_width=1.5, stiffness=2e8, damping=2.5e6,
+    )  # fmt: skip
+    long = "Superstition Hills, 1987, El Centro Imp. Co. Cent, B-ICC000"
+    result = design_report(heavy, [replace(record(n), name=long[: 59 - n]) for n in range(2)])
+    assert {row[0] for row in result.rows} == {long, long[:58]}
+    said = [*result.findings, *result.assumptions[:-1], *dict(result.facts).values()]
+    assert not re.findall(r"\de\+\d", " ".join([*said, *sum(result.rows, ())]))
+    assert dict(result.facts)["stiffness"] == "200000000 N/m"
+    page = result.page()
+    page.draw_without_rendering()
+    history = page.axes[0]
+    boxes = [text.get_window_extent() for text in page.texts if text.get_text()]
+    boxes += [history._left_title.get_window_extent(), history.get_legend().get_window_extent()]
+    overlaps = [
+        (a, b) for i, a in enumerate(boxes) for b in boxes[:i] if a.shrunk(0.9, 0.9).overlaps(b)
+    ]
+    assert not overlaps
 
 
 @pytest.mark.filterwarnings("error")

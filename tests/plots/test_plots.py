@@ -10,8 +10,16 @@ import pytest
 from matplotlib.figure import Figure
 
 import rockeom as rk
-from rockeom.drawing.style import FEET, FEET_OF_MODES, contacts, full_contact, spans_in
-from rockeom.plots import draw_structure, plot_comparison, plot_phase_portrait, plot_response
+from rockeom.drawing.style import FEET, FEET_OF_MODES, contacts, full_contact, spans_in, symbol
+from rockeom.plots import (
+    design_report,
+    draw_structure,
+    plot_comparison,
+    plot_motion,
+    plot_phase_portrait,
+    plot_response,
+    plot_spectra,
+)
 from rockeom.structures.classes import SHIPPED
 from tests.shipped import plain
 
@@ -271,6 +279,34 @@ def test_everything_stands_inside_the_figure(shown):
         assert box.x1 <= page.x1 + 1
         assert box.y0 >= page.y0 - 1
         assert box.y1 <= page.y1 + 1
+
+
+def test_dollars_in_names_are_no_mathematics():
+    record = replace(rk.GroundMotion.from_array(np.sin(np.arange(60.0)), 0.05), name=r"$\frac{$ a")
+    run, spectrum = rk.simulate(BLOCK, record), record.response_spectrum([0.2, 1.0])
+    report = design_report(FLEXIBLE, [record])
+    figures = [
+        plot_response(run), plot_comparison([run]), plot_phase_portrait(run), plot_motion(record),
+        plot_spectra([spectrum, replace(spectrum, name="$_{$")]), report.page(), report.figures(),
+    ]  # fmt: skip
+    for figure in figures:
+        drawn(figure)
+    assert record.name in {text.get_text() for text in figures[5].texts}
+
+
+@pytest.mark.parametrize(
+    ("name", "written"),
+    [
+        ("u_1", "$u_{1}$"), ("u12", "$u_{12}$"), ("theta", r"$\theta$"), ("x", "$x$"),
+        ("phi_2", r"$\phi_{2}$"), ("theta_dot", r"$\dot{\theta}$"), ("u_1_dot", r"$\dot{u_{1}}$"),
+        ("tip_tilt", r"$\mathrm{tip\ tilt}$"), ("tip_of__it_3", r"$\mathrm{tip\ of\ \ it}_{3}$"),
+    ],
+)  # fmt: skip
+def test_coordinates_are_letters_with_an_index_or_words(name, written):
+    assert symbol(name) == written
+    figure = Figure()
+    figure.suptitle(symbol(name))
+    drawn(figure)
 
 
 # --- how it fits into a program
