@@ -84,17 +84,14 @@ def with_formulas(cls: C) -> C:
     return cls
 
 
-def _in_si(name: str, value: Any) -> Any:
-    """An argument of a formula; an acceleration may be a text with its unit."""
-    return acceleration(name, value) if UNITS.get(name) == "m/s2" else value
-
-
 def _recorded(make: Callable[..., Any]) -> Callable[..., Any]:
     @wraps(make)
     def recorded(cls: type, *values: Any, **named: Any) -> Any:
         if any(isinstance(x, str) for x in (*values, *named.values())):
-            named = inspect.signature(make).bind(cls, *values, **named).arguments
-            values, named = (), {name: _in_si(name, x) for name, x in named.items() if x is not cls}
+            bound = inspect.signature(make).bind(cls, *values, **named)
+            named = {n: acceleration(n, x) if UNITS.get(n) == "m/s2" else x
+                     for n, x in bound.arguments.items() if n != "cls"}  # fmt: skip
+            values = ()
         motion = make(cls, *values, **named)
         vars(motion)[_CALL] = make.__name__, values, named
         return motion

@@ -389,7 +389,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises MotionError, with file, line, value and remedy, for anything the file does not state.
         """
-        return _from_record(*_readers().read_at2(path, units, gravity, name))
+        return _from_record(*_readers().read(path, units, gravity, name, is_at2=True))
 
     @classmethod
     def from_columns(
@@ -413,7 +413,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises MotionError, with file, line, value and remedy, for anything the file does not state.
         """
-        return _from_record(*_readers().read_columns(path, units, gravity, name))
+        return _from_record(*_readers().read(path, units, gravity, name, is_at2=False))
 
     @classmethod
     def from_csv(

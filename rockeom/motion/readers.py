@@ -58,21 +58,22 @@ class Record(NamedTuple):
     is_vertical: bool = False
 
 
-def read(path: FilePath, units: str | None, gravity: float, name: str | None) -> Record:
-    """A PEER record or two columns, whichever the file is by its name or by its header."""
+def read(
+    path: FilePath,
+    units: str | None,
+    gravity: float,
+    name: str | None,
+    is_at2: bool | None = None,
+) -> Record:
+    """A PEER record or two columns of time and acceleration.
+
+    is_at2 : which of both the file is; by its name or by its header if not given. A record has the
+    old ("4000 0.01 NPTS, DT") or the new ("NPTS=, DT=") header.
+    """
     text = _open(path)
-    is_at2 = Path(path).suffix.lower() == ".at2" or _last_header_line(_head(text)) is not None
+    if is_at2 is None:
+        is_at2 = Path(path).suffix.lower() == ".at2" or _last_header_line(_head(text)) is not None
     return (_at2 if is_at2 else _columns)(text, units, gravity, name)
-
-
-def read_at2(path: FilePath, units: str | None, gravity: float, name: str | None) -> Record:
-    """A PEER record, with the old ("4000 0.01 NPTS, DT") or the new ("NPTS=, DT=") header."""
-    return _at2(_open(path), units, gravity, name)
-
-
-def read_columns(path: FilePath, units: str | None, gravity: float, name: str | None) -> Record:
-    """Two columns: time and acceleration."""
-    return _columns(_open(path), units, gravity, name)
 
 
 def read_csv(
@@ -458,17 +459,12 @@ def _npts_and_dt(path: FilePath, line: int, text: str) -> tuple[str, float]:
     if not (npts.isascii() and npts.isdecimal()):
         what = f"NPTS is {_short(npts)} in {_short(text)}, not a whole number"
         raise MotionError.at(path, line, what, "correct the header or download the record again")
-    if not _NUMBER.fullmatch(dt_text):
-        what = f"DT is missing: no number follows it in {_short(text)}"
-        raise MotionError.at(
-            path, line, what, "write the time step in seconds, as in DT= .0100 SEC"
-        )
-    dt = _number(dt_text, path, line, "DT")
-    if dt <= 0:
-        what = f"DT is {_cut(dt_text)} s, not positive"
-        raise MotionError.at(
-            path, line, what, "write the time step in seconds, as in DT= .0100 SEC"
-        )
+    dt = _number(dt_text, path, line, "DT") if _NUMBER.fullmatch(dt_text) else 0.0
+    if dt <= 0.0:
+        missing = f"DT is missing: no number follows it in {_short(text)}"
+        what = f"DT is {_cut(dt_text)} s, not positive" if _NUMBER.fullmatch(dt_text) else missing
+        remedy = "write the time step in seconds, as in DT= .0100 SEC"
+        raise MotionError.at(path, line, what, remedy)
     if dt_unit not in ("", *_SECONDS):
         what = f"DT is in {_short(dt_unit)} in {_short(text)}"
         raise MotionError.at(path, line, what, "write the time step in seconds")
@@ -487,6 +483,9 @@ _EXACT = Context(prec=28)  # not the caller's
 _WRAPPED = '; GroundMotion.from_csv(path, dt=0.01, layout="wrapped") reads values that run on'
 
 
+_Block = list[tuple[int, list[str]]]
+
+
 @dataclass(frozen=True)
 class _Table:
     """Rows of a text file behind its line of names, if there is one; all have one width."""
@@ -498,7 +497,7 @@ class _Table:
     first_line: int
     first: list[str]
 
-    def blocks(self) -> Iterator[list[tuple[int, list[str]]]]:
+    def blocks(self) -> Iterator[_Block]:
         """Rows of fields with the numbers of their lines, some thousand at once."""
         path, width = self.text.path, len(self.first)
         for block in self.text.content():
@@ -645,16 +644,18 @@ def _record(
 
 def _values(table: _Table, column: int) -> np.ndarray:
     """The numbers (n,) of a column."""
-    found = array("d")
+    values = array("d")
     for block in table.blocks():
-        found.extend(
-            _numbers([row[column] for _, row in block])
-            or [  # one by one, which tells the line
-                _number(row[column], table.text.path, line, f"acceleration of sample {n}")
-                for n, (line, row) in enumerate(block, len(found) + 1)
-            ]
-        )
-    return np.array(found)
+        values.extend(_of_block(table, block, column, "acceleration", len(values)))
+    return np.array(values)
+
+
+def _of_block(table: _Table, block: _Block, column: int, what: str, before: int) -> list[float]:
+    """The numbers of a column in a block, after so many before; `what` names them in an error."""
+    return _numbers([row[column] for _, row in block]) or [  # one by one, which tells the line
+        _number(row[column], table.text.path, line, f"{what} of sample {n}")
+        for n, (line, row) in enumerate(block, before + 1)
+    ]
 
 
 def _in_sequence(table: _Table) -> np.ndarray:
@@ -699,15 +700,8 @@ def _sampled(
     last_digits, leading = array("q"), array("q")
     ends: list[Decimal] = []
     for block in table.blocks():
-        values = {c: _numbers([row[c] for _, row in block]) for c in called}
-        if any(v is None for v in values.values()):  # one by one, which tells the line
-            values = {c: [] for c in called}
-            for n, (line, row) in enumerate(block, len(found[time]) + 1):
-                for c, what in called.items():
-                    number = _number(row[c], path, line, f"{what} of sample {n}")
-                    values[c].append(number)  # type: ignore[union-attr]
-        for c, read in values.items():
-            found[c].extend(read or ())
+        for c, what in called.items():
+            found[c].extend(_of_block(table, block, c, what, len(found[c])))
         for line, row in block:
             exact = _decimal(path, line, row[time])
             last_digits.append(int(exact.as_tuple().exponent))

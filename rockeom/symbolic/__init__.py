@@ -47,8 +47,8 @@ def __getattr__(name: str) -> Any:
 
 
 __all__ = [
-    "SIDE",
     "SHIPPED",
+    "SIDE",
     "Body",
     "Contact",
     "Coordinate",
