@@ -8,8 +8,6 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 
 from rockeom.codes import SLIP_LEFT, SLIP_RIGHT
 from rockeom.drawing import style
@@ -29,7 +27,7 @@ def plot_response(
     start: float | None = None,
     end: float | None = None,
 ) -> Figure | SubFigure:
-    """Ground motion, rotation, displacement, uplift, impacts and contact on one time axis.
+    """Ground motion, rotation, displacement, uplift, impacts and contacts on one time axis.
 
         plot_response(run)
         plot_response(run, "theta", "left_uplift")
@@ -43,7 +41,8 @@ def plot_response(
     The time in full contact is shaded. Curves of a motion that overturned end with a cross, and
     overturning angles within reach of the rotation are dashed. Impacts are drawn as
     high as the angular velocity just before them, so that the endless small ones before rest do not
-    hide the large ones. Returns the figure, that of `ax` where axes are given.
+    hide the large ones. In the lowest row each contact has a bar where it is closed, with a black
+    one below where it slides. Returns the figure, that of `ax` where axes are given.
 
     Raises KeyError for an unknown quantity, and ValueError for a start behind the end.
     """
@@ -97,8 +96,7 @@ def _rows(run: Run) -> list[tuple[Draw, float]]:
     contacts = style.contacts(run)
     rows += [(_uplift, 1.0)] if {f"{name}_uplift" for name in contacts} <= {*run.names} else []
     rows += [(_impacts, 0.7)] if len(run.impacts) else []
-    feet_alone = contacts.keys() == style.FEET.keys()
-    return [*rows, (_feet, 0.22) if feet_alone else (_contacts, 0.13 * len(contacts))]
+    return [*rows, (_contacts, 0.15 + 0.13 * len(contacts))]
 
 
 def _ground(ax: Axes, run: Run) -> None:
@@ -175,31 +173,6 @@ def _impacts(ax: Axes, run: Run) -> None:
     points = run.impacts[0].kind == "landing"
     ax.set_ylabel("landing speed\n[m/s]" if points else f"impact speed\n$|{rate}|$ [{unit}]")
     style.legend_above(ax)
-
-
-def _feet(ax: Axes, run: Run) -> None:
-    """The feet on the ground as a coloured band, with the instants of uplift and rest."""
-    left, right = (states > 0 for states in style.contacts(run).values())
-    modes = {"left": left & ~right, "right": right & ~left, "both": left & right,
-             "flight": ~left & ~right}  # fmt: skip
-    handles: list = []
-    for name, color in style.FEET_OF_MODES.items():
-        if len(spans := style.spans_in(run, modes[name])):
-            ax.broken_barh(style.bars(spans), (0.0, 1.0), facecolor=color, lw=0)
-            handles.append(Patch(facecolor=color, label=style.MEANINGS[name]))
-    if len(run.support.sliding):
-        ax.broken_barh(style.bars(run.support.sliding), (0.0, 0.35), facecolor="k", lw=0)
-        handles.insert(0, Patch(facecolor="k", label="slides"))
-    for kind, mark, label in (("uplift", "^", "uplift begins"), ("rest", "o", "impacts end")):
-        times = style.times_of(run, kind)
-        if len(times):
-            ax.plot(times, np.full(len(times), 0.5), mark, color="k", ms=3.0, mew=0)
-            handles.append(Line2D([], [], color="k", marker=mark, ms=4, mew=0, lw=0, label=label))
-    ax.set_ylim(0.0, 1.0)
-    ax.set_yticks([])
-    ax.grid(visible=False)
-    ax.set_ylabel("contact", rotation=0, ha="right", va="center")
-    style.legend_above(ax, handles)
 
 
 def _contacts(ax: Axes, run: Run) -> None:

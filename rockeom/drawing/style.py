@@ -28,15 +28,6 @@ FEET = {"left": LINES[0], "right": LINES[1]}
 """Colour of each foot; what is of no foot has another one in figures of a single response."""
 OTHERS = LINES[2:]
 """Colours of lines that belong to no foot."""
-FEET_OF_MODES = {"left": "#9ecae1", "right": "#fdae6b", "both": "#d4d4d4", "flight": "#f7f0a8"}
-"""Colour of each mode, named by the feet on the ground: light shades of those of FEET."""
-MEANINGS = {
-    "left": "on the left foot",
-    "right": "on the right foot",
-    "both": "full contact",
-    "flight": "in flight",
-}
-
 _RC: dict[Any, Any] = {
     "font.size": 9.0,
     "axes.labelsize": 9.0,
@@ -164,17 +155,16 @@ def symbol(name: str) -> str:
         return rf"$\dot{{{symbol(name.removesuffix('_dot')).strip('$')}}}$"
     head = name.rstrip("0123456789")
     index, head = name[len(head) :], head.removesuffix("_")
-    if head in _GREEK:
+    if _GREEK.fullmatch(head):
         head = f"\\{head}"
     elif len(head) > 1:
         head = rf"\mathrm{{{head.replace('_', ' ').replace(' ', chr(92) + ' ')}}}"
     return f"${head}_{{{index}}}$" if index else f"${head}$"
 
 
-_GREEK = (
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu",
-    "nu", "xi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega",
-)  # fmt: skip
+_GREEK = re.compile(
+    "alpha|beta|gamma|delta|eta|theta|kappa|mu|nu|xi|rho|sigma|tau|phi|chi|psi|omega"
+)
 
 
 def rate_of(run: Run) -> tuple[str, str]:
@@ -204,7 +194,7 @@ def wrapped(text: str, width: int = 105) -> str:
 
 
 def feet_of(mode: str) -> str:
-    """Key of FEET_OF_MODES: the cart's "both_left" is full contact."""
+    """The feet that are down in a mode, by its name: the cart's "both_left" is full contact."""
     return mode.split("_")[0]
 
 
@@ -237,11 +227,6 @@ def bars(spans: np.ndarray) -> list[tuple[float, float]]:
 def full_contact(run: Run) -> np.ndarray:
     """Starts and ends (k, 2) of the times in which each contact is closed."""
     return spans_in(run, np.all([states > 0 for states in contacts(run).values()], axis=0))
-
-
-def times_of(run: Run, kind: str) -> np.ndarray:
-    """(n,) times of the events of a kind [s]."""
-    return np.array([e.time for e in run.events if e.kind == kind])
 
 
 def shade_full_contact(axes: Sequence[Axes], run: Run) -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 
 from rockeom import renamed
 from rockeom.motion.arguments import COMPONENTS
@@ -16,22 +17,17 @@ _RIGHT_ANGLE = 10.0  # degrees by which the angle between two azimuths may diffe
 _SHOWN = 5
 
 
-def recordings(motions: Iterable[GroundMotion], set_name: str) -> tuple[Recording, ...]:
+def recordings(motions: Sequence[GroundMotion], set_name: str) -> tuple[Recording, ...]:
     """See `MotionSet.recordings`; set_name : for records named by their component alone."""
     groups: dict[str, list[GroundMotion]] = {}
-    for motion in motions:
-        groups.setdefault(split(motion.name)[0] or set_name, []).append(motion)
-    return tuple(one for name, group in groups.items() for one in _by_instrument(name, group))
-
-
-def _by_instrument(name: str, group: Sequence[GroundMotion]) -> Iterator[Recording]:
-    """One recording, or where a station has more than three components one of each instrument."""
-    instruments: dict[str, list[GroundMotion]] = {}
-    for motion in group:
-        code = channel(split(motion.name)[1]) if len(group) > 3 else ""
-        instruments.setdefault(code, []).append(motion)
-    for code, components in instruments.items():
-        yield _recording(f"{name}, {code}" if len(instruments) > 1 else name, components)
+    components = [split(motion.name) for motion in motions]
+    sizes = Counter(name for name, _ in components)
+    for motion, (name, component) in zip(motions, components, strict=True):
+        # of more than three components those of one instrument belong together
+        instrument = channel(component) if sizes[name] > 3 else ""
+        recording = ", ".join(filter(None, (name or set_name, instrument)))
+        groups.setdefault(recording, []).append(motion)
+    return tuple(_recording(name, group) for name, group in groups.items())
 
 
 def _recording(name: str, group: Sequence[GroundMotion]) -> Recording:

@@ -180,13 +180,11 @@ class DesignReport:
                 f"reserve of those that stood is {100 * max(1 - max(ratios), 0.0):.3g} %."
             )
         both = [(one.rocking, one.fixed) for one in self.standing if one.fixed is not None]
-        for what, name in (("Base shear", "base_shear"), ("Base moment", "base_moment")):
+        for name in ("base_shear", "base_moment", "displacement"):
             ratios = [getattr(a, name) / getattr(b, name) for a, b in both]
             if ratios and np.isfinite(ratios).all():
+                what = name.replace("_", " ").capitalize()
                 said.append(f"{what}, rocking over fixed base: {_spread(ratios, '')}")
-        drifts = [a.displacement / b.displacement for a, b in both]
-        if drifts:
-            said.append(f"Displacement, rocking over fixed base: {_spread(drifts, '')}")
         return tuple(said)
 
     @cached_property
@@ -325,7 +323,7 @@ def facts_of(structure: Structure, impact: ImpactLaw | None) -> tuple[tuple[str,
     """Parameters of a structure, the acceleration that lifts it and its impact law."""
     m, values = structure.module, structure.parameters()
     found = [
-        (name.replace("_", " "), f"{digits(values[name], 5)}{_unit(unit)}")
+        (name.replace("_", " "), f"{digits(values[name], 5)} {unit}".removesuffix(" -"))
         for name, unit in zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True)
         if name in values
     ]
@@ -497,7 +495,3 @@ def _short(name: str, most: int) -> str:
     name = name or "a ground motion"
     head = name[: most - 24].rstrip(" ,")
     return name if len(name) <= most else f"{head} … {name[-21:].lstrip(' ,')}"
-
-
-def _unit(unit: str) -> str:
-    return "" if unit == "-" else f" {unit}"
