@@ -158,8 +158,7 @@ class GroundMotion(metaclass=explained.Constructors):
     ) -> GroundMotion:
         """One full cosine: amplitude cos(2 pi t/period) up to one period.
 
-        amplitude : [m/s2]; period [s]; duration : with the quiet time after the pulse [s], at
-        least the pulse; if not given, ten periods of quiet follow.
+        amplitude [m/s2], period [s] and duration [s] are as of `single_sine`.
         """
         return _pulse("single cosine", amplitude, period, 1.0, 0.5 * math.pi, duration)
 
@@ -220,14 +219,10 @@ class GroundMotion(metaclass=explained.Constructors):
         """
         a, t_p = _finite("amplitude", amplitude), _positive("period", period)
         centre = _RICKER_HALF_WINDOW * t_p
+        kind, c0, c1 = RICKER, a, math.pi / t_p
         if antisymmetric:
-            kind, c0, c1 = (
-                ANTISYMMETRIC_RICKER,
-                a / ANTISYMMETRIC_RICKER_PEAK,
-                2.0 * math.pi / (math.sqrt(3.0) * t_p),
-            )
-        else:
-            kind, c0, c1 = RICKER, a, math.pi / t_p
+            kind, c0 = ANTISYMMETRIC_RICKER, a / ANTISYMMETRIC_RICKER_PEAK
+            c1 = 2.0 * math.pi / (math.sqrt(3.0) * t_p)
         shape = "antisymmetric Ricker" if antisymmetric else "Ricker"
         end = 2.0 * centre
         name = named(shape + ", {:.4g} m/s2, {:.4g} s", a, t_p)
@@ -431,9 +426,8 @@ class GroundMotion(metaclass=explained.Constructors):
         """Two columns out of several of a text file, by their headings or numbers (from 0).
 
         dt : the time step [s] of a file without a column of times. Else as in `from_columns`.
-        layout : "wrapped" for accelerations that run on from one column to the next, several on a
-        line; "columns" for a channel in each column. If it is not given, a file without a heading
-        that looks wrapped is refused, because a column of it would be one value of each line.
+        layout : "wrapped" for accelerations that run on from one column to the next, "columns" for
+        a channel in each. If not given, a file without a heading that looks wrapped is refused.
         """
         columns = time_column, acceleration_column
         return _from_record(*_readers().read_csv(path, *columns, dt, units, gravity, name, layout))

