@@ -123,7 +123,7 @@ def _rotation(ax: Axes, run: Run) -> None:
 
 
 def _others(run: Run, unit: str) -> list[str]:
-    """Coordinates of a unit beside the one that overturns."""
+    """Coordinates of a unit, without the one that overturns."""
     m = run.structure.module
     coordinates = run.states[: m.N_STATES // 2]
     return [n for n in coordinates if run.units[n] == unit and n != run.states[m.ROTATION]]

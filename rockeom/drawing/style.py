@@ -182,7 +182,7 @@ def largest(run: Run, name: str, factor: float, unit: str) -> str:
 
 
 def digits(value: float, number: int = 3) -> str:
-    """A value rounded to so many digits, without an exponent up to ten digits."""
+    """A value rounded to a number of digits, without an exponent below 1e10."""
     return f"{float(f'{value:.{number}g}'):.10g}"
 
 
