@@ -9,6 +9,7 @@ import io
 import re
 from collections.abc import Callable, Iterable
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 
 import notebooks
@@ -16,6 +17,7 @@ import sympy as sp
 from matplotlib.figure import Figure
 
 from rockeom import thesis
+from rockeom.analysis.groups import defined
 from rockeom.drawing.style import save_figure
 from rockeom.thesis.figures import FIGURES, NOT_DRAWN
 from rockeom.thesis.side_by_side import TextTable, side_by_side
@@ -23,7 +25,7 @@ from rockeom.thesis.statements import STATEMENTS, Judgement, counts
 from rockeom.thesis.tables import TABLES
 from rockeom.thesis.typeset import written
 
-PLACE = re.compile(r"^<!-- (\w+)(?: ((?:thesis )?\w+))? -->$", re.MULTILINE)
+PLACE = re.compile(r"^<!-- (\w+)(?: ((?:thesis )?[\w.]+))? -->$", re.MULTILINE)
 PAGES = {c: f"chapter-{c}" for c in "2345"} | {c: f"appendix-{c.lower()}" for c in "BD"}
 SYMBOLS = {s.symbol.name for s in thesis.NOTATION if isinstance(s.symbol, sp.Symbol)}
 PICTURES = Path(__file__).parent / "_build" / "figures"
@@ -37,6 +39,7 @@ def writers() -> dict[str, Callable[..., str]]:
     return {
         "overview": overview,
         "structures": gallery.reference,
+        "analysis": analysis,
         "equations": equations,
         "symbols": symbols,
         "tables": tables,
@@ -266,6 +269,23 @@ def _judged(judged: Iterable[Judgement], sources: bool = False) -> str:
         cells = (of.words, str(of.limits), one.words, one.verdict.value, *[one.source] * sources)
         rows.append([where, *map(plain, cells)])
     return table(head, rows)
+
+
+# --- the reference of formulas and procedures
+
+
+def analysis(module: str) -> str:
+    """What a module of `rockeom.analysis` is for, its functions, and the classes that they use."""
+    of = import_module(f"rockeom.analysis.{module}")
+    group = module.partition(".")[0]
+    names = sorted(defined(of), key=lambda name: isinstance(getattr(of, name), type))
+    lines = [
+        f".. auto{'class' if isinstance(getattr(of, name), type) else 'function'}:: "
+        f"rockeom.analysis.{group}.{name}"
+        for name in names
+    ]
+    purpose = plain((of.__doc__ or "").partition("\n\n")[0].replace("\n", " "))
+    return "\n".join([purpose, "", "```{eval-rst}", *lines, "```"])
 
 
 # --- the command line

@@ -24,6 +24,15 @@ _KINDS = {
 }
 
 
+def in_text(path: str | os.PathLike[str]) -> Path:
+    """A path as a text names it: where it is not UTF-8, its bytes are letters of Latin-1."""
+    try:
+        os.fspath(path).encode()
+    except UnicodeEncodeError:
+        return Path(os.fsencode(path).decode("latin-1"))
+    return Path(path)
+
+
 def check_path(path: object) -> None:
     """Raise TypeError for what is no path of a file, ValueError for an empty one."""
     if not isinstance(path, str | os.PathLike):

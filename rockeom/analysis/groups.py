@@ -28,11 +28,11 @@ def attributes(package: str) -> tuple[Callable[[str], Any], Callable[[], list[st
 
     def get(name: str) -> Any:
         if name == "__all__":
-            return sorted(one for module in modules for one in _defined(load(module)))
+            return sorted(one for module in modules for one in defined(load(module)))
         if name in modules:
             return load(name)
         for module in () if name.startswith("_") else modules:
-            if name in _defined(load(module)):
+            if name in defined(load(module)):
                 setattr(group, name, getattr(load(module), name))
                 return getattr(group, name)
         message = f"module {package!r} has no attribute {name!r}"
@@ -43,7 +43,8 @@ def attributes(package: str) -> tuple[Callable[[str], Any], Callable[[], list[st
     return get, lambda: sorted({*get("__all__"), *modules})
 
 
-def _defined(module: ModuleType) -> list[str]:
+def defined(module: ModuleType) -> list[str]:
+    """The public names of a module, in the order of their definition."""
     if hasattr(module, "__all__"):
         return list(module.__all__)
     return [

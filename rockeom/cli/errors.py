@@ -14,13 +14,14 @@ class UsageError(ValueError):
 
 
 _OPTIONS = (
-    "columns|components|damping_ratio|dt|duration|end|frames_per_second|impact|initial|output_step|"
-    "period|pga|sa|speed|start|units|vertical"
+    "columns|components|damping_ratio|dt|duration|end|frames_per_second|impact|initial|layout|"
+    "output_step|period|pga|sa|speed|start|units|vertical"
 )
 """Arguments of Python that an option of the same name gives."""
 
 _REMEDIES = (
     (r"GroundMotion\.from_csv\(path, dt=(\S+)\)", r"--dt \1, with the time step of the file"),
+    (r'GroundMotion\.from_csv\(path, dt=(\S+), layout="(\w+)"\)', r"--dt \1 --layout \2"),
     (r"with GroundMotion\.from_csv", "by --columns"),
     (r"with GroundMotion\.from_columns", "from a file whose name does not end in .AT2"),
     (r"read it with GroundMotion\.from_at2", "let its name end in .AT2"),

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from rockeom.cli.errors import UsageError, in_options, spread, words
+from rockeom.files import in_text
 from rockeom.motion import GroundMotion, MotionError, MotionSet, units
 from rockeom.motion.arguments import COMPONENTS, positive
 from rockeom.numbers.checks import near
@@ -105,6 +106,11 @@ def add_files(group) -> None:
     group.add_argument(
         "--dt", type=float, metavar="S", help="time step of a file without a column of times [s]"
     )
+    group.add_argument(
+        "--layout",
+        choices=("columns", "wrapped"),
+        help="with --dt: wrapped, if the values of the file run on from one column to the next",
+    )
 
 
 def add_scale(group) -> None:
@@ -198,12 +204,15 @@ def records(args: argparse.Namespace) -> MotionSet:
         )
     read = [from_file(path, args) for path in args.motion]
     if len({motion.name for motion in read}) < len(read):  # files of one name in several folders
-        read = [replace(motion, name=path) for motion, path in zip(read, args.motion, strict=True)]
+        read = [
+            replace(motion, name=str(in_text(path)))
+            for motion, path in zip(read, args.motion, strict=True)
+        ]
     return MotionSet(read, "files")
 
 
 def _of_folder(path: str, args: argparse.Namespace) -> MotionSet:
-    for option in ("columns", "dt"):
+    for option in ("columns", "dt", "layout"):
         if getattr(args, option) is not None:
             raise UsageError(f"--{option} is for files: name them, as {path}/*.txt")
     components = args.components or "horizontal"
@@ -216,6 +225,8 @@ def _of_folder(path: str, args: argparse.Namespace) -> MotionSet:
 
 def from_file(path: str, args: argparse.Namespace) -> GroundMotion:
     """A record by the options of `add_files`."""
+    if args.layout is not None and args.dt is None:
+        raise UsageError(f"--layout {args.layout} needs --dt, the time step of the file")
     if args.columns is None and args.dt is None:
         return GroundMotion.read(path, units=args.units)
     columns = [int(c) if c.isdecimal() else c for c in args.columns or ()]
@@ -231,12 +242,13 @@ def from_file(path: str, args: argparse.Namespace) -> GroundMotion:
         acceleration_column=columns[-1] if columns else None,
         dt=args.dt,
         units=args.units,
+        layout=args.layout,
     )
 
 
 def _check_no_files(args: argparse.Namespace) -> None:
     """Raise UsageError for options that say how to read a file, where there is none."""
-    for option in ("units", "columns", "dt"):
+    for option in ("units", "columns", "dt", "layout"):
         if getattr(args, option) is not None:
             raise UsageError(f"--{option} is for a file: leave it out, or give --motion FILE")
 

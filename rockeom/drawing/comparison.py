@@ -112,9 +112,7 @@ def _impact_lanes(ax: Axes, runs: Sequence[Run]) -> None:
     fastest = max(run.impacts.speeds.max(initial=0.0) for run in runs)
     for lane, (run, color) in enumerate(zip(runs, _colors(runs), strict=True)):
         floor = -float(lane)
-        spans, names = style.contact_spans(run)
-        both = [(a, b - a) for (a, b), n in zip(spans, names, strict=True) if n == "both"]
-        ax.broken_barh(both, (floor, 0.8), facecolor="0.9", lw=0)
+        ax.broken_barh(style.bars(style.full_contact(run)), (floor, 0.8), facecolor="0.9", lw=0)
         times, speeds = run.impacts.times, run.impacts.speeds
         ax.vlines(times, floor, floor + 0.8 * speeds / (fastest or 1.0), color=color, lw=0.9)
     ax.set_ylim(-len(runs) + 0.95, 0.9)

@@ -130,12 +130,7 @@ def arrow(
     label_at : "tip", "tail" or "middle"; the label's centre is `offset` away from there.
     Raises ValueError for any other place.
     """
-    style: dict[str, Any] = {
-        "arrowstyle": "-|>,head_width=0.22,head_length=0.5",
-        "color": color,
-        "lw": 1.5,
-    }
-    style |= {"shrinkA": 0, "shrinkB": 0}
+    style = _arrow("-|>,head_width=0.22,head_length=0.5", color, 1.5)
     ax.annotate("", _xy(tip), _xy(tail), arrowprops=style, zorder=8)
     ax.plot(*np.transpose([tail, tip]), lw=0)  # an annotation does not widen the limits
     places = {"tip": 1.0, "tail": 0.0, "middle": 0.5}
@@ -170,8 +165,7 @@ def angle(
     arc = origin + radius * np.column_stack([np.cos(t), np.sin(t)])
     ax.plot(*arc.T, color=color, lw=1.0)
     if sense:
-        head: dict[str, Any] = {"arrowstyle": "-|>,head_width=0.18,head_length=0.4"}
-        head |= {"color": color, "lw": 0.0, "shrinkA": 0, "shrinkB": 0}
+        head = _arrow("-|>,head_width=0.18,head_length=0.4", color, 0.0)
         ax.annotate("", arc[-1], arc[-5], arrowprops=head, zorder=8)
     middle = (a + b) / 2
     at = origin + label_radius * radius * np.array([np.cos(middle), np.sin(middle)])
@@ -188,8 +182,7 @@ def dimension(
     ends = _along(start, end, np.array([0.0, 1.0]), np.array([shift, shift]))
     for point, moved in zip((start, end), ends, strict=True):
         ax.plot(*np.transpose([point, moved]), color="0.6", lw=0.6)
-    style: dict[str, Any] = {"arrowstyle": "<|-|>,head_width=0.15,head_length=0.4"}
-    style |= {"color": INK, "lw": 0.8, "shrinkA": 0, "shrinkB": 0}
+    style = _arrow("<|-|>,head_width=0.15,head_length=0.4", INK, 0.8)
     ax.annotate("", ends[1], ends[0], arrowprops=style)
     _text(ax, ends.mean(axis=0), label, offset)
 
@@ -197,6 +190,11 @@ def dimension(
 def line(ax: Axes, start: Point, end: Point) -> None:
     """A thin dashed line of reference, such as the vertical through a pivot."""
     ax.plot(*np.transpose([start, end]), color="0.45", lw=0.8, ls=(0, (6, 3)))
+
+
+def _arrow(style: str, color: str, width: float) -> dict[str, Any]:
+    """An arrow from its one end to the other, as `annotate` takes it."""
+    return {"arrowstyle": style, "color": color, "lw": width, "shrinkA": 0, "shrinkB": 0}
 
 
 def _along(start: Point, end: Point, along: np.ndarray, across: np.ndarray) -> np.ndarray:

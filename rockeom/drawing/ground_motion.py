@@ -59,7 +59,7 @@ def plot_motion(
     axes[-1].set_xlabel("time [s]")
     axes[-1].set_xlim(start, motion.duration if end is None else end)
     figure.align_ylabels(axes)
-    figure.suptitle(style.wrapped(motion.name or "Ground motion"), fontsize=9.5)
+    figure.suptitle(style.wrapped(style.plain(motion.name) or "Ground motion"), fontsize=9.5)
     return figure
 
 
@@ -109,7 +109,7 @@ def plot_spectra(
         strict=True,
     ):
         values = np.array([getattr(one, of) for one in spectra]) / scale
-        _draw(ax, first.periods, values, [one.name for one in spectra])
+        _draw(ax, first.periods, values, [style.plain(one.name) for one in spectra])
         if target is not None:
             _draw_target(ax, first.periods, target, of)
         ax.set_xscale("log")
@@ -131,9 +131,8 @@ def _draw_target(ax: Axes, periods: np.ndarray, target: DesignSpectrum, of: str)
     t = periods[(periods >= target.shortest) & (periods <= target.longest)]
     powers = {"pseudo_acceleration": 1.0 / STANDARD_GRAVITY, "displacement": (t / (2 * np.pi)) ** 2}
     if of in powers:
-        ax.plot(
-            t, powers[of] * target(t), "--", color=style.INK, lw=1.4, label=target.name, zorder=4
-        )
+        name = style.plain(target.name)
+        ax.plot(t, powers[of] * target(t), "--", color=style.INK, lw=1.4, label=name, zorder=4)
 
 
 def _draw(ax: Axes, periods: np.ndarray, values: np.ndarray, names: Sequence[str]) -> None:

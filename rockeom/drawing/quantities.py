@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import repeat
 from typing import Any
 
 from matplotlib.axes import Axes
@@ -11,6 +12,10 @@ from matplotlib.figure import Figure, SubFigure
 from rockeom.drawing import style
 from rockeom.drawing.drawn import Run
 from rockeom.numbers.checks import described
+
+Names = Mapping[str, str]
+Strokes = Iterable[Mapping[str, Any]]
+_OF_AXES: Strokes = repeat({})
 
 
 def plot_quantities(
@@ -24,27 +29,31 @@ def plot_quantities(
         if len({*units.values()}) > 1:
             of_each = ", ".join(f"{name} [{unit}]" for name, unit in units.items())
             raise ValueError(f"{of_each} have not one unit: give each axes of its own")
-        _draw(ax, run, names)
+        what = _word(names[0]) if len(names) == 1 else ""
+        draw_curves(ax, run, {name: _word(name) for name in names}, what)
         return style.parent_figure(ax), [ax]
     if figure is None:
         figure = style.new_figure(7.2, 0.9 + 1.5 * len(names))
     axes = [*figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]]
     for name, row in zip(names, axes, strict=True):
-        _draw(row, run, [name])
+        draw_curves(row, run, {name: _word(name)}, _word(name))
     figure.suptitle(style.wrapped(style.plain(style.title_of(run))), fontsize=9.5)
     figure.align_ylabels(axes)
     return figure, axes
 
 
-def _draw(ax: Axes, run: Run, names: Sequence[str]) -> None:
-    """Quantities of one unit on axes of their own, in the colours of these axes."""
-    unit = run.units[names[0]]
+def draw_curves(ax: Axes, run: Run, names: Names, what: str, strokes: Strokes = _OF_AXES) -> None:
+    """Quantities of one unit against time, with their largest sizes, and a legend above them.
+
+    names : what each is called. strokes : colour and line of each; those of the axes if not given.
+    """
+    unit = run.units[next(iter(names))]
     factor, shown = style.length_scale(run) if unit == "m" else (1.0, unit)
-    for name in names:
-        label = f"{_word(name)}, {style.largest(run, name, factor, shown)}"
-        ax.plot(run.t, run[name] * factor, label=label)
-        style.mark_overturning(ax, run, run[name] * factor)
-    what = _word(names[0]) if len(names) == 1 else ""
+    for (name, word), stroke in zip(names.items(), strokes, strict=False):
+        label = f"{word}, {style.largest(run, name, factor, shown)}"
+        ax.plot(run.t, run[name] * factor, label=label, **stroke)
+    for name, line in zip(names, ax.lines[-len(names) :], strict=True):
+        style.mark_overturning(ax, run, run[name] * factor, color=str(line.get_color()))
     ax.set_ylabel(f"{what}\n[{shown}]".strip())
     style.legend_above(ax)
 

@@ -8,12 +8,11 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 
+from rockeom.codes import SLIP_LEFT, SLIP_RIGHT
 from rockeom.drawing import style
 from rockeom.drawing.drawn import Run, check_run
-from rockeom.drawing.quantities import plot_quantities, require_axes
+from rockeom.drawing.quantities import draw_curves, plot_quantities, require_axes
 from rockeom.numbers.checks import number
 
 Draw = Callable[[Axes, Run], None]
@@ -28,7 +27,7 @@ def plot_response(
     start: float | None = None,
     end: float | None = None,
 ) -> Figure | SubFigure:
-    """Ground motion, rotation, displacement, uplift, impacts and contact on one time axis.
+    """Ground motion, rotation, displacement, uplift, impacts and contacts on one time axis.
 
         plot_response(run)
         plot_response(run, "theta", "left_uplift")
@@ -42,7 +41,8 @@ def plot_response(
     The time in full contact is shaded. Curves of a motion that overturned end with a cross, and
     overturning angles within reach of the rotation are dashed. Impacts are drawn as
     high as the angular velocity just before them, so that the endless small ones before rest do not
-    hide the large ones. Returns the figure, that of `ax` where axes are given.
+    hide the large ones. In the lowest row each contact has a bar where it is closed, with a black
+    one below where it slides. Returns the figure, that of `ax` where axes are given.
 
     Raises KeyError for an unknown quantity, and ValueError for a start behind the end.
     """
@@ -88,14 +88,15 @@ def _overview(run: Run, figure: Figure | SubFigure | None) -> tuple[Figure | Sub
 def _rows(run: Run) -> list[tuple[Draw, float]]:
     """The rows that this structure fills, with their relative heights."""
     shaken = any(m is not None and m.peak > 0.0 for m in (run.motion, run.vertical))
-    rows: list[tuple[Draw, float]] = [(_ground, 0.8)] if shaken else []
+    rows: list[tuple[Draw, float]] = [(_ground, 1.0)] if shaken else []
     rows += [(_rotation, 1.0)]
     # the cart's coordinate is its displacement
     turns = run.structure.module.STATE_UNITS[run.structure.module.ROTATION] != "m"
     rows += [(_displacement, 1.0)] if turns and "displacement" in run.names else []
-    rows += [(_uplift, 1.0)] if "left_uplift" in run.names else []
+    contacts = style.contacts(run)
+    rows += [(_uplift, 1.0)] if {f"{name}_uplift" for name in contacts} <= {*run.names} else []
     rows += [(_impacts, 0.7)] if len(run.impacts) else []
-    return [*rows, (_contact, 0.22)]
+    return [*rows, (_contacts, 0.15 + 0.13 * len(contacts))]
 
 
 def _ground(ax: Axes, run: Run) -> None:
@@ -109,16 +110,23 @@ def _ground(ax: Axes, run: Run) -> None:
 
 
 def _rotation(ax: Axes, run: Run) -> None:
+    """The coordinate that overturns, and other rotations."""
     name = run.states[run.structure.module.ROTATION]
-    unit = run.structure.module.STATE_UNITS[run.structure.module.ROTATION]
-    what, factor, unit = ("displacement", 1e3, "mm") if unit == "m" else ("rotation", 1.0, unit)
-    shown, size = style.symbol(name), style.largest(run, name, factor, unit)
-    ax.plot(run.t, run[name] * factor, color=style.OTHERS[0], label=f"{shown}, {size}")
-    style.mark_overturning(ax, run, run[name] * factor)
-    ax.set_ylabel(f"{what} {shown}\n[{unit}]")
-    if unit == "rad":
+    names = [name, *_others(run, "rad")] if run.units[name] == "rad" else [name]
+    what = "displacement" if run.units[name] == "m" else "rotation"
+    what += f" {style.symbol(name)}" * (len(names) == 1)
+    shown = {one: style.symbol(one) for one in names}
+    draw_curves(ax, run, shown, what, style.strokes(style.OTHERS))
+    if run.units[name] == "rad":
         _overturning_angles(ax, run)
-    style.legend_above(ax)
+        style.legend_above(ax)
+
+
+def _others(run: Run, unit: str) -> list[str]:
+    """Coordinates of a unit, without the one that overturns."""
+    m = run.structure.module
+    coordinates = run.states[: m.N_STATES // 2]
+    return [n for n in coordinates if run.units[n] == unit and n != run.states[m.ROTATION]]
 
 
 def _overturning_angles(ax: Axes, run: Run) -> None:
@@ -139,36 +147,21 @@ def _overturning_angles(ax: Axes, run: Run) -> None:
 
 def _displacement(ax: Axes, run: Run) -> None:
     """The load point, and every coordinate that is a length."""
-    factor, unit = style.length_scale(run)
-    size = style.largest(run, "displacement", factor, unit)
-    ax.plot(run.t, run["displacement"] * factor, color=style.OTHERS[0], label=f"load point, {size}")
-    style.mark_overturning(ax, run, run["displacement"] * factor)
-    n = len(run.states) // 2
-    lengths = [
-        name
-        for i, (name, of) in enumerate(
-            zip(run.states[:n], run.structure.module.STATE_UNITS, strict=False)
-        )
-        if of == "m" and i != run.structure.module.ROTATION
-    ]
-    for name, color in zip(lengths, style.OTHERS[1:] * len(lengths), strict=False):
-        shown = style.symbol(name) if len(name) < 4 else name
-        label = f"{shown}, {style.largest(run, name, factor, unit)}"
-        ax.plot(run.t, run[name] * factor, color=color, lw=0.8, label=label)
-    ax.set_ylabel(f"displacement\n[{unit}]")
-    style.legend_above(ax)
+    lengths = {n: style.symbol(n) if len(n) < 4 else n for n in _others(run, "m")}
+    names = {"displacement": "load point", **lengths}
+    draw_curves(ax, run, names, "displacement", style.strokes(style.OTHERS))
 
 
 def _uplift(ax: Axes, run: Run) -> None:
-    factor, unit = style.length_scale(run)
-    for foot, color in style.FEET.items():
-        name = f"{foot}_uplift"
-        label = f"{foot} foot, {style.largest(run, name, factor, unit)}"
-        ax.plot(run.t, run[name] * factor, color=color, label=label)
-    for foot, color in style.FEET.items():
-        style.mark_overturning(ax, run, run[f"{foot}_uplift"] * factor, color=color)
-    ax.set_ylabel(f"uplift of feet\n[{unit}]")
-    style.legend_above(ax)
+    names = {
+        f"{name}_uplift": name.replace("_", " ") + " foot" * (name in style.FEET)
+        for name in style.contacts(run)
+    }
+    what = "uplift of feet" if len(names) == 2 else "uplift"
+    draw_curves(ax, run, names, what, style.strokes(_OF_CONTACTS))
+
+
+_OF_CONTACTS = (*style.FEET.values(), *style.OTHERS)
 
 
 def _impacts(ax: Axes, run: Run) -> None:
@@ -182,26 +175,18 @@ def _impacts(ax: Axes, run: Run) -> None:
     style.legend_above(ax)
 
 
-def _contact(ax: Axes, run: Run) -> None:
-    """The feet on the ground as a coloured band, with the instants of uplift and rest."""
-    spans, names = style.contact_spans(run)
-    present = [name for name in style.FEET_OF_MODES if name in names]
-    for name in present:
-        of = [(a, b - a) for (a, b), n in zip(spans, names, strict=True) if n == name]
-        ax.broken_barh(of, (0.0, 1.0), facecolor=style.FEET_OF_MODES[name], lw=0)
-    slides = [(start, end - start) for start, end in run.support.sliding]
-    ax.broken_barh(slides, (0.0, 0.35), facecolor="k", lw=0)
-    handles: list = [Patch(facecolor="k", label="slides")] if slides else []
-    handles += [
-        Patch(facecolor=style.FEET_OF_MODES[name], label=style.MEANINGS[name]) for name in present
-    ]
-    for kind, mark, label in (("uplift", "^", "uplift begins"), ("rest", "o", "impacts end")):
-        times = style.times_of(run, kind)
-        if len(times):
-            ax.plot(times, np.full(len(times), 0.5), mark, color="k", ms=3.0, mew=0)
-            handles.append(Line2D([], [], color="k", marker=mark, ms=4, mew=0, lw=0, label=label))
-    ax.set_ylim(0.0, 1.0)
-    ax.set_yticks([])
+def _contacts(ax: Axes, run: Run) -> None:
+    """A lane for each contact: a bar where it is closed, and a black one below where it slides."""
+    contacts = style.contacts(run)
+    for lane, (states, stroke) in enumerate(
+        zip(contacts.values(), style.strokes(_OF_CONTACTS), strict=False)
+    ):
+        slides = np.isin(states, (SLIP_LEFT, SLIP_RIGHT))
+        for modes, top, color in ((states > 0, 0.1, stroke["color"]), (slides, 0.6, "k")):
+            bars = style.bars(style.spans_in(run, modes))
+            ax.broken_barh(bars, (lane + top, 0.9 - top), facecolor=color, lw=0)
+    names = [name.replace("_", " ") for name in contacts]
+    ax.set_yticks(np.arange(len(names)) + 0.5, names, fontsize=7)
+    ax.set_ylim(len(names), 0)
     ax.grid(visible=False)
-    ax.set_ylabel("contact", rotation=0, ha="right", va="center")
-    style.legend_above(ax, handles=handles, labels=[h.get_label() for h in handles])
+    ax.set_ylabel("contact")

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import functools
 import io
+import re
 import textwrap
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from itertools import cycle, product
 from pathlib import Path
 from typing import Any, ParamSpec, TypeVar
 
@@ -26,15 +28,6 @@ FEET = {"left": LINES[0], "right": LINES[1]}
 """Colour of each foot; what is of no foot has another one in figures of a single response."""
 OTHERS = LINES[2:]
 """Colours of lines that belong to no foot."""
-FEET_OF_MODES = {"left": "#9ecae1", "right": "#fdae6b", "both": "#d4d4d4", "flight": "#f7f0a8"}
-"""Colour of each mode, named by the feet on the ground: light shades of those of FEET."""
-MEANINGS = {
-    "left": "on the left foot",
-    "right": "on the right foot",
-    "both": "full contact",
-    "flight": "in flight",
-}
-
 _RC: dict[Any, Any] = {
     "font.size": 9.0,
     "axes.labelsize": 9.0,
@@ -55,6 +48,14 @@ _RC: dict[Any, Any] = {
 
 OVERTURNED = "overturned"
 """The outcome of motions whose curves end with a cross."""
+
+
+def strokes(colors: Sequence[str]) -> Iterator[dict[str, str]]:
+    """Colour and kind of line of one curve after the other, never the same two for two curves."""
+    return (
+        {"color": color, "ls": line} for line, color in cycle(product(("-", "--", ":"), colors))
+    )
+
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -149,13 +150,21 @@ def title_of(run: Run) -> str:
 
 
 def symbol(name: str) -> str:
-    """How a coordinate, or its rate, is written in a figure."""
+    """How a coordinate, or its rate, is written in a figure: a letter and its index, or words."""
     if name.endswith("_dot"):
         return rf"$\dot{{{symbol(name.removesuffix('_dot')).strip('$')}}}$"
     head = name.rstrip("0123456789")
-    if name == "theta":
-        return r"$\theta$"
-    return f"${head}_{{{name[len(head) :]}}}$" if head != name else f"${name}$"
+    index, head = name[len(head) :], head.removesuffix("_")
+    if _GREEK.fullmatch(head):
+        head = f"\\{head}"
+    elif len(head) > 1:
+        head = rf"\mathrm{{{head.replace('_', ' ').replace(' ', chr(92) + ' ')}}}"
+    return f"${head}_{{{index}}}$" if index else f"${head}$"
+
+
+_GREEK = re.compile(
+    "alpha|beta|gamma|delta|eta|theta|kappa|mu|nu|xi|rho|sigma|tau|phi|chi|psi|omega"
+)
 
 
 def rate_of(run: Run) -> tuple[str, str]:
@@ -172,6 +181,11 @@ def largest(run: Run, name: str, factor: float, unit: str) -> str:
     return f"largest {shown}{'' if unit == '-' else f' {unit}'}"
 
 
+def digits(value: float, number: int = 3) -> str:
+    """A value rounded to a number of digits, without an exponent below 1e10."""
+    return f"{float(f'{value:.{number}g}'):.10g}"
+
+
 def wrapped(text: str, width: int = 105) -> str:
     return "\n".join(textwrap.wrap(text, width))
 
@@ -180,36 +194,46 @@ def wrapped(text: str, width: int = 105) -> str:
 
 
 def feet_of(mode: str) -> str:
-    """Key of FEET_OF_MODES: the cart's "both_left" is full contact."""
+    """The feet that are down in a mode, by its name: the cart's "both_left" is full contact."""
     return mode.split("_")[0]
 
 
-def contact_spans(run: Run) -> tuple[np.ndarray, list[str]]:
-    """Starts and ends (n, 2) of the times on the same feet, and the feet in each."""
-    spans: list[list[float]] = []
-    names: list[str] = []
-    for (start, end), mode in zip(*run.support.spans, strict=True):
-        name = feet_of(run.structure.module.MODES[mode])
-        if names and names[-1] == name:
-            spans[-1][1] = end
-        else:
-            spans.append([start, end])
-            names.append(name)
-    return np.array(spans).reshape(-1, 2), names
+def contacts(run: Run) -> dict[str, np.ndarray]:
+    """The states (n,) of each contact in the n modes, the feet first: 0 where it is open."""
+    m = run.structure.module
+    states = {
+        name: np.array(of_modes)
+        for names, table in (("POINTS", "POINT_STATES"), ("ELEMENTS", "ELEMENT_STATES"))
+        for name, *of_modes in zip(getattr(m, names, ()), *getattr(m, table, ()), strict=True)
+        if f"{name}_uplift" in m.KINEMATICS
+    }
+    feet = np.array([feet_of(mode) for mode in m.MODES])
+    states = states or {foot: np.isin(feet, (foot, "both")).astype(int) for foot in FEET}
+    return {name: states[name] for name in sorted(states, key=lambda name: name not in FEET)}
 
 
-def times_of(run: Run, kind: str) -> np.ndarray:
-    """(n,) times of the events of a kind [s]."""
-    return np.array([e.time for e in run.events if e.kind == kind])
+def spans_in(run: Run, modes: np.ndarray) -> np.ndarray:
+    """Starts and ends (k, 2) of the times in those of the n modes that are true in `modes`."""
+    spans, mode_numbers = run.support.spans
+    edges = np.diff(np.concatenate([[0], modes[mode_numbers], [0]]).astype(int))
+    return np.column_stack([spans[edges[:-1] > 0, 0], spans[edges[1:] < 0, 1]])
+
+
+def bars(spans: np.ndarray) -> list[tuple[float, float]]:
+    """Starts and lengths of spans (k, 2), as `broken_barh` takes them."""
+    return [(start, end - start) for start, end in spans.tolist()]
+
+
+def full_contact(run: Run) -> np.ndarray:
+    """Starts and ends (k, 2) of the times in which each contact is closed."""
+    return spans_in(run, np.all([states > 0 for states in contacts(run).values()], axis=0))
 
 
 def shade_full_contact(axes: Sequence[Axes], run: Run) -> None:
-    """Grey behind the time in which both feet stand on the ground."""
-    spans, names = contact_spans(run)
+    """Grey behind the time in which all contacts are closed."""
     for ax in axes:
-        for (start, end), name in zip(spans, names, strict=True):
-            if name == "both":
-                ax.axvspan(start, end, color="0.95", lw=0, zorder=0)
+        for start, end in full_contact(run):
+            ax.axvspan(start, end, color="0.95", lw=0, zorder=0)
 
 
 def mark_overturning(
@@ -225,16 +249,25 @@ def mark_overturning(
     )
 
 
-def legend_above(ax: Axes, **kwargs: Any) -> None:
-    """A legend in one line above the axes, where it can hide no curve."""
-    handles, labels = ax.get_legend_handles_labels()
-    handles, labels = kwargs.pop("handles", handles), kwargs.pop("labels", labels)
+_LETTERS_PER_INCH = 19.0
+_BESIDE_LABEL = 8  # letters that a handle and the gap to the next one take
+
+
+def legend_above(ax: Axes, handles: Sequence[Any] = (), **kwargs: Any) -> None:
+    """A legend above the axes, where it can hide no curve; as few lines as their width allows.
+
+    handles : what it explains; all that has a label if not given.
+    """
+    handles = handles or ax.get_legend_handles_labels()[0]
+    labels = [str(handle.get_label()) for handle in handles]
+    letters = [_BESIDE_LABEL + len(re.sub(r"\\(?=\w)|[${}]", "", label)) for label in labels]
+    room = ax.get_window_extent().width / parent_figure(ax).dpi * _LETTERS_PER_INCH
     ax.legend(
         handles,
         labels,
         loc="lower right",
         bbox_to_anchor=(1.0, 0.99),
-        ncols=max(len(labels), 1),
+        ncols=max(len(labels) if sum(letters) <= room else int(room / max(letters)), 1),
         borderaxespad=0.0,
         borderpad=0.2,
         handlelength=1.6,

@@ -1,5 +1,5 @@
 """Components of a recording: which are vertical, and which belong together, by the conventions of
-databases (PEER, COSMOS, ESM, K-NET).
+databases (PEER, COSMOS, ESM, K-NET, AFAD) and of SEED.
 
 The header decides, and the name of the file where the header says nothing. An ambiguous name counts
 as horizontal.
@@ -9,17 +9,25 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from pathlib import Path
+
+from rockeom.files import in_text
+from rockeom.motion.errors import FilePath
+
+_CHANNEL = r"[bcdefhlms][hnlg]"
+"""Band and instrument of a SEED channel code, such as HNZ; its third letter is the orientation."""
+
+_LOCATION = r"(?:\d\d|--)"
+"""The location code of SEED, in front of the channel code or behind it."""
 
 _DOWN = r"up|ud|u-d|dwn|down|dn|ver|vrt|vert|vertical"
 _VERTICAL = re.compile(
-    rf"(?:{_DOWN}|v|z|[bcdefhlms][hnlg]z)(?:\W*(?:and|&)?\W*down)?", re.IGNORECASE
+    rf"(?:{_DOWN}|(?-i:U)|v|z|{_CHANNEL}z)(?:\W*(?:and|&)?\W*down)?", re.IGNORECASE
 )
-"""A vertical component. The last of the alternatives is a SEED code, such as HNZ."""
+"""A vertical component: a direction or a SEED code. A small u is a displacement as often."""
 
 _HORIZONTAL = re.compile(
     r"\d{1,3}(?:\W*deg\w*)?|[ns]\W?\d{1,2}\W?[ew]|[news]|ns|ew|n-s|e-w|north|east|south|west|"
-    r"[lthxy]\d?|ln|lng|long\w*|tr|trn|tran\w*|hor\w*|fn|fp|[bcdefhlms][hnlg][xyne12]",
+    rf"[lthxy]\d?|ln|lng|long\w*|tr|trn|tran\w*|hor\w*|fn|fp|{_CHANNEL}[xyne12]",
     re.IGNORECASE,
 )
 """A horizontal component: an azimuth in degrees, a direction, a SEED code."""
@@ -32,23 +40,28 @@ _LABEL = re.compile(
 """The component in a line of a header: "STREAM: HNZ", "Dir.  U-D", "Chan  2:  Up"."""
 
 _NO_COMPONENT = re.compile(
-    r"acc\w*|asc|at2|cor(?:r\w*)?|csv|dat|filt\w*|g|gal|raw|scaled|txt|unscaled", re.IGNORECASE
+    r"acc\w*|asc|at2|cor(?:r\w*)?|csv|dat|filt\w*|g|gal|raw|scaled|txt|unscaled|"
+    r"[cm]?m(?:ps2|/s.*)?|s(?:ec)?\^?2|\d{8,}\w*|",
+    re.IGNORECASE,
 )
-"""Words behind the component in the name of a file."""
+"""Words behind the component in the name of a file or column: kinds, units, a date, none at all."""
 
-_STATION_CODE = re.compile(
-    r"([^.]*\.[^.]*\.[^.]*)\.([bcdefhlms][hnlg][xyzne12])(\..*)?", re.IGNORECASE
-)
-"""Network, station, place and SEED code: IT.AQV.00.HNZ, with a date behind it."""
+_END = r"(?![^\W_])"  # of a word
+_CODE = rf"{_CHANNEL}[xyzne12]"
+_STATION_CODE = re.compile(rf"((?:[^.]*\.){{2,}}[^.]*)\.({_CODE}){_END}(.*)", re.IGNORECASE)
+"""Network, station, location and SEED code: IT.AQV.00.HNZ, perhaps with a date behind it."""
 
-_NAMED_BY_ENDING = re.compile(r"\.(?:(?:ns|ew|ud)[12]?|[bcdefhlms][hnlg][xyzne12])", re.IGNORECASE)
+_OPPOSITES = re.compile(rf"(?<![^\W_])(u(?=-d)|n(?=-s)|e(?=-w))-([dsw]){_END}", re.IGNORECASE)
+"""Two directions that are one word: U-D."""
+
+_NAMED_BY_ENDING = re.compile(rf"\.(?:(?:ns|ew|ud)[12]?|{_CODE})", re.IGNORECASE)
 _KIK_NET = re.compile(r"(ns|ew|ud)([12])", re.IGNORECASE)  # 1 in the borehole, 2 at the surface
 _AZIMUTH = r"(?!.*(?:19|20)\d\d$)(.*\D\d{0,3})([0-3]\d\d)"  # of a word that ends in no year
 _GLUED = re.compile(rf"{_AZIMUTH}|(.{{2,}})(dwn)", re.IGNORECASE)
 _GLUED_OF_PEER = re.compile(
-    rf"{_AZIMUTH}|(.{{2,}}?)({_DOWN}|[ns]\d\d[ew]|ns|ew|[lt])", re.IGNORECASE
+    rf"{_AZIMUTH}|(.{{2,}}?)({_CHANNEL}[zne12]|{_DOWN}|[ns]\d\d[ew]|ns|ew|[lt])", re.IGNORECASE
 )
-"""A station and its component without a mark between them: ELC180, PULDWN, HECVER."""
+"""A station and its component without a mark between them: ELC180, PULDWN, HECVER, SAOHLZ."""
 
 _PEER = re.compile(r"(?:RSN_?\d+|NGA_?(?:no_)?\d+)[^_]*(?:_(?=[^_]*_)[^_]+)?", re.IGNORECASE)
 """The number of a record of PEER, which its three components share, and its earthquake."""
@@ -71,13 +84,16 @@ def is_vertical(file_name: str, title: str = "", header: Iterable[str] = ()) -> 
 def split(name: str) -> tuple[str, str]:
     """The recording of a record, which its components have in common, and the component.
 
-    The component is empty where the name has none that is known.
+    The component is empty where the name has none that is known. A location code of SEED, of one of
+    several instruments at a station, belongs to the recording.
 
     >>> split("RSN6_IMPVALL.I_I-ELC180"), split("RSN6_IMPVALL.I_I-ELC-UP")
     (('RSN6_IMPVALL.I', '180'), ('RSN6_IMPVALL.I', 'UP'))
     """
     if of_peer := _PEER.match(name):
-        return of_peer[0], _split_words(name, of_peer=True)[1]
+        rest, component = _split_words(name, of_peer=True)
+        location = re.search(rf"\.{_LOCATION}$", rest)
+        return of_peer[0] + (location[0] if location else ""), component
     if in_set := _SET.fullmatch(name):
         recording, component = _split_words(in_set[1])
         return f"{recording}, FEMA P695 {in_set[2].replace('_', ' ')}", component
@@ -89,15 +105,26 @@ def split(name: str) -> tuple[str, str]:
     return (f"{before}, {recording}" if comma else recording), component
 
 
-def name_of(path: Path) -> str:
+def name_of(path: FilePath) -> str:
     """The name of a file without its ending, but with one that names a component: .UD2, .HNZ."""
+    path = in_text(path)
     return path.name if _NAMED_BY_ENDING.fullmatch(path.suffix) else path.stem
 
 
+def channel(component: str) -> str:
+    """Band and instrument of a component that is a SEED code; else an empty text."""
+    return component[:2].upper() if re.fullmatch(_CODE, component, re.IGNORECASE) else ""
+
+
 def _last_field(title: str) -> tuple[str, str]:
-    """A title in front of its last comma, and the field behind it without what is in brackets."""
+    """A title in front of its last comma, and the field behind it without what is in brackets.
+
+    A location code behind a SEED code, as in BH100, goes with the title.
+    """
     before, comma, last = re.sub(r"\s*\([^()]*\)\s*$", "", title).rpartition(",")
-    return before.strip(), last.strip() if comma else ""
+    before, last = before.strip(), last.strip() if comma else ""
+    located = re.fullmatch(_LOCATION, last[3:]) and channel(last[:3])
+    return (f"{before}, {last[3:]}", last[:3]) if located else (before, last)
 
 
 def _labelled(line: str) -> str:
@@ -118,10 +145,12 @@ def _direction(component: str) -> bool | None:
 def _split_words(name: str, of_peer: bool = False) -> tuple[str, str]:
     """See `split`; of a name in which marks separate the component."""
     if found := _STATION_CODE.fullmatch(name):
-        return f"{found[1]}{found[3] or ''}", found[2]
-    parts = re.split(r"([-_. ]+)", name)
+        return f"{found[1]}{found[3]}", found[2]
+    parts = re.split(r"([-_. ]+)", _OPPOSITES.sub(r"\1\2", name))
     words = range(0, len(parts), 2)
     last = next((n for n in reversed(words) if not _NO_COMPONENT.fullmatch(parts[n])), 0)
+    if last and re.fullmatch(_LOCATION, parts[last]) and channel(parts[last - 2]):
+        last -= 2  # as in BHZ.00
     word, before = parts[last], parts[max(last - 2, 0)]
 
     def without(n: int, rest: str = "") -> str:

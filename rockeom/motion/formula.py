@@ -8,6 +8,7 @@ from functools import wraps
 from typing import Any, NamedTuple, TypeVar
 
 from rockeom.motion.errors import MotionError
+from rockeom.motion.units import acceleration
 from rockeom.numbers.checks import is_number
 
 C = TypeVar("C", bound=type)
@@ -86,6 +87,11 @@ def with_formulas(cls: C) -> C:
 def _recorded(make: Callable[..., Any]) -> Callable[..., Any]:
     @wraps(make)
     def recorded(cls: type, *values: Any, **named: Any) -> Any:
+        if any(isinstance(x, str) for x in (*values, *named.values())):
+            bound = inspect.signature(make).bind(cls, *values, **named)
+            named = {n: acceleration(n, x) if UNITS.get(n) == "m/s2" else x
+                     for n, x in bound.arguments.items() if n != "cls"}  # fmt: skip
+            values = ()
         motion = make(cls, *values, **named)
         vars(motion)[_CALL] = make.__name__, values, named
         return motion

@@ -73,6 +73,7 @@ class GroundMotion(metaclass=explained.Constructors):
     The class methods make motions: `none`, `constant`, `half_sine`, `single_sine`,
     `single_cosine`, `harmonic`, `ricker`, `mavroeidis_papageorgiou`, `kanai_tajimi`,
     `clough_penzien`, `from_array`, `from_at2`, `from_columns`, `from_csv`, `read`, `from_library`.
+    The acceleration of a formula is a number of m/s2, or a text with its unit, such as "0.3 g".
 
     segments : (n, 7) start [s], end [s], kind, c0, c1, c2, c3 (see `SegmentKind`); contiguous from
         time 0. Before and after them the acceleration is zero. Read-only.
@@ -118,7 +119,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
     @classmethod
     def constant(
-        cls, acceleration: float, duration: float, total_duration: float | None = None
+        cls, acceleration: Acceleration, duration: float, total_duration: float | None = None
     ) -> GroundMotion:
         """Constant acceleration [m/s2] for `duration` [s]: a rectangular pulse if quiet follows.
 
@@ -131,7 +132,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
     @classmethod
     def half_sine(
-        cls, amplitude: float, period: float, duration: float | None = None
+        cls, amplitude: Acceleration, period: float, duration: float | None = None
     ) -> GroundMotion:
         """Half of a sine: amplitude sin(2 pi t/period) up to period/2.
 
@@ -142,7 +143,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
     @classmethod
     def single_sine(
-        cls, amplitude: float, period: float, duration: float | None = None
+        cls, amplitude: Acceleration, period: float, duration: float | None = None
     ) -> GroundMotion:
         """One full sine: amplitude sin(2 pi t/period) up to one period.
 
@@ -153,19 +154,18 @@ class GroundMotion(metaclass=explained.Constructors):
 
     @classmethod
     def single_cosine(
-        cls, amplitude: float, period: float, duration: float | None = None
+        cls, amplitude: Acceleration, period: float, duration: float | None = None
     ) -> GroundMotion:
         """One full cosine: amplitude cos(2 pi t/period) up to one period.
 
-        amplitude : [m/s2]; period [s]; duration : with the quiet time after the pulse [s], at
-        least the pulse; if not given, ten periods of quiet follow.
+        amplitude [m/s2], period [s] and duration [s] are as of `single_sine`.
         """
         return _pulse("single cosine", amplitude, period, 1.0, 0.5 * math.pi, duration)
 
     @classmethod
     def harmonic(
         cls,
-        amplitude: float,
+        amplitude: Acceleration,
         *,
         duration: float,
         frequency: float | None = None,
@@ -199,7 +199,7 @@ class GroundMotion(metaclass=explained.Constructors):
     @classmethod
     def ricker(
         cls,
-        amplitude: float,
+        amplitude: Acceleration,
         period: float,
         duration: float | None = None,
         antisymmetric: bool = False,
@@ -219,14 +219,10 @@ class GroundMotion(metaclass=explained.Constructors):
         """
         a, t_p = _finite("amplitude", amplitude), _positive("period", period)
         centre = _RICKER_HALF_WINDOW * t_p
+        kind, c0, c1 = RICKER, a, math.pi / t_p
         if antisymmetric:
-            kind, c0, c1 = (
-                ANTISYMMETRIC_RICKER,
-                a / ANTISYMMETRIC_RICKER_PEAK,
-                2.0 * math.pi / (math.sqrt(3.0) * t_p),
-            )
-        else:
-            kind, c0, c1 = RICKER, a, math.pi / t_p
+            kind, c0 = ANTISYMMETRIC_RICKER, a / ANTISYMMETRIC_RICKER_PEAK
+            c1 = 2.0 * math.pi / (math.sqrt(3.0) * t_p)
         shape = "antisymmetric Ricker" if antisymmetric else "Ricker"
         end = 2.0 * centre
         name = named(shape + ", {:.4g} m/s2, {:.4g} s", a, t_p)
@@ -388,7 +384,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises MotionError, with file, line, value and remedy, for anything the file does not state.
         """
-        return _from_record(*_readers().read_at2(path, units, gravity, name))
+        return _from_record(*_readers().read(path, units, gravity, name, is_at2=True))
 
     @classmethod
     def from_columns(
@@ -412,7 +408,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises MotionError, with file, line, value and remedy, for anything the file does not state.
         """
-        return _from_record(*_readers().read_columns(path, units, gravity, name))
+        return _from_record(*_readers().read(path, units, gravity, name, is_at2=False))
 
     @classmethod
     def from_csv(
@@ -425,13 +421,16 @@ class GroundMotion(metaclass=explained.Constructors):
         units: str | None = None,
         gravity: float = STANDARD_GRAVITY,
         name: str | None = None,
+        layout: str | None = None,
     ) -> GroundMotion:
         """Two columns out of several of a text file, by their headings or numbers (from 0).
 
         dt : the time step [s] of a file without a column of times. Else as in `from_columns`.
+        layout : "wrapped" for accelerations that run on from one column to the next, "columns" for
+        a channel in each. If not given, a file without a heading that looks wrapped is refused.
         """
         columns = time_column, acceleration_column
-        return _from_record(*_readers().read_csv(path, *columns, dt, units, gravity, name))
+        return _from_record(*_readers().read_csv(path, *columns, dt, units, gravity, name, layout))
 
     @classmethod
     def read(
@@ -825,7 +824,7 @@ def _analytic(name: str, segments: list[tuple[float, ...]]) -> GroundMotion:
 
 def _pulse(
     shape: str,
-    amplitude: float,
+    amplitude: Acceleration,
     period: float,
     periods: float,
     angle: float,

@@ -12,6 +12,7 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom.files import in_text
 from rockeom.motion import intensity as measured, library
 from rockeom.motion.arguments import positive
 from rockeom.motion.components import name_of
@@ -89,8 +90,8 @@ class MotionSet(Sequence[GroundMotion]):
             "RSN*_H1.at2". Folders within the folder are not looked into.
         units, gravity : as of `GroundMotion.read`, for all files.
         components : "horizontal", "vertical" or "all". A component is vertical if its header or
-            the name of its file says so (UP, DWN, UD, V, VERT, Z, HNZ); a warning names those that
-            "horizontal" leaves out.
+            the name of its file says so (UP, DWN, UD, U-D, U, V, VERT, Z, or a SEED code such as
+            HNZ, with or without its location); a warning names those that "horizontal" leaves out.
 
         The motions are in the order of their names. Raises MotionError where no file has such a
         name or is of such a component, and where one cannot be read: it tells of all that cannot.
@@ -121,7 +122,7 @@ class MotionSet(Sequence[GroundMotion]):
                 "silently: mend them, or give a pattern that they do not have\n  "
                 + "\n  ".join(faults)
             )
-        made = cls(motions, folder.name)
+        made = cls(motions, in_text(folder).name)
         kept = chosen(dict(zip(made.names, made, strict=True)), components, str(folder))
         return cls(kept.values(), made.name)
 
@@ -218,8 +219,9 @@ class MotionSet(Sequence[GroundMotion]):
                 for pair in recording.in_plane():
                     rk.simulate(block, pair)
 
-        Raises MotionError for a vertical component without a horizontal one, for more components
-        than three of one name, and for two azimuths that are not at right angles.
+        Several instruments of a station, told apart by location and channel in SEED, are several
+        recordings. Raises MotionError for a vertical component without a horizontal one, for more
+        components than three of one name, and for two azimuths that are not at right angles.
         """
         return recordings(self, self.name)
 

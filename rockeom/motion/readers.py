@@ -26,6 +26,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from rockeom.files import in_text
 from rockeom.motion import components
 from rockeom.motion.arguments import positive
 from rockeom.motion.errors import FilePath, MotionError
@@ -57,21 +58,22 @@ class Record(NamedTuple):
     is_vertical: bool = False
 
 
-def read(path: FilePath, units: str | None, gravity: float, name: str | None) -> Record:
-    """A PEER record or two columns, whichever the file is by its name or by its header."""
+def read(
+    path: FilePath,
+    units: str | None,
+    gravity: float,
+    name: str | None,
+    is_at2: bool | None = None,
+) -> Record:
+    """A PEER record or two columns of time and acceleration.
+
+    is_at2 : which of both the file is; by its name or by its header if not given. A record has the
+    old ("4000 0.01 NPTS, DT") or the new ("NPTS=, DT=") header.
+    """
     text = _open(path)
-    is_at2 = Path(path).suffix.lower() == ".at2" or _last_header_line(_head(text)) is not None
+    if is_at2 is None:
+        is_at2 = Path(path).suffix.lower() == ".at2" or _last_header_line(_head(text)) is not None
     return (_at2 if is_at2 else _columns)(text, units, gravity, name)
-
-
-def read_at2(path: FilePath, units: str | None, gravity: float, name: str | None) -> Record:
-    """A PEER record, with the old ("4000 0.01 NPTS, DT") or the new ("NPTS=, DT=") header."""
-    return _at2(_open(path), units, gravity, name)
-
-
-def read_columns(path: FilePath, units: str | None, gravity: float, name: str | None) -> Record:
-    """Two columns: time and acceleration."""
-    return _columns(_open(path), units, gravity, name)
 
 
 def read_csv(
@@ -82,16 +84,30 @@ def read_csv(
     units: str | None,
     gravity: float,
     name: str | None,
+    layout: str | None = None,
 ) -> Record:
     """Two columns out of several, each named by its heading or its number (the first is 0).
 
     dt : the time step [s] in place of a column of times; a file of one column has none to name.
+    layout : "columns", "wrapped" for values that run on from one column to the next, or None, which
+    refuses what looks like these.
     """
+    if layout not in (None, "columns", "wrapped"):
+        raise MotionError(f'layout is {described(layout)}: choose "columns" or "wrapped"')
     table = _table(_open(path))
     if (time_column is None) == (dt is None):
         what = "time_column and dt are both given, or neither"
         remedy = "give the column of the times, or the time step [s] of a file without one"
         raise MotionError.at(path, None, what, remedy)
+    if layout == "wrapped":
+        if dt is None or acceleration_column is not None:
+            what = 'layout="wrapped" has no columns to name'
+            raise MotionError.at(path, None, what, "give dt, and no column")
+        return _record(table, positive("dt", dt), 0, units, gravity, name, _in_sequence(table))
+    if layout is None and dt is not None and not table.names and _runs_on(table):
+        what = f"its {len(table.first)} columns look like one sequence of values, line by line"
+        remedy = 'say layout="wrapped" if it is one, or layout="columns" if each is a channel'
+        raise MotionError.at(path, table.first_line, what, remedy)
     if acceleration_column is None and (len(table.first) > 1 or dt is None):
         what = f"no column of {len(table.first)} is named as that of the acceleration"
         raise MotionError.at(path, table.first_line, what, "name acceleration_column")
@@ -133,7 +149,7 @@ def read_channels(
     factors = [_channel_factor(table, i, n, units.get(n), gravity) for i, n in columns.items()]
     start, dt, values = _sampled(table, time, columns)
     scaled = {n: v * f for n, v, f in zip(wanted, values, factors, strict=True)}
-    return Channels(start, dt, scaled, Path(path).stem)
+    return Channels(start, dt, scaled, in_text(path).stem)
 
 
 def _full(table: _Table, name: str) -> str:
@@ -399,11 +415,9 @@ def _at2(text: _Text, units: str | None, gravity: float, name: str | None) -> Re
         raise MotionError.at(path, last, what, remedy)
 
     titled = len(header) >= 2 and unit_line != 2 and header[1].strip()
-    title = " ".join(header[1].split()) if titled else Path(path).stem
-    source = f"{Path(path).name}, line 2: {title}" if titled else Path(path).name
-    is_vertical = components.is_vertical(
-        components.name_of(Path(path)), title if titled else "", header
-    )
+    title = " ".join(header[1].split()) if titled else in_text(path).stem
+    source = f"{in_text(path).name}, line 2: {title}" if titled else in_text(path).name
+    is_vertical = components.is_vertical(components.name_of(path), title if titled else "", header)
     return Record(np.array(samples) * to_si, dt, name or title, source, is_vertical)
 
 
@@ -445,17 +459,12 @@ def _npts_and_dt(path: FilePath, line: int, text: str) -> tuple[str, float]:
     if not (npts.isascii() and npts.isdecimal()):
         what = f"NPTS is {_short(npts)} in {_short(text)}, not a whole number"
         raise MotionError.at(path, line, what, "correct the header or download the record again")
-    if not _NUMBER.fullmatch(dt_text):
-        what = f"DT is missing: no number follows it in {_short(text)}"
-        raise MotionError.at(
-            path, line, what, "write the time step in seconds, as in DT= .0100 SEC"
-        )
-    dt = _number(dt_text, path, line, "DT")
-    if dt <= 0:
-        what = f"DT is {_cut(dt_text)} s, not positive"
-        raise MotionError.at(
-            path, line, what, "write the time step in seconds, as in DT= .0100 SEC"
-        )
+    dt = _number(dt_text, path, line, "DT") if _NUMBER.fullmatch(dt_text) else 0.0
+    if dt <= 0.0:
+        missing = f"DT is missing: no number follows it in {_short(text)}"
+        what = f"DT is {_cut(dt_text)} s, not positive" if _NUMBER.fullmatch(dt_text) else missing
+        remedy = "write the time step in seconds, as in DT= .0100 SEC"
+        raise MotionError.at(path, line, what, remedy)
     if dt_unit not in ("", *_SECONDS):
         what = f"DT is in {_short(dt_unit)} in {_short(text)}"
         raise MotionError.at(path, line, what, "write the time step in seconds")
@@ -471,6 +480,10 @@ _NAME = re.compile(r"[^\d+\-.]*[^\W\d_]|.*[^\W\d_eEdD]")
 _BRACKETED = re.compile(r"[\[(]([^\[\]()]+)[\])]")
 _NAME_WITH_UNIT = re.compile(r"[^\s\[(]+(?:\s*[\[(][^\[\]()]*[\])])?")
 _EXACT = Context(prec=28)  # not the caller's
+_WRAPPED = '; GroundMotion.from_csv(path, dt=0.01, layout="wrapped") reads values that run on'
+
+
+_Block = list[tuple[int, list[str]]]
 
 
 @dataclass(frozen=True)
@@ -484,7 +497,7 @@ class _Table:
     first_line: int
     first: list[str]
 
-    def blocks(self) -> Iterator[list[tuple[int, list[str]]]]:
+    def blocks(self) -> Iterator[_Block]:
         """Rows of fields with the numbers of their lines, some thousand at once."""
         path, width = self.text.path, len(self.first)
         for block in self.text.content():
@@ -497,6 +510,7 @@ class _Table:
                 if len(row) != width:
                     what = f"{len(row)} columns, where line {self.first_line} has {width}"
                     remedy = "complete this line, or write comments behind #"
+                    remedy += "" if self.names else _WRAPPED
                     raise MotionError.at(path, number, what, remedy)
             if rows:
                 yield rows
@@ -519,6 +533,7 @@ def _columns(text: _Text, units: str | None, gravity: float, name: str | None) -
             "name the columns of time and acceleration with GroundMotion.from_csv, "
             "and write numbers with a decimal point"
         )
+        remedy += "" if table.names else _WRAPPED
         raise MotionError.at(text.path, table.first_line, what, remedy)
     return _record(table, 0, 1, units, gravity, name)
 
@@ -600,40 +615,71 @@ def _record(
     units: str | None,
     gravity: float,
     name: str | None,
+    values: np.ndarray | None = None,
 ) -> Record:
-    """time : the number of its column, or the time step [s] as a float."""
+    """time : the number of its column, or the time step [s] as a float.
+
+    values : the accelerations (n,), if they are not those of a column.
+    """
     path = table.text.path
     in_file = _unit_in_heading(table, acceleration)
     in_file = in_file if in_file is not None and is_known(in_file) else None
     to_si = _factor(path, table.header_line, in_file, units, gravity)
     if isinstance(time, float):
-        start, dt, a = 0.0, time, _values(table, acceleration)
+        start, dt = 0.0, time
+        a = _values(table, acceleration) if values is None else values
     else:
         start, dt, (a,) = _sampled(table, time, {acceleration: "acceleration"})
-    source = Path(path).name
+    source = in_text(path).name
     if start != 0.0:
         source += f", whose time {start:g} s is the start of the motion"
     header = [line for _, line in islice(table.text.lines(), table.first_line - 1)]
     if len(table.names) == len(table.first):
         heading = _BRACKETED.sub("", table.names[acceleration]).strip()
         header.insert(0, f"component: {components.split(heading)[1]}")
-    file_name = components.name_of(Path(path))
+    file_name = components.name_of(path)
     is_vertical = components.is_vertical(file_name, header=header)
     return Record(a * to_si, dt, name or file_name, source, is_vertical)
 
 
 def _values(table: _Table, column: int) -> np.ndarray:
     """The numbers (n,) of a column."""
-    found = array("d")
+    values = array("d")
     for block in table.blocks():
-        found.extend(
-            _numbers([row[column] for _, row in block])
-            or [  # one by one, which tells the line
-                _number(row[column], table.text.path, line, f"acceleration of sample {n}")
-                for n, (line, row) in enumerate(block, len(found) + 1)
-            ]
-        )
-    return np.array(found)
+        values.extend(_of_block(table, block, column, "acceleration", len(values)))
+    return np.array(values)
+
+
+def _of_block(table: _Table, block: _Block, column: int, what: str, before: int) -> list[float]:
+    """The numbers of a column in a block, after so many before; `what` names them in an error."""
+    return _numbers([row[column] for _, row in block]) or [  # one by one, which tells the line
+        _number(row[column], table.text.path, line, f"{what} of sample {n}")
+        for n, (line, row) in enumerate(block, before + 1)
+    ]
+
+
+def _in_sequence(table: _Table) -> np.ndarray:
+    """The numbers (n,) of all rows, one after the other; the last row may be shorter."""
+    values, path = array("d"), table.text.path
+    for line, text in chain.from_iterable(table.text.content()):
+        if line < table.first_line:
+            continue
+        if len(values) % len(table.first):
+            what = f"{len(values)} values stand above, and the first line has {len(table.first)}"
+            raise MotionError.at(path, line, what, "complete the line above")
+        fields = _fields(path, line, text, table.delimiter)
+        values.extend(_numbers(fields) or _glued(fields, path, line, len(values)))
+    return np.array(values)
+
+
+def _runs_on(table: _Table) -> bool:
+    """Whether numbers change less from column to column than from row to row."""
+    rows = [_numbers(row) for _, row in chain.from_iterable(table.blocks())]
+    if len(table.first) == 1 or None in rows:
+        return False
+    x = np.array(rows)
+    across, down = np.abs(np.diff(x.ravel())), np.abs(np.diff(x, axis=0))
+    return len(x) == 1 or bool(across.mean() < down.mean())
 
 
 def _sampled(
@@ -654,15 +700,8 @@ def _sampled(
     last_digits, leading = array("q"), array("q")
     ends: list[Decimal] = []
     for block in table.blocks():
-        values = {c: _numbers([row[c] for _, row in block]) for c in called}
-        if any(v is None for v in values.values()):  # one by one, which tells the line
-            values = {c: [] for c in called}
-            for n, (line, row) in enumerate(block, len(found[time]) + 1):
-                for c, what in called.items():
-                    number = _number(row[c], path, line, f"{what} of sample {n}")
-                    values[c].append(number)  # type: ignore[union-attr]
-        for c, read in values.items():
-            found[c].extend(read or ())
+        for c, what in called.items():
+            found[c].extend(_of_block(table, block, c, what, len(found[c])))
         for line, row in block:
             exact = _decimal(path, line, row[time])
             last_digits.append(int(exact.as_tuple().exponent))

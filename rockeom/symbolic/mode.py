@@ -26,7 +26,7 @@ class Mode:
     """Bodies, springs and dampers while the same contacts stay closed.
 
     sides : the side of each mode that these equations serve. A rocking mode serves two,
-        {"left": -1, "right": +1}, written once with the side s = sgn(theta).
+        {"left": -1, "right": +1}, written once with `SIDE`, s = sgn(theta).
     coordinates : those free to move; all others stay where they are.
     elements : springs and dampers by name, see `Spring`; their energies and losses are added to
         elastic_energy and dissipation. The names are the same in each mode.

@@ -45,12 +45,14 @@ def test_files_of_columns_and_of_values_alone_are_the_same_motion(capsys, tmp_pa
     (tmp_path / "table.csv").write_text("t,ew,ns\n0,9,0\n1,9,0.2\n2,9,-0.3\n", "utf-8")
     (tmp_path / "values.txt").write_text("0\n0.2\n-0.3\n", "utf-8")
     (tmp_path / "t_ns.txt").write_text("0 0\n1 0.2\n2 -0.3\n", "utf-8")
+    (tmp_path / "wrapped.txt").write_text("0 0.2\n-0.3\n", "utf-8")
     said = set()
     for file, *how in (
         ("table.csv", "--columns", "t", "ns"),
         ("table.csv", "--columns", "0", "2"),
         ("table.csv", "--columns", "ns", "--dt", "1"),
         ("values.txt", "--dt", "1"),
+        ("wrapped.txt", "--dt", "1", "--layout", "wrapped"),
         ("t_ns.txt",),
     ):
         motion = ["--motion", str(tmp_path / file), "--units", "g", *how]

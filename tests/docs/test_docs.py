@@ -51,9 +51,11 @@ def _module(name: str):
 def documented() -> set[str]:
     """Full names that the pages of the reference show, as Sphinx's autodoc finds them."""
     found = set()
+    shown_of = _module("catalogue").analysis
     for page in (DOCS / "reference").glob("*.md"):
         text = page.read_text(encoding="utf-8")
         text = re.sub("<!-- structures .* -->", _module("gallery").reference(), text)
+        text = re.sub("<!-- analysis (.*) -->", lambda place: shown_of(place[1]), text)
         found |= set(re.findall(r"^\.\. auto(?:class|function|data):: ([\w.]+)", text, re.M))
         for package in re.findall(
             r"^\.\. automodule:: ([\w.]+)\n   :imported-members:", text, re.M
@@ -408,12 +410,13 @@ def test_page_runs(page, capsys):
 
 def test_table_of_structures_is_complete_and_right():
     text = (DOCS / "structures.md").read_text("utf-8")
-    rows = re.findall(r"^\| `(\w+)` \| `(\w+)` \|.*\| (.*) \|$", text, flags=re.MULTILINE)
-    assert {model for _, model, _ in rows} == set(rockeom.models())
-    for name, model, coordinates in rows:
-        assert getattr(rockeom, name).model == model
+    rows = re.findall(r"^\| `([A-Z]\w+)` \|[^|]*\| ([^|]*) \|[^|]*\|$", text, flags=re.MULTILINE)
+    models = {name: re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower() for name, _ in rows}
+    assert {*models.values()} == set(rockeom.models())
+    for name, coordinates in rows:
+        assert getattr(rockeom, name).model == models[name]
         shown = re.findall(r"`(\w+)`", coordinates)
-        assert shown == [c.name for c in rockeom.derive(model).coordinates]
+        assert shown == [c.name for c in rockeom.derive(models[name]).coordinates]
 
 
 def test_outcomes_are_all_named():

@@ -234,7 +234,7 @@ MOTIONS = [
         NAME, lambda: GM.single_sine(amplitude=3.0, frequency=2.0), TypeError,
         "unknown frequency (give period = 1/frequency)",
     ),
-    mistake(UNIT, lambda: GM.single_sine("3 m/s2", 0.5), rk.MotionError, "amplitude is '3 m/s2'"),
+    mistake(UNIT, lambda: GM.single_sine("3 m", 0.5), rk.MotionError, "amplitude is '3 m'"),
     mistake(
         VALUE, lambda: GM.single_sine(3.0, 0.5, duration=0.1), rk.MotionError,
         "duration is 0.1 s", "give a longer duration",

@@ -30,8 +30,14 @@ VERTICAL = """
     elcentro_VERT elcentro-Z elcentro_vertical_1940 CLS-UP_corrected SYL_UD_acc UP Z vertical
     IWT0100806140843.UD IWTH250806140843.UD1 IWTH250806140843.UD2 MYG0131103111446_UD
     IT.AQV.00.HNZ.D.20090406.013240.C.ACC.ASC IT.AQV..HGZ.D.20090406.013240.X.ACC CE.24436.HNZ
+    RSN10590_ComalTX11-10-20_IU.CCM.BHZ.00 RSN10590_ComalTX11-10-20_IU.CCM.BHZ.-- RSN1_X_IU.CCM.BHZ
+    RSN9001_14151344_BKSAOHLZ RSN9002_14151344_N5471HNZ RSN9003_14151344_CISDDENZ
+    20230206011732_3126_ap_Acc_U U U-D acc_U-D U-D_gal HNZ_cm_s2 U_cm_s2 HNZ_m/s2 Z_mps2 UD_mm/s/s
+    us1000hyfh_akbmrp_AKBMR--n.1000hyfh.BNZ.--.acc ci38457511.CI.CLC.HNZ.-- BK.SAO.HNZ.00 HNZ.00
+    CI_CLC_HNZ_00 CI-CLC-10-HNZ elcentro_UP_19400518 IU.ANMO.00.HNZ__20180101T000000Z
+    2010.058.06.34.14.0000.IU.ANMO.00.LHZ.R.SAC IU_ANMO_00_H_N_Z
 """
-"""PEER, NGA-West 1, K-NET, KiK-net, ESM, SEED and names that researchers give."""
+"""PEER, NGA-West 1, NGA-East, K-NET, KiK-net, ESM, AFAD, COSMOS, SEED and names of researchers."""
 
 HORIZONTAL = """
     RSN6_IMPVALL.I_I-ELC180 RSN6_IMPVALL.I_I-ELC270-hor2 RSN77_SFERN_PUL164 RSN2114_DENALI_PS10-047
@@ -44,6 +50,10 @@ HORIZONTAL = """
     Vertical_array_EW lotung_vertical_array_3 scaled_up ramp-up record_V1 record_1 V2 Z0 first H2
     scaled_down record_ver_2
     HNE_UPPER Avezzano Vrancea1977 Kobe1995 Chile2010 zone-5 ELC_FN ELC_FP motion
+    RSN10590_ComalTX11-10-20_IU.CCM.BH1.00 RSN10590_ComalTX11-10-20_IU.CCM.BH2.00
+    RSN9001_14151344_BKSAOHLE RSN9001_14151344_BKSAOHLN RSN9002_14151344_N5471HN2
+    20230206011732_3126_ap_Acc_E 20230206011732_3126_ap_Acc_N N-S E-W HNE_cm_s2 N_cm_s2 u_g HN3
+    BK.SAO.HNE.00 CI_CLC_HNN_00 LORENZ DNZ_1976 X_LORENZ090 run_UP_12 BG100
 """
 """Stations and words that begin, end or go on as a vertical component does; ambiguous names."""
 
@@ -73,6 +83,8 @@ TITLES = {
     "IMPERIAL VALLEY 5/19/40 0439, EL CENTRO ARRAY #9, UP (USGS STATION 117)": True,
     "IMPERIAL VALLEY 5/19/40 0439, EL CENTRO ARRAY #9, 270 (USGS STATION 117)": False,
     "Chi-Chi, Taiwan, 9/20/1999, CHY080, V": True,
+    "ComalTX11-10-20, 10/20/2011, CCM, BHZ00": True,
+    "ComalTX11-10-20, 10/20/2011, CCM, BH100": False,
     "Whittier Narrows-01, 10/1/1987, Upland - San Antonio Dam, 15": False,
 }
 LINES = {
@@ -84,6 +96,7 @@ LINES = {
     "Chan  1:  90 Deg": False,
     "Channel 2: UP - FREE FIELD": True,
     "Component: Vertical": True,
+    "STREAM: U": True,
     "COMPONENT = 360": False,
 }
 
@@ -111,15 +124,19 @@ def test_header_of_columns_decides_against_the_name_of_their_file(tmp_path, line
         assert GroundMotion.read(path, units="g").is_vertical == vertical
 
 
-def test_column_of_a_table_is_vertical_by_its_heading(tmp_path):
+@pytest.mark.parametrize(
+    ("across", "up"),
+    [("acc NS (g)", "acc UD (g)"), ("N-S", "U-D"), ("HNE_cm_s2", "HNZ_cm_s2"), ("E", "U")],
+)
+def test_column_of_a_table_is_vertical_by_its_heading(tmp_path, across, up):
     path = tmp_path / "table.csv"
-    path.write_text("time (s),acc NS (g),acc UD (g)\n0.00,0.1,0.2\n0.01,0.2,0.1\n0.02,0.0,0.0\n")
+    path.write_text(f"time (s),{across},{up}\n0.00,0.1,0.2\n0.01,0.2,0.1\n0.02,0.0,0.0\n")
 
     def column(heading):
-        return GroundMotion.from_csv(path, time_column="time (s)", acceleration_column=heading)
+        return GroundMotion.from_csv(path, time_column=0, acceleration_column=heading, units="g")
 
-    assert column("acc UD (g)").is_vertical
-    assert not column("acc NS (g)").is_vertical
+    assert column(up).is_vertical
+    assert not column(across).is_vertical
 
 
 def test_what_is_made_of_a_vertical_component_is_vertical(tmp_path):
@@ -198,6 +215,25 @@ def test_files_of_other_databases_are_triplets(tmp_path, names):
     assert found.vertical.source == names[2]
 
 
+@pytest.mark.parametrize(
+    ("form", "instruments", "expected"),
+    [
+        ("RSN10590_ComalTX_IU.CCM.{}.00", ["BH"], ["RSN10590_ComalTX.00"]),
+        ("RSN9001_14151344_BKSAO{}", ["HL"], ["RSN9001_14151344"]),
+        ("CI.CLC..{}", ["HN", "HH"], ["CI.CLC., HN", "CI.CLC., HH"]),
+        ("BK_SAO_{}_00", ["HN", "BH"], ["BK_SAO_00, HN", "BK_SAO_00, BH"]),
+        ("ComalTX, 10/20/2011, CCM, {}10", ["BH"], ["ComalTX, 10/20/2011, CCM, 10"]),
+    ],
+)
+def test_instruments_of_a_station_are_told_apart(form, instruments, expected):
+    names = [form.format(code + way) for code in instruments for way in "12Z"]
+    elsewhere = [name.replace(".00", ".10").replace("_00", "_10") for name in names]
+    recordings = named(*dict.fromkeys([*names, *elsewhere])).recordings()
+    assert [one.name for one in recordings][: len(expected)] == expected
+    assert len(recordings) == len({*names, *elsewhere}) // 3
+    assert all((len(one.horizontal), one.vertical is None) == (2, False) for one in recordings)
+
+
 def named(*names):
     return MotionSet(
         replace(GroundMotion.from_array(np.ones(3), 0.1, name=n), is_vertical=is_vertical(n))
@@ -211,7 +247,7 @@ def test_what_is_no_recording_is_refused_and_records_without_a_component_are_the
     ]  # fmt: skip
     with pytest.raises(MotionError, match="no horizontal component"):
         named("ELC-UP").recordings()
-    with pytest.raises(MotionError, match="more than three components"):
+    with pytest.raises(MotionError, match="'run' has 3 horizontal and 0 vertical components"):
         named("run_000", "run_090", "run_180").recordings()
     with pytest.raises(MotionError, match="no right angle"):
         named("run_001", "run_002").recordings()

@@ -11,6 +11,7 @@ from scipy.integrate import quad, trapezoid
 from scipy.optimize import minimize_scalar
 
 from rockeom.motion import GroundMotion, MotionError, SegmentKind
+from rockeom.motion.formula import formula_of
 
 RICKERS = {"symmetric": False, "antisymmetric": True}
 
@@ -409,6 +410,20 @@ def test_motions_differ_by_acceleration_and_by_name():
     assert motion != "one"
 
 
+@pytest.mark.parametrize(
+    "made",
+    [
+        lambda a: GroundMotion.half_sine(period=0.5, amplitude=a),
+        lambda a: GroundMotion.harmonic(a, frequency=2.0, duration=3.0, phase=0.1),
+        lambda a: GroundMotion.constant(a, 0.5, total_duration=2.0),
+        lambda a: formula_of(GroundMotion.single_cosine(1.0, 0.5)).with_numbers({"amplitude": a}),
+    ],
+)
+def test_acceleration_of_a_formula_may_be_a_text_with_its_unit(made):
+    assert made("0.3 g") == made(0.3 * 9.81)
+    assert formula_of(made("-25 cm/s2")).numbers == formula_of(made(-0.25)).numbers
+
+
 # -- bad input -----------------------------------------------------------------------------------
 
 
@@ -419,6 +434,9 @@ def test_motions_differ_by_acceleration_and_by_name():
         (lambda: GroundMotion.none(math.inf), r"duration is inf: give a finite number"),
         (lambda: GroundMotion.single_sine(math.nan, 1.0), r"amplitude is nan.*finite number"),
         (lambda: GroundMotion.single_sine("strong", 1.0), r"amplitude is 'strong': give a number"),
+        (lambda: GroundMotion.single_sine("3", 1.0), r"amplitude is '3'.*such as \"0\.4 g\""),
+        (lambda: GroundMotion.single_sine("3 ft", 1.0), r"amplitude is '3 ft': units 'ft' are"),
+        (lambda: GroundMotion.single_sine(1.0, "1 s"), r"period is '1 s': give a number"),
         (lambda: GroundMotion.ricker(1.0, -0.5), r"period is -0\.5: give a positive number"),
         (lambda: GroundMotion.single_sine(1.0, 2.0, 1.5), r"1\.5 s.*lasts 2 s: give a longer"),
         (lambda: GroundMotion.constant(1.0, 2.0, 1.0), r"1 s.*lasts 2 s: give a longer"),

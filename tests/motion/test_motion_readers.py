@@ -1,5 +1,6 @@
 """Records read from files: what the formats allow, and how each bad file is refused."""
 
+import os
 import re
 import time
 from pathlib import Path
@@ -8,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from rockeom.motion import GroundMotion, MotionError
+from rockeom.motion import GroundMotion, MotionError, MotionSet
 from tests.pipes import pipe
 
 TITLE = "Somewhere-01, 1/2/1999, Old Station #3, 45"
@@ -106,6 +107,21 @@ def test_at2_latin1_letters_in_the_header_and_a_dos_end_of_file_are_read(tmp_pat
     text = at2([0.1, 0.2]).replace("Old Station", "Caf\xe9")
     path = write(tmp_path, "r.AT2", text.encode("latin-1") + b"\x1a")
     assert GroundMotion.from_at2(path).name == "Somewhere-01, 1/2/1999, Caf\xe9 #3, 45"
+
+
+@pytest.mark.parametrize("header", ["", "0.1 0.2 NPTS, DT\n"])
+def test_name_of_a_file_that_is_not_utf8_is_text_wherever_it_goes(tmp_path, header):
+    folder = Path(os.fsdecode(os.fsencode(tmp_path) + b"/caf\xe9"))
+    folder.mkdir()
+    path = Path(os.fsdecode(os.fsencode(folder) + b"/\xe9t\xe9.txt"))
+    path.write_text(header.replace("0.1", "4", 1) + "0 0.1\n0.1 0.2\n")
+    motion = GroundMotion.read(path, units="g")
+    assert (motion.name, motion.source) == ("\xe9t\xe9", "\xe9t\xe9.txt")
+    motions = MotionSet.from_folder(folder, "*.txt", units="g")
+    assert (motions.name, motions.names) == ("caf\xe9", ("\xe9t\xe9",))
+    with pytest.raises(MotionError, match="no such file") as error:
+        GroundMotion.read(f"{path}x")
+    str(error.value).encode()
 
 
 def test_at2_units_are_those_of_the_header(tmp_path):

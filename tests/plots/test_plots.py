@@ -3,7 +3,6 @@
 import gc
 import warnings
 from dataclasses import replace
-from itertools import pairwise
 
 import matplotlib as mpl
 import numpy as np
@@ -11,8 +10,15 @@ import pytest
 from matplotlib.figure import Figure
 
 import rockeom as rk
-from rockeom.drawing.style import FEET, FEET_OF_MODES, contact_spans
-from rockeom.plots import draw_structure, plot_comparison, plot_phase_portrait, plot_response
+from rockeom.drawing.ground_motion import plot_spectra
+from rockeom.drawing.style import FEET, contacts, full_contact, spans_in, symbol
+from rockeom.plots import (
+    design_report,
+    draw_structure,
+    plot_comparison,
+    plot_phase_portrait,
+    plot_response,
+)
 from rockeom.structures.classes import SHIPPED
 from tests.shipped import plain
 
@@ -28,6 +34,10 @@ COLUMN = {
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.45)
 FLEXIBLE = rk.FlexibleStructure(**COLUMN, stiffness=571.8e3, damping=502.4)
 SPRINGS = rk.TwoSpringStructure(**COLUMN, foundation_stiffness=550e3, foundation_damping=1e3)
+STACK = rk.StackedBlocks(
+    lower_half_width=0.4, lower_half_height=0.4, upper_half_width=0.2, upper_half_height=0.5
+)
+BED = rk.Winkler(springs=4, stiffness=550e3, damping=1e3)
 PULSE = rk.GroundMotion.single_sine(2.8, 0.5, 3.0)
 STRONG = rk.GroundMotion.single_sine(6.0, 0.3, 1.5)
 
@@ -41,6 +51,10 @@ RUNS = {
     "overturned": lambda: rk.simulate(BLOCK, PULSE.scaled(acceleration=2.0)),
     "flexible": lambda: rk.simulate(FLEXIBLE, STRONG),
     "on springs": lambda: rk.simulate(SPRINGS, STRONG),
+    "stack": lambda: rk.simulate(STACK, STRONG),
+    "on a bed": lambda: rk.simulate(
+        rk.FlexibleStructure(**COLUMN, stiffness=571.8e3, damping=502.4, support=BED), STRONG
+    ),
     "cart": lambda: rk.simulate(rk.TwoSpringCart(**COLUMN, foundation_stiffness=550e3), STRONG),
     "without dimensions": lambda: rk.simulate(
         rk.NondimensionalBlock(alpha=0.2), rk.GroundMotion.single_sine(0.4, 3.0)
@@ -184,15 +198,39 @@ def test_free_rocking_wastes_no_row_on_a_ground_that_stands_still(run_of):
 @pytest.mark.parametrize("name", RUNS)
 def test_modes_follow_one_another_without_gap(name, run_of):
     run = run_of(name)
-    spans, names = contact_spans(run)
-    assert spans[0, 0] == run.t[0]
-    assert spans[-1, 1] == run.t[-1]
-    np.testing.assert_array_equal(spans[1:, 0], spans[:-1, 1])
-    assert all(a != b for a, b in pairwise(names))
-    # each sample well inside a span has the mode of that span
-    for (start, end), name_of_span in zip(spans, names, strict=True):
-        inside = (run.t > start) & (run.t < end)
-        assert {mode.split("_")[0] for mode in run.mode[inside]} <= {name_of_span}
+    for states in contacts(run).values():
+        closed, open_ = spans_in(run, states > 0), spans_in(run, states == 0)
+        spans = np.sort(np.concatenate([closed, open_]), axis=0)
+        assert (spans[0, 0], spans[-1, 1]) == (run.t[0], run.t[-1])
+        np.testing.assert_array_equal(spans[1:, 0], spans[:-1, 1])
+
+
+def within(run: rk.Response, spans: np.ndarray) -> np.ndarray:
+    """The samples well inside of spans of time."""
+    return np.any([np.zeros(len(run.t)), *((run.t > a) & (run.t < b) for a, b in spans)], axis=0)
+
+
+@pytest.mark.parametrize("name", ["flexible", "on springs", "stack", "on a bed"])
+def test_open_contacts_bear_nothing_and_each_has_its_curve_and_its_lane(name, run_of):
+    run = run_of(name)
+    figure = plot_response(run)
+    names = [contact.replace("_", " ") for contact in contacts(run)]
+    for (contact, states), label in zip(contacts(run).items(), names, strict=True):
+        is_open, force = within(run, spans_in(run, states == 0)), run[f"{contact}_reaction"]
+        assert is_open.any()
+        assert not force[is_open].any()
+        assert force[within(run, spans_in(run, states > 0))].min() > -1e-9
+        assert (force[within(run, full_contact(run))] > 0.0).all()
+        (line,) = (x for x in row(figure, "uplift").lines if x.get_label().startswith(label))
+        np.testing.assert_allclose(values(line), 1e3 * run[f"{contact}_uplift"])
+    assert [x.get_text() for x in row(figure, "contact").get_yticklabels()] == names
+
+
+@pytest.mark.parametrize("name", ["stack", "on a bed"])
+def test_no_two_curves_of_a_row_look_alike(name, run_of):
+    for ax in plot_response(run_of(name)).axes[:-1]:
+        looks = [(line.get_color(), line.get_linestyle()) for line in ax.lines]
+        assert len({*looks}) == len(looks)
 
 
 # Fails: the right foot is blue where it lifts and orange where it stands.
@@ -203,10 +241,8 @@ def test_each_foot_has_one_colour_and_nothing_else_has_it(name, run_of):
     for foot, color in FEET.items():
         (line,) = (line for line in feet.lines if foot in line.get_label())
         assert line.get_color() == color
-        # the band of the mode is a light shade of it
-        hue, _, _ = mpl.colors.rgb_to_hsv(mpl.colors.to_rgb(color))
-        light, _, _ = mpl.colors.rgb_to_hsv(mpl.colors.to_rgb(FEET_OF_MODES[foot]))
-        assert abs(hue - light) < 0.05
+        lane = row(figure, "contact").collections[2 * [*FEET].index(foot)]
+        assert mpl.colors.same_color(lane.get_facecolor()[0], color)
     for ax in figure.axes:
         if ax is not feet:
             assert not {line.get_color() for line in ax.lines} & set(FEET.values())
@@ -237,6 +273,29 @@ def test_everything_stands_inside_the_figure(shown):
         assert box.x1 <= page.x1 + 1
         assert box.y0 >= page.y0 - 1
         assert box.y1 <= page.y1 + 1
+
+
+def test_dollars_in_names_are_no_mathematics():
+    record = replace(rk.GroundMotion.from_array(np.sin(np.arange(60.0)), 0.05), name=r"$\frac{$ a")
+    run, spectrum = rk.simulate(BLOCK, record), record.response_spectrum([0.2, 1.0])
+    report, spectra = design_report(FLEXIBLE, [record]), [spectrum, replace(spectrum, name="$_{$")]
+    for draw, of in (
+        (plot_response, run), (plot_comparison, [run]), (plot_phase_portrait, run),
+        (rk.GroundMotion.plot, record), (plot_spectra, spectra), (type(report).figures, report),
+    ):  # fmt: skip
+        drawn(draw(of))
+    assert record.name in {text.get_text() for text in drawn(report.page()).texts}
+
+
+@pytest.mark.parametrize(
+    ("name", "written"),
+    [("u_1", "u_{1}"), ("u12", "u_{12}"), ("phi_2", r"\phi_{2}"), ("u_1_dot", r"\dot{u_{1}}"),
+     ("theta_dot", r"\dot{\theta}"), ("tip__tilt_3", r"\mathrm{tip\ \ tilt}_{3}")],
+)  # fmt: skip
+def test_coordinates_are_letters_with_an_index_or_words(name, written):
+    assert symbol(name) == f"${written}$"
+    (figure := Figure()).suptitle(symbol(name))
+    drawn(figure)
 
 
 # --- how it fits into a program

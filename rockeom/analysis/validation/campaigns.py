@@ -17,6 +17,7 @@ import numpy as np
 from rockeom.analysis.sweeps import FALLS, STANDS
 from rockeom.analysis.unfinished import finished
 from rockeom.analysis.validation.ensembles import Ensemble
+from rockeom.files import in_text
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.motion_set import MotionSet
@@ -126,7 +127,7 @@ class Campaign:
             _motions(table, path, records, record_units, gravity),
             Ensemble(peaks * factors["peak"], fell),
             {n: np.array([table.number(row, n) for row in rows]) * factors[n] for n in names},
-            Path(path).stem,
+            in_text(path).stem,
         )
 
     def __len__(self) -> int:
@@ -302,4 +303,4 @@ def _motions(
             remedy = "give the file, relative to records= or to the table; the message tells more"
             raise table.error(row, f"record is {name!r}: {error}", remedy) from None
         found.append(replace(motion, name=name))
-    return MotionSet(found, Path(path).stem)
+    return MotionSet(found, in_text(path).stem)

@@ -214,5 +214,5 @@ def _energies_are_even(model: HybridModel, sample: _Sample) -> None:
                     model.name,
                     f"the elastic energy in {one!r} rises where {c.name!r} moves to one "
                     "side and falls on the other: it must grow to either side, as k u**2/2 does, "
-                    "or k s theta with the side s",
+                    "or k*SIDE*theta with rockeom.symbolic.SIDE, which has the sign of theta",
                 )
