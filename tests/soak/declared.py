@@ -10,8 +10,8 @@ import numpy as np
 import sympy as sp
 
 import rockeom as rk
-from rockeom.codes import IMPULSIVE, RATIO
 from rockeom.codegen import module_text
+from rockeom.codes import IMPULSIVE, RATIO
 from rockeom.structures.base import Structure
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.mode import Mode, Transition

@@ -113,9 +113,9 @@ def guard_noise(mode, index, y, p, ax, ay, h, b, stride):
 
 
 def freedom_of(point, mode, known):
-    """How far a gap is free while others are closed, at most 1: it opens as their points move apart.
+    """How freely a gap opens while others are closed, at most 1: as their points move apart.
 
-    Square root of J M^-1 J' of the rows' difference, in that of the point alone.
+    Square root of J M^-1 J' of the difference of their rows, over that of the point alone.
     """
     alone = COUPLING + 2 * point * (ROWS + 1)
     least = known[alone]
