@@ -49,6 +49,6 @@ class Outcome(StrEnum):
         OUTCOMES[codes.SEVERAL_SOLUTIONS],
         "Several modes fit the forces, with different motions, as rigid bodies with much "
         "friction have (Painleve), or those whose contacts never slip: declare less friction, or "
-        "friction where there is none declared. Of contacts closer than 1e-7 of the structure's "
-        "size rounding errors hide which one carries.",
+        "friction where there is none declared. Rounding errors hide which of two contacts carries "
+        "where they are closer than 1e-7 of the structure's size.",
     )

@@ -304,7 +304,7 @@ def slow_bounces(state, tolerance, known, dy, bouncing):
 def beside_bounces(mode, limit, known, dy, bounces):
     """Let points in flight bounce, too, that land within the time of the bounces, and as slowly.
 
-    What closes a gap much faster than accelerations do in that time lands by an impact of its own.
+    A gap that closes much faster than accelerations close it in that time ends by its own impact.
     """
     for i in range(N_POINTS):
         gap, rate = known[i * POINT], known[i * POINT + 1]
