@@ -29,6 +29,7 @@ from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.results import NOT_RUN, Results
 from rockeom.sweeps.store import Store, opened
 from rockeom.sweeps.task import Task
+from rockeom.sweeps.unfinished import Unfinished, part_for_users
 from rockeom.sweeps.workers import Progress, in_executor, in_threads
 
 MOST_KEPT, CHUNKS = 4096, 64
@@ -39,6 +40,7 @@ ARRAYS = "leave it out, functions are called for many cases at once wherever tha
 """The remedy of a former argument."""
 
 
+@part_for_users
 @renamed.needless(arrays=ARRAYS)
 @renamed.moved(
     "sweep_options", SweepOptions, "threads", "chunk", "progress", "lanes", "store", "executor"
@@ -171,6 +173,8 @@ def simulate_many(
     dataset_.attrs["interrupted"] = int(interrupted)
     if law := first.structure.describe_impact(first.impact):
         dataset_.attrs["impact_law"] = f"{law}, of the first case"
+    if interrupted:
+        raise Unfinished(dataset_)
     return dataset_
 
 

@@ -9,6 +9,8 @@ from PIL import Image
 
 import rockeom as rk
 from rockeom.cli import main
+from rockeom.sweeps.results import Results
+from tests.interrupts import interrupted_at
 
 BLOCK = ["rigid_block", "--set", "half_width=0.2", "half_height=0.9"]
 PULSE = ["--pulse", "single-sine", "amplitude=1", "period=0.8", "--duration", "6"]
@@ -55,10 +57,7 @@ def test_more_than_two_names_have_a_table_and_no_picture(tmp_path, capsys):
 
 
 def test_interrupted_sweep_writes_nothing_and_has_its_exit_code(tmp_path, monkeypatch, capsys):
-    def interrupted(*args, **kwargs):
-        return xr.Dataset({"outcome": ("x", ["not run"])}, attrs={"interrupted": 1})
-
-    monkeypatch.setattr("rockeom.cli.sweep.simulate_many", interrupted)
+    monkeypatch.setattr(Results, "run", interrupted_at(2, Results.run))
     over = ["--over", "half_width=0.1,0.2", "--out", str(tmp_path / "out")]
     assert main(["sweep", *BLOCK, *PULSE, *over]) == 130
     assert capsys.readouterr().out == ""

@@ -32,7 +32,7 @@ from numpy.typing import ArrayLike
 from rockeom import renamed
 from rockeom.analysis.arguments import slenderness
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
-from rockeom.analysis.unfinished import check_finished, finished
+from rockeom.analysis.unfinished import check_finished
 from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
 from rockeom.numbers.arguments import positive
@@ -43,6 +43,7 @@ from rockeom.structures.classes import RigidBlock
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.run import ARRAYS, simulate_many
+from rockeom.sweeps.unfinished import Unfinished, part_for_users
 from rockeom.sweeps.workers import Progress
 
 MOST = 3
@@ -111,6 +112,7 @@ def _unit(function: str, structure: Structure, name: str, value: float | None) -
 # --- where the fate changes
 
 
+@part_for_users
 @renamed.needless(arrays=ARRAYS)
 @explained.calls()
 def overturning_boundaries(
@@ -170,7 +172,7 @@ def overturning_boundaries(
 
 @dataclass(frozen=True)
 class _Fates:
-    """Finds the fates of some cases; an interrupt is raised, without a result."""
+    """Finds the fates of some cases."""
 
     case: Case | Callable[..., Case]
     most: int
@@ -179,7 +181,7 @@ class _Fates:
     def __call__(self, columns: Mapping[str, np.ndarray]) -> np.ndarray:
         """(n,) of the values (n,) of each name."""
         table = xr.Dataset({name: ("row of a table", values) for name, values in columns.items()})
-        sweep = finished(simulate_many(self.case, table, **self.how))
+        sweep = simulate_many(self.case, table, **self.how)
         return impacts_before_overturning(sweep, self.most).values
 
 
@@ -324,18 +326,21 @@ def _halved(
         try:
             while len(brackets):
                 narrow = brackets.narrower(accuracy)
-                ended.append(brackets[narrow])
-                brackets = brackets[~narrow]
+                short, brackets = brackets[narrow], brackets[~narrow]
+                ended.append(short)
                 if len(brackets):
                     middle_fates = fates(brackets.with_middles())
                     bar.add(len(middle_fates))
                     lost = np.isnan(middle_fates)
-                    ended.append(brackets[lost])
-                    brackets = brackets[~lost].halves(middle_fates[~lost])
+                    left = brackets[~lost].halves(middle_fates[~lost])
+                    unknown, brackets = brackets[lost], left
+                    ended.append(unknown)
         except KeyboardInterrupt:
             interrupted = 1
     whole = _Brackets.joined([*ended, brackets]).dataset()
     whole.attrs["interrupted"] = interrupted
+    if interrupted:
+        raise Unfinished(whole)
     return whole
 
 
@@ -385,6 +390,7 @@ def minimum_overturning(boundaries: xr.Dataset, x: str, y: str) -> xr.DataArray:
 # --- how far blocks rock
 
 
+@part_for_users
 @explained.calls()
 def rocking_spectrum(
     motions: GroundMotion | Sequence[GroundMotion],
@@ -422,7 +428,10 @@ def rocking_spectrum(
         "period": _labelled(lengths, "period 2π/p", "s"),
         "alpha": _labelled(np.ravel(angles), "slenderness", "rad"),
     }
-    return simulate_many(case, over, **how)
+    try:
+        return simulate_many(case, over, **how)
+    except Unfinished as interrupt:
+        raise Unfinished(interrupt.part) from None
 
 
 def _labelled(values: np.ndarray, name: str, unit: str) -> xr.DataArray:

@@ -15,7 +15,6 @@ from typing import Any
 import numpy as np
 
 from rockeom.analysis.sweeps import FALLS, STANDS
-from rockeom.analysis.unfinished import finished
 from rockeom.analysis.validation.ensembles import Ensemble
 from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.ground_motion import GroundMotion
@@ -191,9 +190,7 @@ def simulate_campaign(
     for name, values in columns.items():
         table[name] = values
     kept = () if quantity in _one(case, table[0]).structure.states else (quantity,)
-    peaks = Ensemble.from_sweep(
-        finished(simulate_many(case, table, quantities=kept, **how)), quantity
-    )
+    peaks = Ensemble.from_sweep(simulate_many(case, table, quantities=kept, **how), quantity)
     shape = (len(campaign), count)
     return Ensemble(peaks.peaks.reshape(shape), peaks.overturned.reshape(shape))
 
