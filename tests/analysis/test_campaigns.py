@@ -80,6 +80,27 @@ def test_records_are_files_beside_the_table_each_read_once(table, tmp_path, moti
         Campaign.from_csv(table(rows=rows), parameters=KNOWN)
 
 
+@pytest.mark.parametrize("name", ["{0}/secret.csv", "../secret.csv", "link.csv", "below/link.csv"])
+def test_a_table_reads_no_files_outside_its_folder(table, tmp_path, name):
+    below = tmp_path / "tests" / "below"
+    below.mkdir(parents=True)
+    rows = "\n".join(("t (s), a (g)", "0, 0", "0.01, 0.1", "0.02, 0.2"))
+    for file in (tmp_path / "secret.csv", below / "beside.csv"):
+        file.write_text(rows)
+    for link in (below.parent / "link.csv", below / "link.csv"):
+        link.symlink_to(tmp_path / "secret.csv")
+    (below.parent / "near.csv").symlink_to(below / "beside.csv")
+    heading, folder = "test, record, peak (rad), outcome", below.parent
+    for inside in ("below/beside.csv", "near.csv", "below/../below/beside.csv"):
+        path = table(heading, [f"T1, {inside}, 0.1, stood"])
+        assert Campaign.from_csv(path, folder, gravity=9.81).motions.names == (inside,)
+    path = table(heading, [f"T1, {name.format(tmp_path)}, 0.1, stood"])
+    with pytest.raises(
+        MotionError, match=r"line 3: record is '.*', which is no file within '.*tes"
+    ):
+        Campaign.from_csv(path, folder, gravity=9.81)
+
+
 def changed(row: int, old: str, new: str) -> list[str]:
     rows = list(ROWS)
     assert old in rows[row]
