@@ -20,7 +20,7 @@ _DOUBLED = 4096  # steps up to which a full record doubles; then it grows by so 
 
 
 @renamed.fields(contact="mode")
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Samples:
     """A motion at some times: t (n,) [s], states y (n, N), mode (n,), and its extremes by name."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
@@ -57,8 +57,8 @@ from rockeom.structures.impact_laws import ImpactLaw
     t_end="duration=",
 )
 def simulate(
-    structure: Structure,
-    motion: GroundMotion | Recording,
+    structure: Structure | Case,
+    motion: GroundMotion | Recording | None = None,
     *,
     impact: ImpactLaw | None = None,
     initial: Mapping[str, float] | None = None,
@@ -70,6 +70,7 @@ def simulate(
 ) -> Response:
     """Response of a structure to a horizontal (and a vertical) ground motion.
 
+    structure : what is shaken; or a `Case`, which has all but `options` and `keep`.
     motion : the horizontal one, or a recording with one horizontal component, which brings its
         vertical one along. vertical : the vertical one.
     impact : Impulsive(), EnergyRatio(r), VelocityRatio(e), AngularMomentum() or another impact law;
@@ -88,8 +89,20 @@ def simulate(
     """
     if keep not in KEEP:
         raise ValueError(f"keep is {described(keep)}: choose {' or '.join(map(repr, KEEP))}")
-    case = Case(structure, cast(GroundMotion, motion), impact, initial, duration, vertical, mode)
+    case = _case(structure, motion, impact, initial, duration, vertical, mode)
     return simulated(case, without_duals(case.problem()), SolverOptions.of(options), keep)
+
+
+def _case(structure: Any, motion: Any, *others: Any) -> Case:
+    """The case itself, if one is given, or that of a structure and the rest."""
+    if not isinstance(structure, Case):
+        return Case(structure, motion, *others)
+    if any(part is not None for part in (motion, *others)):
+        raise TypeError(
+            "structure is a case, which has the other arguments: give others to "
+            "dataclasses.replace(case, ...)"
+        )
+    return structure
 
 
 def simulated(case: Case, problem: Problem, options: SolverOptions, keep: str = ALL) -> Response:
@@ -118,7 +131,7 @@ def simulated(case: Case, problem: Problem, options: SolverOptions, keep: str = 
     )  # fmt: skip
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Integrated:
     """A motion as the compiled loop leaves it: how it ended, its last state and its events.
 

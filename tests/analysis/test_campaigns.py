@@ -7,6 +7,7 @@ from scipy import stats
 import rockeom as rk
 from rockeom.analysis.validation import Campaign, Ensemble, predictive_test, simulate_campaign
 from rockeom.motion import JenningsEnvelope, MotionError, MotionSet
+from rockeom.motion.readers import read_channels, read_table
 
 HEADING = "test, record, peak (deg), outcome, scale (-), half_width (mm), remark"
 ROWS = (
@@ -99,6 +100,22 @@ def test_a_table_reads_no_files_outside_its_folder(table, tmp_path, name):
         MotionError, match=r"line 3: record is '.*', which is no file within '.*tes"
     ):
         Campaign.from_csv(path, folder, gravity=9.81)
+
+
+def test_a_megabyte_of_headings_is_read_in_proportion_to_its_length(tmp_path):
+    """Minutes, if each name were looked for among all others."""
+    n = 80_000
+    heads, ones = ", ".join(f"h{i} (m)" for i in range(n)), ", ".join(["1"] * n)
+    wide = tmp_path / "wide.csv"
+    wide.write_text(f"time (s), {heads}\n0, {ones}\n0.1, {ones}\n0.2, {ones}\n")
+    table = read_table(wide)
+    assert table.number(2, f"h{n - 1}") == 1.0
+    assert len(table.names) == n + 1
+    channels = read_channels(wide, {}, None, "time", 9.81)
+    assert len(channels.values) == n
+    wide.write_text(wide.read_text().replace("h7 ", "h8 "))
+    with pytest.raises(MotionError, match=r"2 column\(s\) are called 'h8'"):
+        read_table(wide)
 
 
 def changed(row: int, old: str, new: str) -> list[str]:

@@ -90,6 +90,14 @@ STRUCTURES = [
         "RigidBlock: missing half_height", "height of the centroid above the base [m]",
     ),
     mistake(
+        TYPE, lambda: rk.RigidBlock(half_width=None, half_height=0.4), TypeError,
+        "RigidBlock: half_width is None: give a number in SI units",
+    ),
+    mistake(
+        TYPE, lambda: rk.TwoSprings(stiffness=None, damping=0.0), TypeError,
+        "stiffness is None: give a number in SI units",
+    ),
+    mistake(
         MISSING, lambda: rk.FlexibleStructure(mass=1.0, height=1.0), TypeError,
         "stiffness (flexural stiffness of the column [N/m])", "half_width",
     ),
@@ -368,7 +376,19 @@ LAWS = [
 ]  # fmt: skip
 
 SIMULATIONS = [
-    mistake(MISSING, lambda: rk.simulate(BLOCK), TypeError, "simulate: missing motion"),
+    mistake(MISSING, lambda: rk.simulate(BLOCK), TypeError, "motion is None: give a ground motion"),
+    mistake(
+        VALUE, lambda: rk.simulate(CASE, SINE), TypeError,
+        "structure is a case", "dataclasses.replace(case",
+    ),
+    mistake(
+        VALUE, lambda: rk.simulate_many(CASE, {"frequency": [1.0, 0]}), rk.MotionError,
+        "case frequency = 0 Hz: frequency is 0: give a positive number",
+    ),
+    mistake(
+        VALUE, lambda: rk.simulate_many(CASE, {"amplitude": [1.0, 10**400]}), rk.MotionError,
+        "case amplitude = inf m/s2: amplitude is inf: give a finite number",
+    ),
     mistake(
         NAME, lambda: rk.simulate(BLOCK, SINE, restitution=0.9), TypeError,
         "unknown restitution (give impact=rk.VelocityRatio(e))",
@@ -442,7 +462,7 @@ SIMULATIONS = [
     mistake(VALUE, lambda: rk.SolverOptions(method="rk45"), ValueError, "did you mean RK45?"),
     mistake(SIGN, lambda: rk.SolverOptions(rtol=-1), ValueError, "rtol is -1", "positive"),
     mistake(MISSING, lambda: rk.Case(BLOCK), TypeError, "Case: missing motion"),
-    mistake(NAME, lambda: CASE.simulate(), AttributeError, "rk.simulate(structure, motion)"),
+    mistake(NAME, lambda: CASE.simulate(), AttributeError, "rk.simulate(case)"),
 ]  # fmt: skip
 
 RESPONSES = [

@@ -1,9 +1,11 @@
 """The response: samples, dense output, events, outcomes, words."""
 
+import ast
 import copy
 import pickle
 import re
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -286,3 +288,32 @@ def test_unknown_attribute_of_a_response_offers_the_one_that_was_meant(decay, na
     assert not hasattr(decay, name)
     with pytest.raises(AttributeError, match=re.escape(f"(did you mean {meant}?)")):
         getattr(decay, name)
+
+
+def test_case_is_simulated_as_its_parts_and_a_response_equals_itself_alone():
+    motion = rk.GroundMotion.single_sine(4.0, 0.5, duration=3.0)
+    parts = {
+        "impact": rk.EnergyRatio(0.8), "initial": {"theta": 0.01}, "duration": 4.0,
+        "vertical": motion.scaled(0.3), "mode": "right",
+    }  # fmt: skip
+    first, again = rk.simulate(BLOCK, motion, **parts), rk.simulate(rk.Case(BLOCK, motion, **parts))
+    np.testing.assert_array_equal(first.y, again.y)
+    assert first.t[-1] == 4.0
+    assert first == first
+    assert first != again
+    assert len({first, again, first}) == 2
+
+
+def test_records_of_arrays_are_equal_to_themselves_alone():
+    """Python would compare their arrays, and ask for the truth of many."""
+    for path in Path(rk.__file__).parent.rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if not isinstance(node, ast.ClassDef) or node.name[0] == "_":
+                continue
+            fields = [one for one in node.body if isinstance(one, ast.AnnAssign)]
+            decorators = " ".join(map(ast.unparse, node.decorator_list))
+            if "dataclass" in decorators and {"np.ndarray", "Response"} & {
+                ast.unparse(one.annotation) for one in fields
+            }:
+                own = {getattr(one, "name", "") for one in node.body}
+                assert "eq=False" in decorators or "__eq__" in own, node.name

@@ -30,7 +30,7 @@ from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.run import simulate_many
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RestitutionEnvelope:
     """Peaks over restitution and motion.
 

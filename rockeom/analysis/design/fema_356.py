@@ -49,7 +49,7 @@ NOT_CONVERGED = "not converged"
 _DAMPINGS = {"2-15": fema_356_damping, "2-16": priestley_damping}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FemaEstimate:
     """Result of the procedure.
 
@@ -178,7 +178,7 @@ def _spectral_acceleration(
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FemaComparison:
     """The procedure and integration side by side, a row for each motion.
 

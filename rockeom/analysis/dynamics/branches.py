@@ -96,7 +96,7 @@ class Bifurcation:
         return f"<Bifurcation: {self.kind} of a {self.orbit.order} orbit at {self.value:.10g}>"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class OrbitBranch:
     """Motions that grow into one another as a parameter changes.
 

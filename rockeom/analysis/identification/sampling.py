@@ -104,7 +104,7 @@ _Density = Callable[[np.ndarray], tuple[float, np.ndarray]]
 """Logarithm of a density and its gradient, at a place (k,)."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Ridge:
     """Coordinates v of a density about its mode, in which it is nearly the standard normal one.
 

@@ -67,7 +67,7 @@ MOST_DOUBLINGS = 6
 """Most doublings of the duration of a motion that lingers near the unstable equilibrium."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FirstOrder:
     """The nearest failure, and the probability of failure by first order.
 

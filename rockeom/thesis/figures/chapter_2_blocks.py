@@ -345,8 +345,7 @@ def sine_on_block(
 @cache
 def pulsed(slenderness: float, peak: float, period: float, ratio: float | None) -> rk.Response:
     """The motion of `sine_on_block`."""
-    case = sine_on_block(slenderness, peak, period, ratio)
-    return rk.simulate(case.structure, case.motion, impact=case.impact)
+    return rk.simulate(sine_on_block(slenderness, peak, period, ratio))
 
 
 def fate(impacts: float) -> str:
