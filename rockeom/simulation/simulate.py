@@ -81,7 +81,8 @@ def simulate(
     keep : "all", the polynomials of every step, from which all follows at any time: 24 + 64 N bytes
         a step, of N states. "samples", for records of hours: the states every `output_step` of the
         options and on both sides of every event, and the extremes of states, energies, forces and
-        displacements, which are found while the motion runs. Whatever needs the steps then raises
+        displacements, which are found while the motion runs: some .1 ms a step, of which a line on
+        stderr tells from 100,000 steps on. Whatever needs the steps then raises
         ValueError: `at`, works and other extremes, `support`.
 
     Raises ValueError for states that are unknown, not finite or already fallen over, and TypeError
@@ -89,20 +90,14 @@ def simulate(
     """
     if keep not in KEEP:
         raise ValueError(f"keep is {described(keep)}: choose {' or '.join(map(repr, KEEP))}")
-    case = _case(structure, motion, impact, initial, duration, vertical, mode)
-    return simulated(case, without_duals(case.problem()), SolverOptions.of(options), keep)
-
-
-def _case(structure: Any, motion: Any, *others: Any) -> Case:
-    """The case itself, if one is given, or that of a structure and the rest."""
-    if not isinstance(structure, Case):
-        return Case(structure, motion, *others)
-    if any(part is not None for part in (motion, *others)):
+    parts: Any = motion, impact, initial, duration, vertical, mode
+    case = structure if isinstance(structure, Case) else Case(structure, *parts)
+    if case is structure and any(part is not None for part in parts):
         raise TypeError(
             "structure is a case, which has the other arguments: give others to "
             "dataclasses.replace(case, ...)"
         )
-    return structure
+    return simulated(case, without_duals(case.problem()), SolverOptions.of(options), keep)
 
 
 def simulated(case: Case, problem: Problem, options: SolverOptions, keep: str = ALL) -> Response:

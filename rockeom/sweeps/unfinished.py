@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from functools import wraps
-from typing import Any, ParamSpec, TypeVar
+from typing import Any, ParamSpec, TypeVar, cast
 
 from rockeom import renamed
 
@@ -38,18 +38,12 @@ def part_for_users(function: Callable[P, R]) -> Callable[P, R]:
         try:
             return function(*args, **kwargs)
         except Unfinished as interrupt:
-            if not interrupt.returnable or _is_run_by_package():
+            frame = sys._getframe().f_back
+            while frame is not None and not renamed.is_of_package(frame):
+                frame = frame.f_back
+            if frame is not None or not interrupt.returnable:
                 interrupt.returnable = False
                 raise
-            part: R = interrupt.part
-            return part
+            return cast(R, interrupt.part)
 
     return entry
-
-
-def _is_run_by_package() -> bool:
-    """Whether the package's own code stands anywhere above the function that asks."""
-    frame = sys._getframe(1).f_back
-    while frame is not None and not renamed.is_of_package(frame):
-        frame = frame.f_back
-    return frame is not None

@@ -12,7 +12,7 @@ import traceback
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -26,18 +26,11 @@ AGAIN = 3
 """Number of times that an executor receives a chunk again that it did not run."""
 
 
-class Raised(NamedTuple):
-    """The exception of a case, as it is returned by a worker: what a future raises is another's.
+def run_apart(task: Task, cases: Cases) -> dict[str, np.ndarray] | Exception:
+    """Results of a table of cases, run in the process of the caller, which is an executor's.
 
-    trace : of the worker, which pickled exceptions lack.
+    The exception of a case is returned, since those that a future raises are the executor's.
     """
-
-    error: Exception
-    trace: str
-
-
-def run_apart(task: Task, cases: Cases) -> dict[str, np.ndarray] | Raised:
-    """Results of a table of cases, run in the process of the caller, which is an executor's."""
     try:
         return _results_of(task, cases).arrays()
     except Exception as error:
@@ -46,7 +39,8 @@ def run_apart(task: Task, cases: Cases) -> dict[str, np.ndarray] | Raised:
             pickle.loads(pickle.dumps(error))
         except Exception:  # an exception that needs more arguments than it keeps, for example
             error = RuntimeError(f"{type(error).__name__}: {error}")
-        return Raised(error, trace)
+        error.add_note(trace)
+        return error
 
 
 def _results_of(task: Task, cases: Cases) -> Results:
@@ -110,8 +104,9 @@ def in_executor(
                 lost[i] = error
                 submit(i)
                 continue
-            if isinstance(answer, Raised):
-                raise _of_case(answer, chunks[i], executor)
+            if isinstance(answer, Exception):
+                answer.add_note(f"{_rows(chunks[i])} of the sweep, run by {described(executor)}")
+                raise answer
             lost.pop(i, None)
             results.put(chunks[i], answer)
             done(chunks[i])
@@ -120,15 +115,6 @@ def in_executor(
             future.cancel()
     if lost:
         raise _of_executor(executor, lost, chunks)
-
-
-def _of_case(raised: Raised, chunk: np.ndarray, executor: Any) -> Exception:
-    """The exception of a case, with notes on where it was run."""
-    error, trace = raised
-    error.add_note(f"{_rows(chunk)} of the sweep, run by {described(executor)}")
-    if error.__traceback__ is None:
-        error.add_note(trace)
-    return error
 
 
 def _of_executor(

@@ -5,7 +5,6 @@ from __future__ import annotations
 import ast
 import functools
 import shutil
-import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import replace
@@ -66,16 +65,15 @@ def doublings() -> dynamics.Cascade:
     return dynamics.period_doublings(shaken, (2.0, 3.26), chapter_2_blocks.symmetric_state())
 
 
-def command(*words: str) -> None:
+def command(words: str) -> None:
     """A command line, whose code says that it was interrupted."""
-    path = Path(tempfile.mkdtemp()) / "shaking.txt"
-    np.savetxt(path, np.column_stack([TIME, PULSES[0].acceleration(TIME)]))
+    first, *rest = words.split()
     block = ["rigid_block", "--set", "half_width=0.5", "half_height=2.0"]
-    if main([words[0], *block, "--motion", str(path), "--units", "m/s2", *words[1:]]) == 130:
+    if main([first, *block, *rest]) == 130:
         raise KeyboardInterrupt
 
 
-TIME = 0.02 * np.arange(200)
+RECORD = "El Centro 1940 180"
 ONE_BY_ONE = rk.SweepOptions(threads=1, chunk=5)
 NAMES = tuple("abcde")
 MOTIONS = MotionSet([replace(motion, name=n) for motion, n in zip(PULSES, NAMES, strict=True)])
@@ -84,9 +82,9 @@ FORMULA = posterior(Observed.formula(lambda r: [r], [0.8], noise=0.1), {"r": uni
 
 QUICK = {
     "assess": lambda: rk.assess(BLOCK, PULSES, pga=["0.3 g", "0.6 g"]),
-    "rockeom assess": lambda: command("assess", "--pga", "0.4 g"),
-    "rockeom fragility": lambda: command("fragility", "--pga", "0.1g,0.3g", "0.4g"),
-    "rockeom sweep": lambda: command("sweep", "--over", "half_width=0.3,0.5"),
+    "rockeom assess": lambda: command(f"assess --records {RECORD} --pga 0.4g"),
+    "rockeom fragility": lambda: command(f"fragility --records {RECORD} --pga 0.1g 0.4g"),
+    "rockeom sweep": lambda: command(f"sweep --record {RECORD} --over mass=1,2"),
     "restitution_envelope": lambda: design.restitution_envelope(BLOCK, PULSES, [0.8, 0.85, 0.9]),
     "fema_356": lambda: design.fema_356_against_integration(BLOCK, PULSES),
     "monte_carlo": lambda: risk.monte_carlo(pulse, RANDOM, 60, sweep_options=ONE_BY_ONE),
@@ -107,8 +105,6 @@ ANSWERS = QUICK | {
     "branches of the wall": lambda: chapter_4_shaken.branches_of(4.553, chapter_4_shaken.DOUBLING),
     "figure 4-71": chapter_4_shaken.figure_4_71,
 }
-
-
 QUICK["sample"] = lambda: FORMULA.sample(60, chains=1, warm_up=10)  # no sweep
 
 
@@ -151,6 +147,18 @@ def test_every_caller_of_a_sweep_in_the_package_raises_the_interrupt(interrupted
     assert not {*callers()} - called
 
 
+def test_interrupt_is_raised_out_of_a_sweep_in_a_function_that_the_package_runs(interrupted):
+    """Where a user's model sweeps, its part is no value of the model."""
+
+    def model(r):
+        sweep = rk.simulate_many(pulse, {"amplitude": AMPLITUDES}, sweep_options=ONE_BY_ONE)
+        return [r * (sweep.outcome == "overturned").mean().item()]
+
+    interrupted()
+    with pytest.raises(KeyboardInterrupt):
+        posterior(Observed.formula(model, [0.8], noise=0.1), {"r": uniform(0.7, 0.2)})
+
+
 def functions_of_the_package() -> Iterator[tuple[Path, ast.FunctionDef]]:
     for path in Path(rk.__file__).parent.rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text("utf-8"))):
@@ -175,13 +183,6 @@ def callers() -> Iterator[tuple[str, str]]:
         for node in ast.walk(function):
             if isinstance(node, ast.Call) and name_of(node.func) in PARTIAL:
                 yield path.name, function.name
-
-
-@pytest.mark.parametrize("step", [2, 5, 30])
-def test_cascade_that_is_interrupted_at_any_step_has_no_doublings(step, interrupted):
-    interrupted(step)
-    with pytest.raises(KeyboardInterrupt):
-        doublings()
 
 
 @pytest.mark.parametrize("number", ["2-12", "2-13"])
@@ -373,7 +374,7 @@ def test_chunk_of_a_store_that_lacks_a_file_is_run_again(tmp_path):
     pytest.importorskip("zarr")
     store = tmp_path / "kept.zarr"
     whole = kept(store)
-    names = sorted(path.name for path in store.iterdir() if path.is_dir())
+    names = sorted(path.name for path in store.iterdir() if (path / "c").is_dir())
     assert len(names) >= 12
     for name in names:
         of_second = store / name / "c" / "1"

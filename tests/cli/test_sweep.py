@@ -9,8 +9,6 @@ from PIL import Image
 
 import rockeom as rk
 from rockeom.cli import main
-from rockeom.sweeps.results import Results
-from tests.interrupts import interrupted_at
 
 BLOCK = ["rigid_block", "--set", "half_width=0.2", "half_height=0.9"]
 PULSE = ["--pulse", "single-sine", "amplitude=1", "period=0.8", "--duration", "6"]
@@ -54,11 +52,3 @@ def test_more_than_two_names_have_a_table_and_no_picture(tmp_path, capsys):
     assert main(["sweep", *BLOCK, *PULSE, *over, "--out", str(tmp_path)]) == 0
     assert "no picture" in capsys.readouterr().err
     assert [path.name for path in tmp_path.iterdir()] == ["sweep.csv"]
-
-
-def test_interrupted_sweep_writes_nothing_and_has_its_exit_code(tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(Results, "run", interrupted_at(2, Results.run))
-    over = ["--over", "half_width=0.1,0.2", "--out", str(tmp_path / "out")]
-    assert main(["sweep", *BLOCK, *PULSE, *over]) == 130
-    assert capsys.readouterr().out == ""
-    assert not [*tmp_path.iterdir()]

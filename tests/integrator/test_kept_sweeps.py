@@ -328,32 +328,63 @@ def test_quantities_and_histories_are_kept_on_disk(store):
     same_bits(first, swept(over=over, store=store, **asked))
 
 
+FORCED = {"quantities": ["displacement"], "times": [0.1, 0.5], "impact_states": True, "chunk": 2}
+PULSES = [pulse(1.0, a).motion for a in (2.0, 4.0)]
+
+
+@pytest.mark.parametrize(
+    "over",
+    [
+        {"motion": PULSES, "scale": np.float32([1.0, 2.0, 3.0])},
+        [{"motion": PULSES[i % 2], "scale": float(i)} for i in range(1, 5)],
+    ],
+    ids=["grid", "table"],
+)
+def test_store_is_opened_as_the_dataset_of_the_sweep_without_its_function(store, over):
+    found = swept(rk.Case(BLOCK, PULSES[0]), over, store=store, **FORCED)
+    same_bits(found, rk.open_sweep(store))
+    assert [*found.coords] == [*rk.open_sweep(store).coords]
+
+
+def test_opened_store_says_what_was_not_run(store):
+    part = swept(one_by_one(interrupted_at(17 + 120, pulse)), store=store, threads=1)
+    same_bits(part, rk.open_sweep(store))
+    assert rk.open_sweep(store).attrs == part.attrs
+    with pytest.raises(ValueError, match="no store of a sweep, or that of a former release"):
+        rk.open_sweep(store.parent)
+
+
+def test_flipped_bit_anywhere_in_a_chunk_is_an_error_and_no_result(store):
+    over = {"frequency": [1.0, 2.0], "amplitude": [2.0, 4.0, 6.0]}
+    swept(over=over, store=store, **FORCED)
+    files = [path for path in store.rglob("c/**/*") if path.is_file()]
+    assert len(files) > 3 * 10
+    assert store / "labels" / "frequency" / "c" / "0" in files
+    rng = np.random.default_rng(1)
+    for path in files:
+        whole = path.read_bytes()
+        spoilt = bytearray(whole)
+        spoilt[rng.integers(len(whole))] ^= 1 << rng.integers(8)
+        path.write_bytes(spoilt)
+        with pytest.raises((RuntimeError, ValueError)):
+            rk.open_sweep(store)
+        if path.is_relative_to(store / "labels"):
+            path.unlink()
+            with pytest.raises(ValueError, match="lacks a file"):
+                rk.open_sweep(store)
+        path.write_bytes(whole)
+    rk.open_sweep(store)
+
+
 # -- executors
 
 
-def cancelled():
-    future = Future()
-    future.cancel()
-    future.set_running_or_notify_cancel()
-    return future
-
-
-def ending(error):
-    future = Future()
-    future.set_exception(error)
-    return future
-
-
-def refused():
-    raise RuntimeError("cannot schedule new futures")
-
-
 FAILURES = {
-    "breaks": lambda: ending(BrokenExecutor("a worker has died")),
-    "cancels": cancelled,
-    "cancels as asyncio does": lambda: ending(asyncio.CancelledError()),
-    "raises oddly": lambda: ending(ValueError("too many values to unpack (expected 3)")),
-    "refuses": refused,
+    "breaks": (BrokenExecutor, "a worker has died"),
+    "cancels": (),
+    "cancels as asyncio does": (asyncio.CancelledError,),
+    "raises oddly": (ValueError, "too many values to unpack (expected 3)"),
+    "refuses": (RuntimeError, "cannot schedule new futures"),
 }
 
 
@@ -368,7 +399,16 @@ class Failing(ThreadPoolExecutor):
         self.given += 1
         if self.given > self.losses:
             return super().submit(function, *args, **named)
-        return FAILURES[next(self.ways)]()
+        way, future = next(self.ways), Future()
+        if way == "cancels":
+            future.cancel()
+            future.set_running_or_notify_cancel()
+            return future
+        kind, *text = FAILURES[way]
+        if way == "refuses":
+            raise kind(*text)
+        future.set_exception(kind(*text))
+        return future
 
 
 @pytest.mark.parametrize("case", [pulse, one_by_one(pulse)], ids=["at once", "one by one"])
@@ -426,7 +466,7 @@ def test_exception_of_a_function_comes_from_another_process_with_its_trace():
         pytest.raises(RuntimeError, match=r"OfTwoWordsError: .*this and that") as caught,
     ):
         swept(raising, executor=pool)
-    *_, where, trace = caught.value.__notes__
+    *_, trace, where = caught.value.__notes__
     assert "of the sweep, run by" in where
     assert "in raising" in trace
 

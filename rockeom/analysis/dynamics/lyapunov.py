@@ -23,6 +23,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -117,8 +118,8 @@ class LyapunovSpectrum:
     def __repr__(self) -> str:
         pairs = zip(self.exponents, self.standard_errors, strict=True)
         told_of = ", ".join(f"{value:.4g} +- {error:.2g}" for value, error in pairs)
-        ended = ", interrupted" if self.interrupted else ""
-        return f"<LyapunovSpectrum: {told_of}, {self.cycles} cycles of {self.period:.6g}{ended}>"
+        cycles = f"{self.cycles} cycles of {self.period:.6g}{', interrupted' * self.interrupted}"
+        return f"<LyapunovSpectrum: {told_of}, {cycles}>"
 
 
 @part_for_users
@@ -161,7 +162,7 @@ def lyapunov_spectrum(
     if isinstance(initial, LyapunovSpectrum):
         settling, growth = 0, [*initial.growth]
     shown = sys.stderr.isatty() if progress is None else progress
-    interrupted = False
+    spectrum = partial(LyapunovSpectrum, stroboscope.states, stroboscope.period)
     with Progress(settling + cycles, shown, "cycles") as line:
         try:
             for k in range(settling + cycles):
@@ -172,13 +173,8 @@ def lyapunov_spectrum(
         except KeyboardInterrupt:
             if len(growth) < BATCHES:
                 raise
-            interrupted = True
-    spectrum = LyapunovSpectrum(
-        stroboscope.states, stroboscope.period, np.array(growth), *motion, interrupted
-    )
-    if interrupted:
-        raise Unfinished(spectrum)
-    return spectrum
+            raise Unfinished(spectrum(np.array(growth), *motion, interrupted=True)) from None
+    return spectrum(np.array(growth), *motion)
 
 
 def _start(

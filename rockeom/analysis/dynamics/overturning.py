@@ -248,12 +248,13 @@ class _Brackets:
         between = (self.low < self.middle) & (self.middle < self.high)
         return (self.high - self.low <= accuracy * size) | ~between
 
-    def dataset(self) -> xr.Dataset:
+    def dataset(self, interrupted: bool) -> xr.Dataset:
         """A dataset in the order of the names' values."""
         at = self.with_middles()
         order = np.lexsort([*reversed(at.values()), self.along])
         columns = {name: (_DIM, getattr(self, name)[order]) for name in ("along", *_NUMBERS)}
-        return xr.Dataset(columns, {name: (_DIM, values[order]) for name, values in at.items()})
+        coordinates = {name: (_DIM, values[order]) for name, values in at.items()}
+        return xr.Dataset(columns, coordinates, {"interrupted": int(interrupted)})
 
 
 def _along(sweep: xr.Dataset, asked: str | Sequence[str]) -> list[str]:
@@ -320,28 +321,22 @@ def _halved(
 ) -> xr.Dataset:
     """All intervals as narrow as `accuracy`, or as they were at an interrupt."""
     ended: list[_Brackets] = []
-    interrupted = 0
     shown = sys.stderr.isatty() if progress is None else progress
     with Progress(_halvings(brackets, accuracy), shown) as bar:
         try:
             while len(brackets):
                 narrow = brackets.narrower(accuracy)
-                short, brackets = brackets[narrow], brackets[~narrow]
-                ended.append(short)
+                ended, brackets = [*ended, brackets[narrow]], brackets[~narrow]
                 if len(brackets):
                     middle_fates = fates(brackets.with_middles())
                     bar.add(len(middle_fates))
                     lost = np.isnan(middle_fates)
-                    left = brackets[~lost].halves(middle_fates[~lost])
-                    unknown, brackets = brackets[lost], left
-                    ended.append(unknown)
+                    halves = brackets[~lost].halves(middle_fates[~lost])
+                    ended, brackets = [*ended, brackets[lost]], halves
         except KeyboardInterrupt:
-            interrupted = 1
-    whole = _Brackets.joined([*ended, brackets]).dataset()
-    whole.attrs["interrupted"] = interrupted
-    if interrupted:
-        raise Unfinished(whole)
-    return whole
+            part = _Brackets.joined([*ended, brackets])
+            raise Unfinished(part.dataset(True)) from None
+    return _Brackets.joined([*ended, brackets]).dataset(False)
 
 
 def _halvings(brackets: _Brackets, accuracy: float) -> int:
