@@ -17,7 +17,7 @@ from rockeom.simulation.steps import Evaluate, Rows, Steps
 ALL, SAMPLES = KEEP = ("all", "samples")
 """The parts of a motion that `simulate` may keep."""
 
-_MANY = 100_000  # steps from which those who wait are told, and again with each power of ten
+_MANY = 100_000  # steps from which a line on stderr says how far it is, at each power of ten
 _DOUBLED = 4096  # steps up to which a full record doubles; then it grows by so many, or an eighth
 
 

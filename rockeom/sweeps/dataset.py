@@ -121,7 +121,7 @@ _COORDINATES = ("state", "state_unit", "quantity", "quantity_unit", "time", "sid
 
 @dataclass(frozen=True)
 class Labels:
-    """What the numbers of results are of: all in words and numbers that a file can hold.
+    """Names, units and coordinates of results, all in words and numbers that a file can hold.
 
     dims, shape : of the cases. states, modes, quantities : their names. times [s] : of the history.
     units : of states, quantities and energies, by name. seconds : unit of times. attrs : of the

@@ -29,8 +29,8 @@ def part_for_users(function: Callable[P, R]) -> Callable[P, R]:
     """Let a function return to its user the part of its result that an interrupt leaves.
 
     Within the package the interrupt itself is raised, so that every dataset and branch there is
-    whole, and no caller has to ask. It is also raised where the user's call stands in a function
-    that the package runs, such as the model of a likelihood. The outermost of all decorators.
+    whole, and no caller has to ask. It is also raised where a function that the package runs makes
+    the call, such as the model of a likelihood. The outermost of all decorators.
     """
 
     @wraps(function)

@@ -87,7 +87,7 @@ QUICK = {
     "fema_356": lambda: design.fema_356_against_integration(BLOCK, PULSES),
     "monte_carlo": lambda: risk.monte_carlo(pulse, RANDOM, 60, sweep_options=ONE_BY_ONE),
     "reliability_of": lambda: risk.reliability_of(pulse, RANDOM),
-    "simulate_campaign": lambda: simulate_campaign(CAMPAIGN, pulse(1.0), RANDOM_E),
+    "simulate_campaign": lambda: simulate_campaign(CAMPAIGN, pulse(1.0), RANDOM_E, 20),
     "bifurcation_value": lambda: dynamics.bifurcation_value(
         shaken, (2.0, 3.26), chapter_2_blocks.symmetric_state()
     ),
