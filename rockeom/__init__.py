@@ -33,6 +33,7 @@ _NAMES_OF = {
     "rockeom.sweeps.options": ("SweepOptions",),
     "rockeom.sweeps.run": ("simulate_many",),
     "rockeom.sweeps.dataset": ("Sweep",),
+    "rockeom.sweeps.store": ("open_sweep",),
     "rockeom.simulation.extremes": ("Extremes",),
     "rockeom.structures.modal": ("rayleigh_damping",),
     "rockeom.structures.impact_laws": (
@@ -162,6 +163,7 @@ if TYPE_CHECKING:
         Sensitivity as Sensitivity,
         sensitivity as sensitivity,
     )
+    from rockeom.sweeps.store import open_sweep as open_sweep
     from rockeom.sweeps.tangents import Tangents as Tangents, tangents as tangents
     from rockeom.symbolic import (
         Body as Body,

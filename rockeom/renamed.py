@@ -12,6 +12,7 @@ import warnings
 from collections.abc import Callable, Mapping
 from functools import wraps
 from operator import attrgetter
+from types import FrameType
 from typing import Any, TypeVar
 
 VERSION = "0.1.0"
@@ -29,9 +30,14 @@ def warn(former: str, name: str) -> None:
 def say(message: str, category: type[Warning] = DeprecationWarning) -> None:
     """Give a warning at the line outside the package that calls it."""
     level, frame = 2, sys._getframe(1)
-    while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == "rockeom":
+    while frame.f_back and is_of_package(frame):
         level, frame = level + 1, frame.f_back
     warnings.warn(message, category, stacklevel=level)
+
+
+def is_of_package(frame: FrameType) -> bool:
+    """Whether the code that a frame runs is the package's own."""
+    return bool(frame.f_globals.get("__name__", "").partition(".")[0] == "rockeom")
 
 
 def names(

@@ -142,7 +142,7 @@ class Explorer:
 
         >>> shown = page.widget()
         >>> shown.values = {"half_width": 0.2}
-        >>> rk.simulate(shown.case.structure, shown.case.motion)
+        >>> rk.simulate(shown.case)
         """
         return widget_of(self.heading, self.html, self.controls, self.case)
 

@@ -15,7 +15,6 @@ import xarray as xr
 
 from rockeom.analysis.risk.fragility import Fragility, fit_fragility
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
-from rockeom.analysis.unfinished import finished
 from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, accelerations, add_records, records
@@ -116,7 +115,7 @@ def run(args: argparse.Namespace) -> int:
     levels = xr.DataArray(intensity.values, dims=intensity.name, attrs=about)
     print(f"simulating {len(levels) * len(motions)} motions ...", file=sys.stderr)
     over = {intensity.name: levels, "record": list(motions)}
-    sweep = finished(simulate_many(case, over=over, quantities=quantities))
+    sweep = simulate_many(case, over=over, quantities=quantities)
     found = _observed(sweep, args)
     print(_table(found, args, intensity))
     curve = _fit(found, args, intensity)

@@ -13,7 +13,6 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from rockeom.analysis.unfinished import finished
 from rockeom.cli.errors import spread, words
 from rockeom.cli.simulate import add_case, case, check_folder
 from rockeom.drawing.style import save_figure
@@ -84,7 +83,7 @@ def run(args: argparse.Namespace) -> int:
         check_folder(args.out)
     n = math.prod(map(len, over.values()))
     print(f"simulating {n} motions ...", file=sys.stderr)
-    sweep = finished(simulate_many(one, over=over, options=SolverOptions(args.method)))
+    sweep = simulate_many(one, over=over, options=SolverOptions(args.method))
     print(_counted(sweep, one))
     if args.out is not None:
         for path in _write(sweep, one, args):

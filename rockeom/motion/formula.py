@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from functools import wraps
 from typing import Any, NamedTuple, TypeVar
 
+from rockeom.motion.arguments import positive
 from rockeom.motion.errors import MotionError
 from rockeom.motion.units import acceleration
 from rockeom.numbers.checks import is_number
@@ -49,7 +50,7 @@ class Formula(NamedTuple):
         arguments = dict(self.arguments)
         for name, x in changes.items():
             if arguments.get(name) is None and name in _RECIPROCALS:
-                arguments[_RECIPROCALS[name]] = 1 / x
+                arguments[_RECIPROCALS[name]] = 1 / positive(name, x)
             else:
                 arguments[name] = x
         return self.make(**arguments)

@@ -17,6 +17,7 @@ import os
 import re
 import stat
 from array import array
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Context, Decimal, InvalidOperation
@@ -137,12 +138,13 @@ def read_channels(
     )
     bare = [_BRACKETED.sub("", name).strip() for name in table.names]
     wanted = [n for i, n in enumerate(bare) if i != time] if channels is None else list(channels)
+    places, times = {name: i for i, name in enumerate(bare)}, Counter(bare)
     for name in (*wanted, *units):
-        if bare.count(name) != 1 or bare.index(name) == time:
+        if times[name] != 1 or places[name] == time:
             known = ", ".join(_short(n) for i, n in enumerate(bare) if i != time)
             what = f"no single channel is called {described(name)}; the names are {known}"
             raise MotionError.at(path, table.header_line, what, "use one of these names")
-    columns = {bare.index(name): name for name in wanted}
+    columns = {places[name]: name for name in wanted}
     if len(columns) < len(wanted):
         what = f"a channel is named twice in {wanted}"
         raise MotionError.at(path, table.header_line, what, "name each once")
@@ -805,11 +807,11 @@ def _last_printed_digit(last_digits: np.ndarray, leading: np.ndarray) -> np.ndar
 class TextTable:
     """Cells of a table of words and numbers with a heading, as they are written.
 
-    names : of the columns, without the units that stand behind them in brackets. rows : the number
-    of the line of each row, and its cells.
+    names : of the columns, without the units that stand behind them in brackets, and their places.
+    rows : the number of the line of each row, and its cells.
     """
 
-    names: tuple[str, ...]
+    names: Mapping[str, int]
     rows: tuple[tuple[int, list[str]], ...]
     _table: _Table
 
@@ -820,17 +822,17 @@ class TextTable:
 
     def text(self, row: int, name: str) -> str:
         """The cell of a row below a name, without blanks around it."""
-        return self.rows[row][1][self.names.index(name)]
+        return self.rows[row][1][self.names[name]]
 
     def number(self, row: int, name: str) -> float:
         """The finite number of a cell."""
         line, cells = self.rows[row]
-        cell = cells[self.names.index(name)]
+        cell = cells[self.names[name]]
         return _number(cell, self._table.text.path, line, f"{name} of row {row + 1}")
 
     def factor(self, name: str, asked: str | None, gravity: float) -> float:
         """The factor to SI of a column, from its heading or from the caller."""
-        return _channel_factor(self._table, self.names.index(name), name, asked, gravity)
+        return _channel_factor(self._table, self.names[name], name, asked, gravity)
 
 
 def read_table(path: FilePath) -> TextTable:
@@ -840,13 +842,13 @@ def read_table(path: FilePath) -> TextTable:
     that has more or fewer cells than names.
     """
     table = _table(_open(path))
-    names = tuple(_BRACKETED.sub("", name).strip() for name in table.names)
+    names = Counter(_BRACKETED.sub("", name).strip() for name in table.names)
     if not names or table.header_line is None:
         remedy = "write a first line with a name for each column, such as test, peak (deg), outcome"
         raise MotionError.at(path, None, "the columns have no names", remedy)
-    for name in names:
-        if not name or names.count(name) > 1:
-            what = f"{names.count(name)} column(s) are called {_short(name)}"
+    for name, times in names.items():
+        if not name or times > 1:
+            what = f"{times} column(s) are called {_short(name)}"
             raise MotionError.at(path, table.header_line, what, "give each a name of its own")
     rows = []
     for number, line in chain.from_iterable(table.text.content()):
@@ -861,4 +863,4 @@ def read_table(path: FilePath) -> TextTable:
             raise MotionError.at(path, number, what, remedy)
         rows.append((number, cells))
     width = replace(table, first=[""] * len(names))  # as the heading has it
-    return TextTable(names, tuple(rows), width)
+    return TextTable({name: i for i, name in enumerate(names)}, tuple(rows), width)

@@ -47,7 +47,7 @@ _PARTS = 8
 """Parts of a step that may hold the largest value, each searched for a turn."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class ResponseSpectrum:
     """Largest answers of elastic oscillators to a motion, (n,) each, found within the steps.
 

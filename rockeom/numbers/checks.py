@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import cache
 from numbers import Real
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from rockeom.numbers.functions import Compound
+
+T = TypeVar("T")
 
 _LONGEST = 60  # letters of a value in an error
 LARGEST_WHOLE = 2**63 - 1
@@ -54,6 +57,19 @@ def near(name: Any, known: Iterable[str], instead: Mapping[str, str] | None = No
 def installed_by(extra: str) -> str:
     """The command that installs an extra of the package, quoted for every shell."""
     return f'pip install -e ".[{extra}]" in a clone of the repository of rockeom'
+
+
+def options_of(name: str, options: Any, kind: type[T], example: str) -> T:
+    """The options of a kind, or its defaults for None; raises TypeError for anything else."""
+    chosen = _defaults(kind) if options is None else options  # type: ignore[arg-type]
+    if not isinstance(chosen, kind):
+        raise TypeError(f"{name} is {described(chosen)}: give options, such as {example}")
+    return chosen
+
+
+@cache
+def _defaults(kind: Any) -> Any:
+    return kind()
 
 
 def is_number(value: Any) -> bool:

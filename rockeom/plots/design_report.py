@@ -44,7 +44,7 @@ _ASSUMPTIONS = "Assumptions, and how far they held"
 Row = tuple[str, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class UnderRecord:
     """Effects of one record on the structure, rocking and, if it has one, on a fixed base."""
 

@@ -207,7 +207,7 @@ AT_THE_END = 1e-9
 
 
 @renamed.fields(phase="mode")
-@explained.attributes(simulate="rk.simulate(structure, motion)", run="rk.simulate(...)")
+@explained.attributes(simulate="rk.simulate(case)", run="rk.simulate(case)")
 @explained.calls(
     restitution="impact=rk.VelocityRatio(e)",
     options="them to rk.simulate or rk.simulate_many",

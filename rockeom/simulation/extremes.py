@@ -43,7 +43,7 @@ class Extremes:
         return self.minimum_time if -self.minimum > self.maximum else self.maximum_time
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Search:
     """Steps, each up to a part `width` of it and its last time [s], and the quantities there."""
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cache
 
 from rockeom.integrator.methods.coefficients import PAIRS
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described, near, number, whole_number
+from rockeom.numbers.checks import near, number, options_of, whole_number
 
 METHODS = (*PAIRS, "Radau")
 """Explicit ones, and the implicit one of implicit.py."""
@@ -94,16 +93,4 @@ class SolverOptions:
     @classmethod
     def of(cls, options: SolverOptions | None) -> SolverOptions:
         """The options given, or the defaults for None; raises TypeError for anything else."""
-        if options is None:
-            return _default()
-        if isinstance(options, cls):
-            return options
-        raise TypeError(
-            f"options is {described(options)}: give options of the solver, such as "
-            "rk.SolverOptions(rtol=1e-8)"
-        )
-
-
-@cache
-def _default() -> SolverOptions:
-    return SolverOptions()
+        return options_of("options", options, cls, "rk.SolverOptions(rtol=1e-8)")

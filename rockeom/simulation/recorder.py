@@ -9,6 +9,7 @@ from typing import Protocol
 import numpy as np
 
 from rockeom import renamed
+from rockeom.integrator.program import say
 from rockeom.simulation.events import EventColumns
 from rockeom.simulation.extremes import Extremes, Running
 from rockeom.simulation.steps import Evaluate, Rows, Steps
@@ -16,11 +17,12 @@ from rockeom.simulation.steps import Evaluate, Rows, Steps
 ALL, SAMPLES = KEEP = ("all", "samples")
 """The parts of a motion that `simulate` may keep."""
 
+_MANY = 100_000  # steps from which a line on stderr says how far it is, at each power of ten
 _DOUBLED = 4096  # steps up to which a full record doubles; then it grows by so many, or an eighth
 
 
 @renamed.fields(contact="mode")
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Samples:
     """A motion at some times: t (n,) [s], states y (n, N), mode (n,), and its extremes by name."""
 
@@ -79,7 +81,7 @@ class SampleRecorder:
     """
 
     def __init__(self, spacing: float, names: Sequence[str], evaluate: Evaluate) -> None:
-        self.n = self.taken = 0
+        self.n, self.taken, self.told_at = 0, 0, _MANY
         self.spacing = min(spacing, 1e300)  # infinite: the start, the events and the end
         self.names, self.running = names, Running(evaluate)
         self.held: Steps | None = None  # the last step: up to where it counts the next one tells
@@ -98,6 +100,9 @@ class SampleRecorder:
             after = float(whole.span[last, 0])
             self.running.add(whole[:last], after)
             self._sample(whole[:last], after)
+            if self.n >= self.told_at:
+                self.told_at *= 10
+                say(f"keep='samples' has searched {self.n:,} steps, up to {after:.4g} s")
         self.held = whole[np.array([last])]  # a copy
 
     def _sample(self, steps: Steps, end: float) -> None:

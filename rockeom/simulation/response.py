@@ -89,7 +89,7 @@ def _listed(names: Sequence[str]) -> Sequence[str]:
 )
 @explained.attributes()
 @explained.calls()
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Response:
     """Motion of a structure under a ground motion, as sampled and at any time.
 

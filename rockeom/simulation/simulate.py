@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
@@ -57,8 +57,8 @@ from rockeom.structures.impact_laws import ImpactLaw
     t_end="duration=",
 )
 def simulate(
-    structure: Structure,
-    motion: GroundMotion | Recording,
+    structure: Structure | Case,
+    motion: GroundMotion | Recording | None = None,
     *,
     impact: ImpactLaw | None = None,
     initial: Mapping[str, float] | None = None,
@@ -70,6 +70,7 @@ def simulate(
 ) -> Response:
     """Response of a structure to a horizontal (and a vertical) ground motion.
 
+    structure : what is shaken; or a `Case`, which has all but `options` and `keep`.
     motion : the horizontal one, or a recording with one horizontal component, which brings its
         vertical one along. vertical : the vertical one.
     impact : Impulsive(), EnergyRatio(r), VelocityRatio(e), AngularMomentum() or another impact law;
@@ -80,7 +81,8 @@ def simulate(
     keep : "all", the polynomials of every step, from which all follows at any time: 24 + 64 N bytes
         a step, of N states. "samples", for records of hours: the states every `output_step` of the
         options and on both sides of every event, and the extremes of states, energies, forces and
-        displacements, which are found while the motion runs. Whatever needs the steps then raises
+        displacements, which are found while the motion runs: some .1 ms a step, of which a line on
+        stderr tells from 100,000 steps on. Whatever needs the steps then raises
         ValueError: `at`, works and other extremes, `support`.
 
     Raises ValueError for states that are unknown, not finite or already fallen over, and TypeError
@@ -88,7 +90,13 @@ def simulate(
     """
     if keep not in KEEP:
         raise ValueError(f"keep is {described(keep)}: choose {' or '.join(map(repr, KEEP))}")
-    case = Case(structure, cast(GroundMotion, motion), impact, initial, duration, vertical, mode)
+    parts: Any = motion, impact, initial, duration, vertical, mode
+    case = structure if isinstance(structure, Case) else Case(structure, *parts)
+    if case is structure and any(part is not None for part in parts):
+        raise TypeError(
+            "structure is a case, which has the other arguments: give others to "
+            "dataclasses.replace(case, ...)"
+        )
     return simulated(case, without_duals(case.problem()), SolverOptions.of(options), keep)
 
 
@@ -118,7 +126,7 @@ def simulated(case: Case, problem: Problem, options: SolverOptions, keep: str = 
     )  # fmt: skip
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Integrated:
     """A motion as the compiled loop leaves it: how it ended, its last state and its events.
 

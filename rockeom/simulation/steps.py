@@ -26,7 +26,7 @@ Evaluate = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 
 
 @renamed.fields(contact="mode")
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Steps:
     """The dense record: steps (n, 2) start and length [s], mode (n,), powers (n, 8, N)."""
 

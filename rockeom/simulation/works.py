@@ -34,8 +34,8 @@ class EnergyBalance(NamedTuple):
     impacts : lost at impacts, and in springs that are let go while they are drawn. gained : energy
     at the end less that at the start. friction : lost where points slide. impact_gains : what
     impacts gained that gained energy, which `impacts` has less; see `run.impacts.energy_gains`.
-    error : the rest input - damping - friction - impacts - gained, over the largest of them and
-    of the kinetic energy.
+    error : the rest input - damping - friction - impacts - gained, over the largest of them and of
+    the kinetic, gravitational (of the height above the ground) and elastic energies on the way.
     """
 
     input: float
@@ -95,10 +95,12 @@ class Works:
         )
         self.impacts = np.cumsum(lost + inside)
 
+    def _energies(self, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
+        """(3, n) kinetic, gravitational and elastic energy."""
+        return filled(self.structure.module, self.structure.vector, "energies", 3, mode, y)
+
     def _energy(self, y: np.ndarray, mode: np.ndarray) -> np.ndarray:
-        return filled(self.structure.module, self.structure.vector, "energies", 3, mode, y).sum(
-            axis=0
-        )
+        return self._energies(y, mode).sum(axis=0)
 
     @staticmethod
     def _unexplained(work: np.ndarray, gained: np.ndarray) -> np.ndarray:
@@ -168,15 +170,8 @@ class Works:
         impacts, gained = float(self.impacts[-1]), float(self.end - self.first[0])
         lost = damping - force
         left = ground - lost - friction - impacts - gained
-        kinetic = filled(
-            self.structure.module,
-            self.structure.vector,
-            "energies",
-            3,
-            self.steps.mode,
-            self.steps.powers[:, 0],
-        )[0]
-        largest = max(*map(abs, (ground, lost, friction, impacts, gained)), float(kinetic.max()))
+        energies = self._energies(self.steps.powers[:, 0], self.steps.mode)
+        largest = max(*map(abs, (ground, lost, friction, impacts, gained)), abs(energies).max())
         error = abs(left) / largest if largest else 0.0
         gains = float(self.events.impacts.energy_gains.sum())
         return EnergyBalance(ground, lost, impacts, gained, error, friction, gains)

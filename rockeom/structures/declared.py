@@ -65,7 +65,8 @@ class StructureWithFields(Structure):
                 check_named(kind.__name__, unnamed, defaults, kind.__doc__)
                 explain = kind.__doc__, kind._taker_of
                 check_names(kind.__name__, required, defaults, values, *explain)
-            numbers = {name: v for name, v in values.items() if name not in kind.not_numbers}
+            unset = {n for n, v in values.items() if v is None and defaults[n] is None}
+            numbers = {n: v for n, v in values.items() if n not in kind.not_numbers | unset}
             check_values(kind.__name__, numbers, kind.may_vanish, kind.may_be_negative)
             if "alpha" in numbers:
                 check_slenderness(kind.__name__, numbers["alpha"])

@@ -99,7 +99,7 @@ def check_named(
 
 def check_values(
     what: str,
-    values: Mapping[str, float | None],
+    values: Mapping[str, float],
     may_vanish: frozenset[str] = frozenset(),
     may_be_negative: frozenset[str] = frozenset(),
     largest: float = LARGEST,
@@ -110,8 +110,6 @@ def check_values(
     is refused; one that must be positive is no smaller than its inverse.
     """
     for name, value in values.items():
-        if value is None:
-            continue
         given = number(f"{what}: {name}", value, "give a number in SI units")
         allowed = given >= 0 if name in may_vanish else given > 0
         if name in may_be_negative:

@@ -15,7 +15,7 @@ import xarray as xr
 
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.batch import Differs, Many
-from rockeom.numbers.checks import described, is_number
+from rockeom.numbers.checks import described, is_number, number
 from rockeom.simulation.case import Case, Problem, Problems, without_duals
 
 FEW, MANY = 256, 2048
@@ -234,7 +234,7 @@ def labels(values: Sequence[Any] | np.ndarray) -> list[Any]:
 
 def _short(value: Any) -> str:
     """A value in an error: a number with the digits that tell it apart, an object by its name."""
-    return f"{value:.6g}" if is_number(value) else _name(value) or described(value)
+    return f"{number('value', value):.6g}" if is_number(value) else _name(value) or described(value)
 
 
 def _name(value: Any) -> str:

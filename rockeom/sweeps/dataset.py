@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -95,17 +96,17 @@ class Sweep(xr.Dataset):
         return page_of_sweep(self)
 
 
-def dataset(results: Results, task: Task, cases: Cases, module: GeneratedModule) -> Sweep:
+def dataset(results: Results, labels: Labels, interrupted: bool) -> Sweep:
     """All results of the cases, in one go: a dataset is slow to make."""
-    variables = _Variables(cases.dims, cases.shape, module).of(results, task)
-    coordinates = {name: variables.pop(name) for name in _COORDINATES if name in variables}
-    return Sweep(variables, coords=coordinates | cases.coordinates())
+    variables, coordinates = labels.variables(results)
+    return Sweep(variables, coordinates, {**labels.attrs, "interrupted": int(interrupted)})
 
 
-def check_names(task: Task, cases: Cases, module: GeneratedModule) -> None:
+def check_names(task: Task, cases: Cases, labels: Labels) -> None:
     """Raises ValueError for a name in `over` that the dataset has for something else."""
-    row = Results.of(task, 1, module.N_STATES)
-    variables = _Variables((ROW,), (1,), module).of(row, task)
+    row = replace(labels, dims=(ROW,), shape=(1,), coordinates={})
+    variables, coordinates = row.variables(Results.of(task, 1, len(labels.states)))
+    variables |= coordinates
     own = {*variables}.union(*(variable[0] for variable in variables.values())) - {ROW}
     for name in cases.values:
         if name in own:
@@ -118,22 +119,39 @@ def check_names(task: Task, cases: Cases, module: GeneratedModule) -> None:
 _COORDINATES = ("state", "state_unit", "quantity", "quantity_unit", "time", "side")
 
 
-class _Variables:
-    """Makes the variables of a dataset, each with its dimensions, values and attributes.
+@dataclass(frozen=True)
+class Labels:
+    """Names, units and coordinates of results, all in words and numbers that a file can hold.
 
-    dims, shape : of the cases.
+    dims, shape : of the cases. states, modes, quantities : their names. times [s] : of the history.
+    units : of states, quantities and energies, by name. seconds : unit of times. attrs : of the
+    dataset. coordinates : (dimensions, values, attributes) of each.
     """
 
-    def __init__(
-        self, dims: tuple[str, ...], shape: tuple[int, ...], module: GeneratedModule
-    ) -> None:
-        self.dims, self.shape, self.module = dims, shape, module
-        self.units = {name: in_udunits(unit) for name, unit in units_of(module).items()}
-        self.seconds = in_udunits(time_unit(module))
+    dims: Sequence[str]
+    shape: Sequence[int]
+    states: Sequence[str]
+    modes: Sequence[str]
+    quantities: Sequence[str]
+    times: Sequence[float]
+    units: Mapping[str, str]
+    seconds: str
+    attrs: Mapping[str, Any]
+    coordinates: Mapping[str, Any]
 
-    def of(self, results: Results, task: Task) -> dict[str, Any]:
-        """All variables, by name."""
-        variables = self.named("state", self.module.STATES) | self.of_cases(results)
+    @classmethod
+    def of(
+        cls, task: Task, cases: Cases, module: GeneratedModule, attrs: Mapping[str, Any]
+    ) -> Labels:
+        units = {name: in_udunits(unit) for name, unit in units_of(module).items()}
+        return cls(
+            cases.dims, cases.shape, module.STATES, module.MODES, task.quantities,
+            task.times.tolist(), units, in_udunits(time_unit(module)), attrs, cases.coordinates(),
+        )  # fmt: skip
+
+    def variables(self, results: Results) -> tuple[dict[str, Any], dict[str, Any]]:
+        """All variables by name, and the coordinates."""
+        variables = self.named("state", self.states) | self.of_cases(results)
         if results.times.size:
             variables["impact_time"] = self.shaped(
                 results.times, "time of the impact", "impact", units=self.seconds
@@ -142,27 +160,26 @@ class _Variables:
             variables["side"] = ("side",), ["before", "after"], {"long_name": "side of the impact"}
             variables["impact_state"] = self.shaped(
                 results.impact_states, "state at the impact", "impact", "side", "state",
-                **self.one_unit(self.module.STATES),
+                **self.one_unit(self.states),
             )  # fmt: skip
-        if task.quantities:
-            variables |= self.named("quantity", task.quantities) | self.extremes(
-                results.extremes, "quantity", task.quantities, "_quantity"
+        if self.quantities:
+            variables |= self.named("quantity", self.quantities) | self.extremes(
+                results.extremes, "quantity", self.quantities, "_quantity"
             )
-        if task.times.size:
-            variables["time"] = (
-                ("time",), task.times, {"long_name": "time", "units": self.seconds}
-            )  # fmt: skip
+        if self.times:
+            variables["time"] = ("time",), self.times, {"long_name": "time", "units": self.seconds}
             variables["history"] = self.shaped(
-                results.histories, "history", "quantity", "time", **self.one_unit(task.quantities)
+                results.histories, "history", "quantity", "time", **self.one_unit(self.quantities)
             )
-        return variables
+        named = {name: variables.pop(name) for name in _COORDINATES if name in variables}
+        return variables, {**named, **self.coordinates}
 
     def of_cases(self, results: Results) -> dict[str, Any]:
         """Variables that the compiled loop gives of every case."""
         ran = results.outcome != NOT_RUN
-        modes, flags = np.array([*self.module.MODES, ""]), flags_of(results.outcome)
+        modes, flags = np.array([*self.modes, ""]), flags_of(results.outcome)
         gains, gained = results.gains[:, 0].astype(np.int64), results.gains[:, 1]
-        states = self.module.STATES
+        states = self.states
         peaks = np.where(ran[:, None, None], results.peaks, np.nan)
         final = np.where(ran[:, None], results.final, np.nan)
         return {
@@ -186,7 +203,7 @@ class _Variables:
 
     def shaped(self, values: np.ndarray, name: str, *others: str, **attrs: Any) -> Any:
         """A variable over the cases, and over other dimensions."""
-        shape = self.shape + values.shape[1:]
+        shape = (*self.shape, *values.shape[1:])
         return (*self.dims, *others), values.reshape(shape), {"long_name": name, **attrs}
 
     def extremes(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described, whole_number
+from rockeom.numbers.checks import described, options_of, whole_number
 
 
 @explained.attributes()
@@ -36,7 +36,7 @@ class SweepOptions:
         its names and values, structure, options and results, and the function, by the cases that it
         makes: the first, the last, 14 between and one of each object in `over`.
         Another function that makes the same of these is not noticed. One process at a time may
-        write.
+        write; `open_sweep` reads.
     executor : who does the work instead of threads: anything whose `submit` returns futures, such
         as ProcessPoolExecutor() or `client.get_executor(pure=False)` of a dask cluster. The
         case or function, its values and the options are sent to the workers, and so must be
@@ -76,11 +76,4 @@ class SweepOptions:
     @classmethod
     def of(cls, options: SweepOptions | None) -> SweepOptions:
         """The options given, or the defaults for None; raises TypeError for anything else."""
-        if options is None:
-            return cls()
-        if isinstance(options, cls):
-            return options
-        raise TypeError(
-            f"sweep_options is {described(options)}: give options of a sweep, such as "
-            "rk.SweepOptions(threads=4)"
-        )
+        return options_of("sweep_options", options, cls, "rk.SweepOptions(threads=4)")

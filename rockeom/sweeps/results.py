@@ -29,7 +29,7 @@ NOT_RUN = -1
 """The value in place of the number of an outcome, of a case that was not run."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Results:
     """Arrays of n cases; threads write to rows of their own.
 
@@ -107,11 +107,7 @@ class Results:
                 raise
 
     def _respond_to(self, case: Case, row: int, task: Task) -> None:
-        response = simulate(
-            case.structure, case.motion, impact=case.impact, initial=case.initial,
-            duration=case.duration, vertical=case.vertical, mode=case.mode,
-            options=task.options,
-        )  # fmt: skip
+        response = simulate(case, options=task.options)
         states = response.impacts.columns.states[: self.impact_states.shape[1]]
         self.impact_states[row, : len(states)] = states
         if task.quantities:

@@ -24,11 +24,12 @@ from rockeom.simulation.method_selection import DEFAULT, Choice, chosen
 from rockeom.simulation.options import SolverOptions
 from rockeom.sweeps.case_numbers import sweep_of
 from rockeom.sweeps.cases import Cases, first_of
-from rockeom.sweeps.dataset import Sweep, check_names, dataset
+from rockeom.sweeps.dataset import Labels, Sweep, check_names, dataset
 from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.results import NOT_RUN, Results
-from rockeom.sweeps.store import Store, opened
+from rockeom.sweeps.store import Store, definition, opened
 from rockeom.sweeps.task import Task
+from rockeom.sweeps.unfinished import Unfinished, part_for_users
 from rockeom.sweeps.workers import Progress, in_executor, in_threads
 
 MOST_KEPT, CHUNKS = 4096, 64
@@ -39,6 +40,7 @@ ARRAYS = "leave it out, functions are called for many cases at once wherever tha
 """The remedy of a former argument."""
 
 
+@part_for_users
 @renamed.needless(arrays=ARRAYS)
 @renamed.moved(
     "sweep_options", SweepOptions, "threads", "chunk", "progress", "lanes", "store", "executor"
@@ -116,13 +118,14 @@ def simulate_many(
     is the larger of their sizes; they are found within the steps. Every variable has a long_name
     and, where it has one unit, units; state_unit and quantity_unit tell those of each state and
     quantity. Memory is bounded by the dataset. A keyboard interrupt ends the work early: what is
-    done is returned, `attrs["interrupted"]` is 1.
+    done is returned, `attrs["interrupted"]` is 1. Functions of the package that make something else
+    of a sweep raise it.
 
     Raises ValueError for names that the case does not have, with all there are and their units;
     with the values of the case for what cannot be simulated, with `lanes` or at all; and for a
     store that holds another sweep. RuntimeError for a store that is in use, ModuleNotFoundError
-    without zarr. The error of an executor that has lost its workers has a note that says which
-    cases went with them.
+    without zarr. The error of an executor that does not run some cases has a note that says
+    whose it is and which cases are missing.
     """
     cases = Cases.of(over)
     how = SweepOptions.of(sweep_options)
@@ -141,13 +144,17 @@ def simulate_many(
         case, options, lanes, impact_times, impact_states, quantities, np.asarray(times),
         its_revision,
     )  # fmt: skip
-    check_names(task, cases, module)
+    attrs = {"model": module.NAME, "method": method, "chosen": because}
+    if law := first.structure.describe_impact(first.impact):
+        attrs["impact_law"] = f"{law}, of the first case"
+    labels = Labels.of(task, cases, module, attrs)
+    check_names(task, cases, labels)
     results = Results.of(task, cases.total, module.N_STATES)
     size = how.chunk or max(1, min(MOST_KEPT, -(-cases.total // CHUNKS)))
     store = (
         nullcontext()
         if how.store is None
-        else opened(how.store, task, cases, module, results, size)
+        else opened(how.store, definition(task, cases, module), labels, results, size)
     )
     with store as on_disk:
         rows = np.flatnonzero(results.outcome == NOT_RUN)
@@ -163,15 +170,9 @@ def simulate_many(
                 else:
                     chunks = _chunks(rows, size if on_disk is None else on_disk.size)
                     in_executor(how.executor, task, cases, chunks, results, done)
-                interrupted = False
             except KeyboardInterrupt:
-                interrupted = True
-    dataset_ = dataset(results, task, cases, module)
-    dataset_.attrs |= {"model": module.NAME, "method": method, "chosen": because}
-    dataset_.attrs["interrupted"] = int(interrupted)
-    if law := first.structure.describe_impact(first.impact):
-        dataset_.attrs["impact_law"] = f"{law}, of the first case"
-    return dataset_
+                raise Unfinished(dataset(results, labels, interrupted=True)) from None
+    return dataset(results, labels, interrupted=False)
 
 
 def _done(shown: Progress, on_disk: Store | None, rows: np.ndarray) -> None:

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from rockeom.motion import GroundMotion
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Sensitivity:
     """Answers of a simulation and their derivatives; printed as a table, with units.
 

@@ -4,12 +4,15 @@ It is a zarr group with an array of each kind of result, a row a case. The outco
 written last; where it was not, its numbers read as zero, which stands for pending. Files are
 written next to their place and then moved, so a process that is killed leaves no half of one. Each
 chunk has a file in each array, also where it holds nothing but zeros or nan: a file that is missing
-is lost, and its chunk is pending.
+is lost, and its chunk is pending. Each file has a checksum, so that a bit that has changed is an
+error and no result. The group "labels" has the coordinates, its attribute all else that a dataset
+says of the numbers.
 """
 
 from __future__ import annotations
 
 import hashlib
+import math
 import os
 import shutil
 import sys
@@ -21,17 +24,18 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
+import xarray as xr
 
 from rockeom import renamed
 from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.checks import installed_by, is_number
-from rockeom.sweeps.cases import Cases, Source, labels
-from rockeom.sweeps.dataset import FLAGS, PENDING, flags_of, outcomes_of
+from rockeom.sweeps.cases import Cases, Source, labels as labels_of
+from rockeom.sweeps.dataset import FLAGS, PENDING, Labels, Sweep, dataset, flags_of, outcomes_of
 from rockeom.sweeps.results import NOT_RUN, Results
 from rockeom.sweeps.task import Task
 
-FORMAT = 2
+FORMAT = 3
 """Format of the files; another one is refused."""
 
 SPREAD = 16
@@ -118,16 +122,68 @@ def _not_empty(results: Results) -> dict[str, np.ndarray]:
     return {name: array for name, array in results.arrays().items() if array.size}
 
 
-def _meaning() -> dict[str, Any]:
-    return {name: np.asarray(value).tolist() for name, value in FLAGS.items()}
+def open_sweep(path: str | os.PathLike[str]) -> Sweep:
+    """The dataset of a sweep that a store holds, as `simulate_many` returns it.
+
+        rk.simulate_many(case, over, sweep_options=rk.SweepOptions(store="map.zarr"))
+        sweep = rk.open_sweep("map.zarr")
+
+    path : of the store. Neither the function of the sweep nor its structure are needed, and a sweep
+        may still be under way: what is not there yet is "not run", `attrs["interrupted"]` is 1.
+
+    Raises ModuleNotFoundError without zarr, ValueError for what is no store of a sweep, and the
+    error of zarr for a chunk whose checksum says that it has changed.
+    """
+    path = Path(path)
+    group = _group(path, "r")
+    about: Any = group.attrs["labels"]
+    named = xr.open_zarr(path, group="labels", consolidated=False).load().variables
+    coordinates = {}
+    for name in about["coordinates"]:
+        array, here = group["labels"][name], named[name]
+        if array.nchunks_initialized < array.nchunks:
+            raise ValueError(f"{str(path / 'labels' / name)!r} lacks a file: the store is damaged")
+        values = here.values.tolist() if here.dtype.kind in "OT" else here.values
+        coordinates[name] = here.dims, values, here.attrs
+    labels = Labels(**about | {"coordinates": coordinates})
+    facts: Any = group.attrs["rockeom_sweep"]
+    results = Results.empty(
+        math.prod(labels.shape), len(labels.states), int(facts["impact_times"]),
+        facts["impact_states"] == "True", len(labels.quantities), len(labels.times),
+    )  # fmt: skip
+    Store(path, group, results).read()
+    return dataset(results, labels, bool((results.outcome == NOT_RUN).any()))
+
+
+def _zarr() -> Any:
+    try:
+        import zarr
+    except ModuleNotFoundError:
+        raise ModuleNotFoundError(
+            "a sweep is kept on disk by zarr, which is not installed. Remedy: "
+            f"{installed_by('store')}."
+        ) from None
+    return zarr
+
+
+def _group(path: Path, mode: str) -> Any:
+    """The group of a store; raises ValueError for anything else."""
+    zarr = _zarr()
+    try:
+        group = zarr.open_group(str(path), mode=mode)
+        group.attrs["rockeom_sweep"], group.attrs["labels"]
+    except Exception as error:
+        raise ValueError(
+            f"{str(path)!r} is no store of a sweep, or that of a former release: give another path"
+        ) from error
+    return group
 
 
 @contextmanager
 def opened(
     path: str | os.PathLike[str],
-    task: Task,
-    cases: Cases,
-    module: GeneratedModule,
+    definition: Mapping[str, str],
+    labels: Labels,
     results: Results,
     chunk: int,
 ) -> Iterator[Store]:
@@ -138,46 +194,46 @@ def opened(
     Raises ModuleNotFoundError without zarr, ValueError for what is no store or that of another
     sweep, RuntimeError while another process writes to it.
     """
-    try:
-        import zarr
-    except ModuleNotFoundError:
-        raise ModuleNotFoundError(
-            "a sweep is kept on disk by zarr, which is not installed. Remedy: "
-            f"{installed_by('store')}."
-        ) from None
-    path, here = Path(path), definition(task, cases, module)
+    path = Path(path)
     if not path.exists():
-        _make(path, here, results, chunk)
-    try:
-        group = zarr.open_group(str(path), mode="r+")
-        there: Any = group.attrs["rockeom_sweep"]
-    except Exception as error:
-        raise ValueError(
-            f"store is {str(path)!r}, which is there and no store of a sweep: give another path"
-        ) from error
-    _check_same(path, there, here)
+        _make(path, definition, labels, results, chunk)
+    group = _group(path, "r+")
+    _check_same(path, group.attrs["rockeom_sweep"], definition)
     with _alone(path):
         store = Store(path, group, results)
         store.read()
         yield store
 
 
-def _make(path: Path, definition: Mapping[str, str], results: Results, chunk: int) -> None:
+def _make(
+    path: Path, definition: Mapping[str, str], labels: Labels, results: Results, chunk: int
+) -> None:
     """An empty store; it is there when it is whole."""
-    import zarr
-
+    zarr = _zarr()
     beside = path.with_name(f"{path.name}.{uuid.uuid4().hex}.partial")
+    coordinates = labels.variables(results)[1]
+    about = {**vars(labels), "coordinates": [*coordinates]}
+    seconds: dict[str, Any] = {"units": labels.seconds}
+    flags = {name: np.asarray(value).tolist() for name, value in FLAGS.items()}
+    of = {"outcome": flags, "final_time": seconds, "times": seconds}
+    how = {"compressors": zarr.codecs.ZstdCodec(level=0, checksum=True)}
     try:
-        attributes = {"rockeom_sweep": dict(definition)}
+        attributes = {"rockeom_sweep": dict(definition), "labels": about}
         group = zarr.create_group(str(beside), zarr_format=3, attributes=attributes)
         for name, array in _not_empty(results).items():
-            flags = name == "outcome"
             group.create_array(
-                name, shape=array.shape, dtype=np.int8 if flags else array.dtype,
+                name, shape=array.shape, dtype=np.int8 if name == "outcome" else array.dtype,
                 chunks=(min(chunk, len(array)), *array.shape[1:]),
                 fill_value=np.nan if array.dtype == float else 0,
-                dimension_names=_DIMS.get(name, ("case",)), attributes=_meaning() if flags else {},
+                dimension_names=_DIMS.get(name, ("case",)), attributes=of.get(name, {}), **how,
             )  # fmt: skip
+        named = xr.Dataset(coords=coordinates)
+        texts = {n: v.astype(str) for n, v in named.variables.items() if v.dtype.kind in "OU"}
+        words = {n: v.astype(object) for n, v in texts.items()}
+        encoding = dict.fromkeys(named.variables, how)
+        named.assign_coords(words).to_zarr(
+            beside, group="labels", consolidated=False, encoding=encoding, write_empty_chunks=True
+        )
         beside.rename(path)
     except OSError:  # another process was faster: what it has made is looked at like any other
         if not path.exists():
@@ -203,12 +259,11 @@ def definition(task: Task, cases: Cases, module: GeneratedModule) -> dict[str, s
         + " x ".join(map(str, cases.shape)),
         "names": ", ".join(cases.values),
         "impact_times": str(task.impact_times),
+        "impact_states": str(bool(task.impact_states)),
         "quantities": ", ".join(task.quantities),
         "times": str(np.asarray(task.times, dtype=float).tolist()),
         "lanes": str(task.lanes),
     }
-    if task.impact_states:  # stores of former releases have no such entry
-        facts["impact_states"] = "True"
     facts |= {name: repr(value) for name, value in asdict(task.options).items()}
     for name, values in cases.values.items():
         which = () if cases.which is None else (cases.which[name],)
@@ -223,7 +278,7 @@ def _of_values(values: Sequence[Any] | np.ndarray) -> np.ndarray | str:
     if {*map(type, values)} <= {float, np.float64}:
         return np.array(values)
     plain = all(isinstance(value, str) or is_number(value) for value in values)
-    return repr([(type(v).__name__, v) for v in values] if plain else labels(values))
+    return repr([(type(v).__name__, v) for v in values] if plain else labels_of(values))
 
 
 def _sample(cases: Cases) -> np.ndarray:

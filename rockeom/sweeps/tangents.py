@@ -38,7 +38,7 @@ from rockeom.simulation.response import Outcome, Response
 from rockeom.simulation.simulate import simulated
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Tangents:
     """A motion with its derivatives along m directions, those of the duals of its case.
 
@@ -169,7 +169,7 @@ class _Carried(NamedTuple):
     at: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Motion:
     """A motion and what it is derived by."""
 

@@ -15,7 +15,7 @@ from rockeom.simulation.options import SolverOptions
 from rockeom.sweeps.cases import Cases, Source
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Task:
     """All that another process must know of a sweep but the values of its cases.
 

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
+import asyncio
+import pickle
 import queue
 import sys
 import threading
 import time
+import traceback
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import (
-    FIRST_COMPLETED,
-    BrokenExecutor,
-    CancelledError,
-    ThreadPoolExecutor,
-    wait,
-)
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from typing import Any
 
 import numpy as np
@@ -26,11 +23,27 @@ from rockeom.sweeps.results import Results
 from rockeom.sweeps.task import Task
 
 AGAIN = 3
-"""Number of times that an executor which has lost a chunk receives it again."""
+"""Number of times that an executor receives a chunk again that it did not run."""
 
 
-def run_apart(task: Task, cases: Cases) -> dict[str, np.ndarray]:
-    """Results of a table of cases, run in the process of the caller, which is an executor's."""
+def run_apart(task: Task, cases: Cases) -> dict[str, np.ndarray] | Exception:
+    """Results of a table of cases, run in the process of the caller, which is an executor's.
+
+    The exception of a case is returned, since those that a future raises are the executor's.
+    """
+    try:
+        return _results_of(task, cases).arrays()
+    except Exception as error:
+        trace = traceback.format_exc()
+        try:
+            pickle.loads(pickle.dumps(error))
+        except Exception:  # an exception that needs more arguments than it keeps, for example
+            error = RuntimeError(f"{type(error).__name__}: {error}")
+        error.add_note(trace)
+        return error
+
+
+def _results_of(task: Task, cases: Cases) -> Results:
     module = first_of(task.case, cases).structure.module
     method = task.options.method
     assert method is not None
@@ -43,7 +56,7 @@ def run_apart(task: Task, cases: Cases) -> dict[str, np.ndarray]:
     results = Results.of(task, cases.total, module.N_STATES)
     for batch in task.source(cases, module, chunk=None):
         results.run(batch, compiled, task, stop)
-    return results.arrays()
+    return results
 
 
 def in_executor(
@@ -56,27 +69,29 @@ def in_executor(
 ) -> None:
     """Workers run chunks of rows until all are done; their results are put into `results` here.
 
-    A chunk that is lost with its worker is given out again, AGAIN times, if the executor takes it.
-    Raises what a case raises, or the error of an executor that has broken; its notes say what is
-    left to do.
+    A chunk that the executor cancels, loses with a worker or fails to run for any other reason is
+    submitted again, AGAIN times. Raises what a case raises, or the last error of the executor; its
+    notes say whose it is and what is left to do.
     """
     ended: queue.SimpleQueue[tuple[int, Any]] = queue.SimpleQueue()
     under_way: dict[int, Any] = {}
     times: Counter[int] = Counter()
     lost: dict[int, BaseException] = {}
 
-    def give(i: int) -> None:
-        times[i] += 1
-        try:
-            under_way[i] = future = executor.submit(run_apart, task, cases.part(chunks[i]))
-        except BrokenExecutor as error:
-            lost[i] = error
-            return
-        future.add_done_callback(lambda future: ended.put((i, future)))
+    def submit(i: int) -> None:
+        while times[i] <= AGAIN:
+            times[i] += 1
+            try:
+                under_way[i] = future = executor.submit(run_apart, task, cases.part(chunks[i]))
+            except Exception as error:
+                lost[i] = error
+            else:
+                future.add_done_callback(lambda future: ended.put((i, future)))
+                return
 
     try:
         for i in range(len(chunks)):
-            give(i)
+            submit(i)
         while under_way:
             try:  # an interrupt is answered in time, also where nothing ends a wait
                 i, future = ended.get(timeout=0.2)
@@ -84,42 +99,41 @@ def in_executor(
                 continue
             del under_way[i]
             try:
-                results_of_chunk = future.result()
-            except (BrokenExecutor, CancelledError) as error:
-                if times[i] <= AGAIN:
-                    give(i)
-                else:
-                    lost[i] = error
+                answer = future.result()
+            except (Exception, asyncio.CancelledError) as error:
+                lost[i] = error
+                submit(i)
                 continue
-            except Exception as error:
-                error.add_note(f"{_rows(chunks[i])} of the sweep, run by {described(executor)}")
-                if "pickle" in str(error):
-                    error.add_note(
-                        "what goes to another process must be picklable: let the function stand "
-                        "at the top level of a module"
-                    )
-                raise
-            results.put(chunks[i], results_of_chunk)
+            if isinstance(answer, Exception):
+                answer.add_note(f"{_rows(chunks[i])} of the sweep, run by {described(executor)}")
+                raise answer
+            lost.pop(i, None)
+            results.put(chunks[i], answer)
             done(chunks[i])
     finally:
         for future in under_way.values():
             future.cancel()
     if lost:
-        raise _lost(executor, lost, chunks)
+        raise _of_executor(executor, lost, chunks)
 
 
-def _lost(
+def _of_executor(
     executor: Any, lost: Mapping[int, BaseException], chunks: Sequence[np.ndarray]
 ) -> BaseException:
-    """The error of an executor that has lost its workers, with a note on the chunks they had."""
-    first = next(iter(lost.values()))
-    first.add_note(
-        f"lost with a worker of {described(executor)}, which takes no more work: "
-        f"{', '.join(_rows(chunks[i]) for i in sorted(lost)[:5])}"
+    """The first error of an executor, with notes on whose it is and the chunks not run."""
+    error = lost[min(lost)]
+    error.add_note(
+        f"raised by {described(executor)} itself, and by no case, in each of {AGAIN + 1} tries to "
+        f"run {', '.join(_rows(chunks[i]) for i in sorted(lost)[:5])}"
         f"{', ...' if len(lost) > 5 else ''}. Give another executor; with store=... the call "
         "then does only what is missing"
     )
-    return first
+    if "pickle" in str(error):
+        error.add_note(
+            "what goes to another process must be picklable: let the function stand at the top "
+            "level of a module"
+        )
+    return error
 
 
 def _rows(chunk: np.ndarray) -> str:

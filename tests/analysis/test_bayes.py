@@ -523,20 +523,6 @@ def test_what_is_refused():
         alone.sample(0)
 
 
-def test_an_interrupt_is_raised_and_not_returned_as_fewer_draws():
-    calls = []
-
-    def model(r):
-        calls.append(r)
-        if len(calls) == 600:
-            raise KeyboardInterrupt
-        return [r]
-
-    found = posterior(Observed.formula(model, [0.8], noise=0.1), {"r": RATIO})
-    with pytest.raises(KeyboardInterrupt):
-        found.sample(500, chains=1, warm_up=10)
-
-
 def test_without_its_package_the_sampler_says_how_to_get_it(monkeypatch):
     found = posterior(Observed.formula(lambda r: [r], [0.8], noise=0.1), {"r": RATIO})
     monkeypatch.setitem(sys.modules, "mici", None)

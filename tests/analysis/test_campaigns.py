@@ -7,6 +7,7 @@ from scipy import stats
 import rockeom as rk
 from rockeom.analysis.validation import Campaign, Ensemble, predictive_test, simulate_campaign
 from rockeom.motion import JenningsEnvelope, MotionError, MotionSet
+from rockeom.motion.readers import read_channels, read_table
 
 HEADING = "test, record, peak (deg), outcome, scale (-), half_width (mm), remark"
 ROWS = (
@@ -78,6 +79,34 @@ def test_records_are_files_beside_the_table_each_read_once(table, tmp_path, moti
     (tmp_path / "weak.csv").unlink()
     with pytest.raises(MotionError, match=r"csv, line 3: record is 'weak.csv': .*no such file"):
         Campaign.from_csv(table(rows=rows), parameters=KNOWN)
+
+
+@pytest.mark.parametrize("name", ["{0}/secret.csv", "../secret.csv", "link.csv", "below/link.csv"])
+def test_a_table_reads_no_files_outside_its_folder(table, tmp_path, name):
+    heading, folder = "test, record, peak (rad), outcome", tmp_path / "tests"
+    (folder / "below").mkdir(parents=True)
+    for file in (tmp_path / "secret.csv", folder / "below" / "beside.csv"):
+        file.write_text("t (s), a (g)\n0, 0\n0.01, 0.1\n0.02, 0.2")
+    for link in (folder / "link.csv", folder / "below" / "link.csv"):
+        link.symlink_to(tmp_path / "secret.csv")
+    for inside in ("below/beside.csv", "below/../below/beside.csv"):
+        path = table(heading, [f"T1, {inside}, 0.1, stood"])
+        assert Campaign.from_csv(path, folder, gravity=9.81).motions.names == (inside,)
+    path = table(heading, [f"T1, {name.format(tmp_path)}, 0.1, stood"])
+    with pytest.raises(MotionError, match=r"line 3: record is '.*', which is no file within"):
+        Campaign.from_csv(path, folder, gravity=9.81)
+
+
+def test_a_megabyte_of_headings_is_read_in_proportion_to_its_length(tmp_path):
+    """Minutes, if each name were looked for among all others."""
+    n = 80_000
+    heads, ones = ", ".join(f"h{i} (m)" for i in range(n)), ", ".join(["1"] * n)
+    wide = tmp_path / "wide.csv"
+    wide.write_text(f"time (s), {heads}\n0, {ones}\n0.1, {ones}\n0.2, {ones}\n")
+    table = read_table(wide)
+    assert table.number(2, f"h{n - 1}") == 1.0
+    channels = read_channels(wide, {}, None, "time", 9.81)
+    assert len(channels.values) == n
 
 
 def changed(row: int, old: str, new: str) -> list[str]:

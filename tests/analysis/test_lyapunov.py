@@ -9,7 +9,6 @@ from hypothesis import given, settings, strategies as st
 import rockeom as rk
 from rockeom.analysis import dynamics
 from rockeom.cli.demo import COLUMN
-from tests.interrupts import interrupted_at
 
 SQUAT = rk.NondimensionalBlock(alpha=math.atan(0.5))
 PERIOD, RESTITUTION = 3.0, 0.5
@@ -127,17 +126,6 @@ def test_two_calls_give_what_one_does():
         dynamics.lyapunov_spectrum(
             dynamics.StroboscopicMap(SQUAT, stroboscope.motion, PERIOD, states=("x",)), half
         )
-
-
-def test_interrupted_spectrum_is_that_of_the_cycles_done(monkeypatch):
-    from rockeom.analysis.dynamics import lyapunov
-
-    whole = dynamics.lyapunov_spectrum(hogan(3.3), {"x": 0.1}, cycles=30, settling=0)
-    monkeypatch.setattr(lyapunov, "tangents", interrupted_at(24, lyapunov.tangents))
-    part = dynamics.lyapunov_spectrum(hogan(3.3), {"x": 0.1}, cycles=30, settling=0)
-    assert part.cycles == 23
-    rest = dynamics.lyapunov_spectrum(hogan(3.3), part, cycles=20)
-    np.testing.assert_array_equal(rest.growth[:30], whole.growth)
 
 
 def test_cycle_in_which_the_block_comes_to_rest_forgets_where_it_began():

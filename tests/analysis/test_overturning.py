@@ -7,7 +7,6 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import dynamics, formulas
 from rockeom.motion import STANDARD_GRAVITY as GRAVITY
-from tests.interrupts import interrupted_at
 from tests.numeric.structures import S1
 
 from .exact_slender import exact_fates
@@ -85,14 +84,8 @@ def test_safe_window_is_found_between_two_fates_if_a_half_falls_into_it():
     assert found.attrs["interrupted"] == 0
 
 
-def test_interrupted_search_goes_on_to_the_same_numbers():
-    sweep = coarse(0.1, 0.3, 0.453)
-    whole = analysis.overturning_boundaries(tall, sweep)
-    part = analysis.overturning_boundaries(interrupted_at(12, tall), sweep, threads=1)
-    assert part.attrs["interrupted"] == 1
-    assert (part.high - part.low > 1e-3).all()
-    rest = analysis.overturning_boundaries(tall, part)
-    assert rest.identical(whole)
+def test_boundaries_go_on_to_a_finer_accuracy():
+    whole = analysis.overturning_boundaries(tall, coarse(0.1, 0.3, 0.453))
     finer = analysis.overturning_boundaries(tall, whole, accuracy=1e-10)
     assert ((finer.low >= whole.low) & (finer.high <= whole.high)).all()
     assert (finer.high - finer.low <= 1e-10 * finer.high).all()

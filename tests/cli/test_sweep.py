@@ -52,14 +52,3 @@ def test_more_than_two_names_have_a_table_and_no_picture(tmp_path, capsys):
     assert main(["sweep", *BLOCK, *PULSE, *over, "--out", str(tmp_path)]) == 0
     assert "no picture" in capsys.readouterr().err
     assert [path.name for path in tmp_path.iterdir()] == ["sweep.csv"]
-
-
-def test_interrupted_sweep_writes_nothing_and_has_its_exit_code(tmp_path, monkeypatch, capsys):
-    def interrupted(*args, **kwargs):
-        return xr.Dataset({"outcome": ("x", ["not run"])}, attrs={"interrupted": 1})
-
-    monkeypatch.setattr("rockeom.cli.sweep.simulate_many", interrupted)
-    over = ["--over", "half_width=0.1,0.2", "--out", str(tmp_path / "out")]
-    assert main(["sweep", *BLOCK, *PULSE, *over]) == 130
-    assert capsys.readouterr().out == ""
-    assert not [*tmp_path.iterdir()]

@@ -1,5 +1,7 @@
 """Sweeps on disk and on executors: killed, resumed, refused, and the bits of one that never was."""
 
+import asyncio
+import itertools
 import json
 import os
 import signal
@@ -7,7 +9,12 @@ import subprocess
 import sys
 import threading
 import time
-from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import (
+    BrokenExecutor,
+    Future,
+    ProcessPoolExecutor,
+    ThreadPoolExecutor,
+)
 from multiprocessing import get_context, parent_process
 from pathlib import Path
 from pickle import PicklingError
@@ -16,6 +23,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
+from rockeom.numbers.checks import described
 from rockeom.sweeps import workers as ensemble_work
 from tests.interrupts import interrupted_at
 from tests.sweeping import one_by_one, simulate_many
@@ -31,9 +39,15 @@ def pulse(frequency, amplitude):
     return rk.Case(BLOCK, rk.GroundMotion.half_sine(amplitude, 1 / frequency, duration=4.0))
 
 
-def slowly(frequency, amplitude):
-    time.sleep(0.002)
-    return pulse(float(frequency), float(amplitude))
+def waiting(store):
+    """The function, which waits for ever once a store has three chunks."""
+
+    def until_killed(frequency, amplitude):
+        if len(done(Path(store))) >= 3:
+            threading.Event().wait()
+        return pulse(float(frequency), float(amplitude))
+
+    return until_killed
 
 
 def swept(case=pulse, over=OVER, **how):
@@ -98,8 +112,8 @@ def test_the_same_call_does_only_what_is_missing(whole, store, threads):
 def test_a_sweep_that_is_killed_loses_only_the_chunks_under_way(whole, store):
     """By kill -9; while it is under way, no other process may write to the store."""
     code = (
-        "from tests.integrator.test_kept_sweeps import slowly, swept\n"
-        f"swept(slowly, threads=2, store={str(store)!r})"
+        "from tests.integrator.test_kept_sweeps import swept, waiting\n"
+        f"swept(waiting({str(store)!r}), threads=2, store={str(store)!r})"
     )
     root = Path(rk.__file__).resolve().parents[1]
     process = subprocess.Popen(
@@ -125,6 +139,9 @@ def test_an_interrupt_keeps_whole_chunks(whole, store):
     assert found.attrs["interrupted"] == 1
     assert int((found.outcome_flag == 0).sum()) == 500 - 100
     assert done(store) == [0, 1]
+    same_bits(found, rk.open_sweep(store))
+    with pytest.raises(ValueError, match="no store of a sweep, or that of a former release"):
+        rk.open_sweep(store.parent)
     same_bits(whole, swept(store=store))
 
 
@@ -314,25 +331,78 @@ def test_quantities_and_histories_are_kept_on_disk(store):
     same_bits(first, swept(over=over, store=store, **asked))
 
 
+FORCED = {"quantities": ["displacement"], "times": [0.1, 0.5], "impact_states": True, "chunk": 2}
+PULSES = [pulse(1.0, a).motion for a in (2.0, 4.0)]
+
+
+@pytest.mark.parametrize(
+    "over",
+    [
+        {"motion": PULSES, "scale": np.float32([1.0, 2.0, 3.0])},
+        [{"motion": PULSES[i % 2], "scale": float(i)} for i in range(1, 5)],
+    ],
+    ids=["grid", "table"],
+)
+def test_store_is_opened_as_the_dataset_of_the_sweep_without_its_function(store, over):
+    found = swept(rk.Case(BLOCK, PULSES[0]), over, store=store, **FORCED)
+    same_bits(found, rk.open_sweep(store))
+    assert [*found.coords] == [*rk.open_sweep(store).coords]
+
+
+def test_flipped_bit_anywhere_in_a_chunk_is_an_error_and_no_result(store):
+    over = {"frequency": [1.0, 2.0], "amplitude": [2.0, 4.0, 6.0]}
+    swept(over=over, store=store, **FORCED)
+    files = [path for path in store.rglob("c/**/*") if path.is_file()]
+    assert store / "labels" / "frequency" / "c" / "0" in files
+    rng = np.random.default_rng(1)
+    for path in files:
+        whole = path.read_bytes()
+        spoilt = bytearray(whole)
+        spoilt[rng.integers(len(whole))] ^= 1 << rng.integers(8)
+        path.write_bytes(spoilt)
+        with pytest.raises((RuntimeError, ValueError)):
+            rk.open_sweep(store)
+        if path.is_relative_to(store / "labels"):
+            path.unlink()
+            with pytest.raises(ValueError, match="lacks a file"):
+                rk.open_sweep(store)
+        path.write_bytes(whole)
+    rk.open_sweep(store)
+
+
 # -- executors
 
 
-class Losing(ThreadPoolExecutor):
-    """Loses the work that it is given, the first so many times."""
+FAILURES = {
+    "breaks": (BrokenExecutor, "a worker has died"),
+    "cancels": (),
+    "cancels as asyncio does": (asyncio.CancelledError,),
+    "raises oddly": (ValueError, "too many values to unpack (expected 3)"),
+    "refuses": (RuntimeError, "cannot schedule new futures"),
+}
 
-    def __init__(self, losses, takes_more=True):
+
+class Failing(ThreadPoolExecutor):
+    """Does not run what it is given, the first so many times, each time in the next way."""
+
+    def __init__(self, losses, *ways):
         super().__init__(2)
-        self.losses, self.given, self.takes_more = losses, 0, takes_more
+        self.losses, self.given, self.ways = losses, 0, itertools.cycle(ways)
 
     def submit(self, function, *args, **named):
         self.given += 1
         if self.given > self.losses:
             return super().submit(function, *args, **named)
-        if self.given == self.losses and not self.takes_more:
-            self.losses = 10**9
-        lost = Future()
-        lost.set_exception(BrokenExecutor("a worker has died"))
-        return lost
+        way, future = next(self.ways), Future()
+        if way == "cancels":
+            future.cancel()
+            future.set_running_or_notify_cancel()
+            return future
+        kind, *text = FAILURES[way]
+        if way == "refuses":
+            raise kind(*text)
+        future.set_exception(kind(*text))
+        return future
 
 
 @pytest.mark.parametrize("case", [pulse, one_by_one(pulse)], ids=["at once", "one by one"])
@@ -344,18 +414,21 @@ def test_an_executor_gives_the_same_bits(whole, store, case):
     same_bits(whole, swept(store=store))
 
 
-def test_what_is_lost_with_a_worker_is_given_out_again(whole, store):
-    with Losing(5) as pool:
+def test_chunks_that_an_executor_does_not_run_are_submitted_again(whole, store):
+    with Failing(13, *FAILURES) as pool:
         same_bits(whole, swept(executor=pool, store=store))
-        assert pool.given == 10 + 5
+        assert pool.given == 10 + 13
 
 
-def test_an_executor_that_always_loses_is_given_up(store):
-    with Losing(10**9) as pool:
-        with pytest.raises(BrokenExecutor) as caught:
+@pytest.mark.parametrize("way", FAILURES)
+def test_executor_that_never_runs_anything_is_named_as_what_failed(store, way):
+    tries = 1 + ensemble_work.AGAIN
+    with Failing(10**9, way) as pool:
+        with pytest.raises((Exception, asyncio.CancelledError)) as caught:
             swept(executor=pool, store=store)
-        assert pool.given == 10 * (1 + ensemble_work.AGAIN)
+        assert pool.given == 10 * tries
     (note,) = caught.value.__notes__
+    assert f"raised by {described(pool)} itself, and by no case, in each of {tries} tries" in note
     assert "cases 0 to 49, cases 50 to 99" in note
     assert "only what is missing" in note
 
@@ -366,6 +439,30 @@ def test_a_case_that_cannot_be_is_told_as_ever():
     notes = " ".join(caught.value.__notes__)
     assert "case frequency = -1, amplitude = 1: " in str(caught.value)
     assert "of the sweep, run by" in notes
+
+
+class OfTwoWordsError(Exception):
+    """Cannot be unpickled from the arguments it keeps."""
+
+    def __init__(self, one, other):
+        super().__init__(f"{one} and {other}")
+
+
+def raising(frequency, amplitude):
+    if frequency > 2.0:
+        raise OfTwoWordsError("this", "that")
+    return pulse(frequency, amplitude)
+
+
+def test_exception_of_a_function_comes_from_another_process_with_its_trace():
+    with (
+        ProcessPoolExecutor(1, mp_context=get_context("spawn")) as pool,
+        pytest.raises(RuntimeError, match=r"OfTwoWordsError: .*this and that") as caught,
+    ):
+        swept(raising, executor=pool)
+    *_, trace, where = caught.value.__notes__
+    assert "of the sweep, run by" in where
+    assert "in raising" in trace
 
 
 def test_a_function_that_cannot_be_sent_is_told():
@@ -394,7 +491,7 @@ def test_an_interrupt_while_an_executor_works(store):
         raise KeyboardInterrupt
 
     with Interrupted(1) as pool:
-        found = swept(slowly, executor=pool, store=store)
+        found = swept(executor=pool, store=store)
     assert found.attrs["interrupted"] == 1
     assert done(store) == [0, 1]
     assert int((found.outcome != "not run").sum()) == 100
@@ -424,7 +521,7 @@ def test_processes_of_which_one_is_killed(whole, store, tmp_path, monkeypatch):
         pytest.raises(BrokenExecutor) as caught,
     ):
         swept(once_killed, executor=pool, store=store)
-    assert "lost with a worker" in caught.value.__notes__[-1]
+    assert "itself, and by no case" in caught.value.__notes__[-1]
     assert 0 < len(done(store)) < 10
     fatal.unlink()
     same_bits(whole, swept(once_killed, store=store))

@@ -12,7 +12,7 @@ from scipy.stats import qmc
 
 import rockeom as rk
 from rockeom.sweeps.cases import Cases, Source
-from rockeom.sweeps.dataset import dataset
+from rockeom.sweeps.dataset import Labels, dataset
 from rockeom.sweeps.results import Results
 from rockeom.sweeps.task import Task
 from tests.sweeping import one_by_one
@@ -192,7 +192,8 @@ def test_every_variable_says_what_it_is_and_in_which_unit():
 def test_a_structure_without_dimensions_has_none():
     module, asked = rk.NondimensionalBlock(alpha=0.2).module, ["displacement", "total_energy"]
     task = Task(rk.Case, rk.SolverOptions(), False, 1, False, asked, [0.5], "")
-    found = dataset(Results.of(task, 1, 2), task, Cases.of({"a": [1.0]}), module)
+    labels = Labels.of(task, Cases.of({"a": [1.0]}), module, {})
+    found = dataset(Results.of(task, 1, 2), labels, interrupted=False)
     units = given_units(found)
     names = ("final_time", "impact_time", "peak", "final", "history", "time")
     assert {units[n] for n in names} == {"1"}

@@ -368,7 +368,11 @@ LAWS = [
 ]  # fmt: skip
 
 SIMULATIONS = [
-    mistake(MISSING, lambda: rk.simulate(BLOCK), TypeError, "simulate: missing motion"),
+    mistake(MISSING, lambda: rk.simulate(BLOCK), TypeError, "motion is None: give a ground motion"),
+    mistake(
+        VALUE, lambda: rk.simulate(CASE, SINE), TypeError,
+        "structure is a case", "dataclasses.replace(case",
+    ),
     mistake(
         NAME, lambda: rk.simulate(BLOCK, SINE, restitution=0.9), TypeError,
         "unknown restitution (give impact=rk.VelocityRatio(e))",
@@ -442,7 +446,7 @@ SIMULATIONS = [
     mistake(VALUE, lambda: rk.SolverOptions(method="rk45"), ValueError, "did you mean RK45?"),
     mistake(SIGN, lambda: rk.SolverOptions(rtol=-1), ValueError, "rtol is -1", "positive"),
     mistake(MISSING, lambda: rk.Case(BLOCK), TypeError, "Case: missing motion"),
-    mistake(NAME, lambda: CASE.simulate(), AttributeError, "rk.simulate(structure, motion)"),
+    mistake(NAME, lambda: CASE.simulate(), AttributeError, "rk.simulate(case)"),
 ]  # fmt: skip
 
 RESPONSES = [

@@ -177,6 +177,7 @@ def test_options_are_kept_as_the_compiled_loop_takes_them():
 # -- arguments of another kind
 
 SHAKE = rk.GroundMotion.from_array([0.0, 1.0, 0.0], dt=0.1)
+PULSED = rk.Case(BLOCK, rk.GroundMotion.single_sine(3.0, 0.5))
 SAMPLES = {
     "list": [0.0, 1.0, 0.0],
     "tuple": (0.0, 1.0),
@@ -325,7 +326,7 @@ def test_what_a_mistaken_call_is_told(call, words):
 def test_parameter_that_is_no_number(kind):
     """A word is no number, whatever it says: 0.1 and "0.1" are told apart."""
     with raises(TypeError, "RigidBlock: mass is ", "give a number in SI units"):
-        block(mass=OTHERS[kind]) if OTHERS[kind] is not None else block(mass="none")
+        block(mass=OTHERS[kind])
 
 
 @pytest.mark.parametrize(
@@ -436,6 +437,12 @@ def test_sweep_whose_function_returns_no_case(returned, words):
         ({"over": {"a": 1.0}}, TypeError, ("over has a = 1.0", "list of values")),
         ({"over": {"a": np.array(1.0)}}, TypeError, ("over has a = ", "list of values")),
         ({"over": {"a": "El Centro"}}, TypeError, ("over has a = 'El Centro'", "list of values")),
+        (
+            {"case": PULSED, "over": {"frequency": [1, 0]}},
+            ValueError,
+            ("frequency is 0: give a pos",),
+        ),
+        ({"case": PULSED, "over": {"amplitude": [1, 10**400]}}, ValueError, ("amplitude is inf",)),
         ({"over": {}}, ValueError, ("`over` is empty",)),
         ({"over": {"a": []}}, ValueError, ("`over` is empty",)),
         ({"options": {"rtol": 1e-8}}, TypeError, ("options is a dict", "SolverOptions")),

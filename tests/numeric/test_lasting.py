@@ -688,6 +688,13 @@ def test_output_step_of_infinity_keeps_events_and_ends():
     assert len(run.t) == 2 * len(run.events) + 2
 
 
+def test_long_search_for_extremes_tells_how_far_it_is(monkeypatch, capsys):
+    monkeypatch.setattr("rockeom.simulation.recorder._MANY", 1000)
+    shaken(keep="samples")
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith("rockeom: keep='samples' has searched 1,0")
+
+
 def test_keep_is_checked():
     with pytest.raises(ValueError, match="keep is 'everything': choose 'all' or 'samples'"):
         rk.simulate(BLOCK, PULSE, keep="everything")

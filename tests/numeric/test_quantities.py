@@ -246,6 +246,18 @@ def test_energy_of_every_structure_is_accounted_for(name):
     assert balance.input != 0.0
 
 
+def test_balance_of_a_structure_in_which_nothing_moves_has_no_error():
+    """Springs that settle by rounding alone."""
+    rng = np.random.default_rng(5)
+    springs = SHIPPED["two_spring_structure"]
+    structure = springs(**plain("two_spring_structure", lambda: float(rng.uniform(0.5, 2.0))))
+    run = rk.simulate(structure, rk.GroundMotion.none(2.0))
+    balance = run.energy_balance()
+    assert 0.0 < abs(balance.gained) < 1e-12
+    largest = max(abs(run[f"{kind}_energy"]).max() for kind in ("gravitational", "elastic"))
+    assert balance.error == pytest.approx(abs(balance.gained) / largest, rel=1e-6)
+
+
 @pytest.mark.parametrize("make", [rocking, sliding, bouncing], ids=["rocks", "slides", "bounces"])
 def test_works_and_losses_make_the_energy_at_any_time(make):
     run = make()

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
+from rockeom.analysis import design, dynamics, identification, risk
 
 from .exact import FreeBlock
 from .structures import column
@@ -286,3 +287,25 @@ def test_unknown_attribute_of_a_response_offers_the_one_that_was_meant(decay, na
     assert not hasattr(decay, name)
     with pytest.raises(AttributeError, match=re.escape(f"(did you mean {meant}?)")):
         getattr(decay, name)
+
+
+def test_case_is_simulated_as_its_parts_and_a_response_equals_itself_alone():
+    motion = rk.GroundMotion.single_sine(4.0, 0.5, duration=3.0)
+    parts = {
+        "impact": rk.EnergyRatio(0.8), "initial": {"theta": 0.01}, "duration": 4.0,
+        "vertical": motion.scaled(0.3), "mode": "right",
+    }  # fmt: skip
+    first, again = rk.simulate(BLOCK, motion, **parts), rk.simulate(rk.Case(BLOCK, motion, **parts))
+    np.testing.assert_array_equal(first.y, again.y)
+    assert first.t[-1] == 4.0
+    assert first == first
+    assert first != again
+    assert len({first, again, first}) == 2
+
+
+def test_results_that_hold_arrays_equal_themselves_alone():
+    """Python would compare the arrays, and ask for the truth of many."""
+    of_branches = dynamics.OrbitBranch, dynamics.PeriodicOrbit
+    of_analyses = design.FemaComparison, identification.Fit, risk.FirstOrder
+    for cls in (rk.Response, rk.Sensitivity, rk.Tangents, *of_branches, *of_analyses):
+        assert cls.__eq__ is object.__eq__

@@ -163,7 +163,7 @@ def displacement_based_design(
     return design(BEYOND, np.nan)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class DesignCheck:
     """Peaks of a non-linear structure under some motions, compared with the target of its design.
 

@@ -21,7 +21,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.sweeps import FALLS, STANDS
-from rockeom.analysis.unfinished import finished
 from rockeom.motion import GroundMotion
 from rockeom.numbers.arguments import positive, require
 from rockeom.simulation.case import Case
@@ -31,7 +30,7 @@ from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.run import simulate_many
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RestitutionEnvelope:
     """Peaks over restitution and motion.
 
@@ -87,7 +86,7 @@ def restitution_envelope(
         return structure(ratio, motions[motion])
 
     over = {"ratio": [float(one) for one in r], "motion": range(len(motions))}
-    sweep = finished(simulate_many(case, over=over, sweep_options=SweepOptions(progress=False)))
+    sweep = simulate_many(case, over=over, sweep_options=SweepOptions(progress=False))
     names = [str(one) for one in sweep["state"].values]
     state = names[0] if state is None else state
     if state not in names:

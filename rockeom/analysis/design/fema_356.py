@@ -33,7 +33,6 @@ from rockeom.analysis.formulas.damping import fema_356_damping, priestley_dampin
 from rockeom.analysis.formulas.periods import rocking_period
 from rockeom.analysis.formulas.restitution import energy_ratio_of_block
 from rockeom.analysis.sweeps import FALLS, STANDS
-from rockeom.analysis.unfinished import finished
 from rockeom.motion import GroundMotion
 from rockeom.numbers.arguments import not_negative, positive, require
 from rockeom.simulation.case import Case
@@ -50,7 +49,7 @@ NOT_CONVERGED = "not converged"
 _DAMPINGS = {"2-15": fema_356_damping, "2-16": priestley_damping}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FemaEstimate:
     """Result of the procedure.
 
@@ -179,7 +178,7 @@ def _spectral_acceleration(
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FemaComparison:
     """The procedure and integration side by side, a row for each motion.
 
@@ -298,10 +297,8 @@ def fema_356_against_integration(
     def case(motion: int) -> Case:
         return Case(block, shaken[motion], impact)
 
-    sweep = finished(
-        simulate_many(
-            case, over={"motion": range(len(shaken))}, sweep_options=SweepOptions(progress=False)
-        )
+    sweep = simulate_many(
+        case, over={"motion": range(len(shaken))}, sweep_options=SweepOptions(progress=False)
     )
     estimates = [
         tuple(fema_356_rocking(block, motion, damping=which, **choices) for motion in motions)

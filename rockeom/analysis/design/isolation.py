@@ -41,7 +41,7 @@ class Demands(NamedTuple):
     uplift: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Isolation:
     """Responses of a structure that rocks and of the same on a fixed base, under one motion."""
 

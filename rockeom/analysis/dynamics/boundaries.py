@@ -34,7 +34,7 @@ _LONGER = 5
 """Most doublings of the duration of a motion until its fate shows."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class OverturningPoint:
     """A case at which the fate changes: its motion converges to the unstable equilibrium.
 

@@ -39,9 +39,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.dynamics.orbits import GrazingError, PeriodicOrbit, Shooting, StroboscopicMap
-from rockeom.analysis.unfinished import finished
 from rockeom.numbers.arguments import numbers, positive
 from rockeom.numbers.dual import Dual
+from rockeom.sweeps.unfinished import Unfinished, part_for_users
 
 FEIGENBAUM = 4.669201609102990
 """The limit of the ratio of distances between one period doubling and the next."""
@@ -96,7 +96,7 @@ class Bifurcation:
         return f"<Bifurcation: {self.kind} of a {self.orbit.order} orbit at {self.value:.10g}>"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class OrbitBranch:
     """Motions that grow into one another as a parameter changes.
 
@@ -158,6 +158,7 @@ class OrbitBranch:
             row[: len(values)] = values
         return table
 
+    @part_for_users
     def switched(
         self,
         at: Bifurcation,
@@ -192,6 +193,7 @@ class OrbitBranch:
         return _followed(follower, first, between, step, tuple(until))
 
 
+@part_for_users
 def orbit_branch(
     stroboscope: Family,
     between: tuple[float, float],
@@ -428,10 +430,13 @@ def _followed(
         elif not ended and len(points) >= _MOST:
             ended = f"{_MOST} motions were found"
         length = min(step, 1.5 * length)
-    return OrbitBranch(
+    branch = OrbitBranch(
         np.array([follower.value(p.z) for p in points]), tuple(p.orbit for p in points),
         tuple(bifurcations), ended, follower.family, between, follower.tolerance,
     )  # fmt: skip
+    if branch.interrupted:
+        raise Unfinished(branch)
+    return branch
 
 
 def _apart(points: list[_Point], distance: float) -> list[_Point]:
@@ -496,7 +501,7 @@ def period_doublings(
     stroboscope, between, guess, cycles : as for `orbit_branch`. number : of the doublings; there
     are fewer where a branch has none in between. The time it takes doubles with each.
     """
-    branch = finished(orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=FLIPS))
+    branch = orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=FLIPS)
     doublings: list[Bifurcation] = []
     while flips := [one for one in branch.bifurcations if one.kind in FLIPS]:
         doublings.append(flips[0])
@@ -506,7 +511,7 @@ def period_doublings(
         if len(doublings) > 1:  # the next is likely to be half as far as this end
             ahead = here + (here - doublings[-2].value) / 2
             last = min(ahead, last, key=lambda value: abs(value - here))
-        branch = finished(branch.switched(doublings[-1], (here, last), step=0.1, until=FLIPS))
+        branch = branch.switched(doublings[-1], (here, last), step=0.1, until=FLIPS)
     return Cascade(tuple(doublings))
 
 
@@ -532,8 +537,8 @@ def bifurcation_value(
         raise ValueError(f"bifurcation_value: multiplier is {multiplier}: give -1 or 1")
     kinds = FLIPS if multiplier < 0 else ("fold", "branch point")
     parts = tolerance / abs(between[1] - between[0])
-    branch = finished(
-        orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=kinds, tolerance=parts)
+    branch = orbit_branch(
+        stroboscope, between, guess, cycles, step=0.1, until=kinds, tolerance=parts
     )
     for one in branch.bifurcations:
         if one.kind in kinds:

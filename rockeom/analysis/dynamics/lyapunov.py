@@ -23,6 +23,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -36,6 +37,7 @@ from rockeom.numbers.checks import whole_number
 from rockeom.numbers.dual import Dual
 from rockeom.simulation.case import Case
 from rockeom.sweeps.tangents import tangents
+from rockeom.sweeps.unfinished import Unfinished, part_for_users
 from rockeom.sweeps.workers import Progress
 
 BATCHES = 20
@@ -55,6 +57,7 @@ class LyapunovSpectrum:
         forgets it, as one in which the structure comes to rest or into full contact does.
     state (n,), mode, directions (n, n) : of the motion after the cycles, with the orthogonal
         directions in the columns; a call can continue from there.
+    interrupted : whether a keyboard interrupt came before the last of the cycles asked for.
     """
 
     states: tuple[str, ...]
@@ -63,6 +66,7 @@ class LyapunovSpectrum:
     state: np.ndarray
     mode: str
     directions: np.ndarray
+    interrupted: bool = False
 
     @property
     def cycles(self) -> int:
@@ -114,9 +118,11 @@ class LyapunovSpectrum:
     def __repr__(self) -> str:
         pairs = zip(self.exponents, self.standard_errors, strict=True)
         told_of = ", ".join(f"{value:.4g} +- {error:.2g}" for value, error in pairs)
-        return f"<LyapunovSpectrum: {told_of}, {self.cycles} cycles of {self.period:.6g}>"
+        cycles = f"{self.cycles} cycles of {self.period:.6g}{', interrupted' * self.interrupted}"
+        return f"<LyapunovSpectrum: {told_of}, {cycles}>"
 
 
+@part_for_users
 def lyapunov_spectrum(
     stroboscope: StroboscopicMap,
     initial: Mapping[str, float] | ArrayLike | LyapunovSpectrum,
@@ -138,8 +144,8 @@ def lyapunov_spectrum(
     progress : a line on stderr; if not given, where stderr is a terminal.
 
     The motion continues from period to period in its mode. A keyboard interrupt ends the
-    work early, once twenty cycles are done, and returns the spectrum so far, which can be
-    continued.
+    work early, once twenty cycles are done, and returns the spectrum so far, which says so and can
+    be continued.
 
     The sum of the exponents is the mean rate at which volumes of states grow: of a block without
     damping only impacts reduce them, e**2 each. In the plane of the states of a block there are
@@ -156,6 +162,7 @@ def lyapunov_spectrum(
     if isinstance(initial, LyapunovSpectrum):
         settling, growth = 0, [*initial.growth]
     shown = sys.stderr.isatty() if progress is None else progress
+    spectrum = partial(LyapunovSpectrum, stroboscope.states, stroboscope.period)
     with Progress(settling + cycles, shown, "cycles") as line:
         try:
             for k in range(settling + cycles):
@@ -166,7 +173,8 @@ def lyapunov_spectrum(
         except KeyboardInterrupt:
             if len(growth) < BATCHES:
                 raise
-    return LyapunovSpectrum(stroboscope.states, stroboscope.period, np.array(growth), *motion)
+            raise Unfinished(spectrum(np.array(growth), *motion, interrupted=True)) from None
+    return spectrum(np.array(growth), *motion)
 
 
 def _start(

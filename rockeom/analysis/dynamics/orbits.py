@@ -60,7 +60,7 @@ class GrazingError(ArithmeticError):
     """A motion with a grazing event, which appears or vanishes, so that it has no derivative."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Shooting:
     """Several states, each integrated over a cycle: multiple shooting.
 
@@ -141,7 +141,7 @@ class Shooting:
         return sum(int((run.events.columns[1][:, 0] != SWITCH).sum()) for run in self.runs)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PeriodicOrbit:
     """A motion that repeats itself after `cycles` cycles of its map.
 

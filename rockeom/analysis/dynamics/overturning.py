@@ -32,7 +32,7 @@ from numpy.typing import ArrayLike
 from rockeom import renamed
 from rockeom.analysis.arguments import slenderness
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
-from rockeom.analysis.unfinished import check_finished, finished
+from rockeom.analysis.unfinished import check_finished
 from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
 from rockeom.numbers.arguments import positive
@@ -43,6 +43,7 @@ from rockeom.structures.classes import RigidBlock
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.run import ARRAYS, simulate_many
+from rockeom.sweeps.unfinished import Unfinished, part_for_users
 from rockeom.sweeps.workers import Progress
 
 MOST = 3
@@ -111,6 +112,7 @@ def _unit(function: str, structure: Structure, name: str, value: float | None) -
 # --- where the fate changes
 
 
+@part_for_users
 @renamed.needless(arrays=ARRAYS)
 @explained.calls()
 def overturning_boundaries(
@@ -170,7 +172,7 @@ def overturning_boundaries(
 
 @dataclass(frozen=True)
 class _Fates:
-    """Finds the fates of some cases; an interrupt is raised, without a result."""
+    """Finds the fates of some cases."""
 
     case: Case | Callable[..., Case]
     most: int
@@ -179,7 +181,7 @@ class _Fates:
     def __call__(self, columns: Mapping[str, np.ndarray]) -> np.ndarray:
         """(n,) of the values (n,) of each name."""
         table = xr.Dataset({name: ("row of a table", values) for name, values in columns.items()})
-        sweep = finished(simulate_many(self.case, table, **self.how))
+        sweep = simulate_many(self.case, table, **self.how)
         return impacts_before_overturning(sweep, self.most).values
 
 
@@ -246,12 +248,13 @@ class _Brackets:
         between = (self.low < self.middle) & (self.middle < self.high)
         return (self.high - self.low <= accuracy * size) | ~between
 
-    def dataset(self) -> xr.Dataset:
+    def dataset(self, interrupted: bool) -> xr.Dataset:
         """A dataset in the order of the names' values."""
         at = self.with_middles()
         order = np.lexsort([*reversed(at.values()), self.along])
         columns = {name: (_DIM, getattr(self, name)[order]) for name in ("along", *_NUMBERS)}
-        return xr.Dataset(columns, {name: (_DIM, values[order]) for name, values in at.items()})
+        coordinates = {name: (_DIM, values[order]) for name, values in at.items()}
+        return xr.Dataset(columns, coordinates, {"interrupted": int(interrupted)})
 
 
 def _along(sweep: xr.Dataset, asked: str | Sequence[str]) -> list[str]:
@@ -318,25 +321,22 @@ def _halved(
 ) -> xr.Dataset:
     """All intervals as narrow as `accuracy`, or as they were at an interrupt."""
     ended: list[_Brackets] = []
-    interrupted = 0
     shown = sys.stderr.isatty() if progress is None else progress
     with Progress(_halvings(brackets, accuracy), shown) as bar:
         try:
             while len(brackets):
                 narrow = brackets.narrower(accuracy)
-                ended.append(brackets[narrow])
-                brackets = brackets[~narrow]
+                ended, brackets = [*ended, brackets[narrow]], brackets[~narrow]
                 if len(brackets):
                     middle_fates = fates(brackets.with_middles())
                     bar.add(len(middle_fates))
                     lost = np.isnan(middle_fates)
-                    ended.append(brackets[lost])
-                    brackets = brackets[~lost].halves(middle_fates[~lost])
+                    halves = brackets[~lost].halves(middle_fates[~lost])
+                    ended, brackets = [*ended, brackets[lost]], halves
         except KeyboardInterrupt:
-            interrupted = 1
-    whole = _Brackets.joined([*ended, brackets]).dataset()
-    whole.attrs["interrupted"] = interrupted
-    return whole
+            part = _Brackets.joined([*ended, brackets])
+            raise Unfinished(part.dataset(True)) from None
+    return _Brackets.joined([*ended, brackets]).dataset(False)
 
 
 def _halvings(brackets: _Brackets, accuracy: float) -> int:
@@ -385,6 +385,7 @@ def minimum_overturning(boundaries: xr.Dataset, x: str, y: str) -> xr.DataArray:
 # --- how far blocks rock
 
 
+@part_for_users
 @explained.calls()
 def rocking_spectrum(
     motions: GroundMotion | Sequence[GroundMotion],
@@ -422,7 +423,10 @@ def rocking_spectrum(
         "period": _labelled(lengths, "period 2π/p", "s"),
         "alpha": _labelled(np.ravel(angles), "slenderness", "rad"),
     }
-    return simulate_many(case, over, **how)
+    try:
+        return simulate_many(case, over, **how)
+    except Unfinished as interrupt:
+        raise Unfinished(interrupt.part) from None
 
 
 def _labelled(values: np.ndarray, name: str, unit: str) -> xr.DataArray:

@@ -43,9 +43,11 @@ from rockeom.structures.units import in_udunits, time_unit
 from rockeom.sweeps.cases import ROW, Cases
 from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.run import simulate_many
+from rockeom.sweeps.unfinished import Unfinished, part_for_users
 from rockeom.sweeps.workers import Progress
 
 
+@part_for_users
 def poincare_sections(
     stroboscope: StroboscopicMap | Callable[..., StroboscopicMap],
     over: Mapping[str, Any] | None = None,
@@ -124,7 +126,10 @@ def poincare_sections(
                 recorded[name] = np.concatenate([part[name] for part in parts], axis=1)
             recorded["impact_time"] %= again.periods[:, None]
             motions.interrupted |= again.interrupted
-    return plan.dataset(motions, recorded)
+    sections = plan.dataset(motions, recorded)
+    if motions.interrupted:
+        raise Unfinished(sections)
+    return sections
 
 
 # --- which motions end on the same orbit
@@ -422,9 +427,11 @@ class _Motions:
         }
         there = np.flatnonzero(np.isfinite(self.y).all(axis=1))
         if len(there) and not self.interrupted:
-            sweep = self._swept(there, cycles, name, impacts)
+            try:
+                sweep = self._swept(there, cycles, name, impacts)
+            except Unfinished as interrupt:
+                sweep, self.interrupted = interrupt.part, True
             stands = sweep["outcome"].isin(STANDS).values
-            self.interrupted = bool(sweep.attrs["interrupted"])
             self.outcome[there] = sweep["outcome"].values
             self.mode[there] = sweep["final_mode"].values
             self.y[there] = np.where(stands[:, None], sweep["final"].values, np.nan)

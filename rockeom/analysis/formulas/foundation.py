@@ -17,7 +17,7 @@ from rockeom.numbers.arguments import numbers, positive, require
 # --- springs of a mat on an elastic half-space
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FoundationSprings:
     """Two springs with dampers that stand for an elastic half-space under a mat; Table 2-2.
 
@@ -100,7 +100,7 @@ def rectangular_mat(
     return FoundationSprings(stiffness, damping, half_width / np.sqrt(3))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FootingStiffness:
     """Static stiffness of a rigid footing on an elastic half-space.
 

@@ -43,7 +43,7 @@ NO_RATIO = 1e-3
 """The least energy ratio that is tried; some models know no impact without rebound."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Fit:
     """Parameters that fit a measurement best, with their confidence.
 

@@ -104,7 +104,7 @@ _Density = Callable[[np.ndarray], tuple[float, np.ndarray]]
 """Logarithm of a density and its gradient, at a place (k,)."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Ridge:
     """Coordinates v of a density about its mode, in which it is nearly the standard normal one.
 
@@ -161,14 +161,8 @@ def hamiltonian_draws(
     mici, _ = _packages()
     density, k = ridge.at, len(ridge.mode)
 
-    interrupts = []
-
     def slope(v: np.ndarray) -> tuple[np.ndarray, float]:
-        try:
-            value, gradient = density(v)
-        except KeyboardInterrupt as interrupt:  # the sampler returns the draws that it has
-            interrupts.append(interrupt)
-            raise
+        value, gradient = density(v)
         return -gradient, -value
 
     rng = np.random.default_rng(seed)
@@ -183,15 +177,11 @@ def hamiltonian_draws(
         adapters=[mici.adapters.DualAveragingStepSizeAdapter(ACCEPTED)],
         trace_funcs=[lambda state: {"v": state.pos}], monitor_stats=[], display_progress=False,
     )  # fmt: skip
-    if interrupts:
-        raise interrupts[0]
-    if [len(of) for of in found.traces["v"]] != [draws] * chains:
-        raise RuntimeError(
-            "the sampler stopped before its last draw, interrupted or without a step that fits: "
-            "sample again, from another seed"
-        )
+    coordinates = np.array(found.traces["v"])
+    if np.isnan(coordinates).any():  # the sampler catches an interrupt, its other rows stay empty
+        raise KeyboardInterrupt
     diverging = sum(int(np.sum(of)) for of in found.statistics["diverging"])
-    return ridge.places(np.array(found.traces["v"])), diverging
+    return ridge.places(coordinates), diverging
 
 
 def _start(density: _Density, k: int, rng: np.random.Generator) -> np.ndarray:

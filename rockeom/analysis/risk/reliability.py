@@ -29,7 +29,6 @@ from scipy.special import ndtr
 
 from rockeom.analysis.random_parameters import RandomParameters
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
-from rockeom.analysis.unfinished import finished
 from rockeom.numbers.arguments import require
 from rockeom.numbers.dual import Dual
 from rockeom.simulation.case import Case
@@ -68,7 +67,7 @@ MOST_DOUBLINGS = 6
 """Most doublings of the duration of a motion that lingers near the unstable equilibrium."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class FirstOrder:
     """The nearest failure, and the probability of failure by first order.
 
@@ -248,7 +247,7 @@ def monte_carlo(
     condition = _Condition.of("monte_carlo", demand, limit)
     u = np.random.default_rng(seed).standard_normal((number, len(space.names)))
     kept = condition.quantities(function_of(case, space.names)(**space.values(u[0])))
-    sweep = finished(simulate_many(case, space.table(u), quantities=kept, **how))
+    sweep = simulate_many(case, space.table(u), quantities=kept, **how)
     fails, answered = condition.of_sweep(sweep)
     if not answered.any():
         raise ValueError(
@@ -504,10 +503,10 @@ class _Fates:
         """(n,) whether structures with the deviates u (n, k) fail."""
         self.runs += len(u)
         kept = self.condition.quantities(self.case(**self.space.values(u[0])))
-        sweep = finished(simulate_many(
+        sweep = simulate_many(
             self.case, self.space.table(u), quantities=kept, options=self.options,
             sweep_options=SweepOptions(lanes=False, progress=False),
-        ))  # fmt: skip
+        )  # fmt: skip
         fails, answered = self.condition.of_sweep(sweep)
         if not answered.all():
             row = int(np.argmin(answered))

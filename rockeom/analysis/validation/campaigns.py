@@ -15,7 +15,6 @@ from typing import Any
 import numpy as np
 
 from rockeom.analysis.sweeps import FALLS, STANDS
-from rockeom.analysis.unfinished import finished
 from rockeom.analysis.validation.ensembles import Ensemble
 from rockeom.files import in_text
 from rockeom.motion.errors import FilePath, MotionError
@@ -102,7 +101,8 @@ class Campaign:
         "overturned", or one of the outcomes of a response. peak : its size; may be empty where the
         test overturned, and is not used there. All others are parameters, see the class.
         records : the motions, whose names the column record has; or the folder of the files that it
-            names, that of the table if not given. They are read by `GroundMotion.read`.
+            names, that of the table if not given. They are read by `GroundMotion.read`, and lie in
+            that folder or below it: a table reads no other files, also not by links or "..".
         units : name of a column -> its unit, as {"peak": "deg"}; not needed where the heading has
             it in brackets. parameters : which columns are some, to leave out remarks and others.
         record_units, gravity : of the accelerations in the files, as of `GroundMotion.read`.
@@ -192,9 +192,7 @@ def simulate_campaign(
     for name, values in columns.items():
         table[name] = values
     kept = () if quantity in _one(case, table[0]).structure.states else (quantity,)
-    peaks = Ensemble.from_sweep(
-        finished(simulate_many(case, table, quantities=kept, **how)), quantity
-    )
+    peaks = Ensemble.from_sweep(simulate_many(case, table, quantities=kept, **how), quantity)
     shape = (len(campaign), count)
     return Ensemble(peaks.peaks.reshape(shape), peaks.overturned.reshape(shape))
 
@@ -296,7 +294,10 @@ def _motions(
                 raise table.error(row, what, "use a name of the motions that are given")
             found.append(folder[name])
             continue
-        file = Path(os.fspath(folder)) / name
+        file = Path(folder, name)
+        if not file.resolve().is_relative_to(Path(folder).resolve()):
+            what = f"record is {name!r}, which is no file within {os.fspath(folder)!r}"
+            raise table.error(row, what, "copy the file to there, or name its folder by records=")
         try:
             motion = GroundMotion.read(file, units=units, gravity=gravity, name=name)
         except (MotionError, OSError) as error:

@@ -18,7 +18,7 @@ import numpy as np
 from rockeom.integrator.methods.coefficients import PAIRS
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Tableau:
     """An explicit pair with dense output.
 

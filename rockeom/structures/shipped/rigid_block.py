@@ -74,9 +74,10 @@ class RigidBlock(Block, declared.RigidBlock):
         Raises ValueError for a centroid that is not inside the block and above its base.
         """
         name = cls.__name__
-        check_values(name, {"width": width, "height": height, "centroid_height": centroid_height})
+        check_values(name, {"width": width, "height": height})
         check_values(name, {"offset": offset}, may_be_negative=frozenset({"offset"}))
         up = 0.5 * height if centroid_height is None else centroid_height
+        check_values(name, {"centroid_height": up})
         if not up < height:
             raise ValueError(
                 f"{name}: centroid_height is {centroid_height} and height {height}: give the "

@@ -27,7 +27,6 @@ from rockeom.analysis.dynamics.branches import (
 from rockeom.analysis.dynamics.orbits import StroboscopicMap
 from rockeom.analysis.dynamics.overturning import overturning_boundaries
 from rockeom.analysis.formulas.restitution import energy_ratio_of_block
-from rockeom.analysis.unfinished import finished
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Source, thesis_figure
@@ -208,10 +207,10 @@ def cascade() -> Cascade:
 @cache
 def branches(doublings: int) -> tuple[OrbitBranch, ...]:
     """The symmetric motions, the asymmetric ones, and those of so many doublings, to the end."""
-    followed = [finished(orbit_branch(stroboscope, (START, AMPLITUDES[-1]), symmetric_state()))]
+    followed = [orbit_branch(stroboscope, (START, AMPLITUDES[-1]), symmetric_state())]
     for _ in range(doublings + 1):
         leaves = next(one for one in followed[-1].bifurcations if one.kind in FLIPS)
-        followed.append(finished(followed[-1].switched(leaves)))
+        followed.append(followed[-1].switched(leaves))
     return tuple(followed)
 
 
@@ -222,15 +221,15 @@ def branches_by_energy() -> tuple[OrbitBranch, OrbitBranch]:
     The first of them is reached from the ratio of speeds, which grows to sqrt(0.5).
     """
     ratio = math.sqrt(SPEED_RATIO)
-    grown = finished(orbit_branch(
+    grown = orbit_branch(
         lambda e: stroboscope(START, e), (SPEED_RATIO, ratio), symmetric_state(), step=0.1
-    ))  # fmt: skip
-    symmetric = finished(orbit_branch(
+    )  # fmt: skip
+    symmetric = orbit_branch(
         lambda beta: stroboscope(beta, ratio), (START, AMPLITUDES[-1]), grown.orbits[-1].state,
         step=0.05,
-    ))  # fmt: skip
+    )  # fmt: skip
     (broken,) = symmetric.bifurcations
-    return symmetric, finished(symmetric.switched(broken, step=0.05))
+    return symmetric, symmetric.switched(broken, step=0.05)
 
 
 STABLE: dict[str, Any] = {"color": style.LINES[0], "lw": 0.9}
@@ -346,8 +345,7 @@ def sine_on_block(
 @cache
 def pulsed(slenderness: float, peak: float, period: float, ratio: float | None) -> rk.Response:
     """The motion of `sine_on_block`."""
-    case = sine_on_block(slenderness, peak, period, ratio)
-    return rk.simulate(case.structure, case.motion, impact=case.impact)
+    return rk.simulate(sine_on_block(slenderness, peak, period, ratio))
 
 
 def fate(impacts: float) -> str:
@@ -369,8 +367,8 @@ def changes_of_fate(
         return sine_on_block(**one, **of_all)  # type: ignore[arg-type]
 
     over = {name: np.linspace(first, last, cases)}
-    sweep = finished(rk.simulate_many(case, over))
-    return finished(overturning_boundaries(case, sweep, accuracy=1e-9))
+    sweep = rk.simulate_many(case, over)
+    return overturning_boundaries(case, sweep, accuracy=1e-9)
 
 
 def draw_fates(ax: Axes, boundaries: xr.Dataset, name: str, first: float, last: float) -> None:

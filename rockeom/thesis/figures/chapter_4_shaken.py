@@ -19,7 +19,6 @@ from numpy.typing import ArrayLike
 
 import rockeom as rk
 from rockeom.analysis import design, dynamics, formulas
-from rockeom.analysis.unfinished import finished
 from rockeom.plots import style
 from rockeom.thesis.figures.chapter_2_blocks import draw_branch
 from rockeom.thesis.figures.chapter_4_wall import (
@@ -177,7 +176,7 @@ def peaks_by_ratio() -> tuple[np.ndarray, np.ndarray]:
     def shaken(r: float) -> rk.Case:
         return rk.Case(oscillator_of("4", float(r)), record)
 
-    sweep = finished(rk.simulate_many(shaken, over={"r": ratios}))
+    sweep = rk.simulate_many(shaken, over={"r": ratios})
     return ratios, sweep.peak.sel(state="u").values
 
 
@@ -273,9 +272,9 @@ def branches_of(frequency: float, start: ArrayLike) -> list[dynamics.OrbitBranch
     def at(amplitude: float) -> dynamics.StroboscopicMap:
         return stroboscope(frequency, amplitude)
 
-    down, up = (finished(dynamics.orbit_branch(at, (6.02, end), start)) for end in (5.6, 6.5))
+    down, up = (dynamics.orbit_branch(at, (6.02, end), start) for end in (5.6, 6.5))
     flips = [one for one in up.bifurcations if one.kind == "period doubling"]
-    return [down, up, *(finished(up.switched(one)) for one in flips[:1])]
+    return [down, up, *(up.switched(one) for one in flips[:1])]
 
 
 @thesis_figure(Source.COMPUTED)
