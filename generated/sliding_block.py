@@ -41,7 +41,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import everywhere, fused, inlined
 
-SOURCE_HASH = "36762e0b5bd53ab2"
+SOURCE_HASH = "87592bc9fb3968fa"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"
@@ -103,6 +103,7 @@ ELEMENTS = ()
 N_GUARDS = 4
 N_PARTS = 0
 N_POINTS = 2
+FEET_OF = ((1, 1),)  # 1 where a point is one of each body
 N_ELEMENTS = 0
 TRANSITIONS = ()
 SIDES = (

@@ -45,7 +45,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import everywhere, fused, inlined
 
-SOURCE_HASH = "81bb5f6a9ee1bd34"
+SOURCE_HASH = "8f7c81626c3df9b0"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"
@@ -159,6 +159,7 @@ ELEMENTS = ()
 N_GUARDS = 4
 N_PARTS = 0
 N_POINTS = 4
+FEET_OF = ((1, 1, 0, 0), (0, 0, 1, 1))  # 1 where a point is one of each body
 N_ELEMENTS = 0
 TRANSITIONS = ()
 SIDES = (

@@ -30,11 +30,11 @@ from rockeom.codes import (
 )
 from rockeom.symbolic.algebra import SIDE, brief, tidy
 from rockeom.symbolic.beds import number_of_combinations
-from rockeom.symbolic.contacts import ContactDeclaration
+from rockeom.symbolic.contacts import Contact, ContactDeclaration
 from rockeom.symbolic.elements import Ending
 from rockeom.symbolic.hybrid import Search
 from rockeom.symbolic.lagrange import rate
-from rockeom.symbolic.model import GROUND_Y
+from rockeom.symbolic.model import GROUND_Y, Body
 from rockeom.symbolic.modes import (
     OPEN,
     SLIP,
@@ -646,6 +646,7 @@ def _tables(written: Written) -> list[str]:
         f"N_GUARDS = {longest_row}",
         f"N_PARTS = {2 * len(pairs_of(of))}",
         f"N_POINTS = {len(of.contacts)}",
+        f"FEET_OF = {_feet_of(of)}  # 1 where a point is one of each body",
         f"N_ELEMENTS = {len(of.switching)}",
         *_impact_law(of),
         "TRANSITIONS = ()",
@@ -657,6 +658,17 @@ def _tables(written: Written) -> list[str]:
         "FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1",
         "HAS_IMPULSIVE = False",
     ]
+
+
+def _feet_of(of: ContactDeclaration) -> tuple[tuple[int, ...], ...]:
+    """Whether each point is one of each body: at one distance from its centroid."""
+    q = {c.position for c in of.coordinates}
+
+    def is_of(contact: Contact, body: Body) -> bool:
+        apart = sum((a - b) ** 2 for a, b in zip(contact.point, body.position, strict=True))
+        return not tidy(sp.expand_trig(apart)).free_symbols & q
+
+    return tuple(tuple(int(is_of(c, b)) for c in of.contacts) for b in of.bodies)
 
 
 def _impact_law(of: ContactDeclaration) -> list[str]:

@@ -15,7 +15,7 @@ def sources() -> list[Path]:
     folders = (ROOT / "symbolic", ROOT / "codegen")
     found = sorted(f for folder in folders for f in folder.rglob("*.py"))
     own = Path(__file__).resolve()
-    return [ROOT / "codes.py", own, own.with_name("__init__.py"), *found]
+    return [ROOT / "codes.py", own, *map(own.with_name, ("__init__.py", "types.py")), *found]
 
 
 def digest(*parts: str) -> str:

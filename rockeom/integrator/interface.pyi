@@ -24,6 +24,8 @@ N_ELEMENTS: int
 ROTATION: int
 ROTATION_RATE: int
 N_FALLS: int
+FEET_OF: tuple[tuple[int, ...], ...]
+POSITIONS: tuple[str, ...]
 FALLS: tuple[int, ...]
 SIDES: tuple[float, ...]
 GUARDS: tuple[int, ...]

@@ -663,8 +663,9 @@ def accept(motion, step, case, a, recorder):
         for i in range(N_STATES):
             a.y[i] = a.y_new[i]
             a.k[i] = a.k[END + i]
+        idle = motion.idle if h < 1e3 * EPS * t else 0  # it is one instant, but for rounding
         t = step.end if step.cut or t + h > step.end else t + h
-        went = went._replace(t=t, closed=-1, idle=0, follows=0)
+        went = went._replace(t=t, closed=-1, idle=idle, follows=0)
     if step.outcome == COMPLETED and step.taken >= case.max_steps:
         went = went._replace(outcome=STALLED)
     return went, step.landed, h

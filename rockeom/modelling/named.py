@@ -93,7 +93,7 @@ def _supported(made: type[Structure], parameters: Mapping[str, Any]) -> dict[str
     if not takes_support(made):
         return arguments
     every = {name for support in SUPPORTS for name in parameters_of(support)}
-    beside = [name for name in arguments if name in every]
+    beside = [name for name in arguments if name in every - made.defaults().keys()]
     support = arguments.get("support")
     if not isinstance(support, str):
         if beside:

@@ -23,32 +23,20 @@ class Outcome(StrEnum):
     COMPLETED = OUTCOMES[codes.COMPLETED], "The motion was followed to the end of the duration."
     CAME_TO_REST = OUTCOMES[codes.CAME_TO_REST], "The structure stands at rest in full contact."
     OVERTURNED = OUTCOMES[codes.OVERTURNED], "The structure fell over."
-    TOO_MANY_IMPACTS = (
-        OUTCOMES[codes.TOO_MANY_IMPACTS],
-        "More impacts happened than max_impacts allows.",
-    )
+    TOO_MANY_IMPACTS = OUTCOMES[codes.TOO_MANY_IMPACTS], "More impacts than max_impacts allows."
     STALLED = (
         OUTCOMES[codes.STALLED],
         "The step became too small or the steps too many: loosen rtol, or look for a stiff part.",
     )
-    CHATTER = (
-        OUTCOMES[codes.CHATTER],
-        "Modes followed one another without time going on.",
-    )
+    CHATTER = OUTCOMES[codes.CHATTER], "Modes followed one another without time going on."
     NOT_FINITE = (
         OUTCOMES[codes.NOT_FINITE],
         "The state became infinite or not a number: check the parameters.",
     )
-    NO_SOLUTION = (
-        OUTCOMES[codes.NO_SOLUTION],
-        "No mode fits the forces: rigid bodies with much friction jam (Painleve); where "
-        "contacts never slip, no combination of open and closed ones fits: declare friction for "
-        "them, or restitution 0.",
-    )
+    NO_SOLUTION = OUTCOMES[codes.NO_SOLUTION], "No mode fits the forces, or the impulses."
     SEVERAL_SOLUTIONS = (
         OUTCOMES[codes.SEVERAL_SOLUTIONS],
-        "Several modes fit the forces, with different motions, as rigid bodies with much "
-        "friction have (Painleve), or those whose contacts never slip: declare less friction, or "
-        "friction where there is none declared. Rounding errors hide which of two contacts carries "
-        "where they are closer than 1e-7 of the structure's size.",
+        "Several modes fit the forces, or the impulses, with different motions. Rounding errors "
+        "hide which of two contacts carries where they are closer than 1e-7 of the structure's "
+        "size.",
     )

@@ -9,9 +9,10 @@ import math
 
 import numpy as np
 
+from rockeom.codes import UPLIFT
 from rockeom.motion import GroundMotion
 from rockeom.numbers.degrees import with_degrees
-from rockeom.simulation.events import Impacts
+from rockeom.simulation.events import EventColumns, Impacts
 from rockeom.simulation.steps import Rows
 from rockeom.simulation.support import Support
 from rockeom.structures.base import FixedBase, Structure
@@ -119,6 +120,16 @@ def gained(structure: Structure, impacts: Impacts, law: str) -> tuple[str, ...]:
         return (f"{text}, {cause}; by the laws 'lzb' and 'pairwise' none does.",)
     exact = isinstance(structure.default_impact, Impulsive)
     return (f"{text}, by {law}." + " Impulsive() conserves the momenta, and gains none." * exact,)
+
+
+def tie(motion: GroundMotion, events: EventColumns) -> tuple[str, ...]:
+    """An uplift of both feet at once, of which their order decides."""
+    for t, _, (before, _) in zip(*events.of(UPLIFT), strict=True):
+        if not before.any() and motion.acceleration(t) == 0.0:
+            return (
+                f"At {t:.4g} s both feet lift at once: it leans left, and could right, by a tie.",
+            )
+    return ()
 
 
 def beyond_balance(structure: Structure, rows: Rows) -> tuple[str, ...]:

@@ -30,6 +30,7 @@ from rockeom.simulation.works import EnergyBalance
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.structures.pickled import made_of
+from rockeom.structures.searched_modes import assumption
 from rockeom.structures.units import is_dimensionless
 
 if TYPE_CHECKING:
@@ -313,6 +314,7 @@ class Response:
             *(plausible.friction(structure, support) if isinstance(self.record, Steps) else ()),
             *plausible.gained(structure, self.impacts, law),
             *plausible.direction(self.motion),
+            *plausible.tie(self.motion, self.events.columns),
             *plausible.beyond_balance(structure, self._rows),
         )
 
@@ -324,7 +326,7 @@ class Response:
         lines = [
             f"{type(self.structure).__name__} under {self.motion.name or 'a ground motion'}, "
             f"{self.t[-1]:.6g} s of {self.duration:.6g} s.",
-            f"Outcome: {self.outcome}. {self.outcome.sentence}{self._fallen()}",
+            f"Outcome: {self.outcome}. {self.outcome.sentence}{self._why()}",
             f"Largest |{rotation}|: {with_degrees(abs(largest.peak), unit)} at "
             f"{largest.peak_time:.4g} s; "
             f"{self.impacts.describe()}.",
@@ -337,12 +339,17 @@ class Response:
             lines.append(f"It last came to rest at {rest:.4g} s, after infinitely many impacts.")
         return "\n".join([*lines, self.support.describe(), *(f"Hint: {h}" for h in self.hints)])
 
-    def _fallen(self) -> str:
-        """The coordinate that fell, where several may."""
+    def _why(self) -> str:
+        """The coordinate that fell, where several may; or the assumption that failed."""
+        m = self.structure.module
+        if self.outcome in (Outcome.NO_SOLUTION, Outcome.SEVERAL_SOLUTIONS):
+            return f" An assumption fails: {assumption(m, self.structure.vector)}."
+        if fall_is_judged(self):
+            return " It is judged to fall: no mode fits any more, and a body turns on outward."
         if not self.overturned or len(self.structure.falls) == 1:
             return ""
         name = self.overturned
-        unit = self.structure.module.STATE_UNITS[self.states.index(name)]
+        unit = m.STATE_UNITS[self.states.index(name)]
         return f" {name} is {self.final[name]:.4g} {unit}."
 
     def _impact_law(self) -> list[str]:
@@ -467,3 +474,14 @@ class Response:
 
     def __repr__(self) -> str:
         return f"<Response: {self.outcome}, {self.duration:.6g} s, {self.impacts.describe()}>"
+
+
+def fall_is_judged(run: Response) -> bool:
+    """Whether no mode fitted the forces while a body turned outward, far beyond its balance.
+
+    It counts as a fall where a body, relative to what bears it, is beyond twice the angle at which
+    its weight turns it back.
+    """
+    if not (name := run.overturned) or run.t[-1] >= run.duration:
+        return False
+    return abs(run.final[name]) < (1.0 - 1e-6) * run.structure.falls[name]

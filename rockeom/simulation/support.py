@@ -15,7 +15,7 @@ from rockeom.simulation.extremes import Extremes, extremes, last_crest
 from rockeom.simulation.quantities import Quantities
 from rockeom.simulation.steps import Evaluate, Rows, Steps
 from rockeom.structures.base import Structure
-from rockeom.structures.searched_modes import Points
+from rockeom.structures.searched_modes import Points, friction_of
 
 
 class Support:
@@ -210,11 +210,15 @@ class Support:
         slid = np.diff(spans).sum()
         if slid > 1e-12 * self._rows.t[-1]:
             return f"It slid for {slid:.4g} s, the first time at {spans[0, 0]:.4g} s."
-        demands = self.friction_demands
+        demands, module = self.friction_demands, self._structure.module
+        bounds = friction_of(module, self._structure.vector)
+        for surface, points in surfaces(module).items():
+            if demands[surface][1] >= (1.0 - 1e-6) * bounds[[*points]].max() > 0.0:
+                return f"It slid in impacts alone: impulses reached the friction at {surface}."
         needed = [
             f"{max(pair):.3g}" + f" at {surface}" * (len(demands) > 1)
             for surface, pair in demands.items()
-        ] or [f"{max(self.friction_demand, self.impact_friction_demand):.3g}"]
+        ]
         return f"It did not slide: that needed a friction coefficient of {' and '.join(needed)}."
 
     def _describe_friction(self) -> str:

@@ -55,6 +55,7 @@ SYNONYMS = {
 """Symbols and names that people try first, and the attributes that they mean."""
 
 _AS_ARGUMENTS = SYNONYMS | {
+    "friction": "support = rk.Sliding(friction=..., ...)",
     "e": "restitution",
     "width": "half_width = width/2",
     "height": "half_height = height/2",
@@ -135,21 +136,16 @@ def check_slenderness(what: str, alpha: float) -> None:
         )
 
 
-def check_restitution(what: str, restitution: float) -> None:
-    """Raise ValueError for a ratio of velocities above one, which would give energy."""
-    if restitution > 1:
-        raise ValueError(
-            f"{what}: restitution is {restitution}: give the ratio of rates after and before a "
-            "landing, 0 to 1"
-        )
-
-
 def check_contact_law(what: str, restitution: float, law: str) -> None:
     """Raise ValueError for an impact law that points have not, and a restitution that it has not.
 
     law : one of `CONTACT_LAWS`.
     """
-    check_restitution(what, restitution)
+    if restitution > 1:
+        raise ValueError(
+            f"{what}: restitution is {restitution}: give the ratio of rates after and before a "
+            "landing, 0 to 1"
+        )
     if not isinstance(law, str) or law not in CONTACT_LAWS:
         raise ValueError(
             f"{what}: law is {described(law)}{near(str(law), CONTACT_LAWS)}: give the impact law "

@@ -297,7 +297,7 @@ def drawn_out(
         i = module.STATES.index(z)
         size = abs(drawn[i]) + abs(moved[module.KINEMATICS.index(f"{name}_elongation")])
         if z not in named:
-            y[i] = drawn[i]
+            y[i] = _DRAWN * drawn[i]
         elif abs(drawn[i] - y[i]) > _BEYOND * size:
             raise ValueError(
                 f"{module.NAME}: {z} is {y[i]:g} in this state, which leaves more than the "
@@ -308,6 +308,8 @@ def drawn_out(
 
 _BEYOND = 1e-4
 """Relative: an extension is integrated while it grows, to the tolerance of a motion."""
+_DRAWN = 1.0 + 4e-13
+"""Further than rounding tells: just below its strength an element is elastic, whatever comes."""
 
 
 def mode_of(
@@ -374,24 +376,25 @@ def mode_under_forces(
     follows = _searching(module)["fits_by_forces"](mode, y, p, *ground)
     if follows < 0:
         none = "no" if follows == IMPOSSIBLE else "more than one"
-        if never_slips(module, p):
-            raise ValueError(
-                f"the contacts of {module.NAME} never slip, and with that {none} combination of "
-                "open and closed contacts fits the forces in this state: declare friction for "
-                "them, or give another state"
-            )
         raise ValueError(
-            f"{none} mode of {module.NAME} fits the forces in this state (Painleve): give "
-            "less friction, or another state"
+            f"{none} mode of {module.NAME} fits the forces in this state, since "
+            f"{assumption(module, p)}; or give another state"
         )
     return follows
 
 
-def never_slips(module: SearchedModes, p: np.ndarray) -> bool:
-    """Whether no contact of a structure ever slips, whatever friction that takes."""
+def assumption(module: Any, p: np.ndarray) -> str:
+    """The assumption that fails where no mode fits, or several, and the remedy."""
+    if (friction_of(module, p) >= NEVER_SLIPS).all():
+        return "its contacts never slip: declare friction for them, or a restitution of 0"
+    return "rigid bodies with much friction jam (Painleve): declare less, or springs under the feet"
+
+
+def friction_of(module: Any, p: np.ndarray) -> np.ndarray:
+    """(m,) the coefficient of friction of each point; NEVER_SLIPS of one that never does."""
     rows = np.zeros(2 * len(module.POINTS))  # restitution and friction of each point
     module.point_laws(p, rows)
-    return bool((rows[1::2] >= NEVER_SLIPS).all())
+    return rows[1::2]
 
 
 def equilibrium(module: SearchedModes, p: np.ndarray, rotation: float) -> Equilibrium:

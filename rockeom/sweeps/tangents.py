@@ -34,7 +34,7 @@ from rockeom.numbers.checks import numbers
 from rockeom.numbers.dual import nominal, tangent_of, value_of
 from rockeom.simulation.case import Case, Problem, ProblemTangents, check_case, parted
 from rockeom.simulation.options import SolverOptions
-from rockeom.simulation.response import Outcome, Response
+from rockeom.simulation.response import Outcome, Response, fall_is_judged
 from rockeom.simulation.simulate import simulated
 
 
@@ -209,8 +209,8 @@ class Motion:
 
     @property
     def falls(self) -> bool:
-        """Whether it ends because the structure has fallen over."""
-        fallen = self.response.outcome is Outcome.OVERTURNED
+        """Whether it ends because a coordinate has reached its bound."""
+        fallen = self.response.outcome is Outcome.OVERTURNED and not fall_is_judged(self.response)
         return fallen and self.last_time < self.response.duration
 
     def rates(self, t: float) -> np.ndarray:

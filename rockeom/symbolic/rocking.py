@@ -95,7 +95,7 @@ class Rocking(Description, total=False):
     dissipation: sp.Expr
     beside_feet: Point
     small: tuple[sp.Symbol, ...]
-    elements: Iterable[Spring]
+    elements: Iterable[Spring] | Callable[[Point], Iterable[Spring]]
 
 
 @explained.calls()
@@ -117,8 +117,8 @@ def rocking_structure(
     `bodies(pivot)` gives the bodies when the structure turns about `pivot`; the first
     coordinate is the rotation, positive clockwise, about the right edge. Full contact is the
     same structure with the rotation held at zero. `elastic_energy`, `dissipation`, `beside_feet`,
-    `small` and `elements` are as in `Mode`; `overturning`, `reference`, `members` and `falls` as
-    in `RockingModel`.
+    `small` and `elements` are as in `Mode`, `elements` also a function of the pivot, as `bodies`;
+    `overturning`, `reference`, `members` and `falls` as in `RockingModel`.
 
     A `Model` on `Pinned()` feet becomes the same by `on_pinned_feet`. It cannot replace this one:
     bodies here depend on the foot, and may have places that no free coordinates give. Examples are
@@ -143,6 +143,8 @@ def rocking_structure(
         raise ValueError(f"{name}: half_width is {half_width}: it must be positive")
     pivot = (SIDE * half_width, sp.Integer(0))
     turning = tuple(bodies(pivot))
+    if callable(acting.get("elements")):
+        acting["elements"] = tuple(acting["elements"](pivot))
     if not turning:
         raise ValueError(f"{name}: it has no bodies: declare the masses")
     load = turning[0].name if load_on is None else load_on

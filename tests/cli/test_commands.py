@@ -175,7 +175,7 @@ def test_models_lists_families_and_what_they_stand_on(capsys):
     for family in FAMILIES:
         assert f"\n{family} " in text
     assert "shear_frame takes storeys=N" in text
-    assert "lumped_mass_structure, flexible_structure, shear_frame take a support:" in text
+    assert "stacked_blocks, lumped_mass_structure, flexible_structure, shear_frame take a" in text
     for support in SUPPORTS:
         for parameter in parameters_of(support):
             (line,) = (x for x in text.splitlines() if x.split()[:1] == [f"support={support}"])

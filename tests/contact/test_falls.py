@@ -9,7 +9,9 @@ import pytest
 import sympy as sp
 
 import rockeom as rk
-from rockeom.symbolic import SHIPPED, parameter
+from rockeom.simulation.response import fall_is_judged
+from rockeom.structures import searched_modes
+from rockeom.symbolic import SHIPPED, Rigid, parameter
 from rockeom.symbolic.parts.supports import X
 from tests.contact import declared
 
@@ -114,3 +116,85 @@ def test_final_state_is_on_the_bound_where_the_motion_is_cut():
     run = rk.simulate(STACK, STILL, initial=STARTS["theta"])
     assert run.t[-1] < 1.0
     np.testing.assert_array_less(np.abs(run["theta"][:-1]), math.pi / 2)
+
+
+# -- motions without a solution: a fall where a body is far beyond its balance and turns outward
+
+ALPHA = math.atan(0.2)
+
+
+@cache
+def never_slips():
+    """A block of 0.2 x 1.0 m on feet that never slip."""
+    model = SHIPPED["sliding_block"]()
+    model = replace(
+        model,
+        name="block_that_never_slips",
+        parameters=tuple(p for p in model.parameters if p.name not in ("friction", "restitution")),
+        contacts=tuple(replace(c, law=Rigid()) for c in model.contacts),
+    )
+    return rk.structure(model, mass=1.0, half_width=0.1, height=0.5, inertia=0.26 / 3)
+
+
+def test_a_pinned_twin_falls_wherever_a_motion_without_a_solution_counts_as_a_fall():
+    judged, twin = 0, rk.RigidBlock(half_width=0.1, half_height=0.5, mass=1.0)
+    for seed in range(8):
+        motion = rk.GroundMotion.kanai_tajimi(0.02, duration=15.0, seed=seed).scaled_to(4.5)
+        run = rk.simulate(never_slips(), motion)
+        assert run.outcome in ("overturned", "completed", "came to rest")
+        if not fall_is_judged(run):
+            continue
+        judged += 1
+        theta, rate = run.final["theta"], run.final["theta_dot"]
+        assert abs(theta) > 2.0 * ALPHA
+        assert theta * rate > 0.0
+        assert "It is judged to fall: no mode fits any more" in run.summary()
+        rest = motion.trimmed(run.t[-1], motion.duration)
+        goes_on = rk.simulate(twin, rest, initial={"theta": theta, "theta_dot": rate})
+        assert goes_on.outcome is rk.Outcome.OVERTURNED
+    assert judged >= 3
+
+
+def test_no_fall_of_a_stack_is_left_out_of_its_fragility():
+    """Of these motions seven ended without a solution, the upper block beyond 1 rad."""
+    stack = rk.StackedBlocks(
+        lower_half_width=0.25, lower_half_height=0.6, upper_half_width=0.15,
+        upper_half_height=0.5, lower_mass=600.0, upper_mass=200.0,
+    )  # fmt: skip
+    records = [rk.GroundMotion.kanai_tajimi(0.02, duration=15.0, seed=i) for i in range(8)]
+    over = {"motion": records, "pga": [5.0, 7.0]}
+    found = rk.simulate_many(rk.Case(stack, records[0]), over=over).outcome.values.astype(str)
+    assert "no solution" not in found
+    fallen = {(i, pga) for i, pga in np.argwhere(found == "overturned").tolist()}
+    runs = [rk.simulate(stack, records[i].scaled_to([5.0, 7.0][pga])) for i, pga in fallen]
+    judged = [run for run in runs if fall_is_judged(run)]
+    assert judged
+    for run in judged:
+        leans = run.final["phi"] - run.final["theta"]
+        turns = run.final["phi_dot"] - run.final["theta_dot"]
+        assert abs(leans) > 2.0 * math.atan(0.3)
+        assert leans * turns > 0.0
+
+
+@pytest.mark.parametrize(("turned", "rate"), [(1.98, 2.0), (2.02, -2.0)])
+def test_a_body_near_its_balance_or_on_its_way_back_has_not_fallen_without_a_solution(turned, rate):
+    block = never_slips()
+    tips = searched_modes._searching(block.module)["tips_over"]
+    for side in (-1.0, 1.0):
+        angle = side * turned * ALPHA
+        assert not tips(block.state({"theta": angle, "theta_dot": side * rate}), block.vector)
+    assert tips(block.state({"theta": 2.02 * ALPHA, "theta_dot": 2.0}), block.vector)
+
+
+def test_a_block_comes_back_from_less_than_twice_its_balance():
+    """The case that the guide to limits names."""
+    block = rk.RigidBlock(half_width=0.1, half_height=0.5)
+    run = rk.simulate(block, rk.GroundMotion.single_sine(3.898, 1.0, duration=20.0))
+    assert run.outcome is rk.Outcome.CAME_TO_REST
+    assert abs(run.extremes("theta").peak) / ALPHA == pytest.approx(1.665, abs=0.001)
+
+
+def test_a_judged_fall_has_no_time_of_overturning_to_differentiate():
+    motion = rk.GroundMotion.kanai_tajimi(0.02, duration=15.0, seed=1).scaled_to(4.5)
+    with pytest.raises(ValueError, match="there is no overturning time"):
+        rk.sensitivity(rk.Case(never_slips(), motion), ["overturning time"], ["half_width"])

@@ -15,7 +15,7 @@ from rockeom.codes import CONTACT_LAWS
 from rockeom.integrator.program import JOINED, texts
 from rockeom.integrator.schema import IMPACT_TEXTS
 from rockeom.integrator.texts import text_of
-from rockeom.symbolic import Rigid
+from rockeom.symbolic import Contact, Rigid, parameter
 
 from .laws_alone import impulses
 
@@ -343,7 +343,6 @@ def test_the_text_of_laws_shares_one_name_with_those_it_is_joined_to():
         ({"restitution": 1.2, "law": "poisson"}, "restitution is 1.2: give the ratio"),
         ({"friction": -0.1, "law": "pairwise"}, "friction is -0.1, negative"),
         ({"law": "lzb"}, "friction is None, and law='lzb' follows the slip"),
-        ({"law": "lzb", "friction": 0.2, "restitution": 1e-4}, "with law='lzb' give 0, or 0.001"),
         ({"stiffness": 2.0}, "stiffness is 2.0, and the law 'newton' has none"),
         ({"law": "pairwise", "stiffness": 0}, "stiffness is 0: give a positive one"),
         ({"law": "lzb", "friction": 0.2, "tangential": 0.5}, "tangential is 0.5, and the law"),
@@ -368,6 +367,38 @@ def test_a_law_that_cannot_be(given, said):
 def test_a_support_that_cannot_be(given, said):
     with pytest.raises(ValueError, match=re.escape(said)):
         rk.Sliding(**{"friction": 0.3, "restitution": 0.5} | given)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"restitution": 1e-6}, "with 'lzb' give 0, or 0.001 and more"),
+        ({"ratio": 1.1e8}, "at most 1e8 times another stiffness, and (1e5 e)**2 times"),
+        ({"ratio": 0.9e-8}, "at most 1e8 times another stiffness"),
+        ({"ratio": 1.1e6, "restitution": 0.01}, "(1e5 e)**2 times"),
+        ({"ratio": 1e8}, ""),
+        ({"ratio": 1e8, "restitution": 0.0}, ""),
+        ({"ratio": 1e6, "restitution": 0.01}, ""),
+    ],
+)
+def test_parameters_that_springs_at_points_cannot_have_are_refused(given, said):
+    """With more their steps come to no end, which was said to be jamming."""
+    model = rk.derive("sliding_block", law="lzb")
+    ratio = parameter("k", "ratio", "-", "stiffness in parts of the other foot's")
+    feet = (Contact(c.name, *c.at(c.side), c.law) for c in model.contacts)
+    left, right = (
+        replace(c, law=replace(c.law, stiffness=k))
+        for c, k in zip(feet, (1, ratio.symbol), strict=True)
+    )
+    model = replace(
+        model, name="uneven_springs", contacts=(left, right), parameters=(*model.parameters, ratio)
+    )
+    values = {"mass": 1.0, "half_width": 0.3, "height": 0.6, "inertia": 0.15, "friction": 0.3}
+    values |= {"gravity": 9.81, "restitution": 0.5, "ratio": 1.0} | given
+    if not said:
+        return model.check_values(values)
+    with pytest.raises(ValueError, match=re.escape(said)):
+        model.check_values(values)
 
 
 def test_points_that_meet_have_one_law():

@@ -429,6 +429,27 @@ def test_painleve_a_flat_block_that_slides_over_rough_ground_has_no_motion():
         assert side * tripping.final["theta"] > 0
 
 
+@pytest.mark.parametrize("width", [0.25, 0.5, 1.0, 2.0])
+def test_painleve_takes_a_friction_of_four_thirds_whatever_the_block(width):
+    """At a foot from which the line to the centroid leans by atan(1/2): 1 + 4 t**2 = 3 mu t."""
+    way = math.copysign(1.0, width - 0.7)  # to where the line leans so, and that of the slip
+    sliding = {"theta": math.atan(width) - way * math.atan(0.5), "x_dot": way}
+    size = {"half_width": 0.4 * width, "half_height": 0.4, "restitution": 0.0}
+    rk.SlidingBlock(**size, friction=1.33).accelerations(sliding)
+    with pytest.raises(ValueError, match=r"no mode .* jam"):
+        rk.SlidingBlock(**size, friction=1.34).accelerations(sliding)
+
+
+def test_a_landing_that_slips_all_through_its_impact_has_slid():
+    block = rk.SlidingBlock(half_width=0.2, half_height=0.6, friction=0.3, restitution=0.5)
+    run = rk.simulate(block, rk.GroundMotion.none(0.12), initial={"y": 0.05, "x_dot": 3.0})
+    assert len(run.impacts) >= 1
+    assert not len(run.support.sliding)
+    assert "It slid in impacts alone: impulses reached the friction at left+right." in run.summary()
+    sticks = rk.simulate(block, rk.GroundMotion.none(0.12), initial={"y": 0.05})
+    assert "It did not slide" in sticks.summary()
+
+
 def test_painleve_a_block_that_slides_and_turns_fast_has_two_motions():
     block = Block(0.5, 1.0, 1.5)
     for side in (1.0, -1.0):

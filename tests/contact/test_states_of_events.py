@@ -98,13 +98,10 @@ def test_stacks_without_a_solution_are_not_said_to_have_friction():
     with pytest.raises(ValueError, match=r"never slip.*declare friction") as refused:
         by_forces_that_fit_none(stack())
     assert "less friction" not in str(refused.value)
-    for outcome in (rk.Outcome.NO_SOLUTION, rk.Outcome.SEVERAL_SOLUTIONS):
-        assert "never slip" in outcome.sentence
-        assert "declare friction" in outcome.sentence or "declared" in outcome.sentence
 
 
 def test_blocks_without_a_solution_are_said_to_have_too_much_friction():
-    with pytest.raises(ValueError, match="give less friction"):
+    with pytest.raises(ValueError, match=r"with much friction jam.*declare less"):
         by_forces_that_fit_none(block())
 
 

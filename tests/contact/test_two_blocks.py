@@ -23,6 +23,36 @@ def structure(stack: Stack) -> rk.Structure:
     )
 
 
+SHAKEN = rk.GroundMotion.from_library("El Centro 1940 180").scaled(acceleration=2.0)
+TALL = {
+    "lower_half_width": 0.5, "lower_half_height": 1.2, "upper_half_width": 0.4,
+    "upper_half_height": 1.0, "lower_mass": 6e3, "upper_mass": 4e3,
+}  # fmt: skip
+
+
+def test_a_stack_has_the_law_that_answers_and_friction_where_it_slides():
+    assert rk.StackedBlocks(**TALL).describe_impact(None) == ""
+    assert rk.StackedBlocks(**TALL, restitution=0.5).describe_impact(None) == "poisson"
+    model = rk.derive("stacked_blocks", support="sliding", law="lzb")
+    assert {(str(c.law.friction), c.law.law) for c in model.contacts} == {("mu", "lzb")}
+    with pytest.raises(TypeError, match=r"unknown friction \(did you mean support = rk\.Sliding"):
+        rk.StackedBlocks(**TALL, friction=0.5)
+    with pytest.raises(ValueError, match="restitution is given with a support"):
+        rk.StackedBlocks(**TALL, restitution=0.1, support=rk.Sliding(friction=0.5, restitution=0.1))
+
+
+def test_a_bouncing_stack_that_never_slips_answers_under_a_record():
+    """By Newton's law a corner that lands at 1e-5 m/s, and slips faster, has no impulse."""
+    stack = rk.StackedBlocks(**TALL, restitution=0.5)
+    by_newton = rk.structure(rk.derive("stacked_blocks"), **stack.parameters())
+    newton, default = (rk.simulate(of, SHAKEN, duration=2.5) for of in (by_newton, stack))
+    assert newton.outcome is rk.Outcome.NO_SOLUTION
+    assert "An assumption fails: its contacts never slip" in newton.summary()
+    assert default.outcome is rk.Outcome.COMPLETED
+    assert not len(default.impacts.energy_gains)
+    assert default.energy_balance().error < 1e-6
+
+
 @cache
 def released(**initial: float) -> rk.Response:
     return rk.simulate(structure(STACK), STILL, initial=initial, duration=0.6)

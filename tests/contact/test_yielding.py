@@ -145,6 +145,32 @@ def test_an_extension_that_leaves_more_than_the_strength_is_refused():
         in_flight(0.3, {"x": 0.2, "bar_extension": 0.05})
 
 
+@cache
+def barred_at_two_points() -> Model:
+    """A block on one point, with a bar there and another beside it."""
+    of = declared.on_points("barred_at_two_points", {"tip": (0, 0)}, K, STRENGTH)
+    beside = declared.placed((1, 0))[1], declared.placed((0, -sp.Rational(1, 100)))[1]
+    bars = (Yielding(f"bar_{i}", up, K.symbol, STRENGTH.symbol) for i, up in enumerate(beside))
+    return replace(of, elements=tuple(bars))
+
+
+def test_bars_that_start_drawn_out_let_the_motion_begin():
+    """At their strength, rounding said of each at each step whether it was elastic."""
+    rng = np.random.default_rng(5)
+    for _ in range(30):
+        block = rk.structure(
+            barred_at_two_points(), mass=1000.0, height=3.0, inertia=3300.0, gravity=9.81,
+            friction=0.5, restitution=0.0, stiffness=2e7 * 10 ** rng.uniform(-2, 1),
+            strength=2e4 * 10 ** rng.uniform(-2, 1),
+        )  # fmt: skip
+        start = {"theta": rng.uniform(-0.02, 0.02), "theta_dot": rng.uniform(-0.5, 0.5)}
+        start["y"] = rng.uniform(0.2, 0.6)
+        options = rk.SolverOptions(max_steps=3000)
+        run = rk.simulate(block, rk.GroundMotion.none(0.05), initial=start, options=options)
+        assert run.t[-1] == 0.05
+        assert run.energy_balance().error < 1e-9
+
+
 # -- a wall that a tendon brings back upright, and bars at its feet that lose energy
 
 B = parameter("b", "half_width", "m", "half of the width of the wall")

@@ -133,7 +133,7 @@ STRUCTURES = [
     mistake(
         VALUE,
         lambda: rk.SlidingBlock(half_width=0.2, half_height=1.0, friction=0.5, restitution=1.2),
-        ValueError, "restitution is 1.2", "0 to 1",
+        ValueError, "restitution = 1.2", "0 to 1",
     ),
     mistake(
         UNIT, lambda: rk.RigidBlock(half_width="10 cm", half_height=0.4), TypeError,

@@ -26,6 +26,20 @@ def record(peak: float, **units: str) -> rk.GroundMotion:
     return rk.GroundMotion.from_array(peak * np.sin(4.0 * t), 0.01, **units)
 
 
+# -- motions that a tie decides
+
+
+@pytest.mark.parametrize("structure", [BLOCK, PIER])
+@pytest.mark.parametrize("across", [0.0, 1e-9])
+def test_vertical_shaking_alone_lifts_both_feet_and_a_tie_decides(structure, across):
+    horizontal = rk.GroundMotion.constant(across, 0.5)
+    up = rk.GroundMotion.harmonic(14.0, period=0.5, duration=0.5)
+    run = rk.simulate(structure, horizontal, vertical=up)
+    ties = [h for h in run.hints if "both feet lift at once: it leans to the left" in h]
+    assert len(ties) == (across == 0.0)
+    assert run.events[0].mode_after == "left"
+
+
 # -- ground motions in g
 
 

@@ -195,6 +195,11 @@ def _block_by(law: str):
 # -- a stack
 
 
+@functools.cache
+def _stack_by_newton():
+    return rk.derive("stacked_blocks")
+
+
 def _stacked_blocks(dice: Dice) -> Drawn:
     b = dice.over(0.2, 0.8)
     h = b * dice.one_of(dice.over(0.5, 1.5), dice.over(1.0, 4.0))
@@ -219,7 +224,8 @@ def _stacked_blocks(dice: Dice) -> Drawn:
         initial["phi_dot"] = rate * upper * dice.between(-0.5, 0.5)
     lift = GRAVITY * min(b / h, upper_b / upper_h)
     motion = _ground(dice, lift, h + upper_h, shaken=1.0 if kind == "rest" else 0.2)
-    return Drawn(rk.StackedBlocks(**given), of_stack(given), initial, motion)
+    stack = rk.structure(_stack_by_newton(), **rk.StackedBlocks(**given).parameters())
+    return Drawn(stack, of_stack(given), initial, motion)
 
 
 # -- declared feet

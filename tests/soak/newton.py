@@ -751,7 +751,7 @@ def ended(r: Told) -> Found:
     names = list(r.program.STATES)
     angles = {name: abs(run.end[names.index(name)]) / bound for name, bound in bounds.items()}
     if run.outcome is rk.Outcome.OVERTURNED and not whole and max(angles.values()) < 1 - 1e-6:
-        yield f"end: overturned at {last:.9g} s with {angles} of what falls"
+        yield from _undecided(r, word, last)  # a fall without a solution
     if run.outcome is rk.Outcome.CAME_TO_REST:
         yield from _stands(r)
     if run.outcome in (

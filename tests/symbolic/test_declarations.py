@@ -23,6 +23,7 @@ from rockeom.symbolic import (
     NamedFunction,
     Parameter,
     RockingModel,
+    Spring,
     Transition,
     coordinate,
     parameter,
@@ -521,7 +522,23 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     ),
     "a function that Python lacks": (
         lambda: tower(elastic_energy=k * sp.besselj(0, u)),
-        ("elastic energy", "besselj", "math"),
+        ("elastic energy", "besselj", "cannot be compiled"),
+    ),
+    "an energy with a kink, by its slope": (
+        lambda: tower(elastic_energy=k * sp.Abs(sp.sin(THETA.position))),
+        ("slope of elastic energy in mode left/right by theta", "sign(", "Max or tanh"),
+    ),
+    "an energy with a kink that can be compiled": (
+        lambda: tower(elastic_energy=k * sp.Max(u, -u)),
+        ("elastic energy in mode left/right has a kink where u is zero", "declare an element"),
+    ),
+    "an energy in pieces": (
+        lambda: tower(elastic_energy=k * sp.Piecewise((u**2, u > 0), (0, True))),
+        ("elastic energy in mode left/right contains Piecewise", "cannot be compiled"),
+    ),
+    "an element that steps": (
+        lambda: tower(elements=[Spring("rope", u * sp.Heaviside(u), k)]),
+        ("slope of deformation of element 'rope'", "DiracDelta"),
     ),
     "a mode whose name is a number": (
         lambda: rocking(sides={"left": -1, 1: 1}),
@@ -739,3 +756,15 @@ def test_a_rigid_body_whose_feet_are_not_equally_far_is_an_offset_block():
     for mode, rate in (("left", 0.7), ("right", -0.7)):
         after, follows = block.after_impact({"theta_dot": rate}, mode)
         assert unequal.after_impact({"theta_dot": rate}, mode) == (pytest.approx(after), follows)
+
+
+def test_elements_of_a_rocking_structure_may_depend_on_its_foot():
+    """A preloaded tendon at the middle of the base lifts with it, about either foot."""
+
+    def tendon(pivot):
+        return [Spring("tendon", turned((0, 0), pivot, theta)[1], initial_force=k / 100)]
+
+    lifts = class_of(module_of(tower(elements=tendon)))(**VALUES).uplift_acceleration
+    weight, sways = 3.0 * 9.81, 3.0 / 700.0
+    moment = 0.5 * (2.0 * weight + 7.0)
+    assert lifts == pytest.approx(moment / (3.0 * (2.0 + 2.0 / 9.0) + weight * sways), rel=1e-6)

@@ -70,7 +70,8 @@ def test_no_equation_knows_of_a_sketch():
         contacts=(replace(TIP.contacts[0], place=(X, H)),),
     )
     bare, shown = (module_text(model).partition("def positions(")[0] for model in (TIP, seen))
-    told = ("SOURCE_HASH", "CORNERS", "MEMBER", "POSITION_KINDS", "    shapes", "    positions")
+    tables = ["SOURCE_HASH", "FEET_OF", "CORNERS", "MEMBER", "POSITION_KINDS"]
+    told = (*tables, "    shapes", "    positions")
     rows = [
         [line for line in text.splitlines() if not line.startswith(told)] for text in (bare, shown)
     ]

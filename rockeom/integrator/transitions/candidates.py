@@ -29,6 +29,7 @@ from rockeom.compiler.decorators import inlined, rolled
 if TYPE_CHECKING:  # joined before this text
     from rockeom.integrator.interface import (
         ELEMENT_STATES,
+        FEET_OF,
         GUARDS,
         KINDS,
         N_ELEMENTS,
@@ -37,6 +38,7 @@ if TYPE_CHECKING:  # joined before this text
         N_POINTS,
         N_STATES,
         POINT_STATES,
+        POSITIONS,
         REVERSE,
         ROTATION,
         SHARED,
@@ -46,6 +48,7 @@ if TYPE_CHECKING:  # joined before this text
         jump,
         landed,
         points,
+        positions,
         rates,
     )
     from rockeom.integrator.transitions.points import (
@@ -83,6 +86,7 @@ STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after m
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
 NO_TURN = 1e-14  # rate of a rotation that points hold: rounding errors of the last impacts
 SLOW = 1e-6  # of sqrt(a l): the speed of landings between whose outcomes nothing decides
+TIPPED = 2.0  # a block has come back from 1.7 times the angle at which its weight is balanced
 SIGN_OF = (0.0, 0.0, 1.0, -1.0, 0.0)  # by the state of a point
 
 
@@ -742,3 +746,29 @@ def held_upright(mode, y, p):
     for i in range(N_POINTS):
         held = held or POINT_STATES[mode][i] != OPEN
     return held and dy[ROTATION + N_COORDINATES] == 0.0
+
+
+def tips_over(y, p):
+    """Whether a body turns outward beyond TIPPED times the angle at which its weight is balanced.
+
+    Relative to what bears it: the sine of that angle is the difference of the gaps of its feet over
+    their distance.
+    """
+    known, places = np.empty(POINT * N_POINTS), np.empty(3 * len(POSITIONS))
+    points(y, p, known)
+    positions(0, y, p, places)  # of bodies first, then of points
+    for body in range(len(FEET_OF)):
+        low = high = -1
+        for i in range(N_POINTS):
+            if FEET_OF[body][i] == 1:
+                low = i if low < 0 or known[POINT * i] < known[POINT * low] else low
+                high = i if high < 0 or known[POINT * i] > known[POINT * high] else high
+        centre, foot, other = 3 * body, 3 * (len(FEET_OF) + low), 3 * (len(FEET_OF) + high)
+        across, up = places[centre] - places[foot], places[centre + 1] - places[foot + 1]
+        base, tilt = places[other] - places[foot], places[other + 1] - places[foot + 1]
+        lever, height = base * across + tilt * up, abs(base * up - tilt * across)
+        if height > 0.0 and known[POINT * high + 1] > known[POINT * low + 1]:
+            sine = (known[POINT * high] - known[POINT * low]) / math.sqrt(base * base + tilt * tilt)
+            if math.asin(min(1.0, sine)) > TIPPED * math.atan(lever / height):
+                return True
+    return False

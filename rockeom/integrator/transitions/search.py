@@ -15,6 +15,7 @@ from rockeom.codes import (
     IMPOSSIBLE,
     LANDING,
     NO_SOLUTION,
+    OVERTURNED,
     SEVERAL_SOLUTIONS,
     STAYS_OPEN,
     SWITCH,
@@ -36,6 +37,7 @@ if TYPE_CHECKING:  # joined before this text
         nothing_moves,
         pass_on,
         still_closed,
+        tips_over,
     )
     from rockeom.integrator.transitions.landings import (
         end_closed,
@@ -108,7 +110,7 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
     if motion.idle > MOST_IDLE:
         outcome = CHATTER
         if motion.follows < 0:  # the impacts have an end, but nothing that may follow it
-            outcome = failure_of(motion.follows)
+            outcome = failure_of(motion.follows, a.y, case.p)
         return motion._replace(outcome=outcome), rest
     if CROWDED * int(motion.idle / CROWDED) == motion.idle:
         rest = stepped_over(motion, ground, end, False, case, a)
@@ -129,7 +131,7 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
         # what has come to its end and goes on as before is no way out
         if rest.stepped and (kind == LANDING or rest.mode != motion.mode):
             return after_step_over(motion, rest), rest
-        return motion._replace(outcome=failure_of(mode)), rest
+        return motion._replace(outcome=failure_of(mode, a.y, case.p)), rest
     if kind == SWITCH:
         closed = still_closed(motion.mode, mode, guard, motion.closed, closed)
     return enter_mode(motion, guard, mode, closed, a, recorder), Rest(np.inf, mode, False)
@@ -143,9 +145,11 @@ def state_of(motion, ground, case, a):
 
 
 @inlined
-def failure_of(mode):
-    """The outcome where no mode follows, or several."""
-    return NO_SOLUTION if mode == IMPOSSIBLE else SEVERAL_SOLUTIONS
+def failure_of(mode, y, p):
+    """The outcome where no mode follows, or several; a fall that has no solution is a fall."""
+    if mode != IMPOSSIBLE:
+        return SEVERAL_SOLUTIONS
+    return OVERTURNED if tips_over(y, p) else NO_SOLUTION
 
 
 @inlined

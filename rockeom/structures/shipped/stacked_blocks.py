@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
+from rockeom.codes import POISSON
+from rockeom.integrator.texts import load_text, source
 from rockeom.numbers.checks import described
-from rockeom.structures.parameters import ParameterError, check_restitution
+from rockeom.structures.parameters import ParameterError, check_contact_law
 from rockeom.structures.shipped.declarations import stacked_blocks as declared
 from rockeom.structures.shipped.rigid_block import RigidBlock
+from rockeom.structures.supports import SupportedStructure
 
 _OF_A_BLOCK = ("half_width", "half_height", "mass", "inertia")
 
 
-class StackedBlocks(declared.StackedBlocks):
+class StackedBlocks(SupportedStructure, declared.StackedBlocks):
     def __post_init__(self) -> None:
-        check_restitution("StackedBlocks", self.restitution)
+        super().__post_init__()
+        check_contact_law("StackedBlocks", self.restitution, "poisson")
+        if self.support and self.restitution:
+            raise ValueError("StackedBlocks: restitution is given with a support: leave it out")
         if self.upper_half_width > self.lower_half_width:
             raise ValueError(
                 f"StackedBlocks: upper_half_width is {self.upper_half_width} and lower_half_width "
@@ -36,13 +43,26 @@ class StackedBlocks(declared.StackedBlocks):
                     f"StackedBlocks: gravity is {given['gravity']}, and {block.gravity} of the "
                     f"{name} block: give both blocks the same"
                 )
-            for part in _OF_A_BLOCK:
-                if f"{name}_{part}" in given:
-                    raise ParameterError(
-                        f"StackedBlocks: {name}_{part} is given, and so is {name}: leave one out"
-                    )
-                given[f"{name}_{part}"] = getattr(block, part)
+            parts = {f"{name}_{part}": getattr(block, part) for part in _OF_A_BLOCK}
+            for part in parts.keys() & given.keys():
+                raise ParameterError(
+                    f"StackedBlocks: {part} is given, and so is {name}: leave one out"
+                )
+            given |= parts
         return given
+
+    def of_base(self) -> tuple[float, float]:
+        return self.lower_mass, self.lower_mass * self.lower_half_height**2
+
+    @functools.cached_property
+    def module(self) -> Any:
+        """The generated module, by Poisson's law where corners bounce and none slips."""
+        made, name = super().module, f"{self.model}_by_poisson"
+        if self.support or not self.restitution > 0:
+            return made
+        text = source(made).replace(f'\nNAME = "{self.model}"', f'\nNAME = "{name}"')
+        text += f"\nIMPACT_LAW = {POISSON}\n\n\ndef point_numbers(p, out):\n    pass\n"
+        return load_text(name, text)
 
     def _block(self, which: str) -> RigidBlock:
         parts = {part: getattr(self, f"{which}_{part}") for part in _OF_A_BLOCK}
@@ -57,10 +77,9 @@ class StackedBlocks(declared.StackedBlocks):
         return self._block("upper")
 
     def parameters(self) -> dict[str, float]:
-        values = super().parameters()
-        for which, block in (("lower", self.lower), ("upper", self.upper)):
-            values[f"{which}_inertia"] = block.parameters()["inertia"]
-        return values
+        blocks = {"lower": self.lower, "upper": self.upper}
+        inertias = {f"{w}_inertia": block.parameters()["inertia"] for w, block in blocks.items()}
+        return super().parameters() | inertias
 
     def hints(self) -> tuple[str, ...]:
         return (*self.lower.hints(), *self.upper.hints())

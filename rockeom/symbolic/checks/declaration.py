@@ -5,12 +5,12 @@ Each check raises ValueError, which names the declaration, the item and the reme
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Set
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
-from sympy.printing.pycode import pycode
 
+from rockeom.compiler.types import MATH
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.checks.common import (
@@ -172,11 +172,8 @@ def _sketched(model: HybridModel) -> None:
 def _content(
     model: HybridModel, known: Mapping[sp.Basic, str], item: str, expr: sp.Expr, kinds: str
 ) -> None:
-    for f in expr.atoms(sp.Function) - expr.atoms(AppliedUndef, sp.Piecewise):
-        try:
-            pycode(f.func(*(sp.Symbol(f"x{i}", real=True) for i in range(len(f.args)))))
-        except NotImplementedError:
-            fail(model.name, f"{item} contains {f.func}, which Python's math module does not know")
+    named = item.startswith("function")
+    _has_functions(model, item, expr, _COMPILED | {"Piecewise"} if named else _COMPILED)
     used = expr.free_symbols | {f.func for f in expr.atoms(AppliedUndef)}
     unknown = sorted(str(x) for x in used if x not in known)
     if unknown:
@@ -198,3 +195,32 @@ def _content(
                 f"{item} contains {WORDS[known[x]]} {x}, which it must not: it is a function of "
                 + (", ".join(["the parameters", *(WORDS[k] for k in kinds)])),
             )
+    by = RATES if item.startswith("dissipation") else PLACES
+    if (
+        not named
+        and (by == RATES or RATES not in kinds)
+        and expr.has(sp.Abs, sp.Heaviside, sp.Max, sp.Min)
+    ):
+        _has_slopes(model, item, expr, {x for x in used if known[x] == by})
+
+
+_COMPILED = frozenset({*MATH, "Abs", "Heaviside", "Max", "Min"})
+"""Functions of an expression that a program has."""
+_REMEDY = "write it with Max or tanh, or declare an element: Spring, Unilateral or Yielding"
+
+
+def _has_functions(model: HybridModel, item: str, expr: sp.Expr, compiled: Collection[str]) -> None:
+    for f in expr.atoms(sp.Function) - expr.atoms(AppliedUndef):
+        if type(f).__name__ not in compiled:
+            fail(model.name, f"{item} contains {f}, which cannot be compiled: {_REMEDY}")
+
+
+def _has_slopes(model: HybridModel, item: str, expr: sp.Expr, moving: Set[sp.Basic]) -> None:
+    """Refuse a slope that cannot be compiled, or that jumps at the closed configuration."""
+    for x in sorted(moving, key=str):
+        slope = sp.diff(expr, x)
+        _has_functions(model, f"the slope of {item} by {x}", slope, _COMPILED)
+        closed = {s: int(s not in moving) for s in slope.free_symbols - {x}}
+        before, after = (sp.N(slope.subs({**closed, x: side * 1e-9})) for side in (-1, 1))
+        if abs(after - before) > 1e-6:
+            fail(model.name, f"{item} has a kink where {x} is zero, {expr}: {_REMEDY}")

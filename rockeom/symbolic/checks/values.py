@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import sympy as sp
 
+from rockeom.codes import LEAST_RESTITUTION as LEAST
 from rockeom.symbolic.checks.common import fail
 from rockeom.symbolic.checks.derived import first_name
 from rockeom.symbolic.contacts import Contact
@@ -70,6 +71,13 @@ def sizes(model: HybridModel) -> tuple[Size, ...]:
                 yield size(f"1 less the tangential {at}", 1 - law.tangential, True, "give 0 to 1")
             if law.friction is not None:
                 yield size(f"the friction {at}", law.friction, True, "it must not be negative")
+            if law.law == "lzb":
+                e, remedy = sp.sympify(law.restitution), f"with 'lzb' give 0, or {LEAST:g} and more"
+                yield size(f"e (e - {LEAST:g}) {at}", e * (e - LEAST), True, remedy)
+                for k in dict.fromkeys(other.law.stiffness for other in points if other.law != law):
+                    apart = 1e8 * k - law.stiffness, e**2 * (1e10 * e**2 * k - law.stiffness)
+                    remedy = "give at most 1e8 times another stiffness, and (1e5 e)**2 times"
+                    yield size(f"the reserve of stiffness {at}", sp.Min(*apart), True, remedy)
             if c.side:
                 width = c.side * (c.at(c.side)[1] - c.at(-c.side)[1]).subs(upright)
                 remedy = "the point of side -1 must stand to the left of that of side 1"

@@ -8,9 +8,10 @@ from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Rigid, feet
 from rockeom.symbolic.model import Body, Parameter, coordinate, parameter, rectangle, turned
 from rockeom.symbolic.parts.superstructures import GRAVITY
-from rockeom.symbolic.parts.supports import FREE_ROTATION as THETA, RESTITUTION, X, Y
+from rockeom.symbolic.parts.supports import FREE_ROTATION, FRICTION, RESTITUTION, X, Y
 from rockeom.symbolic.registry import shipped
 
+THETA = FREE_ROTATION
 XI = coordinate("xi", "xi", "m", "place of the upper base's centre along the lower block's top")
 ETA = coordinate("eta", "eta", "m", "height of the upper base's centre above the lower block's top")
 PHI = coordinate("phi", "phi", "rad", "rotation of the upper block, positive clockwise")
@@ -39,15 +40,20 @@ def _parameters(index: int, which: str) -> tuple[Parameter, ...]:
         "restitution": 0.0,
     },
 )
-def stacked_blocks() -> Model:
+def stacked_blocks(law: str = "newton", support: str = "pinned") -> Model:
     """The corners of the upper block rest on the lower one, whose corners rest on the ground.
 
     Corners open and close, and none of them slips: the friction that a point needs is its friction
     over its normal force. A restitution of 0 to 1 is the ratio of the rates of a gap after and
-    before a corner lands. The upper block is no wider than the lower one.
+    before a corner lands alone. The upper block is no wider than the lower one.
 
     lower, upper : two of `RigidBlock` under one gravity may take the place of the parameters of
     each block.
+
+    support : without one no corner slips; impacts are by Newton's law, or above a restitution of 0
+    by Poisson's, since Newton's has no impulse for many landings that do not slip. At corners of
+    both blocks `rk.Sliding(friction=..., restitution=..., law=...)` has its own of each; its
+    equations are derived at their first use.
 
     The states are x, y [m] and theta [rad] of the lower block's base; xi and eta [m] of the upper
     block's base along and above the lower one's top, and its rotation phi [rad]; and their rates.
@@ -70,14 +76,16 @@ def stacked_blocks() -> Model:
         dx, dy = turned((s * b_2, 0), (0, 0), phi - theta)
         return XI.position + dx, ETA.position + dy
 
-    law = Rigid(restitution=RESTITUTION.symbol, friction=None)
+    slips = support == "sliding"
+    friction = (FRICTION,) if slips else ()
+    rigid = Rigid(RESTITUTION.symbol, FRICTION.symbol if slips else None, law)
     bottom = Body("lower", m_1, on_lower((0, h_1)), i_1, theta, outline=rectangle(b_1, h_1))
     place = foot[0] + across, foot[1] + up
     top = Body("upper", m_2, place, i_2, phi, outline=rectangle(b_2, h_2))
     return Model(
-        name="stacked_blocks",
+        name="stacked_blocks" + f"_by_{law}" * (law != "newton") + "_that_slide" * slips,
         title="Two rigid blocks on one another",
-        parameters=(*lower, *upper, GRAVITY, RESTITUTION),
+        parameters=(*lower, *upper, GRAVITY, *friction, RESTITUTION),
         coordinates=(X, Y, THETA, XI, ETA, PHI),
         bodies=(bottom, top),
         gravity=GRAVITY.symbol,
@@ -86,12 +94,12 @@ def stacked_blocks() -> Model:
             *feet(
                 gap=lambda s: on_lower((s * b_1, 0))[1],
                 slip=lambda s: on_lower((s * b_1, 0))[0],
-                law=law,
+                law=rigid,
             ),
             *feet(
                 gap=lambda s: corner(s)[1],
                 slip=lambda s: corner(s)[0],
-                law=law,
+                law=rigid,
                 names=("upper_left", "upper_right"),
                 place=lambda s: on_lower((corner(s)[0], 2 * h_1 + corner(s)[1])),
             ),

@@ -18,10 +18,15 @@ class StackedBlocks(StructureWithFields):
 
     Corners open and close, and none of them slips: the friction that a point needs is its friction
     over its normal force. A restitution of 0 to 1 is the ratio of the rates of a gap after and
-    before a corner lands. The upper block is no wider than the lower one.
+    before a corner lands alone. The upper block is no wider than the lower one.
 
     lower, upper : two of `RigidBlock` under one gravity may take the place of the parameters of
     each block.
+
+    support : without one no corner slips; impacts are by Newton's law, or above a restitution of 0
+    by Poisson's, since Newton's has no impulse for many landings that do not slip. At corners of
+    both blocks `rk.Sliding(friction=..., restitution=..., law=...)` has its own of each; its
+    equations are derived at their first use.
 
     The states are x, y [m] and theta [rad] of the lower block's base; xi and eta [m] of the upper
     block's base along and above the lower one's top, and its rotation phi [rad]; and their rates.
