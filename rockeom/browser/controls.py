@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.stats import qmc
 
 from rockeom.browser.traced import Tape
 from rockeom.numbers.checks import described, is_number, near
@@ -105,10 +104,17 @@ class Controls:
         yield from map(np.array, itertools.product(*choices))
 
     def spread(self, n: int) -> Iterator[np.ndarray]:
-        """Values that fill all ranges evenly (Sobol), and both ends of them."""
-        ends = ([0.0] * len(self.of), [1.0] * len(self.of))
-        for shares in (*ends, *qmc.Sobol(len(self.of), seed=1).random(n).tolist()):
-            yield np.array([c.at(x) for c, x in zip(self.of.values(), shares, strict=True)])
+        """Values at both ends of all ranges, and n that fill them evenly.
+
+        The additive recurrence of the plastic numbers: M. Roberts (2018), "The unreasonable
+        effectiveness of quasirandom sequences".
+        """
+        size, root = len(self.of), 2.0
+        for _ in range(40):  # root ** (size + 1) = root + 1
+            root = (1.0 + root) ** (1.0 / (size + 1))
+        shares = (0.5 + np.arange(n)[:, None] / root ** np.arange(1, size + 1)) % 1.0
+        for row in ([0.0] * size, [1.0] * size, *shares.tolist()):
+            yield np.array([c.at(x) for c, x in zip(self.of.values(), row, strict=True)])
 
     def special(self) -> Iterator[np.ndarray]:
         """Values with some controls at an end, at first or at zero, and the others spread.

@@ -229,7 +229,7 @@ def difference(made: Numbers, wanted: Problem) -> str | None:
         ),
     }  # fmt: skip
     for words, (a, b) in pairs.items():
-        if np.array_equal(a, b):  # in a tenth of the time
+        if a.tobytes() == b.tobytes():  # in a hundredth of the time
             continue
         scale = np.abs(b).max(initial=0.0, where=np.isfinite(b))
         if not np.allclose(a, b, rtol=NEAR, atol=NEAR * scale, equal_nan=True):
