@@ -25,11 +25,20 @@ MOST_COMBINATIONS = 24
 
 
 class Slider(NamedTuple):
-    """A number of a page. low, high : its range. start : its value at first."""
+    """A number of a page.
+
+    low, high : its range. start : its value at first; that of the case or the middle if not given.
+    unit : behind its values. words : in place of its name. Of a number of a case, which is named,
+    the unit is known.
+
+    >>> rk.Slider(0.4, 4.0, 0.8, unit="m", words="height of the block")
+    """
 
     low: float
     high: float
-    start: float
+    start: float = math.nan
+    unit: str = ""
+    words: str = ""
 
     def at(self, share: float) -> float:
         """The value at a share of the range, 0 to 1."""
@@ -133,10 +142,12 @@ class Controls:
             yield place
 
     def places(self, where: str, values: Mapping[str, Any]) -> dict[int, float]:
-        """Some values by their place in the array; raises ValueError for one that cannot be.
+        """Some values by their place in the array; raises ValueError for one that cannot be, and
+        TypeError where they have no names.
 
         where : the argument that has them.
         """
+        check_mapping(where, values, '{"half_width": 0.2}')
         return {list(self.of).index(self._known(where, n)): self._value(where, n, x)
                 for n, x in values.items()}  # fmt: skip
 
@@ -166,29 +177,43 @@ def _special(control: Slider | Menu) -> list[float]:
     return sorted({control.low, control.start, control.high, *within})
 
 
-def slider(name: str, given: Any, first: float | None) -> Slider:
-    """A slider of (lowest, highest) or (lowest, highest, first); first : if that is not given."""
-    several = isinstance(given, tuple | list) and len(given) in (2, 3)
-    if not (several and all(map(is_number, given))):
+def slider(name: str, given: Any, number: Any) -> Slider:
+    """A slider, or (lowest, highest), (lowest, highest, first).
+
+    number : that of the case, with its value and unit; None for an argument of a function.
+    """
+    several = isinstance(given, tuple | list) and 2 <= len(given) <= len(Slider._fields)
+    if not (several and all(map(is_number, given[:3])) and all(map(_is_text, given[3:]))):
         raise TypeError(
             f"slider {name!r} is {described(given)}: give (lowest, highest) or (lowest, highest, "
-            "first)"
+            "first), or rk.Slider(lowest, highest, first, unit, words)"
         )
-    low, high = float(given[0]), float(given[1])
-    start = (low + high) / 2 if first is None else min(max(first, low), high)
-    start = float(given[2]) if len(given) == 3 else start
+    low, high, start, unit, words = Slider(*given)
+    if math.isnan(start):
+        value = number.value if number else None
+        start = (low + high) / 2 if value is None else min(max(value, low), high)
     if not (-math.inf < low < high < math.inf and low <= start <= high):
         raise ValueError(
             f"slider {name!r} goes from {low:g} to {high:g}, first {start:g}: give two finite "
             "numbers, the lower one first, and a first value between them"
         )
-    return Slider(low, high, start)
+    unit = unit or (number.unit if number else "")
+    return Slider(float(low), float(high), float(start), unit, words)
+
+
+def _is_text(x: Any) -> bool:
+    return isinstance(x, str)
+
+
+def check_mapping(name: str, given: Any, example: str) -> None:
+    """Raise TypeError for what does not go by names."""
+    if not (isinstance(given, Mapping) and all(map(_is_text, given))):
+        raise TypeError(f"{name} is {described(given)}: give them by name, such as {example}")
 
 
 def menu(name: str, given: Any) -> Menu:
     """A menu of options by label."""
-    labels = isinstance(given, Mapping) and all(isinstance(label, str) for label in given)
-    if not labels or len(given) < 2:
+    if not (isinstance(given, Mapping) and all(map(_is_text, given)) and len(given) > 1):
         raise TypeError(
             f"menu {name!r} is {described(given)}: give two options or more by their labels, such "
             'as {"Housner": rk.AngularMomentum(), "r = 0.8": rk.EnergyRatio(0.8)}'

@@ -42,7 +42,9 @@ class Portable(NamedTuple):
         """The program of this processor, to be run as others are."""
         described = json.dumps({"entries": self.entries, "sizes": self.sizes}).encode()
         return Program(
-            f"{generated.NAME}_portable", generated, described + b"\n" + compiled(self.ir, passes=())
+            f"{generated.NAME}_portable",
+            generated,
+            described + b"\n" + compiled(self.ir, passes=()),
         )
 
     def webassembly(self) -> Module:

@@ -19,6 +19,7 @@ class EnergyBars {
     this.factor = 1;
     this.unit = "";
     this.bars = [...BARS];
+    if (runner.of.weight) by("energy-over").textContent = TEXTS.energyRatio;
   }
 
   /** Energy k at sample i. @param {number} k @param {number} i */
@@ -40,12 +41,23 @@ class EnergyBars {
       }
     }
     this.bars = BARS.filter(([k]) => k !== 2 || elastic);
-    const unit = this.runner.of.energyUnit;
-    const power = unit === "J" ? Math.max(Math.floor(Math.log10(this.high || 1) / 3), 0) : 0;
-    this.factor = 1000 ** Math.min(power, 3);
-    this.unit = unit === "J" ? ["J", "kJ", "MJ", "GJ"][Math.min(power, 3)] : "";
+    [this.factor, this.unit] = this.scale();
     const [putIn, lost] = [3, 4].map((k) => this.text(k, n - 1));
     this.canvas.setAttribute("aria-label", fill(TEXTS.energyOf, putIn, lost));
+  }
+
+  /** The energy that is shown as one, and its unit. @returns {[number, string]} */
+  scale() {
+    const { p, of } = this.runner;
+    if (of.weight) {
+      const places = this.runner.at(0);
+      const [body, foot] = ["body", "foot"].map((kind) => 3 * of.kinds.indexOf(kind));
+      const R = Math.hypot(places[body] - places[foot], places[body + 1] - places[foot + 1]);
+      return [p[of.weight[0]] * p[of.weight[1]] * R, ""];
+    }
+    if (of.energyUnit !== "J") return [1, ""];
+    const power = Math.min(Math.max(Math.floor(Math.log10(this.high || 1) / 3), 0), 3);
+    return [1000 ** power, ["J", "kJ", "MJ", "GJ"][power]];
   }
 
   /** @param {number} k @param {number} i */
@@ -74,9 +86,6 @@ class EnergyBars {
     });
     to.strokeStyle = color("ink");
     to.lineWidth = 1;
-    line(to, [
-      [zero, 4],
-      [zero, height - 4],
-    ]);
+    line(to, [zero, 4], [zero, height - 4]);
   }
 }

@@ -1,0 +1,49 @@
+"""The words of a page: the table of `texts.js`, in which a user may give others."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from rockeom.numbers.checks import described, near
+
+_TABLE = re.compile(r"(?<=^const TEXTS = )\{.*?^\}(?=;)", re.DOTALL | re.MULTILINE)
+
+
+def with_texts(script: str, given: Mapping[str, Any], names: Mapping[str, str]) -> str:
+    """The script of the texts without comments and indents, with others in its table.
+
+    names : words of the names of sliders, menus, states and presets. Raises ValueError for a text
+    that the table does not have, and for one that leaves out a place such as {0}.
+    """
+    source = _TABLE.findall(script)[0]
+    table = re.sub(r"^(\w+):", r'"\1":', source, flags=re.MULTILINE)
+    own = {**json.loads(re.sub(r",(?=\n\})", "", table)), "names": dict(names)}
+    text = json.dumps(_changed("texts", own, given)).replace("<", "\\u003c")
+    return script.replace(source, text)
+
+
+def _changed(where: str, own: Mapping[str, Any], given: Any) -> dict[str, Any]:
+    """A table with other texts in their places."""
+    if not isinstance(given, Mapping):
+        raise TypeError(f"{where} is {described(given)}: give texts by name, {{name: text}}")
+    found = dict(own)
+    for name, text in given.items():
+        if name not in own:
+            raise ValueError(f"{where}: a page has no {name!r}{near(name, own)}")
+        if isinstance(own[name], dict):
+            found[name] = _changed(f"{where}[{name!r}]", own[name], text)
+            continue
+        if not isinstance(text, str) or _places(text) != _places(own[name]):
+            raise ValueError(
+                f"{where}: {name!r} is {described(text)}: give a text with the places of "
+                f"{own[name]!r}"
+            )
+        found[name] = text
+    return found
+
+
+def _places(text: str) -> set[str]:
+    return set(re.findall(r"\{\d\}", text))
