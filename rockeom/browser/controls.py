@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -16,6 +16,8 @@ import numpy as np
 
 from rockeom.browser.traced import Tape
 from rockeom.numbers.checks import described, is_number, near
+from rockeom.simulation.case import Case
+from rockeom.sweeps.case_numbers import OtherCase, function_of
 
 MOST_CONTROLS = 12
 MOST_SPECIAL = 1024
@@ -147,7 +149,7 @@ class Controls:
 
         where : the argument that has them.
         """
-        check_mapping(where, values, '{"half_width": 0.2}')
+        check_mapping(where, values)
         return {list(self.of).index(self._known(where, n)): self._value(where, n, x)
                 for n, x in values.items()}  # fmt: skip
 
@@ -205,13 +207,14 @@ def _is_text(x: Any) -> bool:
     return isinstance(x, str)
 
 
-def check_mapping(name: str, given: Any, example: str) -> None:
+def check_mapping(name: str, given: Any) -> None:
     """Raise TypeError for what does not go by names."""
     if not (isinstance(given, Mapping) and all(map(_is_text, given))):
-        raise TypeError(f"{name} is {described(given)}: give them by name, such as {example}")
+        example = '{"half_width": (0.05, 0.4)}' if name == "sliders" else "{name: ...}"
+        raise TypeError(f"{name} is {described(given)}: give it by names, as {example}")
 
 
-def menu(name: str, given: Any) -> Menu:
+def _menu(name: str, given: Any) -> Menu:
     """A menu of options by label."""
     if not (isinstance(given, Mapping) and all(map(_is_text, given)) and len(given) > 1):
         raise TypeError(
@@ -221,8 +224,14 @@ def menu(name: str, given: Any) -> Menu:
     return Menu(dict(given))
 
 
-def check_number(sliders: Mapping[str, Any], menus: Mapping[str, Menu]) -> None:
-    """Raise ValueError for too many controls, and for a name that two of them have."""
+def controls_of(
+    case: Any, sliders: Mapping[str, Any], menus: Mapping[str, Any]
+) -> tuple[Callable[..., Case], Controls]:
+    """The function of a page, and its controls.
+
+    Raises ValueError for too many controls, and for a name that two of them have.
+    """
+    menu_of = {name: _menu(name, given) for name, given in menus.items()}
     if not sliders or len(sliders) + len(menus) > MOST_CONTROLS:
         raise ValueError(
             f"{len(sliders)} sliders and {len(menus)} menus: give a slider or more, and at most "
@@ -230,9 +239,13 @@ def check_number(sliders: Mapping[str, Any], menus: Mapping[str, Menu]) -> None:
         )
     if both := sliders.keys() & menus.keys():
         raise ValueError(f"{min(both)!r} is a slider and a menu: name one of both")
-    combinations = math.prod(len(one.options) for one in menus.values())
+    combinations = math.prod(len(one.options) for one in menu_of.values())
     if combinations > MOST_COMBINATIONS:
         raise ValueError(
             f"the menus have {combinations} combinations of their options: give at most "
             f"{MOST_COMBINATIONS}"
         )
+    function = function_of(case, (*sliders, *menus))
+    numbers = function.numbers if isinstance(function, OtherCase) else {}
+    slider_of = {name: slider(name, given, numbers.get(name)) for name, given in sliders.items()}
+    return function, Controls({**slider_of, **menu_of})

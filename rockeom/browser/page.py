@@ -20,23 +20,8 @@ import numpy as np
 
 from rockeom import files as whole
 from rockeom.browser.code import script
-from rockeom.browser.controls import (
-    Controls,
-    Menu,
-    Slider,
-    check_mapping,
-    check_number,
-    menu,
-    slider,
-)
-from rockeom.browser.lesson import (
-    COMPARED,
-    OBJECTS,
-    Motions,
-    Question,
-    ends_of,
-    readings_of,
-)
+from rockeom.browser.controls import Controls, Menu, Slider, check_mapping, controls_of
+from rockeom.browser.lesson import COMPARED, OBJECTS, Motions, Question, ends_of, readings_of
 from rockeom.browser.program import METHOD, Portable, portable
 from rockeom.browser.questions import NUMBERS
 from rockeom.browser.setup import Setup, setup_of
@@ -56,9 +41,9 @@ from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
 from rockeom.structures.base import Structure
 from rockeom.structures.units import main_units
-from rockeom.sweeps.case_numbers import OtherCase, function_of
+from rockeom.sweeps.case_numbers import OtherCase
 
-ENTRIES = ("motion", "places", "corners", "energy_history", "balance")
+ENTRIES = ("motion", "fate", "places", "corners", "energy_history", "balance")
 MOTIONS = 8
 """Places of the sliders whose motions are compared with `rk.simulate`."""
 MOST_AXES, COARSE = 5, 4
@@ -70,8 +55,9 @@ _SCRIPTS = (
 )  # fmt: skip
 _ASSETS = files("rockeom").joinpath("browser", "assets")
 _POLICY = (
-    "default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; worker-src blob:; "
-    "script-src 'sha256-{}' 'wasm-unsafe-eval'; style-src 'sha256-{}'"
+    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri 'none'; "
+    "form-action 'none'; img-src data:; worker-src blob:; "
+    "script-src 'sha256-{}' 'wasm-unsafe-eval'; style-src 'sha256-{}'\" />"
 )
 """The Content-Security-Policy of a page: its own script and style by their hashes, no other."""
 
@@ -114,36 +100,30 @@ def explorer(
     """
     if not (isinstance(case, Case) or callable(case)):
         raise TypeError(f"case is {described(case)}: give a case, or a function of the sliders")
-    menus, presets = menus or {}, presets or {}
-    check_mapping("sliders", sliders, '{"half_width": (0.05, 0.4)}')
-    check_mapping("menus", menus, '{"impact": {"r = 0.8": rk.EnergyRatio(0.8)}}')
-    check_mapping("presets", presets, '{"slender": {"half_width": 0.1}}')
+    for name, given in (("sliders", sliders), ("menus", menus or {}), ("presets", presets or {})):
+        check_mapping(name, given)
     if isinstance(questions, Question) or not all(isinstance(q, Question) for q in questions):
         raise TypeError(f"questions is {described(questions)}: give a list of rk.Question(...)")
-    menu_of = {name: menu(name, options) for name, options in menus.items()}
-    check_number(sliders, menu_of)
-    function = function_of(case, (*sliders, *menu_of))
-    numbers = function.numbers if isinstance(function, OtherCase) else {}
-    slider_of = {name: slider(name, given, numbers.get(name)) for name, given in sliders.items()}
+    function, controls = controls_of(case, sliders, menus or {})
     return Explorer(
         function,
-        Controls({**slider_of, **menu_of}),
+        controls,
         title,
-        {**_objects(function, slider_of), **presets},
+        {**_objects(function, controls.of), **(presets or {})},
         tuple(questions),
         texts or {},
     )
 
 
-def _objects(function: Callable[..., Case], sliders: Mapping[str, Slider]) -> dict[str, Any]:
+def _objects(function: Callable[..., Case], controls: Mapping[str, Any]) -> dict[str, Any]:
     """Objects of every day that are in the range of the sliders, for a page of a block."""
     of_block = isinstance(function, OtherCase) and type(function.case.structure).__name__
-    if of_block != "RigidBlock" or not {"half_width", "half_height"} <= sliders.keys():
+    if of_block != "RigidBlock" or not {"half_width", "half_height"} <= controls.keys():
         return {}
     return {
         name: {"half_width": b, "half_height": h}
         for name, (b, h) in OBJECTS.items()
-        if all(sliders[n].low <= x <= sliders[n].high
+        if all(controls[n].low <= x <= controls[n].high
                for n, x in (("half_width", b), ("half_height", h)))
     }  # fmt: skip
 
@@ -245,25 +225,15 @@ class Explorer:
 
     @cached_property
     def program(self) -> Portable:
-        """The program of the page, whose motions and answers were compared with `rk.simulate`."""
-        self._compare()
-        _ = self._ends
-        return self._printed
-
-    @cached_property
-    def _printed(self) -> Portable:
+        """The program of the page."""
         return portable(self._structure.module, METHOD, self._texts())
 
     @cached_property
     def _native(self) -> Motions:
         """The motions of the page by machine code."""
-        module = self._structure.module
-        states, readings = len(module.STATES), np.zeros(len(COMPARED))
-        motion = self._printed.native(module).motion.bound(
-            self.setup.controls.start, 0.0, np.zeros(self.setup.sizes[0]), np.zeros(NUMBERS),
-            np.zeros((0, states)), np.zeros(0, np.int64), np.zeros((2, 0)), np.zeros(0),
-            np.zeros(3), np.zeros((2, states)), readings,
-        )  # fmt: skip
+        extremes, readings = np.zeros((2, len(self._structure.states))), np.zeros(len(COMPARED))
+        native = self.program.native(self._structure.module)
+        motion = native.fate.bound(self.setup.controls.start, 0.0, extremes, readings)
 
         def of_motion(place: np.ndarray, end: float = 0.0) -> tuple[str, list[float]]:
             motion["sliders"], motion["end"] = place, end
@@ -279,7 +249,11 @@ class Explorer:
 
     @cached_property
     def module(self) -> Module:
-        """The program as WebAssembly, with the functions that a page calls."""
+        """The program as WebAssembly, with the functions that a page calls.
+
+        Its motions were compared with `rk.simulate`.
+        """
+        self._compare()
         ir = self.program.ir
         for name in self.program.entries:
             if name not in self.entries:

@@ -23,7 +23,7 @@ from rockeom.codes import (
 from rockeom.compiler.decorators import Floats, Floats2, Ints, entry
 
 if TYPE_CHECKING:  # joined before this text
-    from rockeom.browser.written import ROWS_X, ROWS_Y, set_up
+    from rockeom.browser.written import MOST_P, ROWS_X, ROWS_Y, set_up
     from rockeom.integrator.batches import at_rest, falls
     from rockeom.integrator.ground import ground_acceleration, segment_for
     from rockeom.integrator.interface import (
@@ -157,6 +157,15 @@ def motion(
     readings[1] = max(-extremes[0, ROTATION], extremes[1, ROTATION])
     readings[2] = float(number)
     return code
+
+
+@entry
+def fate(sliders: Floats, end: float, extremes: Floats2, readings: Floats) -> int:
+    """The outcome of a motion without samples; end, extremes and readings as of `motion`."""
+    return motion(
+        sliders, end, np.empty(MOST_P), np.empty(NUMBERS), np.empty((0, N_STATES)),
+        np.empty(0, np.int64), np.empty((2, 0)), np.empty(0), np.empty(3), extremes, readings,
+    )  # fmt: skip
 
 
 def sample_ground(table, between, out):

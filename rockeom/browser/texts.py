@@ -7,7 +7,8 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from rockeom.numbers.checks import described, near
+from rockeom.browser.controls import check_mapping
+from rockeom.numbers.checks import near
 
 _TABLE = re.compile(r"(?<=^const TEXTS = )\{.*?^\}(?=;)", re.DOTALL | re.MULTILINE)
 
@@ -27,21 +28,17 @@ def with_texts(script: str, given: Mapping[str, Any], names: Mapping[str, str]) 
 
 def _changed(where: str, own: Mapping[str, Any], given: Any) -> dict[str, Any]:
     """A table with other texts in their places."""
-    if not isinstance(given, Mapping):
-        raise TypeError(f"{where} is {described(given)}: give texts by name, {{name: text}}")
+    check_mapping(where, given)
     found = dict(own)
     for name, text in given.items():
         if name not in own:
             raise ValueError(f"{where}: a page has no {name!r}{near(name, own)}")
         if isinstance(own[name], dict):
             found[name] = _changed(f"{where}[{name!r}]", own[name], text)
-            continue
-        if not isinstance(text, str) or _places(text) != _places(own[name]):
-            raise ValueError(
-                f"{where}: {name!r} is {described(text)}: give a text with the places of "
-                f"{own[name]!r}"
-            )
-        found[name] = text
+        elif isinstance(text, str) and _places(text) == _places(own[name]):
+            found[name] = text
+        else:
+            raise ValueError(f"{where}: {name!r} is {text!r}: give a text like {own[name]!r}")
     return found
 
 

@@ -192,10 +192,10 @@ def test_all_texts_can_be_given():
         (
             {"summary": "{0}: {1}"},
             ValueError,
-            "'summary' is .*: give a text with the places of",
+            "'summary' is .*: give a text like '.0.: largest",
         ),
         ({"outcomes": {"fell": "x"}}, ValueError, r"texts\['outcomes'\]: a page has no 'fell'"),
-        ({"outcomes": "fell"}, TypeError, r"texts\['outcomes'\] is 'fell': give texts by name"),
+        ({"outcomes": "fell"}, TypeError, r"texts\['outcomes'\] is 'fell': give it by names"),
         ({"names": {"width": "Breite"}}, ValueError, r"texts\['names'\]: a page has no 'width'"),
         ({"play": 3}, ValueError, "'play' is 3: give a text"),
         ("play", TypeError, "texts is 'play'"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -76,11 +77,29 @@ def test_sliders_that_cannot_be_are_refused(sliders, message):
         rk.explorer(BLOCK, sliders)
 
 
-def test_what_is_no_case_and_no_range_is_refused():
-    with pytest.raises(TypeError, match="give a case, or a function of the sliders"):
-        rk.explorer(BLOCK.structure, {"half_width": (0.1, 0.4)})
-    with pytest.raises(TypeError, match=r"slider 'half_width' is 0.1: give \(lowest, highest\)"):
-        rk.explorer(BLOCK, {"half_width": 0.1})
+WIDTH = {"half_width": (0.1, 0.4)}
+
+
+@pytest.mark.parametrize(
+    ("given", "more", "message"),
+    [
+        ((BLOCK.structure, WIDTH), {}, "give a case, or a function of the sliders"),
+        ((BLOCK, {"half_width": 0.1}), {}, r"slider 'half_width' is 0.1: give \(lowest, highest\)"),
+        ((BLOCK, {"half_width": (0.1, 0.4, 0.2, 3)}), {}, "rk.Slider.lowest, highest, first, unit"),
+        ((BLOCK, ["half_width"]), {}, "sliders is a list of length 1: give it by names, as {.half"),
+        ((BLOCK, WIDTH), {"menus": ["impact"]}, "menus is a list of length 1: give it by names"),
+        ((BLOCK, WIDTH), {"presets": {"a": 0.2}}, "preset 'a' is 0.2: give it by names"),
+        ((BLOCK, WIDTH), {"questions": ["Why?"]}, "questions is .*: give a list of rk.Question"),
+        ((BLOCK, WIDTH), {"questions": rk.Question("Why?", {})}, "questions is Question"),
+    ],
+)
+def test_arguments_of_another_kind_are_refused_by_their_names(given, more, message):
+    with pytest.raises(TypeError, match=message):
+        rk.explorer(*given, **more)
+
+
+def test_a_title_may_be_the_name_of_a_file_that_is_not_utf_8(page):
+    assert rk.explorer(BLOCK, WIDTH, os.fsdecode(b"r\xe9cord")).heading == "r\ufffdcord"
 
 
 STOREY = {
@@ -167,6 +186,16 @@ def test_command_makes_a_page(tmp_path, capsys):
     assert main([*words.split(), str(path)]) == 0
     assert "open it in a browser" in capsys.readouterr().out
     assert data_of(path.read_text("utf-8"))["of"]["structure"] == "RigidBlock"
+
+
+def test_command_varies_full_dimensions(tmp_path):
+    words = "explore rigid_block --set width=0.3 height=1.2 centroid_height=0.5 --pulse half-sine"
+    words += " amplitude=4 period=0.8 --vary width=0.1..0.8 amplitude=0.5..8 --out"
+    assert main([*words.split(), str(tmp_path / "block.html")]) == 0
+    sliders = data_of((tmp_path / "block.html").read_text("utf-8"))["of"]["sliders"]
+    assert [(s["name"], s["start"], s["unit"]) for s in sliders] == [
+        ("width", 0.3, "m"), ("amplitude", 4.0, "m/s2"),
+    ]  # fmt: skip
 
 
 @pytest.mark.parametrize(

@@ -58,10 +58,7 @@ class Charts {
   /** A state at all samples. @param {number} j */
   column(j) {
     const { states, of } = this.runner;
-    const n = of.states.length;
-    const found = new Float64Array(this.runner.shown);
-    for (let i = 0; i < found.length; i++) found[i] = states[i * n + j];
-    return found;
+    return this.times.map((_, i) => states[i * of.states.length + j]);
   }
 
   /** Take the curve that the menu names. */

@@ -29,18 +29,11 @@ class EnergyBars {
 
   /** The scale, which is that of the whole motion. */
   take() {
-    [this.low, this.high] = [0, 0];
-    let elastic = 0;
     const n = this.runner.shown;
-    for (let k = 0; k < 5; k++) {
-      for (let i = 0; i < n; i++) {
-        const energy = this.at(k, i);
-        if (energy < this.low) this.low = energy;
-        else if (energy > this.high) this.high = energy;
-        if (k === 2 && energy) elastic = 1;
-      }
-    }
-    this.bars = BARS.filter(([k]) => k !== 2 || elastic);
+    const rows = BARS.map(([k]) => this.runner.energies.subarray(k * SAMPLES, k * SAMPLES + n));
+    this.low = Math.min(0, ...rows.map((row) => Math.min(...row)));
+    this.high = Math.max(0, ...rows.map((row) => Math.max(...row)));
+    this.bars = BARS.filter(([k], row) => k !== 2 || rows[row].some(Boolean));
     [this.factor, this.unit] = this.scale();
     const [putIn, lost] = [3, 4].map((k) => this.text(k, n - 1));
     this.canvas.setAttribute("aria-label", fill(TEXTS.energyOf, putIn, lost));

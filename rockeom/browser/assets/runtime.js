@@ -101,16 +101,9 @@ class Runner {
     this.angles = program.floats([2]);
     this.separatrix = program.floats([2, 128]);
     const { sliders, p, numbers, states, modes, ground, impacts, spacing, angles, separatrix } = this;
-    const { extremes, readings } = this;
-    const given = { sliders, end: 0, p, numbers, extremes, readings };
-    this.motion = program.bind("motion", { ...given, states, modes, ground, impacts, spacing });
-    const none = { states: program.floats([0, n]), modes: program.wholes([0]), impacts: program.floats([0]) };
-    this.fate = program.bind("motion", {
-      ...given,
-      ...none,
-      ground: program.floats([2, 0]),
-      spacing: program.floats([3]),
-    });
+    const given = { sliders, end: 0, extremes: this.extremes, readings: this.readings };
+    this.motion = program.bind("motion", { ...given, p, numbers, states, modes, ground, impacts, spacing });
+    this.fate = program.bind("fate", given);
     this.balance = program.bind("balance", { p, numbers, angles, separatrix });
     /** The static uplift acceleration, and the friction that sliding first needs; of feet alone. */
     this.statics = program.floats([2]);

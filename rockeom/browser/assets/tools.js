@@ -57,31 +57,27 @@ function csv({ runner, of }) {
 /** The whole page on a canvas, as an image of its elements. */
 async function picture() {
   const { width, height } = document.documentElement.getBoundingClientRect();
+  for (const element of document.querySelectorAll("input, option")) {
+    const { value, checked, selected } = /** @type {any} */ (element);
+    element.setAttribute("value", value); // an image has attributes alone
+    element.toggleAttribute("checked", checked === true);
+    element.toggleAttribute("selected", selected === true);
+  }
   const copy = /** @type {HTMLElement} */ (document.body.cloneNode(true));
-  const shown = document.body.querySelectorAll("canvas, input, option");
-  copy.querySelectorAll("canvas, input, option").forEach((element, i) => {
-    const { value, checked, selected } = /** @type {any} */ (shown[i]);
-    if (element instanceof HTMLCanvasElement) {
-      const { width, height } = shown[i].getBoundingClientRect();
-      const src = /** @type {HTMLCanvasElement} */ (shown[i]).toDataURL();
-      element.replaceWith(Object.assign(new Image(width, height), { src }));
-    } else if (element instanceof HTMLInputElement) {
-      element.setAttribute("value", value);
-      element.toggleAttribute("checked", checked);
-    } else element.toggleAttribute("selected", selected);
+  const canvases = copy.querySelectorAll("canvas");
+  document.querySelectorAll("canvas").forEach((canvas, i) => {
+    const { width, height } = canvas.getBoundingClientRect();
+    canvases[i].replaceWith(Object.assign(new Image(width, height), { src: canvas.toDataURL() }));
   });
   for (const script of copy.querySelectorAll("script")) script.remove();
-  const style = document.querySelector("style")?.outerHTML;
-  const body = new XMLSerializer().serializeToString(copy);
+  const page = document.querySelector("style")?.outerHTML + new XMLSerializer().serializeToString(copy);
   const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}">
-    <foreignObject width="100%" height="100%">${style}${body}</foreignObject></svg>`;
+    <foreignObject width="100%" height="100%">${page}</foreignObject></svg>`;
   const image = Object.assign(new Image(), { src: `data:image/svg+xml,${encodeURIComponent(svg)}` });
   await image.decode();
   const scale = window.devicePixelRatio || 1;
-  const canvas = Object.assign(document.createElement("canvas"), {
-    width: width * scale,
-    height: height * scale,
-  });
+  const size = { width: width * scale, height: height * scale };
+  const canvas = Object.assign(document.createElement("canvas"), size);
   canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
   return canvas;
 }
