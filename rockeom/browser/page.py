@@ -48,6 +48,7 @@ MOTIONS = 8
 """Places of the sliders whose motions are compared with `rk.simulate`."""
 MOST_AXES, COARSE = 5, 4
 """Sliders that may be axes of the first map, and values of each at which the fates are compared."""
+_FATES = {"overturned": 1.0, "completed": -1.0, "came to rest": -1.0}
 _SCRIPTS = (
     "texts.js", "runtime.js", "views.js", "drawing.js", "phase.js", "energy.js", "charts.js",
     "map.js", "sizes.js", "panel.js", "address.js", "plane.js", "lesson.js", "verdict.js",
@@ -231,9 +232,8 @@ class Explorer:
     @cached_property
     def _native(self) -> Motions:
         """The motions of the page by machine code."""
-        extremes, readings = np.zeros((2, len(self._structure.states))), np.zeros(len(COMPARED))
-        native = self.program.native(self._structure.module)
-        motion = native.fate.bound(self.setup.controls.start, 0.0, extremes, readings)
+        readings, native = np.zeros(len(COMPARED)), self.program.native(self._structure.module)
+        motion = native.fate.bound(self.setup.controls.start, 0.0, readings)
 
         def of_motion(place: np.ndarray, end: float = 0.0) -> tuple[str, list[float]]:
             motion["sliders"], motion["end"] = place, end
@@ -294,6 +294,7 @@ class Explorer:
         """Names, units and sizes that a page needs besides its program."""
         structure = self._structure
         m = structure.module
+        y = structure.state({})
         named = isinstance(self.case, OtherCase)  # whose names are those of parameters
         meanings = dict(zip(m.PARAMETERS, m.PARAMETER_MEANINGS, strict=True)) if named else {}
         return {
@@ -317,23 +318,19 @@ class Explorer:
             "rotation": m.ROTATION, "positions": m.POSITIONS, "kinds": m.POSITION_KINDS,
             "corners": m.CORNERS, "members": m.MEMBERS, "memberEnds": m.MEMBER_ENDS,
             "copies": m.COPIES, "mostP": self.setup.sizes[0],
-            "legs": self._legs(), "weight": self._assumed_weight(), "axes": self._axes(),
+            "legs": legs(structure, structure.mode_number(y), y),
+            "weight": self._assumed_weight(), "axes": self._axes(),
             "outcomes": [OUTCOMES[i] for i in sorted(OUTCOMES)],
         }  # fmt: skip
 
-    def _legs(self) -> list[list[int]]:
-        """Places of a body and a foot among the positions, for each line that joins them."""
-        names, y = self._structure.module.POSITIONS, self._structure.state({})
-        joined = legs(self._structure, self._structure.mode_number(y), y)
-        return [[names.index(body), names.index(foot)] for body, foot in joined]
-
     def _assumed_weight(self) -> list[int] | None:
-        """Places of a mass and of gravity among the parameters, where the mass is a default."""
-        of, parameters = type(self._structure), self._structure.parameters()
-        assumed = "mass" in parameters and of.defaults()["mass"] == parameters["mass"]
-        names = self._structure.module.PARAMETERS
-        given = "mass" in self.controls.of or not assumed
-        return None if given else [names.index("mass"), names.index("gravity")]
+        """Places of the first mass and of gravity in the parameters, where masses are defaults."""
+        m, values = self._structure.module, self._structure.parameters()
+        defaults, names = type(self._structure).defaults(), m.PARAMETERS
+        masses = [n for n, unit in zip(names, m.PARAMETER_UNITS, strict=True) if unit == "kg"]
+        if not masses or any(values[n] != defaults.get(n) or n in self.controls.of for n in masses):
+            return None
+        return [names.index(masses[0]), names.index("gravity")]
 
     def _axes(self) -> tuple[int, ...]:
         """The sliders of the first map: a pair on which the fate depends most."""
@@ -342,14 +339,14 @@ class Explorer:
         return max(pairs, key=self._dependence) if len(pairs) > 1 else (sliders[0], sliders[-1])
 
     def _dependence(self, pair: tuple[int, ...]) -> tuple[int, float]:
-        """How often the fate changes along either of two sliders, and its rarer share."""
-        place, falls = self.setup.controls.start, np.zeros((COARSE, COARSE), bool)
+        """How often both fates meet along either of two sliders, and the share of the rarer one."""
+        place, fates = self.setup.controls.start, np.zeros((COARSE, COARSE))
         ranges = [[*self.controls.of.values()][i] for i in pair]
-        for at in np.ndindex(falls.shape):
+        for at in np.ndindex(fates.shape):
             place[[*pair]] = [one.at(k / (COARSE - 1)) for one, k in zip(ranges, at, strict=True)]
-            falls[at] = self._native(place)[0] == "overturned"
-        changes = (np.diff(falls, axis=axis).sum() for axis in (0, 1))
-        return min(changes), min(falls.mean(), 1.0 - falls.mean())
+            fates[at] = _FATES.get(self._native(place)[0], 0.0)
+        meetings = (np.sum(abs(np.diff(fates, axis=axis)) == 2.0) for axis in (0, 1))
+        return min(meetings), min(np.mean(fates == fate) for fate in (-1.0, 1.0))
 
     def _words(self) -> dict[str, str]:
         """The words of names on the page, where no others are given."""

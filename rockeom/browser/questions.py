@@ -93,14 +93,14 @@ def begin(numbers, status, clock, rate, atol):
 @entry
 def motion(
     sliders: Floats, end: float, p: Floats, numbers: Floats, states: Floats2, modes: Ints,
-    ground: Floats2, impacts: Floats, spacing: Floats, extremes: Floats2, readings: Floats,
+    ground: Floats2, impacts: Floats, spacing: Floats, readings: Floats,
 ) -> int:  # fmt: skip
     """A motion at equal times: its outcome, or -1 where no way of the set-up is known.
 
     end [s] : until then at least, 0 for the duration of the case.
     states (n, N), modes (n,), ground (2, n) : at each, the ground horizontal and vertical.
     impacts (k,) : times of the first ones. spacing (3,) : of the times; how many there are, and of
-    impacts that are noted. extremes (2, N) : of all states. readings (5,) : whether it overturns,
+    impacts that are noted. readings (5,) : whether it overturns,
     its largest rotation, the number of impacts, the time from the first to the third and that of
     the last; nan where there is none.
     """
@@ -116,6 +116,7 @@ def motion(
     steps, step_modes = np.empty((KEPT, 2)), np.empty(KEPT, np.int64)
     step_states = np.empty((KEPT, 8, N_STATES))
     events, event_kinds = np.empty(KEPT), np.empty((KEPT, 4), np.int64)
+    extremes = np.empty((2, N_STATES))
     recorder = Recorder(
         steps[0:kept], step_modes[0:kept], step_states[0:kept], events, event_kinds,
         np.empty((KEPT, 2, N_STATES)), extremes,
@@ -160,11 +161,11 @@ def motion(
 
 
 @entry
-def fate(sliders: Floats, end: float, extremes: Floats2, readings: Floats) -> int:
-    """The outcome of a motion without samples; end, extremes and readings as of `motion`."""
+def fate(sliders: Floats, end: float, readings: Floats) -> int:
+    """The outcome of a motion without samples; end and readings as of `motion`."""
     return motion(
         sliders, end, np.empty(MOST_P), np.empty(NUMBERS), np.empty((0, N_STATES)),
-        np.empty(0, np.int64), np.empty((2, 0)), np.empty(0), np.empty(3), extremes, readings,
+        np.empty(0, np.int64), np.empty((2, 0)), np.empty(0), np.empty(3), readings,
     )  # fmt: skip
 
 

@@ -20,7 +20,7 @@ def with_texts(script: str, given: Mapping[str, Any], names: Mapping[str, str]) 
     that the table does not have, and for one that leaves out a place such as {0}.
     """
     source = _TABLE.findall(script)[0]
-    table = re.sub(r"^(\w+):", r'"\1":', source, flags=re.MULTILINE)
+    table = re.sub(r"(^|[{,] )(\w+):", r'\1"\2":', source, flags=re.MULTILINE)
     own = {**json.loads(re.sub(r",(?=\n\})", "", table)), "names": dict(names)}
     text = json.dumps(_changed("texts", own, given)).replace("<", "\\u003c")
     return script.replace(source, text)

@@ -81,7 +81,7 @@ class Sketch:
 
     def __init__(self, structure: Structure, y: np.ndarray, mode: int) -> None:
         m = structure.module
-        self.shapes = structure.shapes
+        self.shapes, self.names = structure.shapes, m.POSITIONS
         self.kinds = dict(zip(m.POSITIONS, m.POSITION_KINDS, strict=True))
         self.feet = [n for n, kind in self.kinds.items() if kind not in ("load", *BODIES)]
         upright = structure.state({})
@@ -127,8 +127,10 @@ class Sketch:
     def _body(self, ax: Axes, name: str, shift: np.ndarray) -> None:
         centre = self.now.places[name] + shift
         if name not in self.shapes.outlines:
-            for foot in (foot for body, foot in self.legs if body == name):
-                ax.plot(*np.transpose([centre, self.now.places[foot] + shift]), color=_BLUE, lw=1.2)
+            for body, foot in self.legs:
+                if self.names[body] == name:
+                    ends = [centre, self.now.places[self.names[foot]] + shift]
+                    ax.plot(*np.transpose(ends), color=_BLUE, lw=1.2)
             free_body.mass(ax, centre, style.plain(name), (_MASS / 2, 3 + _MASS / 2), _MASS)
             return
         corners = self.now.at(name, self.shapes.outlines[name]) + shift

@@ -54,7 +54,7 @@ _MOTIONS = """
   const runner = new Runner(module, data.of);
   const motions = PLACES.map((values) => {
     const fate = runner.follow(values);
-    return [fate, Array.from(runner.extremes), runner.run(values)];
+    return [fate, Array.from(runner.readings), runner.run(values)];
   });
   await fetch("/results", { method: "POST", body: JSON.stringify(motions) });
 })().catch((error) => fetch("/results", { method: "POST", body: JSON.stringify(String(error)) }));
@@ -129,8 +129,7 @@ def native(page: Explorer, samples: int = 0) -> Callable[..., dict[str, Any]]:
             "sliders": np.array(place, float), "end": end, "p": np.zeros(page.setup.sizes[0]),
             "numbers": np.zeros(NUMBERS), "states": np.zeros((samples, states)),
             "modes": np.zeros(samples, np.int64), "ground": np.zeros((2, samples)),
-            "impacts": np.zeros(10), "spacing": np.zeros(3), "extremes": np.zeros((2, states)),
-            "readings": np.zeros(5),
+            "impacts": np.zeros(10), "spacing": np.zeros(3), "readings": np.zeros(5),
         }  # fmt: skip
         outcome = OUTCOMES.get(int(program.motion(*arrays.values())), "unknown")
         return {**arrays, "outcome": outcome, "program": program}
@@ -148,14 +147,10 @@ def with_script(html: str, script: str) -> str:
 def motions(page: Explorer, places: np.ndarray, browser: str) -> Iterator[Motion]:
     """Motions of a page in a browser."""
     html = with_script(page.html, _MOTIONS.replace("PLACES", json.dumps(places.tolist())))
-    rotation = page.case(**page.controls.named(page.controls.start)).structure.module.ROTATION
-    for fate, extremes, recorded in answered(html, browser):
-        of_rotation = np.array(extremes).reshape(2, -1)[:, rotation]
+    for fate, readings, recorded in answered(html, browser):
         yield Motion(
-            OUTCOMES.get(fate, "unknown"),
-            OUTCOMES.get(recorded, "unknown"),
-            float(np.abs(of_rotation).max()),
-        )
+            OUTCOMES.get(fate, "unknown"), OUTCOMES.get(recorded, "unknown"), readings[1]
+        )  # fmt: skip
 
 
 def random_places(page: Explorer, n: int) -> np.ndarray:

@@ -12,7 +12,7 @@ async function main() {
     return {
       outcome,
       fate: runner.follow(values),
-      extremes: Array.from(runner.extremes),
+      readings: Array.from(runner.readings),
       last: Array.from(runner.states.slice(-of.states.length)),
       impacts: runner.readings[2],
       shown: runner.spacing[1],

@@ -154,7 +154,7 @@ class OutcomeMap {
 
   /** The place of the map in its canvas: left, top, right, bottom. @param {number} width @param {number} height @returns {[number, number, number, number]} */
   box(width, height) {
-    return [48, 24, width - 10, height - 20];
+    return [48, 24, width - 10, height - 36];
   }
 
   /** Shares of the axes at a place of the canvas. @param {PointerEvent} event */
@@ -182,7 +182,7 @@ class OutcomeMap {
     to.globalAlpha = 1;
     to.fillStyle = color("ink");
     write(to, this.title(up.place), 6, 13);
-    write(to, this.title(across.place), width - 10, 13, "right");
+    write(to, this.title(across.place), width - 10, height - 6, "right");
     to.strokeStyle = color("ink");
     to.fillStyle = color("paper");
     to.lineWidth = 2.5;

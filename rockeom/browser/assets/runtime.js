@@ -92,7 +92,6 @@ class Runner {
     this.ground = program.floats([2, SAMPLES]); // horizontal, then vertical
     this.impacts = program.floats([IMPACTS]);
     this.spacing = program.floats([3]);
-    this.extremes = program.floats([2, n]);
     this.readings = program.floats([5]); // of questions
     this.y = program.floats([n]);
     this.places = program.floats([3 * of.positions.length]);
@@ -101,7 +100,7 @@ class Runner {
     this.angles = program.floats([2]);
     this.separatrix = program.floats([2, 128]);
     const { sliders, p, numbers, states, modes, ground, impacts, spacing, angles, separatrix } = this;
-    const given = { sliders, end: 0, extremes: this.extremes, readings: this.readings };
+    const given = { sliders, end: 0, readings: this.readings };
     this.motion = program.bind("motion", { ...given, p, numbers, states, modes, ground, impacts, spacing });
     this.fate = program.bind("fate", given);
     this.balance = program.bind("balance", { p, numbers, angles, separatrix });

@@ -23,7 +23,7 @@ const TEXTS = {
   impactTicks: "short ticks: impacts",
   energy: "Energy",
   energyCaption: "energy at the shown time, less that at rest",
-  energyRatio: "divided by m g R, as no mass was given",
+  energyRatio: "(divided by m g R: no mass was given)",
   sizes: "three sizes",
   phase: "Phase portrait",
   phaseCaption: "rotation and its rate",
@@ -97,13 +97,7 @@ const TEXTS = {
     duration: "The time of the last impact",
   },
   /** @type {Record<string, string>} */
-  choices: {
-    yes: "yes",
-    no: "no",
-    grows: "grows",
-    same: "stays the same",
-    falls: "falls",
-  },
+  choices: { yes: "yes", no: "no", grows: "grows", same: "stays the same", falls: "falls" },
   both: "Before: {0}\nAfter: {1}",
   /** @type {Record<string, string>} with the numbers before and after */
   answers: {
