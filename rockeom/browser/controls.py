@@ -30,8 +30,8 @@ class Slider(NamedTuple):
     """A number of a page.
 
     low, high : its range. start : its value at first; that of the case or the middle if not given.
-    unit : behind its values. words : in place of its name. Of a number of a case, which is named,
-    the unit is known.
+    unit : behind its values; that of the number if not given, where the page is one of a case.
+    words : in place of its name.
 
     >>> rk.Slider(0.4, 4.0, 0.8, unit="m", words="height of the block")
     """

@@ -19,11 +19,11 @@ Motions = Callable[..., tuple[str, list[float]]]
 """Outcome and readings of a motion of a page, at values of all controls and until a time."""
 
 COMPARED = ("overturns", "peak", "impacts", "period", "duration")
-"""What questions compare, in the order of the readings of a motion."""
+"""The readings of a motion that questions compare, in their order."""
 SAME = 0.01
 """Relative difference up to which two readings are the same."""
-ENDS = ("completed", "came to rest", "overturned")
-"""The outcomes of motions that questions compare."""
+FATES = {"overturned": 1.0, "completed": -1.0, "came to rest": -1.0}
+"""The outcomes that questions and maps compare: a fall, or none."""
 LONGER = 3.0
 """A reading is settled where a motion so many times as long has the same."""
 DOUBLINGS = 8
@@ -87,7 +87,8 @@ def readings_of(run: Response) -> list[float]:
     times = run.impacts.times
     peak = abs(run.extremes(run.states[run.structure.module.ROTATION]).peak)
     period = times[2] - times[0] if len(times) > 2 else np.nan
-    return [str(run.outcome) == "overturned", peak, len(times), period, max(times, default=np.nan)]
+    overturned, last = str(run.outcome) == "overturned", max(times, default=np.nan)
+    return [float(x) for x in (overturned, peak, len(times), period, last)]
 
 
 def ends_of(
@@ -123,7 +124,7 @@ def _settled(question: Question, page: Motions, place: np.ndarray, end: float) -
         later = page(place, LONGER * end)[1][kind]
         outcome, readings = page(place, end)
         now = readings[kind]
-        if np.isclose(now, later, rtol=1e-9, atol=0.0) and outcome in ENDS:
+        if np.isclose(now, later, rtol=1e-9, atol=0.0) and outcome in FATES:
             return end
         end *= 2.0
     raise ValueError(

@@ -21,7 +21,7 @@ import numpy as np
 from rockeom import files as whole
 from rockeom.browser.code import script
 from rockeom.browser.controls import Controls, Menu, Slider, check_mapping, controls_of
-from rockeom.browser.lesson import COMPARED, OBJECTS, Motions, Question, ends_of, readings_of
+from rockeom.browser.lesson import COMPARED, FATES, OBJECTS, Motions, Question, ends_of, readings_of
 from rockeom.browser.program import METHOD, Portable, portable
 from rockeom.browser.questions import NUMBERS
 from rockeom.browser.setup import Setup, setup_of
@@ -48,7 +48,6 @@ MOTIONS = 8
 """Places of the sliders whose motions are compared with `rk.simulate`."""
 MOST_AXES, COARSE = 5, 4
 """Sliders that may be axes of the first map, and values of each at which the fates are compared."""
-_FATES = {"overturned": 1.0, "completed": -1.0, "came to rest": -1.0}
 _SCRIPTS = (
     "texts.js", "runtime.js", "views.js", "drawing.js", "phase.js", "energy.js", "charts.js",
     "map.js", "sizes.js", "panel.js", "address.js", "plane.js", "lesson.js", "verdict.js",
@@ -344,7 +343,7 @@ class Explorer:
         ranges = [[*self.controls.of.values()][i] for i in pair]
         for at in np.ndindex(fates.shape):
             place[[*pair]] = [one.at(k / (COARSE - 1)) for one, k in zip(ranges, at, strict=True)]
-            fates[at] = _FATES.get(self._native(place)[0], 0.0)
+            fates[at] = FATES.get(self._native(place)[0], 0.0)
         meetings = (np.sum(abs(np.diff(fates, axis=axis)) == 2.0) for axis in (0, 1))
         return min(meetings), min(np.mean(fates == fate) for fate in (-1.0, 1.0))
 

@@ -100,9 +100,8 @@ def motion(
     end [s] : until then at least, 0 for the duration of the case.
     states (n, N), modes (n,), ground (2, n) : at each, the ground horizontal and vertical.
     impacts (k,) : times of the first ones. spacing (3,) : of the times; how many there are, and of
-    impacts that are noted. readings (5,) : whether it overturns,
-    its largest rotation, the number of impacts, the time from the first to the third and that of
-    the last; nan where there is none.
+    impacts that are noted. readings (5,) : whether it overturns, its largest rotation, the number
+    of impacts, the time from the first to the third and that of the last; nan where there is none.
     """
     y, horizontal = np.empty(N_STATES), np.empty((ROWS_X, 7))
     vertical, atol, rate = np.empty((ROWS_Y, 7)), np.empty(N_STATES), np.empty(N_STATES)

@@ -29,17 +29,17 @@ def with_texts(script: str, given: Mapping[str, Any], names: Mapping[str, str]) 
 def _changed(where: str, own: Mapping[str, Any], given: Any) -> dict[str, Any]:
     """A table with other texts in their places."""
     check_mapping(where, given)
-    found = dict(own)
+    table = dict(own)
     for name, text in given.items():
         if name not in own:
             raise ValueError(f"{where}: a page has no {name!r}{near(name, own)}")
         if isinstance(own[name], dict):
-            found[name] = _changed(f"{where}[{name!r}]", own[name], text)
+            table[name] = _changed(f"{where}[{name!r}]", own[name], text)
         elif isinstance(text, str) and _places(text) == _places(own[name]):
-            found[name] = text
+            table[name] = text
         else:
             raise ValueError(f"{where}: {name!r} is {text!r}: give a text like {own[name]!r}")
-    return found
+    return table
 
 
 def _places(text: str) -> set[str]:

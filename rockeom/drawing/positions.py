@@ -76,7 +76,7 @@ def legs(structure: Any, mode: int, y: np.ndarray) -> list[tuple[int, int]]:
     Places among the positions. A foot belongs to a body from which its distance stays where all
     coordinates move.
     """
-    m, drawn, found = structure.module, structure.shapes, []
+    m, drawn, pairs = structure.module, structure.shapes, []
     joined = {name for member in drawn.members for name in (member.start, member.end)}
     moved = np.array([y, y + 0.01 * np.arange(1, len(y) + 1)])
     at = places(m, np.array([mode, mode]), moved, structure.vector)[..., :2]
@@ -85,8 +85,8 @@ def legs(structure: Any, mode: int, y: np.ndarray) -> list[tuple[int, int]]:
         alone = m.POSITION_KINDS[i] in BODIES and body not in {*joined, *drawn.outlines}
         foot = m.POSITION_KINDS[j] not in ("load", *BODIES)
         if alone and foot and abs(lengths[1] - lengths[0]) <= 1e-9 * lengths[0]:
-            found.append((i, j))
-    return found
+            pairs.append((i, j))
+    return pairs
 
 
 def shapes(module: Any, p: np.ndarray) -> Shapes:

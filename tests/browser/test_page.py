@@ -7,6 +7,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -177,6 +178,15 @@ def test_motion_in_node_has_the_bits_of_machine_code(page):
 
 def test_program_exports_what_a_page_calls(page):
     assert set(page.description()["entries"]) == {*ENTRIES, "uplift_and_friction"}
+
+
+def test_a_page_waits_for_no_large_library():
+    """scipy.stats and xarray took a third of the time of a page."""
+    code = (
+        "import sys, rockeom as rk; rk.explorer; print({'scipy.stats', 'xarray'} & {*sys.modules})"
+    )
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert ran.stdout.strip() == "set()"
 
 
 def test_command_makes_a_page(tmp_path, capsys):

@@ -52,12 +52,12 @@ function work() {
 /** The parts of a cell and those around it, the middle one first. @param {number} cell @param {number} reach @returns {number[]} */
 function partsOf(cell, reach) {
   const [row, column] = [Math.floor(cell / CELLS), cell % CELLS].map((k) => k * PARTS + 1);
-  const found = [row * FINE + column];
+  const parts = [row * FINE + column];
   for (let y = Math.max(row - reach, 0); y <= Math.min(row + reach, FINE - 1); y++) {
     for (let x = Math.max(column - reach, 0); x <= Math.min(column + reach, FINE - 1); x++)
-      if (x !== column || y !== row) found.push(y * FINE + x);
+      if (x !== column || y !== row) parts.push(y * FINE + x);
   }
-  return found;
+  return parts;
 }
 
 class OutcomeMap {
