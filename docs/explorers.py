@@ -20,6 +20,9 @@ def explorer_of(name: str) -> rk.Explorer:
     of_time = "m/s2" in structure.module.PARAMETER_UNITS  # or times and accelerations have no unit
     amplitude = structure.uplift_acceleration or (3.5 if of_time else 0.3)
     period = 0.8 if of_time else 2.0
+    most = 5.0 * amplitude
+    while most < 20.0 * amplitude and not _overturns(structure, most, period):
+        most *= 2.0
     case = rk.Case(
         structure, rk.GroundMotion.single_sine(1.5 * amplitude, period, duration=10.0 * period)
     )
@@ -29,10 +32,16 @@ def explorer_of(name: str) -> rk.Explorer:
         if number.value and number.value > 0.0 and number.smooth and "gravity" not in full
     ]
     sliders = {
-        "amplitude": (0.2 * amplitude, 5.0 * amplitude, 1.5 * amplitude),
+        "amplitude": (0.2 * amplitude, most, 1.5 * amplitude),
         **{n: (0.6 * x, 1.6 * x, x) for n, x in numbers[:MOST]},
     }
     return rk.explorer(case, sliders, f"{SHIPPED[name].__name__} under a pulse")
+
+
+def _overturns(structure: rk.Structure, amplitude: float, period: float) -> bool:
+    """Whether a pulse overturns it, so that the map of its page shows both fates."""
+    pulse = rk.GroundMotion.single_sine(amplitude, period, duration=10.0 * period)
+    return str(rk.simulate(structure, pulse).outcome) == "overturned"
 
 
 def write(outdir: Path) -> None:

@@ -21,6 +21,7 @@ __version__ = VERSION
 _NAMES_OF = {
     "rockeom.assessment.assess": ("assess",),
     "rockeom.assessment.result": ("Assessment",),
+    "rockeom.browser.controls": ("Slider",),
     "rockeom.browser.lesson": ("Question",),
     "rockeom.browser.page": ("Explorer", "explorer"),
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
@@ -116,6 +117,7 @@ def _classes() -> dict[str, str]:
 if TYPE_CHECKING:
     from rockeom.assessment.assess import assess as assess
     from rockeom.assessment.result import Assessment as Assessment
+    from rockeom.browser.controls import Slider as Slider
     from rockeom.browser.lesson import Question as Question
     from rockeom.browser.page import Explorer as Explorer, explorer as explorer
     from rockeom.exports.responses import load as load

@@ -44,7 +44,7 @@ def _of_function(case: Callable[..., Case], controls: Controls) -> str:
     except (OSError, TypeError):
         source = ""
     name = getattr(case, "__name__", "case")
-    if not source.startswith("def "):
+    if not source.startswith("def ") or case.__code__.co_freevars:  # it would not run elsewhere
         source, name = "function = ...  # that of the page", "function"
     given = [f"{n}={_chosen(control, k)}" for k, (n, control) in enumerate(controls.of.items())]
     made = f"case = {name}({', '.join(given)})\n"

@@ -8,15 +8,16 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.stats import qmc
 
 from rockeom.browser.traced import Tape
 from rockeom.numbers.checks import described, is_number, near
+from rockeom.simulation.case import Case
+from rockeom.sweeps.case_numbers import OtherCase, function_of
 
 MOST_CONTROLS = 12
 MOST_SPECIAL = 1024
@@ -26,11 +27,20 @@ MOST_COMBINATIONS = 24
 
 
 class Slider(NamedTuple):
-    """A number of a page. low, high : its range. start : its value at first."""
+    """A number of a page.
+
+    low, high : its range. start : its value at first; that of the case or the middle if not given.
+    unit : behind its values; that of the number if not given, where the page is one of a case.
+    words : in place of its name.
+
+    >>> rk.Slider(0.4, 4.0, 0.8, unit="m", words="height of the block")
+    """
 
     low: float
     high: float
-    start: float
+    start: float = math.nan
+    unit: str = ""
+    words: str = ""
 
     def at(self, share: float) -> float:
         """The value at a share of the range, 0 to 1."""
@@ -105,10 +115,17 @@ class Controls:
         yield from map(np.array, itertools.product(*choices))
 
     def spread(self, n: int) -> Iterator[np.ndarray]:
-        """Values that fill all ranges evenly (Sobol), and both ends of them."""
-        ends = ([0.0] * len(self.of), [1.0] * len(self.of))
-        for shares in (*ends, *qmc.Sobol(len(self.of), seed=1).random(n).tolist()):
-            yield np.array([c.at(x) for c, x in zip(self.of.values(), shares, strict=True)])
+        """Values at both ends of all ranges, and n that fill them evenly.
+
+        The additive recurrence of the plastic numbers: M. Roberts (2018), "The unreasonable
+        effectiveness of quasirandom sequences".
+        """
+        size, root = len(self.of), 2.0
+        for _ in range(40):  # root ** (size + 1) = root + 1
+            root = (1.0 + root) ** (1.0 / (size + 1))
+        shares = (0.5 + np.arange(n)[:, None] / root ** np.arange(1, size + 1)) % 1.0
+        for row in ([0.0] * size, [1.0] * size, *shares.tolist()):
+            yield np.array([c.at(x) for c, x in zip(self.of.values(), row, strict=True)])
 
     def special(self) -> Iterator[np.ndarray]:
         """Values with some controls at an end, at first or at zero, and the others spread.
@@ -127,10 +144,12 @@ class Controls:
             yield place
 
     def places(self, where: str, values: Mapping[str, Any]) -> dict[int, float]:
-        """Some values by their place in the array; raises ValueError for one that cannot be.
+        """Some values by their place in the array; raises ValueError for one that cannot be, and
+        TypeError where they have no names.
 
         where : the argument that has them.
         """
+        check_mapping(where, values)
         return {list(self.of).index(self._known(where, n)): self._value(where, n, x)
                 for n, x in values.items()}  # fmt: skip
 
@@ -160,29 +179,44 @@ def _special(control: Slider | Menu) -> list[float]:
     return sorted({control.low, control.start, control.high, *within})
 
 
-def slider(name: str, given: Any, first: float | None) -> Slider:
-    """A slider of (lowest, highest) or (lowest, highest, first); first : if that is not given."""
-    several = isinstance(given, tuple | list) and len(given) in (2, 3)
-    if not (several and all(map(is_number, given))):
+def slider(name: str, given: Any, number: Any) -> Slider:
+    """A slider, or (lowest, highest), (lowest, highest, first).
+
+    number : that of the case, with its value and unit; None for an argument of a function.
+    """
+    several = isinstance(given, tuple | list) and 2 <= len(given) <= len(Slider._fields)
+    if not (several and all(map(is_number, given[:3])) and all(map(_is_text, given[3:]))):
         raise TypeError(
             f"slider {name!r} is {described(given)}: give (lowest, highest) or (lowest, highest, "
-            "first)"
+            "first), or rk.Slider(lowest, highest, first, unit, words)"
         )
-    low, high = float(given[0]), float(given[1])
-    start = (low + high) / 2 if first is None else min(max(first, low), high)
-    start = float(given[2]) if len(given) == 3 else start
+    low, high, start, unit, words = Slider(*given)
+    if math.isnan(start):
+        value = number.value if number else None
+        start = (low + high) / 2 if value is None else min(max(value, low), high)
     if not (-math.inf < low < high < math.inf and low <= start <= high):
         raise ValueError(
             f"slider {name!r} goes from {low:g} to {high:g}, first {start:g}: give two finite "
             "numbers, the lower one first, and a first value between them"
         )
-    return Slider(low, high, start)
+    unit = unit or (number.unit if number else "")
+    return Slider(float(low), float(high), float(start), unit, words)
 
 
-def menu(name: str, given: Any) -> Menu:
+def _is_text(x: Any) -> bool:
+    return isinstance(x, str)
+
+
+def check_mapping(name: str, given: Any) -> None:
+    """Raise TypeError for what does not go by names."""
+    if not (isinstance(given, Mapping) and all(map(_is_text, given))):
+        example = '{"half_width": (0.05, 0.4)}' if name == "sliders" else "{name: ...}"
+        raise TypeError(f"{name} is {described(given)}: give it by names, as {example}")
+
+
+def _menu(name: str, given: Any) -> Menu:
     """A menu of options by label."""
-    labels = isinstance(given, Mapping) and all(isinstance(label, str) for label in given)
-    if not labels or len(given) < 2:
+    if not (isinstance(given, Mapping) and all(map(_is_text, given)) and len(given) > 1):
         raise TypeError(
             f"menu {name!r} is {described(given)}: give two options or more by their labels, such "
             'as {"Housner": rk.AngularMomentum(), "r = 0.8": rk.EnergyRatio(0.8)}'
@@ -190,8 +224,14 @@ def menu(name: str, given: Any) -> Menu:
     return Menu(dict(given))
 
 
-def check_number(sliders: Mapping[str, Any], menus: Mapping[str, Menu]) -> None:
-    """Raise ValueError for too many controls, and for a name that two of them have."""
+def controls_of(
+    case: Any, sliders: Mapping[str, Any], menus: Mapping[str, Any]
+) -> tuple[Callable[..., Case], Controls]:
+    """The function of a page, and its controls.
+
+    Raises ValueError for too many controls, and for a name that two of them have.
+    """
+    menu_of = {name: _menu(name, given) for name, given in menus.items()}
     if not sliders or len(sliders) + len(menus) > MOST_CONTROLS:
         raise ValueError(
             f"{len(sliders)} sliders and {len(menus)} menus: give a slider or more, and at most "
@@ -199,9 +239,13 @@ def check_number(sliders: Mapping[str, Any], menus: Mapping[str, Menu]) -> None:
         )
     if both := sliders.keys() & menus.keys():
         raise ValueError(f"{min(both)!r} is a slider and a menu: name one of both")
-    combinations = math.prod(len(one.options) for one in menus.values())
+    combinations = math.prod(len(one.options) for one in menu_of.values())
     if combinations > MOST_COMBINATIONS:
         raise ValueError(
             f"the menus have {combinations} combinations of their options: give at most "
             f"{MOST_COMBINATIONS}"
         )
+    function = function_of(case, (*sliders, *menus))
+    numbers = function.numbers if isinstance(function, OtherCase) else {}
+    slider_of = {name: slider(name, given, numbers.get(name)) for name, given in sliders.items()}
+    return function, Controls({**slider_of, **menu_of})

@@ -2,13 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any
 
+import numpy as np
+
 from rockeom.browser.controls import Controls
+from rockeom.browser.program import METHOD
+from rockeom.simulation.case import Case
+from rockeom.simulation.options import SolverOptions
+from rockeom.simulation.response import Response
+from rockeom.simulation.simulate import simulated
+
+Motions = Callable[..., tuple[str, list[float]]]
+"""Outcome and readings of a motion of a page, at values of all controls and until a time."""
 
 COMPARED = ("overturns", "peak", "impacts", "period", "duration")
+"""The readings of a motion that questions compare, in their order."""
+SAME = 0.01
+"""Relative difference up to which two readings are the same."""
+FATES = {"overturned": 1.0, "completed": -1.0, "came to rest": -1.0}
+"""The outcomes that questions and maps compare: a fall, or none."""
+LONGER = 3.0
+"""A reading is settled where a motion so many times as long has the same."""
+DOUBLINGS = 8
+"""How often the duration of a case is doubled for that."""
 
 OBJECTS = {
     "statue on a plinth": (0.25, 0.9),
@@ -32,6 +51,10 @@ class Question:
     before : values of the first motion that differ from those at first. explanation : shown with
     the answer.
 
+    Both motions go on beyond the duration of the case until that no longer changes, such as to
+    rest. A question whose answer never settles, or is not that of `rk.simulate`, has no page: its
+    ValueError says why.
+
     >>> rk.Question("Does a block of twice the size survive?", {"size": 2.0}, before={"size": 1.0})
     """
 
@@ -45,13 +68,73 @@ class Question:
         if self.compare not in COMPARED:
             raise ValueError(f"compare is {self.compare!r}: give one of {', '.join(COMPARED)}")
 
+    def motions(self, controls: Controls) -> list[dict[int, float]]:
+        """Values of the motions before and after, by their place among those of the page."""
+        where = f"question {self.text!r}"
+        return [controls.places(where, {**self.before, **x}) for x in ({}, self.after)]
+
     def described(self, controls: Controls) -> dict[str, Any]:
         """The question as a page reads it; raises ValueError for values that no control has."""
-        where = f"question {self.text!r}"
+        before, after = self.motions(controls)
         return {
-            "text": self.text,
-            "before": controls.places(where, self.before),
-            "after": controls.places(where, {**self.before, **self.after}),
-            "compare": self.compare,
-            "explanation": self.explanation,
-        }
+            "text": self.text, "before": before, "after": after, "compare": self.compare,
+            "reading": COMPARED.index(self.compare), "explanation": self.explanation,
+        }  # fmt: skip
+
+
+def readings_of(run: Response) -> list[float]:
+    """The numbers that questions compare, in the order of COMPARED; nan where a run has none."""
+    times = run.impacts.times
+    peak = abs(run.extremes(run.states[run.structure.module.ROTATION]).peak)
+    period = times[2] - times[0] if len(times) > 2 else np.nan
+    overturned, last = str(run.outcome) == "overturned", max(times, default=np.nan)
+    return [float(x) for x in (overturned, peak, len(times), period, last)]
+
+
+def ends_of(
+    question: Question, case: Callable[..., Case], controls: Controls, page: Motions
+) -> list[float]:
+    """The times [s] until which both motions of a question go on, so that its answer is settled.
+
+    page : the motions of the page. Raises ValueError for an answer that does not settle, and for
+    one that `rk.simulate` does not give for motions that are LONGER.
+    """
+    kind, ends, here, python = COMPARED.index(question.compare), [], [], []
+    for values in question.motions(controls):
+        place = controls.start
+        place[list(values)] = [*values.values()]
+        motion = case(**controls.named(place))
+        ends.append(_settled(question, page, place, motion.problem().end))
+        here.append(page(place, ends[-1])[1][kind])
+        longer = replace(motion, duration=LONGER * ends[-1])
+        run = simulated(longer, longer.problem(), SolverOptions(method=METHOD))
+        python.append(readings_of(run)[kind])
+    if not np.allclose(here, python, rtol=SAME, atol=0.0) or _change(*here) != _change(*python):
+        raise ValueError(
+            f"question {question.text!r}: {question.compare} before and after is {here} on the "
+            f"page and {python} by rk.simulate: the motions are too sensitive, ask of others"
+        )
+    return ends
+
+
+def _settled(question: Question, page: Motions, place: np.ndarray, end: float) -> float:
+    """The time until which a motion goes on for its reading to stay."""
+    kind, outcome, now, later = COMPARED.index(question.compare), "", np.nan, np.nan
+    for _ in range(DOUBLINGS):
+        later = page(place, LONGER * end)[1][kind]
+        outcome, readings = page(place, end)
+        now = readings[kind]
+        if np.isclose(now, later, rtol=1e-9, atol=0.0) and outcome in FATES:
+            return end
+        end *= 2.0
+    raise ValueError(
+        f"question {question.text!r}: {question.compare} of a motion is {now:g} until {end / 2:g} "
+        f"s, {later:g} until {LONGER * end / 2:g} s (nan: there is none), and it ends as "
+        f"{outcome!r}: ask of motions that come to rest, or compare something else"
+    )
+
+
+def _change(before: float, after: float) -> float:
+    """The sign of a change, 0 for readings that are the same."""
+    change = after - before
+    return 0.0 if abs(change) <= SAME * abs(before) else np.sign(change)

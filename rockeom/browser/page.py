@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import gzip
+import hashlib
 import html
 import itertools
 import json
@@ -19,55 +20,69 @@ import numpy as np
 
 from rockeom import files as whole
 from rockeom.browser.code import script
-from rockeom.browser.controls import Controls, Menu, Slider, check_number, menu, slider
-from rockeom.browser.lesson import OBJECTS, Question
+from rockeom.browser.controls import Controls, Menu, Slider, check_mapping, controls_of
+from rockeom.browser.lesson import COMPARED, FATES, OBJECTS, Motions, Question, ends_of, readings_of
 from rockeom.browser.program import METHOD, Portable, portable
 from rockeom.browser.questions import NUMBERS
 from rockeom.browser.setup import Setup, setup_of
 from rockeom.browser.sizes import Sized, can_be_enlarged
+from rockeom.browser.texts import with_texts
 from rockeom.browser.traced import UntracedError
 from rockeom.browser.webassembly import Module, module
 from rockeom.browser.widget import widget_of
 from rockeom.codes import OUTCOMES
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import Array
+from rockeom.drawing.positions import legs
 from rockeom.integrator.texts import text_of
-from rockeom.motion.formula import UNITS
 from rockeom.numbers.checks import described
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
+from rockeom.structures.base import Structure
 from rockeom.structures.units import main_units
-from rockeom.sweeps.case_numbers import OtherCase, function_of
+from rockeom.sweeps.case_numbers import OtherCase
 
 ENTRIES = ("motion", "fate", "places", "corners", "energy_history", "balance")
 MOTIONS = 8
 """Places of the sliders whose motions are compared with `rk.simulate`."""
+MOST_AXES, COARSE = 5, 4
+"""Sliders that may be axes of the first map, and values of each at which the fates are compared."""
 _SCRIPTS = (
     "texts.js", "runtime.js", "views.js", "drawing.js", "phase.js", "energy.js", "charts.js",
     "map.js", "sizes.js", "panel.js", "address.js", "plane.js", "lesson.js", "verdict.js",
     "tools.js", "page.js",
 )  # fmt: skip
 _ASSETS = files("rockeom").joinpath("browser", "assets")
+_POLICY = (
+    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; base-uri 'none'; "
+    "form-action 'none'; img-src data:; worker-src blob:; "
+    "script-src 'sha256-{}' 'wasm-unsafe-eval'; style-src 'sha256-{}'\" />"
+)
+"""The Content-Security-Policy of a page: its own script and style by their hashes, no other."""
 
 
 def explorer(
     case: Case | Callable[..., Case],
-    sliders: Mapping[str, tuple[float, ...]],
+    sliders: Mapping[str, Slider | tuple[float, ...]],
     title: str = "",
     *,
     menus: Mapping[str, Mapping[str, Any]] | None = None,
     presets: Mapping[str, Mapping[str, Any]] | None = None,
     questions: Sequence[Question] = (),
+    texts: Mapping[str, Any] | None = None,
 ) -> Explorer:
     """A page in which the motion of a case follows sliders, integrated in the browser.
 
     case : a case, whose numbers the sliders are by name, as in sweeps; or a function of the sliders
     that gives one. sliders : for each the lowest and the highest value, and the first one; if that
-    is not given, the value of the case or the middle. title : of the page; the structure if not
+    is not given, the value of the case or the middle; or a `Slider`, which has a unit and words,
+    too. title : of the page; the structure if not
     given. menus : parts of the case to choose from, by the name of the part ("impact", "motion",
     "initial", "vertical", or an argument of the function) and a label of each. presets : values
-    of sliders and menus, by a name. questions : to predict, and then to see; `Question`.
+    of sliders and menus, by a name. questions : to predict, and then to see; `Question`. texts :
+    words of the page in place of its own, by their names in its table `TEXTS`, with the same
+    places {0}; "names" are those of sliders, menus, states and presets.
 
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.6)
     >>> pulse = rk.GroundMotion.half_sine(3.0, 0.8, duration=6.0)
@@ -85,30 +100,30 @@ def explorer(
     """
     if not (isinstance(case, Case) or callable(case)):
         raise TypeError(f"case is {described(case)}: give a case, or a function of the sliders")
-    menu_of = {name: menu(name, options) for name, options in (menus or {}).items()}
-    check_number(sliders, menu_of)
-    function = function_of(case, (*sliders, *menu_of))
-    known = function.numbers if isinstance(function, OtherCase) else {}
-    first = {name: number.value for name, number in known.items()}
-    slider_of = {name: slider(name, given, first.get(name)) for name, given in sliders.items()}
+    for name, given in (("sliders", sliders), ("menus", menus or {}), ("presets", presets or {})):
+        check_mapping(name, given)
+    if isinstance(questions, Question) or not all(isinstance(q, Question) for q in questions):
+        raise TypeError(f"questions is {described(questions)}: give a list of rk.Question(...)")
+    function, controls = controls_of(case, sliders, menus or {})
     return Explorer(
         function,
-        Controls({**slider_of, **menu_of}),
+        controls,
         title,
-        {**_objects(function, slider_of), **(presets or {})},
+        {**_objects(function, controls.of), **(presets or {})},
         tuple(questions),
+        texts or {},
     )
 
 
-def _objects(function: Callable[..., Case], sliders: Mapping[str, Slider]) -> dict[str, Any]:
+def _objects(function: Callable[..., Case], controls: Mapping[str, Any]) -> dict[str, Any]:
     """Objects of every day that are in the range of the sliders, for a page of a block."""
     of_block = isinstance(function, OtherCase) and type(function.case.structure).__name__
-    if of_block != "RigidBlock" or not {"half_width", "half_height"} <= sliders.keys():
+    if of_block != "RigidBlock" or not {"half_width", "half_height"} <= controls.keys():
         return {}
     return {
         name: {"half_width": b, "half_height": h}
         for name, (b, h) in OBJECTS.items()
-        if all(sliders[n].low <= x <= sliders[n].high
+        if all(controls[n].low <= x <= controls[n].high
                for n, x in (("half_width", b), ("half_height", h)))
     }  # fmt: skip
 
@@ -122,12 +137,15 @@ class Explorer:
     title: str = ""
     presets: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     questions: tuple[Question, ...] = ()
+    texts: Mapping[str, Any] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name, values in self.presets.items():
             self.controls.places(f"preset {name!r}", values)
         for question in self.questions:
             question.described(self.controls)
+        if self.texts:
+            _ = self._script
 
     def save(self, path: str | Path) -> Path:
         """Write the page into one HTML file, which needs no network; returns its path."""
@@ -158,30 +176,44 @@ class Explorer:
         """The page as text."""
         page = _asset("page.html")
         data = {"program": _packed(self.module.code), "of": self.description()}
+        style = _asset("page.css")
         parts = {
             "title": html.escape(self.heading),
-            "style": _asset("page.css"),
-            "data": json.dumps(data).replace("<", "\\u003c"),
-            "script": "\n".join(map(_asset, _SCRIPTS)),
+            "policy": _POLICY.format(_digest(self._script), _digest(style)),
+            "style": style,
+            "data": json.dumps(data, separators=(",", ":")).replace("<", "\\u003c"),
+            "script": self._script,
         }
         for name, text in parts.items():
             page = page.replace(f"<!-- {name} -->", text)
         return page
 
+    @cached_property
+    def _script(self) -> str:
+        """The scripts of the page, with its texts."""
+        texts, *others = map(_asset, _SCRIPTS)
+        return "\n".join((with_texts(texts, self.texts, self._words()), *others))
+
     # --- what a page consists of
 
     @property
     def heading(self) -> str:
-        return self.title or type(self._first.structure).__name__
+        title = self.title or type(self._structure).__name__
+        # the name of a file may have bytes that are no text
+        return title.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
 
     @cached_property
     def _first(self) -> Case:
         return self.case(**self.controls.named(self.controls.start))
 
+    @property
+    def _structure(self) -> Structure:
+        return self._first.structure
+
     @cached_property
     def _sized(self) -> Sized | None:
         """The case with a factor of size, where the structure can be enlarged."""
-        return Sized(self.case) if can_be_enlarged(self._first.structure) else None
+        return Sized(self.case) if can_be_enlarged(self._structure) else None
 
     @cached_property
     def setup(self) -> Setup:
@@ -193,14 +225,34 @@ class Explorer:
 
     @cached_property
     def program(self) -> Portable:
-        """The program of the page, whose motions were compared with `rk.simulate`."""
-        made = portable(self._first.structure.module, METHOD, self._texts())
-        self._compare(made)
-        return made
+        """The program of the page."""
+        return portable(self._structure.module, METHOD, self._texts())
+
+    @cached_property
+    def _native(self) -> Motions:
+        """The motions of the page by machine code."""
+        readings, native = np.zeros(len(COMPARED)), self.program.native(self._structure.module)
+        motion = native.fate.bound(self.setup.controls.start, 0.0, readings)
+
+        def of_motion(place: np.ndarray, end: float = 0.0) -> tuple[str, list[float]]:
+            motion["sliders"], motion["end"] = place, end
+            return OUTCOMES.get(int(motion()), "unknown"), readings.tolist()
+
+        return of_motion
+
+    @cached_property
+    def _ends(self) -> list[list[float]]:
+        """The times until which the motions of each question go on."""
+        setup = self.setup
+        return [ends_of(q, setup.case, setup.controls, self._native) for q in self.questions]
 
     @cached_property
     def module(self) -> Module:
-        """The program as WebAssembly, with the functions that a page calls."""
+        """The program as WebAssembly, with the functions that a page calls.
+
+        Its motions were compared with `rk.simulate`.
+        """
+        self._compare()
         ir = self.program.ir
         for name in self.program.entries:
             if name not in self.entries:
@@ -220,7 +272,7 @@ class Explorer:
 
     def _statics(self) -> tuple[Text, ...]:
         """The statics of feet on rigid ground; other structures have none."""
-        structure = self._first.structure
+        structure = self._structure
         if not structure.rocks_on_rigid_ground:
             return ()
         m, name = structure.module, "browser/verdict.py"
@@ -234,18 +286,16 @@ class Explorer:
     @property
     def entries(self) -> tuple[str, ...]:
         """The functions that a page calls: of its texts, and the statics where there are feet."""
-        feet = self._first.structure.rocks_on_rigid_ground
+        feet = self._structure.rocks_on_rigid_ground
         return (*ENTRIES, "uplift_and_friction") if feet else ENTRIES
 
     def description(self) -> dict[str, Any]:
         """Names, units and sizes that a page needs besides its program."""
-        structure = self._first.structure
+        structure = self._structure
         m = structure.module
-        units = UNITS | dict(zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True))
-        units |= dict(zip(m.STATES, m.STATE_UNITS, strict=True))
-        if isinstance(self.case, OtherCase):
-            units |= {name: number.unit for name, number in self.case.numbers.items()}
-        meanings = dict(zip(m.PARAMETERS, m.PARAMETER_MEANINGS, strict=True))
+        y = structure.state({})
+        named = isinstance(self.case, OtherCase)  # whose names are those of parameters
+        meanings = dict(zip(m.PARAMETERS, m.PARAMETER_MEANINGS, strict=True)) if named else {}
         return {
             "title": self.heading,
             "structure": type(structure).__name__,
@@ -254,8 +304,7 @@ class Explorer:
             "sliders": [
                 {
                     "name": name, "low": one.low, "high": one.high, "start": one.start,
-                    "unit": units.get(name, ""),
-                    "meaning": meanings.get(name, ""),
+                    "unit": one.unit, "meaning": meanings.get(name, ""),
                 }
                 for name, one in self.controls.of.items() if isinstance(one, Slider)
             ],
@@ -268,8 +317,42 @@ class Explorer:
             "rotation": m.ROTATION, "positions": m.POSITIONS, "kinds": m.POSITION_KINDS,
             "corners": m.CORNERS, "members": m.MEMBERS, "memberEnds": m.MEMBER_ENDS,
             "copies": m.COPIES, "mostP": self.setup.sizes[0],
+            "legs": legs(structure, structure.mode_number(y), y),
+            "weight": self._assumed_weight(), "axes": self._axes(),
             "outcomes": [OUTCOMES[i] for i in sorted(OUTCOMES)],
         }  # fmt: skip
+
+    def _assumed_weight(self) -> list[int] | None:
+        """Places of the first mass and of gravity in the parameters, where masses are defaults."""
+        m, values = self._structure.module, self._structure.parameters()
+        defaults, names = type(self._structure).defaults(), m.PARAMETERS
+        masses = [n for n, unit in zip(names, m.PARAMETER_UNITS, strict=True) if unit == "kg"]
+        if not masses or any(values[n] != defaults.get(n) or n in self.controls.of for n in masses):
+            return None
+        return [names.index(masses[0]), names.index("gravity")]
+
+    def _axes(self) -> tuple[int, ...]:
+        """The sliders of the first map: a pair on which the fate depends most."""
+        sliders = [i for i, one in enumerate(self.controls.of.values()) if isinstance(one, Slider)]
+        pairs = [*itertools.combinations(sliders[:MOST_AXES], 2)]
+        return max(pairs, key=self._dependence) if len(pairs) > 1 else (sliders[0], sliders[-1])
+
+    def _dependence(self, pair: tuple[int, ...]) -> tuple[int, float]:
+        """How often both fates meet along either of two sliders, and the share of the rarer one."""
+        place, fates = self.setup.controls.start, np.zeros((COARSE, COARSE))
+        ranges = [[*self.controls.of.values()][i] for i in pair]
+        for at in np.ndindex(fates.shape):
+            place[[*pair]] = [one.at(k / (COARSE - 1)) for one, k in zip(ranges, at, strict=True)]
+            fates[at] = FATES.get(self._native(place)[0], 0.0)
+        meetings = (np.sum(abs(np.diff(fates, axis=axis)) == 2.0) for axis in (0, 1))
+        return min(meetings), min(np.mean(fates == fate) for fate in (-1.0, 1.0))
+
+    def _words(self) -> dict[str, str]:
+        """The words of names on the page, where no others are given."""
+        names = (*self.controls.of, *self._structure.states, *self.presets)
+        words = {name: name.replace("_", " ") for name in names}
+        return words | {name: one.words for name, one in self.controls.of.items()
+                        if isinstance(one, Slider) and one.words}  # fmt: skip
 
     def _choices(self) -> dict[str, Any]:
         """Menus, presets and questions, and code that simulates the same."""
@@ -284,26 +367,27 @@ class Explorer:
                 {"name": name, "values": controls.places("presets", values)}
                 for name, values in self.presets.items()
             ],
-            "questions": [question.described(controls) for question in self.questions],
+            "questions": [
+                {**question.described(controls), "ends": ends}
+                for question, ends in zip(self.questions, self._ends, strict=True)
+            ],
             "code": script(self.case, controls),
         }
         return found if self._sized is None else {**found, "size": len(controls.of)}
 
     # --- the comparison of motions
 
-    def _compare(self, made: Portable) -> None:
+    def _compare(self) -> None:
         """Raise UntracedError where too many motions of the page are not those of `rk.simulate`."""
-        differ = [place for place, same in self._motions(made) if not same]
+        differ = [place for place, same in self._motions() if not same]
         if len(differ) > MOTIONS // 4:
             raise UntracedError(
                 f"{len(differ)} of {MOTIONS} motions of the page end otherwise than those of "
                 f"`rk.simulate`, such as at {differ[0]}: they are too sensitive for a page"
             )
 
-    def _motions(self, made: Portable) -> Iterator[tuple[dict[str, float], bool]]:
+    def _motions(self) -> Iterator[tuple[dict[str, float], bool]]:
         """Places of the sliders, and whether the motions there end alike and reach as far."""
-        fate = made.native(self._first.structure.module).fate
-        extremes = np.zeros((2, len(self._first.structure.states)))
         setup = self.setup
         for place in itertools.islice(setup.controls.spread(MOTIONS), 2, None):
             named = setup.controls.named(place)
@@ -312,20 +396,21 @@ class Explorer:
                 run = simulated(case, case.problem(), SolverOptions(method=METHOD))
             except ValueError:
                 continue
-            code = int(fate(place, extremes))
-            rotation = case.structure.module.ROTATION
-            name = case.structure.states[rotation]
-            peak = np.abs(extremes[:, rotation]).max()
-            wanted = run.extremes(name).peak
-            near = abs(peak - abs(wanted)) <= 1e-6 * max(abs(wanted), 1e-9)
-            yield named, OUTCOMES.get(code) == str(run.outcome) and bool(near)
+            outcome, (_, peak, *_) = self._native(place)
+            wanted = readings_of(run)[1]
+            near = abs(peak - wanted) <= 1e-6 * max(wanted, 1e-9)
+            yield named, outcome == str(run.outcome) and near
 
 
 def _asset(name: str) -> str:
     """A file of the page without comments and indents, a third of it: the source is for readers."""
     text = _ASSETS.joinpath(name).read_text("utf-8")
-    text = re.sub(r"^ *(//.*|/\*\*((?!\*/)[\s\S])*\*/)\n", "", text, flags=re.MULTILINE)
+    text = re.sub(r"^ *//[^\n]*\n|/\*\*.*?\*/ ?", "", text, flags=re.MULTILINE | re.DOTALL)
     return re.sub(r"^\s+", "", text, flags=re.MULTILINE)
+
+
+def _digest(text: str) -> str:
+    return base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
 
 
 def _packed(code: bytes) -> str:

@@ -42,7 +42,9 @@ class Portable(NamedTuple):
         """The program of this processor, to be run as others are."""
         described = json.dumps({"entries": self.entries, "sizes": self.sizes}).encode()
         return Program(
-            f"{generated.NAME}_portable", generated, described + b"\n" + compiled(self.ir)
+            f"{generated.NAME}_portable",
+            generated,
+            described + b"\n" + compiled(self.ir, passes=()),
         )
 
     def webassembly(self) -> Module:
@@ -62,7 +64,7 @@ def functions(texts: Sequence[Text]) -> dict[str, Function]:
     """The entries of texts of their own as machine code, by name."""
     with_own = (Text(_ELEMENTARY, text_of(_ELEMENTARY)), *texts)
     made = Printed(with_own, contract=False)
-    return Loaded(compiled(_own_functions(made)), made.entries).functions
+    return Loaded(compiled(_own_functions(made), passes=()), made.entries).functions
 
 
 def _own_functions(printed: Printed) -> str:

@@ -15,7 +15,6 @@ from rockeom.codes import (
     EVENTS_KEPT,
     FULL,
     IMPACT,
-    IMPACTS,
     LANDING,
     MODE,
     OVERTURNED,
@@ -55,10 +54,10 @@ NUMBERS = 9
 OF_SIZE the length of p."""
 
 
-def case_of_page(numbers, p, horizontal, vertical, atol):
-    """The case that a set-up has written."""
+def case_of_page(numbers, end, p, horizontal, vertical, atol):
+    """The case that a set-up has written, which lasts until `end` at least."""
     return Case(
-        numbers[OF_END],
+        max(numbers[OF_END], end),
         horizontal[0 : int(numbers[OF_ROWS_X])],
         vertical[0 : int(numbers[OF_ROWS_Y])],
         p[0 : int(numbers[OF_SIZE])],
@@ -93,14 +92,16 @@ def begin(numbers, status, clock, rate, atol):
 
 @entry
 def motion(
-    sliders: Floats, p: Floats, numbers: Floats, states: Floats2, modes: Ints, ground: Floats2,
-    impacts: Floats, spacing: Floats,
+    sliders: Floats, end: float, p: Floats, numbers: Floats, states: Floats2, modes: Ints,
+    ground: Floats2, impacts: Floats, spacing: Floats, readings: Floats,
 ) -> int:  # fmt: skip
     """A motion at equal times: its outcome, or -1 where no way of the set-up is known.
 
+    end [s] : until then at least, 0 for the duration of the case.
     states (n, N), modes (n,), ground (2, n) : at each, the ground horizontal and vertical.
-    impacts (k,) : times of the first ones. spacing (4,) : of the times; how many there are, of
-    impacts, and of impacts that are noted.
+    impacts (k,) : times of the first ones. spacing (3,) : of the times; how many there are, and of
+    impacts that are noted. readings (5,) : whether it overturns, its largest rotation, the number
+    of impacts, the time from the first to the third and that of the last; nan where there is none.
     """
     y, horizontal = np.empty(N_STATES), np.empty((ROWS_X, 7))
     vertical, atol, rate = np.empty((ROWS_Y, 7)), np.empty(N_STATES), np.empty(N_STATES)
@@ -108,18 +109,23 @@ def motion(
         return UNKNOWN_WAY
     status, clock = np.empty(len(AT_THE_START), np.int64), np.empty(4)
     begin(numbers, status, clock, rate, atol)
-    case = case_of_page(numbers, p, horizontal, vertical, atol)
+    case = case_of_page(numbers, end, p, horizontal, vertical, atol)
+    n = states.shape[0]
+    kept = KEPT if n > 0 else 0  # a motion without samples needs no steps
     steps, step_modes = np.empty((KEPT, 2)), np.empty(KEPT, np.int64)
     step_states = np.empty((KEPT, 8, N_STATES))
     events, event_kinds = np.empty(KEPT), np.empty((KEPT, 4), np.int64)
+    extremes = np.empty((2, N_STATES))
     recorder = Recorder(
-        steps, step_modes, step_states, events, event_kinds, np.empty((KEPT, 2, N_STATES)),
-        np.empty((0, N_STATES)),
+        steps[0:kept], step_modes[0:kept], step_states[0:kept], events, event_kinds,
+        np.empty((KEPT, 2, N_STATES)), extremes,
     )  # fmt: skip
-    n = states.shape[0]
+    for i in range(N_STATES):
+        extremes[0, i] = extremes[1, i] = y[i]
     between = case.t_end / (n - 1)
     scratch = np.zeros(SCRATCH)
-    code, at, noted = FULL, 0, 0
+    code, at, number, first = FULL, 0, 0, 0.0
+    readings[3] = readings[4] = np.nan
     while code == FULL:
         status[STEPS_KEPT] = status[EVENTS_KEPT] = 0
         code = integrate(status, clock, y, rate, case, recorder, scratch)
@@ -133,14 +139,33 @@ def motion(
                 at = at + 1
         for i in range(status[EVENTS_KEPT]):
             kind = event_kinds[i, 0]
-            if (kind in (IMPACT, LANDING)) and noted < impacts.shape[0]:
-                impacts[noted] = events[i]
-                noted = noted + 1
+            if kind not in (IMPACT, LANDING):
+                continue
+            if number < impacts.shape[0]:
+                impacts[number] = events[i]
+            if number == 0:
+                first = events[i]
+            elif number == 2:
+                readings[3] = events[i] - first
+            number, readings[4] = number + 1, events[i]
     sample_ground(case.horizontal, between, ground[0])
     sample_ground(case.vertical, between, ground[1])
     spacing[0], spacing[1] = between, float(at)
-    spacing[2], spacing[3] = float(status[IMPACTS]), float(noted)
-    return ended(code, status, y, case, numbers[OF_QUIET])
+    spacing[2] = float(min(number, impacts.shape[0]))
+    code = ended(code, status, y, case, numbers[OF_QUIET])
+    readings[0] = 1.0 if code == OVERTURNED else 0.0
+    readings[1] = max(-extremes[0, ROTATION], extremes[1, ROTATION])
+    readings[2] = float(number)
+    return code
+
+
+@entry
+def fate(sliders: Floats, end: float, readings: Floats) -> int:
+    """The outcome of a motion without samples; end and readings as of `motion`."""
+    return motion(
+        sliders, end, np.empty(MOST_P), np.empty(NUMBERS), np.empty((0, N_STATES)),
+        np.empty(0, np.int64), np.empty((2, 0)), np.empty(0), np.empty(3), readings,
+    )  # fmt: skip
 
 
 def sample_ground(table, between, out):
@@ -157,31 +182,6 @@ def state_at(step_states, step, j, x):
     for k in range(6, -1, -1):
         value = value * x + step_states[step, k, j]
     return value
-
-
-@entry
-def fate(sliders: Floats, extremes: Floats2) -> int:
-    """The outcome of a motion, and the extremes (2, N) of its states; -1 for an unknown way."""
-    y, p, numbers = np.empty(N_STATES), np.empty(MOST_P), np.empty(NUMBERS)
-    horizontal, vertical = np.empty((ROWS_X, 7)), np.empty((ROWS_Y, 7))
-    atol, rate = np.empty(N_STATES), np.empty(N_STATES)
-    if set_up(sliders, y, p, horizontal, vertical, numbers) < 0:
-        return UNKNOWN_WAY
-    status, clock = np.empty(len(AT_THE_START), np.int64), np.empty(4)
-    begin(numbers, status, clock, rate, atol)
-    case = case_of_page(numbers, p, horizontal, vertical, atol)
-    events, event_kinds = np.empty(64), np.empty((64, 4), np.int64)
-    recorder = Recorder(
-        np.empty((0, 2)), np.empty(0, np.int64), np.empty((0, 8, 1)), events, event_kinds,
-        np.empty((64, 2, N_STATES)), extremes,
-    )  # fmt: skip
-    for i in range(N_STATES):
-        extremes[0, i] = extremes[1, i] = y[i]
-    scratch, code = np.zeros(SCRATCH), FULL
-    while code == FULL:
-        status[EVENTS_KEPT] = 0
-        code = integrate(status, clock, y, rate, case, recorder, scratch)
-    return ended(code, status, y, case, numbers[OF_QUIET])
 
 
 @entry

@@ -147,6 +147,7 @@ def way_at(
 """
 
 
+@np.errstate(divide="raise", invalid="raise")  # a division by zero is refused as other numbers are
 def setup_of(case: Callable[..., Case], controls: Controls) -> Setup:
     """The set-up of a case for all values of its controls.
 
@@ -169,7 +170,7 @@ def _go(setup: Setup, place: np.ndarray) -> bool:
     try:
         case = setup.case(**named)
         case.problem()
-    except ValueError:
+    except (ValueError, ArithmeticError):
         return False
     if case.structure.module is not setup.module:
         raise UntracedError(
@@ -192,10 +193,11 @@ def _compare(setup: Setup, place: np.ndarray) -> None:
     made, named = setup.numbers(place), setup.controls.named(place)
     try:
         wanted = setup.case(**named).problem()
-    except ValueError:
+    except (ValueError, ArithmeticError) as error:
         if made is not None:
             raise UntracedError(
-                f"a page would show the case at {named}, which is refused"
+                f"a page would show the case at {named}, which is refused: {error}; let no slider "
+                "reach there"
             ) from None
         return
     if made is None:
@@ -229,7 +231,7 @@ def difference(made: Numbers, wanted: Problem) -> str | None:
         ),
     }  # fmt: skip
     for words, (a, b) in pairs.items():
-        if np.array_equal(a, b):  # in a tenth of the time
+        if a.tobytes() == b.tobytes():  # in a hundredth of the time
             continue
         scale = np.abs(b).max(initial=0.0, where=np.isfinite(b))
         if not np.allclose(a, b, rtol=NEAR, atol=NEAR * scale, equal_nan=True):

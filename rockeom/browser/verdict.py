@@ -87,7 +87,9 @@ def eliminated(a, b):
                 best = k
         if a[best, i] == 0.0:
             return False
-        exchange(a, b, i, best)
+        for j in range(N):
+            a[i, j], a[best, j] = a[best, j], a[i, j]
+        b[i], b[best] = b[best], b[i]
         for k in range(N):
             if k != i:
                 share = a[k, i] / a[i, i]
@@ -105,14 +107,3 @@ def largest(a, i):
     for j in range(N):
         size = max(size, abs(a[i, j]))
     return size
-
-
-def exchange(a, b, i, k):
-    """Exchange the rows i and k of a and b."""
-    for j in range(N):
-        x = a[i, j]
-        a[i, j] = a[k, j]
-        a[k, j] = x
-    x = b[i]
-    b[i] = b[k]
-    b[k] = x

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 import argparse
+from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
+from rockeom.browser.controls import slider
 from rockeom.browser.page import explorer
 from rockeom.browser.traced import UntracedError
 from rockeom.cli.errors import UsageError, words
+from rockeom.cli.models import class_of, dimensions_of, made
 from rockeom.cli.simulate import add_case, case
 from rockeom.files import check_target
+from rockeom.simulation.case import Case
+from rockeom.sweeps.case_numbers import Number, OtherCase
 
 DESCRIPTION = """\
 Make one HTML file in which a structure moves as sliders say, integrated in the browser: without a
@@ -39,7 +46,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="extend",
         required=True,
         metavar="NUMBER=LOW..HIGH",
-        help="sliders: numbers of the case by name, such as half_width, amplitude or scale",
+        help="sliders: numbers of the case by name, such as half_width, amplitude or scale, or "
+        "full dimensions of a block that --set gives",
     )
     parser.add_argument(
         "--title", default="", help="heading of the page; the structure if not given"
@@ -51,16 +59,32 @@ def run(args: argparse.Namespace) -> int:
     if args.out.suffix != ".html":
         raise UsageError(f"--out {args.out}: name a file that ends in .html")
     check_target(args.out)
-    sliders = {
-        n: _range(n, t) for n, t in words(args.vary, "--vary", "half_width=0.1..0.4").items()
-    }
-    page = explorer(case(args), sliders, args.title)
+    ranges = words(args.vary, "--vary", "half_width=0.1..0.4").items()
+    page = explorer(*_page(args, {name: _range(name, text) for name, text in ranges}), args.title)
     try:
         page.save(args.out)
     except UntracedError as error:
         raise UsageError(str(error)) from error
     print(f"wrote {args.out}: open it in a browser")
     return 0
+
+
+def _page(args: argparse.Namespace, ranges: Mapping[str, Any]) -> tuple[Any, Mapping[str, Any]]:
+    """A case and its sliders; where a full dimension varies, a function that makes the case."""
+    one = case(args)
+    full = dimensions_of(class_of(args.name), ranges)
+    if not full:
+        return one, ranges
+    rest = OtherCase(one, tuple(name for name in ranges if name not in full))
+    first = words(args.set, "--set", "width=0.6")
+    numbers = {n: Number("structure", (n,), float(first.get(n, 0.0)), "m") for n in full}
+
+    def of_dimensions(**values: Any) -> Case:
+        structure = made(args, **{name: values.pop(name) for name in full})
+        return OtherCase(replace(one, structure=structure), rest.names)(**values)
+
+    numbers |= rest.numbers
+    return of_dimensions, {name: slider(name, x, numbers[name]) for name, x in ranges.items()}
 
 
 def _range(name: str, text: str) -> tuple[float, float]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from rockeom.cli.errors import UsageError, lists, numbers, words
@@ -97,8 +97,8 @@ def class_of(name: str) -> type[Structure]:
         raise UsageError(str(error)) from None
 
 
-def made(args: argparse.Namespace) -> Structure:
-    """The structure of the arguments of `add_structure`."""
+def made(args: argparse.Namespace, **others: Any) -> Structure:
+    """The structure of the arguments of `add_structure`; others : values in place of theirs."""
     of, example = class_of(args.name), "mass=122.6"
     values: dict[str, Any] = {}
     for name, text in words(args.set, "--set", example).items():
@@ -109,8 +109,9 @@ def made(args: argparse.Namespace) -> Structure:
             values[name] = text
         else:
             values |= numbers([f"{name}={text}"], "--set", example)
+    values |= others
     try:
-        if _FULL & values.keys() - of.defaults().keys() and hasattr(of, "from_dimensions"):
+        if dimensions_of(of, values):
             return _of_dimensions(of, values)
         return structure(args.name, **values)
     except ParameterError as error:
@@ -121,6 +122,11 @@ def made(args: argparse.Namespace) -> Structure:
 
 _FULL = frozenset({"width", "height", "centroid_height", "offset"})
 """Full dimensions of a block, by which it may be given as well."""
+
+
+def dimensions_of(of: Any, names: Iterable[str]) -> set[str]:
+    """The names among some that are full dimensions of a block."""
+    return _FULL & {*names} - of.defaults().keys() if hasattr(of, "from_dimensions") else set()
 
 
 def _of_dimensions(of: Any, values: dict[str, Any]) -> Structure:

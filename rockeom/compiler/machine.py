@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import sys
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from typing import Any
 
@@ -77,12 +77,13 @@ of products, and by it which of them is part of a*b + c.
 """
 
 
-def compiled(ir: str, lanes: bool = False) -> bytes:
-    """An object file. lanes : loops are made vector instructions of.
+def compiled(ir: str, lanes: bool = False, passes: Sequence[str] = PASSES) -> bytes:
+    """An object file. lanes : loops become vector instructions.
 
-    Straight lines are not: it would change the order of additions.
+    Straight lines do not: it would change the order of additions. passes : none for a program that
+    runs a few times; without contractions it has the same bits.
     """
-    machine = _machine(3 if lanes else 1)
+    machine = _machine(3 if lanes else 1 if passes else 0)
     module = llvm.parse_assembly(ir)
     module.triple = llvm.get_process_triple()
     module.data_layout = str(machine.target_data)
@@ -91,12 +92,12 @@ def compiled(ir: str, lanes: bool = False) -> bytes:
     options.slp_vectorization = False
     builder = llvm.create_pass_builder(machine, options)
     if lanes:
-        passes = builder.getModulePassManager()
+        manager = builder.getModulePassManager()
     else:
-        passes = llvm.create_new_module_pass_manager()
-        for name in PASSES:
-            getattr(passes, f"add_{name}_pass")()
-    passes.run(module, builder)
+        manager = llvm.create_new_module_pass_manager()
+        for name in passes:
+            getattr(manager, f"add_{name}_pass")()
+    manager.run(module, builder)
     return machine.emit_object(module)
 
 

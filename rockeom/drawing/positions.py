@@ -70,6 +70,25 @@ def rotations_of(module: Any, found: np.ndarray) -> dict[str, np.ndarray]:
     return {name: found[..., i, 2] for i, (name, kind) in enumerate(kinds) if kind in BODIES}
 
 
+def legs(structure: Any, mode: int, y: np.ndarray) -> list[tuple[int, int]]:
+    """Bodies without an outline or a member, each with the feet at which a drawing joins them.
+
+    Places among the positions. A foot belongs to a body from which its distance stays where all
+    coordinates move.
+    """
+    m, drawn, pairs = structure.module, structure.shapes, []
+    joined = {name for member in drawn.members for name in (member.start, member.end)}
+    moved = np.array([y, y + 0.01 * np.arange(1, len(y) + 1)])
+    at = places(m, np.array([mode, mode]), moved, structure.vector)[..., :2]
+    for i, j in np.ndindex(len(m.POSITIONS), len(m.POSITIONS)):
+        body, lengths = m.POSITIONS[i], np.hypot(*(at[:, i] - at[:, j]).T)
+        alone = m.POSITION_KINDS[i] in BODIES and body not in {*joined, *drawn.outlines}
+        foot = m.POSITION_KINDS[j] not in ("load", *BODIES)
+        if alone and foot and abs(lengths[1] - lengths[0]) <= 1e-9 * lengths[0]:
+            pairs.append((i, j))
+    return pairs
+
+
 def shapes(module: Any, p: np.ndarray) -> Shapes:
     """Outlines and members of a structure with parameters and constants p."""
     corners, ends = len(module.CORNERS), len(module.MEMBER_ENDS)

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from rockeom.drawing import free_body, style
 from rockeom.drawing.drawn import Structure, check_structure
-from rockeom.drawing.positions import BODIES, Member, places, positions_of, rotations_of
+from rockeom.drawing.positions import BODIES, Member, legs, places, positions_of, rotations_of
 
 
 @style.styled
@@ -70,11 +70,6 @@ class _Pose(NamedTuple):
         """(2,) a direction that turns with a body."""
         return free_body.turned([way], (0.0, 0.0), self.angles.get(name, 0.0))[0]
 
-    def seen_from(self, name: str) -> np.ndarray:
-        """(n, 2) all places in axes that turn with a body, from its centre."""
-        away = np.array([*self.places.values()]) - self.places[name]
-        return free_body.turned(away, (0.0, 0.0), -self.angles[name])
-
 
 class Sketch:
     """A drawing of a structure in a state (N,) and the mode of that number.
@@ -86,12 +81,11 @@ class Sketch:
 
     def __init__(self, structure: Structure, y: np.ndarray, mode: int) -> None:
         m = structure.module
-        self.shapes = structure.shapes
+        self.shapes, self.names = structure.shapes, m.POSITIONS
         self.kinds = dict(zip(m.POSITIONS, m.POSITION_KINDS, strict=True))
         self.feet = [n for n, kind in self.kinds.items() if kind not in ("load", *BODIES)]
         upright = structure.state({})
-        moved = y + 0.01 * np.arange(1, len(y) + 1)
-        self.now, self.moved = _pose(structure, mode, y), _pose(structure, mode, moved)
+        self.now, self.legs = _pose(structure, mode, y), legs(structure, mode, y)
         self.rest = _pose(structure, structure.mode_number(upright), upright)
         self.gaps = _gaps(structure, mode, y)
         drawn = [self.rest.at(name, outline) for name, outline in self.shapes.outlines.items()]
@@ -133,8 +127,10 @@ class Sketch:
     def _body(self, ax: Axes, name: str, shift: np.ndarray) -> None:
         centre = self.now.places[name] + shift
         if name not in self.shapes.outlines:
-            for foot in self._feet_of(name):
-                ax.plot(*np.transpose([centre, self.now.places[foot] + shift]), color=_BLUE, lw=1.2)
+            for body, foot in self.legs:
+                if self.names[body] == name:
+                    ends = [centre, self.now.places[self.names[foot]] + shift]
+                    ax.plot(*np.transpose(ends), color=_BLUE, lw=1.2)
             free_body.mass(ax, centre, style.plain(name), (_MASS / 2, 3 + _MASS / 2), _MASS)
             return
         corners = self.now.at(name, self.shapes.outlines[name]) + shift
@@ -144,14 +140,6 @@ class Sketch:
             free_body.body(ax, corners)
         if self.kinds[name] != "massless":
             free_body.mass(ax, centre, size=6.0)
-
-    def _feet_of(self, name: str) -> list[str]:
-        """Feet that are points of a body, where no shape is declared."""
-        if any(name in (member.start, member.end) for member in self.shapes.members):
-            return []
-        slips = np.abs(self.now.seen_from(name) - self.moved.seen_from(name)).max(axis=1)
-        fixed = dict(zip(self.kinds, slips <= 1e-9 * self.size, strict=True))
-        return [foot for foot in self.feet if fixed[foot]]
 
     # -- feet
 

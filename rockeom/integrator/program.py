@@ -272,7 +272,8 @@ def printed(
     from rockeom.compiler.printer import GROWTH, Program as Printed
 
     # a loop over lanes becomes one of vectors only where it calls nothing
-    growth = 0.1 * GROWTH if has_points(generated) else GROWTH  # they have many modes
+    few = has_points(generated) or not contract  # they have many modes; a page is a small file
+    growth = 0.1 * GROWTH if few else GROWTH
     growth = math.inf if part == VECTORS else growth
     texts = [*joined_texts(generated, method, part), *more]
     with _nothing_collected():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable, Mapping
-from functools import wraps
+from functools import cache, wraps
 from typing import Any, NamedTuple, TypeVar
 
 from rockeom.motion.arguments import positive
@@ -65,7 +65,7 @@ def formula_of(motion: Any) -> Formula | None:
         return None
     name, values, named = call
     make = getattr(type(motion), name)
-    bound = inspect.signature(make).bind(*values, **named)
+    bound = _signature(make).bind(*values, **named)
     bound.apply_defaults()
     return Formula(make, bound.arguments)
 
@@ -76,6 +76,7 @@ def call_of(motion: Any) -> dict[str, Any]:
 
 
 _CALL = "_call"
+_signature = cache(inspect.signature)
 
 
 def with_formulas(cls: C) -> C:

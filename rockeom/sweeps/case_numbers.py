@@ -26,8 +26,7 @@ from rockeom.simulation.case import Case
 from rockeom.structures.base import Structure
 from rockeom.structures.declared import DeclaredStructure
 from rockeom.structures.impact_laws import AngularMomentum, EnergyRatio, Impulsive, VelocityRatio
-from rockeom.structures.units import dimensioned, in_udunits, time_unit
-from rockeom.sweeps.cases import Cases
+from rockeom.structures.units import dimensioned, time_unit
 
 _Path = tuple[Any, ...]
 
@@ -192,16 +191,6 @@ class OtherCase:
 def function_of(case: Case | Callable[..., Case], names: Sequence[str]) -> Callable[..., Case]:
     """A function of a sweep as it is, or that of the names of a case's numbers."""
     return OtherCase(case, tuple(names)) if isinstance(case, Case) else case
-
-
-def sweep_of(case: Case, cases: Cases) -> tuple[OtherCase, Cases]:
-    """The function of a sweep by names, and its cases, whose values know their units."""
-    other = OtherCase(case, tuple(cases.values))
-    units = {name: {"units": in_udunits(n.unit)} for name, n in other.numbers.items() if n.unit}
-    if "restitution" in units:
-        units["restitution"]["long_name"] = "coefficient of restitution e"
-    attrs = {name: {**units.get(name, {}), **cases.attrs.get(name, {})} for name in cases.values}
-    return other, replace(cases, attrs=attrs)
 
 
 # -- the numbers of each part

@@ -6,7 +6,7 @@ import math
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -17,6 +17,8 @@ from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.batch import Differs, Many
 from rockeom.numbers.checks import described, is_number, number
 from rockeom.simulation.case import Case, Problem, Problems, without_duals
+from rockeom.structures.units import in_udunits
+from rockeom.sweeps.case_numbers import OtherCase
 
 FEW, MANY = 256, 2048
 """Cases in a batch at most; and where they are made at once and run within a second."""
@@ -256,6 +258,16 @@ def _told_apart(names: list[str]) -> list[str]:
         taken.add(label)
         found.append(label)
     return found
+
+
+def sweep_of(case: Case, cases: Cases) -> tuple[OtherCase, Cases]:
+    """The function of a sweep by names, and its cases, whose values know their units."""
+    other = OtherCase(case, tuple(cases.values))
+    units = {name: {"units": in_udunits(n.unit)} for name, n in other.numbers.items() if n.unit}
+    if "restitution" in units:
+        units["restitution"]["long_name"] = "coefficient of restitution e"
+    attrs = {name: {**units.get(name, {}), **cases.attrs.get(name, {})} for name in cases.values}
+    return other, replace(cases, attrs=attrs)
 
 
 def first_of(case: Callable[..., Case], cases: Cases) -> Case:

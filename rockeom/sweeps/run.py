@@ -22,8 +22,7 @@ from rockeom.numbers.checks import described
 from rockeom.simulation.case import Case
 from rockeom.simulation.method_selection import DEFAULT, Choice, chosen
 from rockeom.simulation.options import SolverOptions
-from rockeom.sweeps.case_numbers import sweep_of
-from rockeom.sweeps.cases import Cases, first_of
+from rockeom.sweeps.cases import Cases, first_of, sweep_of
 from rockeom.sweeps.dataset import Labels, Sweep, check_names, dataset
 from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.results import NOT_RUN, Results

@@ -11,10 +11,10 @@ async function main() {
     const outcome = runner.run(values);
     return {
       outcome,
-      fate: runner.fate(),
-      extremes: Array.from(runner.extremes),
+      fate: runner.follow(values),
+      readings: Array.from(runner.readings),
       last: Array.from(runner.states.slice(-of.states.length)),
-      impacts: runner.spacing[2],
+      impacts: runner.readings[2],
       shown: runner.spacing[1],
       placed: Array.from(runner.at(0)),
     };

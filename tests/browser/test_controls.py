@@ -9,11 +9,11 @@ import pytest
 
 import rockeom as rk
 from rockeom.assessment.statics import statics_of
-from rockeom.browser.questions import NUMBERS
 from rockeom.browser.setup import difference
 from rockeom.browser.sizes import enlarged
 from rockeom.browser.traced import UntracedError
-from rockeom.codes import OUTCOMES
+
+from .browsers import native
 
 BLOCK = rk.RigidBlock(half_width=0.15, half_height=0.6)
 PULSE = rk.GroundMotion.half_sine(4.0, 0.8, duration=5.0)
@@ -139,13 +139,8 @@ def test_a_larger_structure_of_the_same_material_vibrates_as_much_slower():
 @pytest.mark.parametrize("structure", [BLOCK, COLUMN, FRAME], ids=["block", "column", "frame"])
 def test_uplift_and_sliding_are_those_of_the_assessment(structure):
     page = rk.explorer(rk.Case(structure, PULSE), {"amplitude": (1.0, 8.0)})
-    states, p = np.zeros((11, len(structure.states))), np.zeros(page.setup.sizes[0])
-    program, found = page.program.native(structure.module), np.zeros(2)
-    program.motion(
-        np.array([4.0, 1.0]), p, np.zeros(NUMBERS), states, np.zeros(11, np.int64),
-        np.zeros((2, 11)), np.zeros(5), np.zeros(4),
-    )  # fmt: skip
-    program.uplift_and_friction(p, found)
+    motion, found = native(page)([4.0, 1.0]), np.zeros(2)
+    motion["program"].uplift_and_friction(motion["p"], found)
     statics = statics_of(structure)
     assert found[0] == pytest.approx(statics.uplift_acceleration, rel=1e-9)
     assert found[1] == pytest.approx(statics.friction_to_rock, rel=1e-9)
@@ -169,11 +164,9 @@ def run_code(page, place):
 
 def test_code_of_a_page_simulates_the_same_motion(page, capsys):
     place = [0.21, 5.0, 1.0, 1.0, 1.0]
-    extremes = np.zeros((2, 2))
-    code = page.program.native(BLOCK.module).fate(np.array(place), extremes)
-    run = run_code(page, place)
-    assert OUTCOMES[int(code)] == str(run.outcome)
-    assert abs(run.extremes("theta").peak) == pytest.approx(np.abs(extremes[:, 0]).max(), rel=1e-9)
+    motion, run = native(page)(place), run_code(page, place)
+    assert motion["outcome"] == str(run.outcome)
+    assert abs(run.extremes("theta").peak) == pytest.approx(motion["readings"][1], rel=1e-9)
     capsys.readouterr()
 
 

@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from rockeom.browser.questions import NUMBERS
 from rockeom.structures.classes import SHIPPED
 from tests.shipped import plain
+
+from .browsers import native
 
 SAMPLES = 4801
 BLOCK = rk.RigidBlock(half_width=0.15, half_height=0.6)
@@ -38,17 +39,13 @@ class Shown(NamedTuple):
 
 def shown(case: rk.Case) -> Shown:
     page = rk.explorer(case, SLIDER)
-    program = page.program.native(case.structure.module)
-    p, numbers = np.zeros(page.setup.sizes[0]), np.zeros(NUMBERS)
-    states, modes = np.zeros((SAMPLES, len(case.structure.states))), np.zeros(SAMPLES, np.int64)
-    ground, impacts, spacing = np.zeros((2, SAMPLES)), np.zeros(10), np.zeros(4)
-    start = page.setup.controls.start
-    program.motion(start, p, numbers, states, modes, ground, impacts, spacing)
+    motion = native(page, SAMPLES)(page.setup.controls.start)
     found, angles, separatrix = np.zeros((5, SAMPLES)), np.zeros(2), np.zeros((2, 64))
-    program.energy_history(states, modes, p, ground, spacing, found)
-    program.balance(p, numbers, angles, separatrix)
-    n = round(spacing[1])
-    return Shown(spacing[0] * np.arange(n), found[:, :n], angles, separatrix)
+    history = (motion[name] for name in ("states", "modes", "p", "ground", "spacing"))
+    motion["program"].energy_history(*history, found)
+    motion["program"].balance(motion["p"], motion["numbers"], angles, separatrix)
+    between, n, _ = motion["spacing"]
+    return Shown(between * np.arange(n), found[:, : round(n)], angles, separatrix)
 
 
 @pytest.fixture(scope="module")

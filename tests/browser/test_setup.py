@@ -13,6 +13,9 @@ from rockeom.browser.controls import Controls, Slider
 from rockeom.browser.questions import OF_MODE
 from rockeom.browser.setup import difference
 from rockeom.browser.traced import Tape, UntracedError
+from rockeom.sweeps.case_numbers import OtherCase
+
+from .browsers import _declared_block
 
 
 def setup_of(case, sliders):
@@ -180,6 +183,19 @@ def test_what_python_refuses_a_page_does_not_show():
     )
     assert found.numbers(np.array([0.2])) is not None
     assert found.numbers(np.array([2.0])) is None
+
+
+def test_a_division_by_zero_at_the_end_of_a_slider_is_no_case_and_no_warning():
+    declared = rk.Case(_declared_block(), PULSE)  # whose equations divide by its mass
+    found = setup.setup_of(
+        OtherCase(declared, ("mass",)), Controls({"mass": Slider(0.0, 9.0, 1.0)})
+    )
+    assert found.numbers(np.array([0.0])) is None
+    assert found.numbers(np.array([0.1])) is not None
+    with pytest.raises(UntracedError, match="division by zero; let no slider reach there"):
+        setup_of(
+            lambda mass: a_case(0.1 + 0.01 / (1.0 + 1.0 / mass)), {"mass": Slider(0.0, 9.0, 1.0)}
+        )
 
 
 def test_a_first_case_that_cannot_be_says_why():

@@ -12,8 +12,8 @@ from rockeom import analysis
 from rockeom.motion.formula import FORMULAS, formula_of
 from rockeom.simulation.case import Problems
 from rockeom.structures.classes import SHIPPED
-from rockeom.sweeps.case_numbers import OtherCase, numbers_of, sweep_of
-from rockeom.sweeps.cases import Cases, Source
+from rockeom.sweeps.case_numbers import OtherCase, numbers_of
+from rockeom.sweeps.cases import Cases, Source, sweep_of
 from tests.numeric.structures import S1
 from tests.shipped import plain
 

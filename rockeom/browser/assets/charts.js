@@ -12,7 +12,7 @@ class Charts {
     this.runner = runner;
     this.portrait = new Portrait(phase, this);
     this.bars = new EnergyBars(by("energy"), runner);
-    this.rotation = this.rate = this.ratio = this.chosen = new Float64Array(0);
+    this.times = this.rotation = this.rate = this.ratio = this.chosen = new Float64Array(0);
     this.sample = 0;
     /** Whether the overturning angles are known. */
     this.known = false;
@@ -45,6 +45,7 @@ class Charts {
     const { of, angles } = this.runner;
     this.runner.balance();
     this.runner.accounted();
+    this.times = Float64Array.from({ length: this.runner.shown }, (_, i) => i * this.runner.spacing[0]);
     this.rotation = this.column(of.rotation);
     this.rate = this.column(of.rotation + of.states.length / 2);
     this.known = angles[0] > 0 && angles[1] > 0;
@@ -57,10 +58,7 @@ class Charts {
   /** A state at all samples. @param {number} j */
   column(j) {
     const { states, of } = this.runner;
-    const n = of.states.length;
-    const found = new Float64Array(this.runner.shown);
-    for (let i = 0; i < found.length; i++) found[i] = states[i * n + j];
-    return found;
+    return this.times.map((_, i) => states[i * of.states.length + j]);
   }
 
   /** Take the curve that the menu names. */
@@ -73,7 +71,8 @@ class Charts {
     this.chosen = this.isRatio ? this.ratio : this.column(j);
     this.unit = this.isRatio ? "-" : of.stateUnits[j];
     this.most = Math.abs(peak(this.chosen));
-    this.shaking = [ground.subarray(0, SAMPLES), ground.subarray(SAMPLES)];
+    const { shown } = this.runner;
+    this.shaking = [ground.subarray(0, shown), ground.subarray(SAMPLES, SAMPLES + shown)];
     this.mostShaking = this.shaking.map((values) => Math.abs(peak(values)));
     this.history.setAttribute("aria-label", `${this.label()}. ${this.groundLabel()}.`);
   }
@@ -104,7 +103,7 @@ class Charts {
     const { to, width, height, color } = paint;
     const [left, right, middle] = [48, width - 10, 0.6 * (height - 20)];
     /** @type {[number, number]} */
-    const across = [0, spacing[0] * (SAMPLES - 1)];
+    const across = [0, this.runner.end];
     const limited = this.isRatio && this.most > NEAR_OVERTURNING;
     const most = limited ? Math.min(Math.max(this.most, 1.04), FARTHEST_RATIO) : this.most || 1;
     const upper = new Axes(paint, [left, 20, right, middle], across, [-1.12 * most, 1.12 * most]);
@@ -113,7 +112,7 @@ class Charts {
     if (limited) this.limits(upper);
     to.strokeStyle = color("blue");
     to.lineWidth = 1.6;
-    upper.inside(() => upper.course(this.chosen, spacing[0]));
+    upper.inside(() => upper.curve(this.times, this.chosen));
     this.impacts(upper);
     const shaken = Math.max(...this.mostShaking) || 1;
     const lower = new Axes(paint, [left, middle + 22, right, height - 20], across, [-shaken, shaken]);
@@ -122,10 +121,10 @@ class Charts {
     to.strokeStyle = color("orange");
     to.lineWidth = 1.4;
     const [ground, vertical] = this.shaking;
-    lower.course(ground, spacing[0]);
+    lower.curve(this.times, ground);
     to.setLineDash([4, 3]);
     to.strokeStyle = color("ink");
-    if (this.mostShaking[1]) lower.course(vertical, spacing[0]);
+    if (this.mostShaking[1]) lower.curve(this.times, vertical);
     to.setLineDash([]);
     to.fillStyle = color("blue");
     write(to, this.label(), left, 14);
@@ -134,10 +133,7 @@ class Charts {
     to.strokeStyle = color("ink");
     to.lineWidth = 1;
     const now = upper.x(i * spacing[0]);
-    line(to, [
-      [now, 20],
-      [now, height - 20],
-    ]);
+    line(to, [now, 20], [now, height - 20]);
   }
 
   /** The overturning angles. @param {Axes} axes */
@@ -145,11 +141,7 @@ class Charts {
     const { to } = axes;
     to.strokeStyle = to.fillStyle = axes.color("orange");
     to.setLineDash([6, 4]);
-    for (const side of [-1, 1])
-      line(to, [
-        [axes.left, axes.y(side)],
-        [axes.right, axes.y(side)],
-      ]);
+    for (const side of [-1, 1]) line(to, [axes.left, axes.y(side)], [axes.right, axes.y(side)]);
     to.setLineDash([]);
     write(to, TEXTS.limit, axes.right - 4, axes.y(1) + 14, "right");
   }
@@ -159,13 +151,10 @@ class Charts {
     const { impacts, spacing } = this.runner;
     axes.to.strokeStyle = axes.color("ink");
     let last = -1;
-    for (let k = 0; k < spacing[3]; k++) {
+    for (let k = 0; k < spacing[2]; k++) {
       const x = axes.x(impacts[k]);
       if (x < last + 2) continue;
-      line(axes.to, [
-        [x, axes.bottom],
-        [x, axes.bottom - 5],
-      ]);
+      line(axes.to, [x, axes.bottom], [x, axes.bottom - 5]);
       last = x;
     }
   }

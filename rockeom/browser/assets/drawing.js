@@ -94,7 +94,7 @@ class Sketch {
 
   /** The structure at sample i, its origin at a place of the picture. @param {Pen} paint @param {Point} origin @param {number} scale @param {number} i */
   stand({ to, color }, [ox, oy], scale, i) {
-    const { of, places } = this.runner;
+    const { of } = this.runner;
     this.runner.at(i);
     /** @param {Point} point @returns {Point} */
     const on = ([x, y]) => [ox + x * scale, oy - y * scale];
@@ -113,10 +113,12 @@ class Sketch {
       to.strokeStyle = color(kind === "tendon" ? "orange" : kind in SHAPES ? "ink" : "blue");
       member(to, kind, on(ends[0]), on(ends[1]), on(ends[2]));
     });
+    to.strokeStyle = color("blue");
+    to.lineWidth = 1.5;
+    for (const [body, foot] of of.legs) line(to, on(this.place(body)), on(this.place(foot)));
     const flash = this.flash(i);
     of.kinds.forEach((/** @type {string} */ kind, /** @type {number} */ k) => {
-      /** @type {Point} */
-      const at = [places[3 * k], places[3 * k + 1]];
+      const at = this.place(k);
       if (kind === "body") {
         to.fillStyle = color("blue");
         disc(to, ...on(at), of.corners.includes(of.positions[k]) ? 3.5 : 8);
@@ -127,6 +129,12 @@ class Sketch {
         }
       }
     });
+  }
+
+  /** Where a body or a foot is. @param {number} k @returns {Point} */
+  place(k) {
+    const { places } = this.runner;
+    return [places[3 * k], places[3 * k + 1]];
   }
 
   /** The ends of a member, and the place towards which it leaves its first one. @param {number} m @returns {Point[]} */
@@ -144,13 +152,11 @@ class Sketch {
   flash(i) {
     const { impacts, spacing } = this.runner;
     const time = i * spacing[0];
-    let [low, high] = [0, spacing[3]];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (impacts[middle] <= time) low = middle + 1;
-      else high = middle;
-    }
-    return low ? Math.min((time - impacts[low - 1]) / FLASH, 1) : 1;
+    const last = impacts
+      .subarray(0, spacing[2])
+      .filter((x) => x <= time)
+      .at(-1);
+    return last === undefined ? 1 : Math.min((time - last) / FLASH, 1);
   }
 }
 
@@ -174,36 +180,14 @@ function foot(to, color, [x, y], closed, flash) {
   to.globalAlpha = 1;
 }
 
-/** Lines of members: places along the member, 0 to 1, and across it [px]. @type {Record<string, Point[][]>} */
+/** Lines of members, of points one after the other: along the member, 0 to 1, and across it [px]. @type {Record<string, number[][]>} */
 const SHAPES = {
-  spring: [
-    [
-      [0, 0],
-      [0.15, 0],
-      ...[0, 1, 2, 3, 4, 5, 6].map((k) => /** @type {Point} */ ([0.2 + 0.1 * k, k % 2 ? 6 : -6])),
-      [0.85, 0],
-      [1, 0],
-    ],
-  ],
+  spring: [[0, 0, 0.15, 0, 0.2, -6, 0.3, 6, 0.4, -6, 0.5, 6, 0.6, -6, 0.7, 6, 0.8, -6, 0.85, 0, 1, 0]],
   damper: [
-    [
-      [0, 0],
-      [0.35, 0],
-    ],
-    [
-      [0.7, 6],
-      [0.35, 6],
-      [0.35, -6],
-      [0.7, -6],
-    ],
-    [
-      [0.55, 4],
-      [0.55, -4],
-    ],
-    [
-      [0.55, 0],
-      [1, 0],
-    ],
+    [0, 0, 0.35, 0],
+    [0.7, 6, 0.35, 6, 0.35, -6, 0.7, -6],
+    [0.55, 4, 0.55, -4],
+    [0.55, 0, 1, 0],
   ],
 };
 
@@ -213,10 +197,12 @@ function member(to, kind, a, b, towards) {
   const length = Math.hypot(dx, dy) || 1;
   to.lineWidth = kind in SHAPES || kind === "tendon" ? 1.5 : 3;
   for (const shape of SHAPES[kind] ?? []) {
-    line(
-      to,
-      shape.map(([x, y]) => [a[0] + x * dx - (y * dy) / length, a[1] + x * dy + (y * dx) / length]),
-    );
+    to.beginPath();
+    for (let k = 0; k < shape.length; k += 2) {
+      const [x, y] = [shape[k], shape[k + 1] / length];
+      to.lineTo(a[0] + x * dx - y * dy, a[1] + x * dy + y * dx);
+    }
+    to.stroke();
   }
   if (kind in SHAPES) return;
   to.setLineDash(kind === "tendon" ? [7, 3] : []);

@@ -19,6 +19,7 @@ class EnergyBars {
     this.factor = 1;
     this.unit = "";
     this.bars = [...BARS];
+    if (runner.of.weight) by("energy-over").textContent = TEXTS.energyRatio;
   }
 
   /** Energy k at sample i. @param {number} k @param {number} i */
@@ -28,24 +29,28 @@ class EnergyBars {
 
   /** The scale, which is that of the whole motion. */
   take() {
-    [this.low, this.high] = [0, 0];
-    let elastic = 0;
     const n = this.runner.shown;
-    for (let k = 0; k < 5; k++) {
-      for (let i = 0; i < n; i++) {
-        const energy = this.at(k, i);
-        if (energy < this.low) this.low = energy;
-        else if (energy > this.high) this.high = energy;
-        if (k === 2 && energy) elastic = 1;
-      }
-    }
-    this.bars = BARS.filter(([k]) => k !== 2 || elastic);
-    const unit = this.runner.of.energyUnit;
-    const power = unit === "J" ? Math.max(Math.floor(Math.log10(this.high || 1) / 3), 0) : 0;
-    this.factor = 1000 ** Math.min(power, 3);
-    this.unit = unit === "J" ? ["J", "kJ", "MJ", "GJ"][Math.min(power, 3)] : "";
+    const rows = BARS.map(([k]) => this.runner.energies.subarray(k * SAMPLES, k * SAMPLES + n));
+    this.low = Math.min(0, ...rows.map((row) => Math.min(...row)));
+    this.high = Math.max(0, ...rows.map((row) => Math.max(...row)));
+    this.bars = BARS.filter(([k], row) => k !== 2 || rows[row].some(Boolean));
+    [this.factor, this.unit] = this.scale();
     const [putIn, lost] = [3, 4].map((k) => this.text(k, n - 1));
     this.canvas.setAttribute("aria-label", fill(TEXTS.energyOf, putIn, lost));
+  }
+
+  /** The energy that is shown as one, and its unit. @returns {[number, string]} */
+  scale() {
+    const { p, of } = this.runner;
+    if (of.weight) {
+      const places = this.runner.at(0);
+      const [body, foot] = ["body", "foot"].map((kind) => 3 * of.kinds.indexOf(kind));
+      const R = Math.hypot(places[body] - places[foot], places[body + 1] - places[foot + 1]);
+      return [p[of.weight[0]] * p[of.weight[1]] * R, ""];
+    }
+    if (of.energyUnit !== "J") return [1, ""];
+    const power = Math.min(Math.max(Math.floor(Math.log10(this.high || 1) / 3), 0), 3);
+    return [1000 ** power, ["J", "kJ", "MJ", "GJ"][power]];
   }
 
   /** @param {number} k @param {number} i */
@@ -74,9 +79,6 @@ class EnergyBars {
     });
     to.strokeStyle = color("ink");
     to.lineWidth = 1;
-    line(to, [
-      [zero, 4],
-      [zero, height - 4],
-    ]);
+    line(to, [zero, 4], [zero, height - 4]);
   }
 }

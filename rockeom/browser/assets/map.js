@@ -1,24 +1,28 @@
 "use strict";
-// The outcome over two sliders, found row by row in workers, which never block the page.
+// The outcome over two sliders, found in workers, which never block the page: first at the middle of
+// each cell, then at all parts of the cells beside a border, along which this goes on.
 
 const CELLS = 60;
+/** Parts of a divided cell along each axis. */
+const PARTS = 3;
+const FINE = CELLS * PARTS;
 const COMES_BACK = 0;
 const FALLS = 1;
 const ELSE = 2;
-const NOT_YET = 255;
-/** Workers, each with every second row: a page has two cores at least. */
+const NOT_YET = 3;
+/** Workers, each with every second row of parts: a page has two cores at least. */
 const WORKERS = 2;
 
-/** The kind of an outcome for the map. @param {string[]} outcomes @param {number} code */
-function kindOf(outcomes, code) {
-  if (outcomes[code] === "overturned") return FALLS;
-  return outcomes[code] === "completed" || outcomes[code] === "came to rest" ? COMES_BACK : ELSE;
+/** The kind of an outcome for the map. @param {string} word */
+function kindOf(word) {
+  if (word === "overturned") return FALLS;
+  return word === "completed" || word === "came to rest" ? COMES_BACK : ELSE;
 }
 
-/** Time after which a worker looks for a newer question [ms]. */
+/** Time after which a worker tells what it has, and looks for a newer question [ms]. */
 const TURN = 25;
 
-/** The work of a worker: rows of outcomes for each map that is asked for, until another one is. */
+/** The work of a worker: the outcomes at some parts of the map, until others are asked for. */
 function work() {
   /** @type {Runner | undefined} */
   let runner;
@@ -28,24 +32,32 @@ function work() {
       runner = new Runner(data.module, data.of);
       return;
     }
-    wanted = data.number;
-    const { values, across, up } = data;
-    let since = performance.now();
-    for (let row = data.first; values && row < CELLS && runner; row += WORKERS) {
-      const kinds = new Uint8Array(CELLS);
-      for (let column = 0; column < CELLS; column++) {
-        values[across.place] = across.low + ((column + 0.5) / CELLS) * (across.high - across.low);
-        values[up.place] = up.low + ((row + 0.5) / CELLS) * (up.high - up.low);
-        runner.sliders.set(values);
-        kinds[column] = kindOf(runner.of.outcomes, runner.fate());
-        if (performance.now() - since < TURN) continue;
-        await new Promise((go) => setTimeout(go));
-        if (wanted !== data.number) return;
-        since = performance.now();
-      }
-      self.postMessage({ number: data.number, row, kinds });
+    const { number, values, across, up, parts } = data;
+    wanted = number;
+    const codes = new Int8Array(parts.length);
+    let [since, from] = [performance.now(), 0];
+    for (let k = 0; runner && k < parts.length; k++) {
+      values[across.place] = across.low + (((parts[k] % FINE) + 0.5) / FINE) * (across.high - across.low);
+      values[up.place] = up.low + ((Math.floor(parts[k] / FINE) + 0.5) / FINE) * (up.high - up.low);
+      codes[k] = runner.follow(values);
+      if (performance.now() - since < TURN && k < parts.length - 1) continue;
+      self.postMessage({ number, parts: parts.slice(from, k + 1), codes: codes.slice(from, k + 1) });
+      await new Promise((go) => setTimeout(go));
+      if (wanted !== number) return;
+      [since, from] = [performance.now(), k + 1];
     }
   };
+}
+
+/** The parts of a cell and those around it, the middle one first. @param {number} cell @param {number} reach @returns {number[]} */
+function partsOf(cell, reach) {
+  const [row, column] = [Math.floor(cell / CELLS), cell % CELLS].map((k) => k * PARTS + 1);
+  const parts = [row * FINE + column];
+  for (let y = Math.max(row - reach, 0); y <= Math.min(row + reach, FINE - 1); y++) {
+    for (let x = Math.max(column - reach, 0); x <= Math.min(column + reach, FINE - 1); x++)
+      if (x !== column || y !== row) parts.push(y * FINE + x);
+  }
+  return parts;
 }
 
 class OutcomeMap {
@@ -53,7 +65,14 @@ class OutcomeMap {
   constructor(canvas, module, of) {
     this.canvas = canvas;
     this.of = of;
-    this.kinds = new Uint8Array(CELLS * CELLS).fill(NOT_YET);
+    /** What each part shows. */
+    this.kinds = new Uint8Array(FINE * FINE).fill(NOT_YET);
+    /** Words of outcomes that are neither. @type {Set<string>} */
+    this.others = new Set();
+    this.divided = new Uint8Array(CELLS * CELLS);
+    this.dividing = false;
+    /** Parts that were asked for. */
+    this.left = 0;
     this.number = 0;
     /** @type {number[] | undefined} the values of the page, which move */
     this.values = undefined;
@@ -63,18 +82,13 @@ class OutcomeMap {
     this.across = undefined;
     /** @type {any} */
     this.up = undefined;
-    this.stopped = false;
+    this.stopped = this.due = false;
     const code = /** @type {HTMLElement} */ (document.getElementById("code")).textContent;
     const address = URL.createObjectURL(new Blob([String(code)], { type: "text/javascript" }));
     this.workers = Array.from({ length: WORKERS }, () => {
       const worker = new Worker(address);
       worker.postMessage({ module, of });
-      worker.onmessage = ({ data }) => {
-        if (data.number !== this.number) return;
-        this.kinds.set(data.kinds, data.row * CELLS);
-        this.due = true;
-        requestAnimationFrame(() => this.due && this.draw());
-      };
+      worker.onmessage = ({ data }) => this.take(data);
       return worker;
     });
   }
@@ -84,16 +98,48 @@ class OutcomeMap {
     this.values = values;
     if (this.same() && across.place === this.across?.place && up.place === this.up?.place) return;
     [this.across, this.up, this.asked] = [across, up, [...values]];
-    this.stopped = false;
-    this.send([...values]);
+    this.stopped = this.dividing = false;
+    this.divided.fill(0);
+    this.others.clear();
+    this.send(Array.from(this.divided, (_, cell) => partsOf(cell, 0)[0]));
     this.draw();
   }
 
-  /** Ask the workers; without values they stop. @param {number[]} [values] */
-  send(values) {
+  /** Ask the workers, which leave what they were asked before. @param {number[]} parts */
+  send(parts) {
     this.number += 1;
-    const { number, across, up } = this;
-    this.workers.forEach((worker, first) => worker.postMessage({ number, values, across, up, first }));
+    this.left = parts.length;
+    const { number, across, up, asked } = this;
+    this.workers.forEach((worker, first) => {
+      const own = parts.filter((_, k) => Math.floor(k / CELLS) % WORKERS === first);
+      worker.postMessage({ number, values: [...asked], across, up, parts: own });
+    });
+  }
+
+  /** Take what a worker has found: of a cell that is not divided all parts show its middle. @param {any} data */
+  take({ number, parts, codes }) {
+    if (number !== this.number) return;
+    parts.forEach((/** @type {number} */ part, /** @type {number} */ k) => {
+      const word = this.of.outcomes[codes[k]];
+      const cell = Math.floor(part / FINE / PARTS) * CELLS + Math.floor((part % FINE) / PARTS);
+      for (const shown of this.dividing ? [part] : partsOf(cell, 1)) this.kinds[shown] = kindOf(word);
+      if (kindOf(word) === ELSE) this.others.add(outcomeWord(word));
+    });
+    this.left -= parts.length;
+    if (!this.left) this.divide();
+    this.due = true;
+    requestAnimationFrame(() => this.due && this.draw());
+  }
+
+  /** Ask for the parts of all cells beside a border that are not divided yet. */
+  divide() {
+    const beside = Array.from(this.divided.keys()).filter((cell) => {
+      const [middle, ...around] = partsOf(cell, 2).map((part) => this.kinds[part]);
+      return !this.divided[cell] && around.some((kind) => kind !== middle);
+    });
+    this.dividing = true;
+    for (const cell of beside) this.divided[cell] = 1;
+    if (beside.length) this.send(beside.flatMap((cell) => partsOf(cell, 1).slice(1)));
   }
 
   /** Whether the map is that of the present values, which may differ from its own along its axes. */
@@ -108,7 +154,7 @@ class OutcomeMap {
 
   /** The place of the map in its canvas: left, top, right, bottom. @param {number} width @param {number} height @returns {[number, number, number, number]} */
   box(width, height) {
-    return [48, 24, width - 10, height - 20];
+    return [48, 24, width - 10, height - 36];
   }
 
   /** Shares of the axes at a place of the canvas. @param {PointerEvent} event */
@@ -124,7 +170,7 @@ class OutcomeMap {
     if (!across || !values) return;
     if (!this.stopped && !this.same()) {
       this.stopped = true; // a map of other values: it fades until it is asked for anew
-      this.send();
+      this.send([]);
     }
     const paint = pen(this.canvas);
     const { to, width, height, color } = paint;
@@ -132,11 +178,11 @@ class OutcomeMap {
     axes.rows(ends(axes.up));
     axes.columns("", ends(axes.across));
     to.globalAlpha = this.stopped ? 0.35 : 1;
-    this.cells(axes);
+    this.parts(axes);
     to.globalAlpha = 1;
     to.fillStyle = color("ink");
     write(to, this.title(up.place), 6, 13);
-    write(to, this.title(across.place), width - 10, 13, "right");
+    write(to, this.title(across.place), width - 10, height - 6, "right");
     to.strokeStyle = color("ink");
     to.fillStyle = color("paper");
     to.lineWidth = 2.5;
@@ -145,29 +191,20 @@ class OutcomeMap {
     to.stroke();
   }
 
-  /** Cells that are known, and lines between those of different outcomes. @param {Axes} axes */
-  cells({ to, color, left, top, right, bottom }) {
-    const colors = [color("safe"), color("fall"), color("unknown")];
-    const x = Array.from({ length: CELLS + 1 }, (_, k) => Math.round(left + (k * (right - left)) / CELLS));
-    const y = Array.from({ length: CELLS + 1 }, (_, k) => Math.round(bottom - (k * (bottom - top)) / CELLS));
-    const between = new Path2D();
-    this.kinds.forEach((kind, i) => {
-      if (kind === NOT_YET) return;
-      const [row, column] = [Math.floor(i / CELLS), i % CELLS];
+  /** The parts that are known, and why some end otherwise. @param {Axes} axes */
+  parts({ to, color, left, top, right, bottom }) {
+    const colors = [color("safe"), color("fall"), color("unknown"), color("paper")];
+    const x = Array.from({ length: FINE + 1 }, (_, k) => Math.round(left + (k * (right - left)) / FINE));
+    const y = Array.from({ length: FINE + 1 }, (_, k) => Math.round(bottom - (k * (bottom - top)) / FINE));
+    for (let i = 0, end = 0; i < FINE * FINE; i = end) {
+      const kind = this.kinds[i];
+      for (end = i + 1; end % FINE && this.kinds[end] === kind;) end++; // a row of one kind
+      const [row, first] = [Math.floor(i / FINE), i % FINE];
       to.fillStyle = colors[kind];
-      to.fillRect(x[column], y[row + 1], x[column + 1] - x[column], y[row] - y[row + 1]);
-      if (column && differ(kind, this.kinds[i - 1])) {
-        between.moveTo(x[column], y[row]);
-        between.lineTo(x[column], y[row + 1]);
-      }
-      if (row && differ(kind, this.kinds[i - CELLS])) {
-        between.moveTo(x[column], y[row]);
-        between.lineTo(x[column + 1], y[row]);
-      }
-    });
-    to.strokeStyle = color("ink");
-    to.lineWidth = 1.5;
-    to.stroke(between);
+      to.fillRect(x[first], y[row + 1], x[first + end - i] - x[first], y[row] - y[row + 1]);
+    }
+    by("others").hidden = !this.others.size;
+    by("reasons").textContent = fill(TEXTS.other, [...this.others].join(", "));
   }
 
   /** @param {number} place */
@@ -175,11 +212,6 @@ class OutcomeMap {
     const { name, unit } = this.of.sliders[place];
     return !unit || unit === "-" ? words(name) : `${words(name)} [${unit.replaceAll("2", "²")}]`;
   }
-}
-
-/** @param {number} a @param {number} b */
-function differ(a, b) {
-  return a !== b && a !== NOT_YET && b !== NOT_YET;
 }
 
 if (typeof document === "undefined") work();

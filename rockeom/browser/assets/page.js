@@ -27,6 +27,8 @@ class Explorer {
     this.lesson = of.questions?.length ? new Lesson(this) : undefined;
     this.verdict = this.runner.lifted ? new Verdict(this) : undefined;
     this.mode = "explore";
+    /** Time until which motions go on at least [s]: of a question, until its answer is settled. */
+    this.end = 0;
     this.outcome = -1;
     this.known = false;
     this.time = 0;
@@ -60,7 +62,7 @@ class Explorer {
 
   /** The values have moved: integrate, and draw everything. */
   move() {
-    this.outcome = this.runner.run(this.values);
+    this.outcome = this.runner.run(this.values, this.end);
     this.known = this.outcome >= 0;
     by("note").textContent = this.note;
     this.note = "";
@@ -71,7 +73,7 @@ class Explorer {
     this.say();
     tell(this);
     if (!this.known) return;
-    const end = Math.max(this.runner.end, this.sizes.take(this.values, this.outcome));
+    const end = Math.max(this.runner.end, this.sizes.take(this));
     by("time").max = String(end);
     this.time = Math.min(this.time, end);
     this.sketch.measure();
@@ -105,10 +107,16 @@ class Explorer {
 
   sentence() {
     const { of, runner, charts } = this;
-    const word = of.outcomes[this.outcome];
     const most = quantity(Math.abs(peak(charts.rotation)), of.stateUnits[of.rotation]);
-    const impacts = runner.spacing[2] === 1 ? TEXTS.impact : fill(TEXTS.impacts, runner.spacing[2]);
-    return fill(TEXTS.summary, TEXTS.outcomes[word] ?? word, of.states[of.rotation], most, impacts);
+    const [, , number] = runner.readings;
+    const impacts = number === 1 ? TEXTS.impact : fill(TEXTS.impacts, number);
+    return fill(
+      TEXTS.summary,
+      outcomeWord(of.outcomes[this.outcome]),
+      words(of.states[of.rotation]),
+      most,
+      impacts,
+    );
   }
 
   /** Tell a screen reader what there is to read, once the values rest. */
@@ -137,10 +145,10 @@ class Explorer {
   enter(mode) {
     this.mode = mode;
     for (const id of ["questions", "verdict"]) by(id).hidden = id !== mode;
+    this.end = 0;
     this.lock(false);
     if (mode === "questions") this.lesson?.open();
-    if (mode === "verdict") this.verdict?.show();
-    this.say();
+    else this.move();
   }
 
   /** Hold the controls and hide the map, which tell the answer of a question. @param {boolean} locked */

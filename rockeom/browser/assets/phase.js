@@ -52,7 +52,7 @@ class Portrait {
       if (this.separated) this.separatrix(axes);
       to.strokeStyle = color("blue");
       to.lineWidth = 1.3;
-      axes.orbit(rotation, rate, rotation.length);
+      axes.curve(rotation, rate);
       to.fillStyle = color("orange");
       disc(to, axes.x(rotation[i]), axes.y(rate[i]), 5);
       to.fill();
@@ -70,12 +70,11 @@ class Portrait {
     for (const from of [0, half]) {
       const rotations = separatrix.subarray(from, from + half);
       const rates = separatrix.subarray(2 * half + from, 3 * half + from);
-      axes.orbit(rotations, rates, half);
-      axes.orbit(
-        rotations,
-        rates.map((x) => -x),
-        half,
-      );
+      for (const side of [1, -1])
+        axes.curve(
+          rotations,
+          Float64Array.from(rates, (x) => side * x),
+        );
     }
     to.setLineDash([]);
     write(to, TEXTS.separatrix, axes.right - 6, axes.top + 14, "right");

@@ -13,23 +13,9 @@ class Plane {
       );
       by(id).addEventListener("change", () => this.ask());
     }
-    by("up").value = String(Math.min(1, names.length - 1));
-    this.makeLegend();
+    [by("across").value, by("up").value] = page.of.axes.map(String);
     this.followPointer();
     this.followKeys();
-  }
-
-  makeLegend() {
-    const kinds = [
-      ["fall", TEXTS.falls],
-      ["safe", TEXTS.back],
-      ["unknown", TEXTS.other],
-    ];
-    for (const [color, text] of kinds) {
-      const key = Object.assign(document.createElement("span"), { className: "key" });
-      key.style.background = `var(--${color})`;
-      by("legend").append(key, `${text} `);
-    }
   }
 
   followPointer() {

@@ -91,8 +91,8 @@ class Runner {
     this.modes = program.wholes([SAMPLES]);
     this.ground = program.floats([2, SAMPLES]); // horizontal, then vertical
     this.impacts = program.floats([IMPACTS]);
-    this.spacing = program.floats([4]);
-    this.extremes = program.floats([2, n]);
+    this.spacing = program.floats([3]);
+    this.readings = program.floats([5]); // of questions
     this.y = program.floats([n]);
     this.places = program.floats([3 * of.positions.length]);
     this.corners = program.floats([2 * (of.corners.length + of.memberEnds.length + of.copies.length)]);
@@ -100,8 +100,9 @@ class Runner {
     this.angles = program.floats([2]);
     this.separatrix = program.floats([2, 128]);
     const { sliders, p, numbers, states, modes, ground, impacts, spacing, angles, separatrix } = this;
-    this.motion = program.bind("motion", { sliders, p, numbers, states, modes, ground, impacts, spacing });
-    this.fate = program.bind("fate", { sliders, extremes: this.extremes });
+    const given = { sliders, end: 0, readings: this.readings };
+    this.motion = program.bind("motion", { ...given, p, numbers, states, modes, ground, impacts, spacing });
+    this.fate = program.bind("fate", given);
     this.balance = program.bind("balance", { p, numbers, angles, separatrix });
     /** The static uplift acceleration, and the friction that sliding first needs; of feet alone. */
     this.statics = program.floats([2]);
@@ -113,12 +114,19 @@ class Runner {
     this.shaped = program.bind("corners", { p, out: this.corners });
   }
 
-  /** The outcome of the motion, -1 where the page does not know the case. @param {number[]} values */
-  run(values) {
+  /** The outcome of the motion, -1 where the page does not know the case. @param {number[]} values @param {number} end at least [s] */
+  run(values, end = 0) {
     this.sliders.set(values);
+    this.motion.set("end", end);
     const outcome = this.motion();
     if (outcome >= 0) this.shaped();
     return outcome;
+  }
+
+  /** The outcome alone. @param {number[]} values */
+  follow(values) {
+    this.sliders.set(values);
+    return this.fate();
   }
 
   /** How many samples the motion has. */

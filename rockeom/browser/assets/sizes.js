@@ -25,8 +25,8 @@ class Sizes {
     return by("sizes").checked;
   }
 
-  /** Run the larger ones; returns the time of the last end. @param {number[]} values @param {number} outcome of the page */
-  take(values, outcome) {
+  /** Run the larger ones; returns the time of the last end. @param {Explorer} page */
+  take({ values, outcome, end }) {
     if (!this.on) return 0;
     for (const _ of SIZES.slice(this.sketches.length))
       this.sketches.push(new Sketch(this.canvas, new Runner(this.module, this.of)));
@@ -34,7 +34,7 @@ class Sizes {
       if (k === 0) return outcome;
       const sized = [...values];
       sized[this.of.size] *= SIZES[k];
-      return runner.run(sized);
+      return runner.run(sized, end);
     });
     this.sketches.forEach((sketch, k) => this.outcomes[k] >= 0 && sketch.measure());
     return Math.max(...this.sketches.map(({ runner }, k) => (this.outcomes[k] >= 0 ? runner.end : 0)));
@@ -42,8 +42,7 @@ class Sizes {
 
   /** How one ends. @param {number} k */
   word(k) {
-    const word = this.of.outcomes[this.outcomes[k]];
-    return word ? (TEXTS.outcomes[word] ?? word) : TEXTS.outOfRange;
+    return outcomeWord(this.of.outcomes[this.outcomes[k]]);
   }
 
   sentence() {
@@ -60,12 +59,7 @@ class Sizes {
     const { runner } = this.sketches[0];
     const shift = (moved[Math.min(Math.floor(time / runner.spacing[0]), SAMPLES - 1)] * scale) % 60;
     to.strokeStyle = color("faint");
-    for (let x = -shift - 60; x < width + 60; x += 60) {
-      line(to, [
-        [x, 0],
-        [x, level],
-      ]);
-    }
+    for (let x = -shift - 60; x < width + 60; x += 60) line(to, [x, 0], [x, level]);
     this.sketches[0].ground(paint, level, 0);
     const places = [0.14, 0.38, 0.72];
     this.sketches.forEach((sketch, k) => {

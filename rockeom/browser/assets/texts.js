@@ -1,8 +1,10 @@
 "use strict";
-// All English of the page in one table, for translation; and numbers with their units.
+// All English of the page in one table, which Python reads as JSON; and numbers with their units.
 
 const TEXTS = {
   lang: "en",
+  /** @type {Record<string, string>} words of the names of sliders, menus, states and presets */
+  names: {},
   // the labels of page.html
   mode: "Mode",
   explore: "Explore",
@@ -21,6 +23,7 @@ const TEXTS = {
   impactTicks: "short ticks: impacts",
   energy: "Energy",
   energyCaption: "energy at the shown time, less that at rest",
+  energyRatio: "(divided by m g R: no mass was given)",
   sizes: "three sizes",
   phase: "Phase portrait",
   phaseCaption: "rotation and its rate",
@@ -47,7 +50,7 @@ const TEXTS = {
   seconds: "{0} s",
   falls: "overturns",
   back: "does not",
-  other: "other ends",
+  other: "other ends: {0}",
   /** @type {Record<string, string>} by the words of Python */
   outcomes: {
     completed: "Completed",
@@ -75,7 +78,7 @@ const TEXTS = {
   lost: "lost",
   energyOf: "Energy: {0} put in by the ground, {1} lost",
   size: "× {0}",
-  outOfRange: "unknown",
+  outOfRange: "not known to the page",
   // values that come from outside
   address: "The address",
   frame: "The page around this one",
@@ -106,8 +109,6 @@ const TEXTS = {
   },
   predicted: "You predicted it.",
   otherwise: "You predicted: {0}.",
-  noPeriod: "Fewer than two impacts: there is no period to compare.",
-  noDuration: "No impact: there is no time of the last one to compare.",
   score: "{0} of {1} predicted",
   // verdict
   uplift: "A foot lifts at {0} g ({1} m/s²).",
@@ -147,7 +148,12 @@ function quantity(x, unit) {
   return `${few(x)} ${unit.replaceAll("2", "²")}${besides}`;
 }
 
-/** The name of a parameter as words. @param {string} name */
+/** How a motion ends, by the word of Python; undefined where the page does not know. @param {string | undefined} word */
+function outcomeWord(word) {
+  return word ? (TEXTS.outcomes[word] ?? word) : TEXTS.outOfRange;
+}
+
+/** A name as words. @param {string} name */
 function words(name) {
-  return name.replaceAll("_", " ");
+  return TEXTS.names[name] ?? name;
 }

@@ -13,7 +13,7 @@ function makeTools(page) {
   by("csv").addEventListener("click", () =>
     save("motion.csv", URL.createObjectURL(new Blob([csv(page)], { type: "text/csv" }))),
   );
-  by("png").addEventListener("click", () => save("structure.png", by("structure").toDataURL("image/png")));
+  by("png").addEventListener("click", async () => save("page.png", (await picture()).toDataURL("image/png")));
   by("reset").addEventListener("click", () => {
     page.values = [...page.of.start];
     page.set({});
@@ -52,6 +52,34 @@ function csv({ runner, of }) {
     [i * spacing[0], ...states.subarray(i * n, (i + 1) * n), ground[i]].join(","),
   );
   return [["t [s]", ...names, "ground [m/s2]"].join(","), ...rows].join("\n");
+}
+
+/** The whole page on a canvas, as an image of its elements. */
+async function picture() {
+  const { width, height } = document.documentElement.getBoundingClientRect();
+  for (const element of document.querySelectorAll("input, option")) {
+    const { value, checked, selected } = /** @type {any} */ (element);
+    element.setAttribute("value", value); // an image has attributes alone
+    element.toggleAttribute("checked", checked === true);
+    element.toggleAttribute("selected", selected === true);
+  }
+  const copy = /** @type {HTMLElement} */ (document.body.cloneNode(true));
+  const canvases = copy.querySelectorAll("canvas");
+  document.querySelectorAll("canvas").forEach((canvas, i) => {
+    const { width, height } = canvas.getBoundingClientRect();
+    canvases[i].replaceWith(Object.assign(new Image(width, height), { src: canvas.toDataURL() }));
+  });
+  for (const script of copy.querySelectorAll("script")) script.remove();
+  const page = document.querySelector("style")?.outerHTML + new XMLSerializer().serializeToString(copy);
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}">
+    <foreignObject width="100%" height="100%">${page}</foreignObject></svg>`;
+  const image = Object.assign(new Image(), { src: `data:image/svg+xml,${encodeURIComponent(svg)}` });
+  await image.decode();
+  const scale = window.devicePixelRatio || 1;
+  const size = { width: width * scale, height: height * scale };
+  const canvas = Object.assign(document.createElement("canvas"), size);
+  canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
+  return canvas;
 }
 
 /** @param {string} name @param {string} address */

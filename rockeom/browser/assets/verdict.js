@@ -52,10 +52,9 @@ class Verdict {
     const next = () => {
       if (number !== this.number) return;
       values[this.place] = i;
-      runner.sliders.set(values);
-      const outcome = runner.fate();
+      const outcome = runner.follow(values);
       if (outcome < 0) unknown += 1;
-      else if (kindOf(of.outcomes, outcome) === FALLS) falls += 1;
+      else if (kindOf(of.outcomes[outcome]) === FALLS) falls += 1;
       i += 1;
       if (i < n) return void setTimeout(next);
       this.say([fill(unknown ? TEXTS.motionsUnknown : TEXTS.motions, falls, n, unknown)]);

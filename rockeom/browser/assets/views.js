@@ -39,10 +39,10 @@ function pen(canvas) {
   return { to, width, height, color: (name) => style.getPropertyValue(`--${name}`).trim() };
 }
 
-/** @param {CanvasRenderingContext2D} to @param {number[][]} points */
-function line(to, points) {
+/** @param {CanvasRenderingContext2D} to @param {...number[]} points */
+function line(to, ...points) {
   to.beginPath();
-  points.forEach(([x, y], k) => (k ? to.lineTo(x, y) : to.moveTo(x, y)));
+  for (const [x, y] of points) to.lineTo(x, y);
   to.stroke();
 }
 
@@ -97,10 +97,7 @@ class Axes {
     to.lineWidth = 1;
     for (const value of values) {
       const y = this.y(value);
-      line(to, [
-        [left, y],
-        [right, y],
-      ]);
+      line(to, [left, y], [right, y]);
       write(to, short(value), left - 5, Math.min(y + 4, this.bottom), "right");
     }
     to.textAlign = "left";
@@ -114,10 +111,7 @@ class Axes {
     to.lineWidth = 1;
     values.forEach((value, k) => {
       const x = this.x(value);
-      line(to, [
-        [x, top],
-        [x, bottom],
-      ]);
+      line(to, [x, top], [x, bottom]);
       if (unit === undefined) return;
       const text = `${short(value)} ${k === values.length - 1 ? unit : ""}`.trim();
       const half = to.measureText(text).width / 2;
@@ -137,33 +131,12 @@ class Axes {
     to.restore();
   }
 
-  /**
-   * A line through points of equal distance across; of those on one pixel only the extremes are drawn.
-   * @param {Float64Array} values @param {number} distance @param {(x: number) => number} of
-   */
-  course(values, distance, of = (x) => x) {
-    const { to } = this;
-    to.beginPath();
-    let [column, low, high] = [-1, 0, 0];
-    for (let i = 0; i < values.length; i++) {
-      const [x, y] = [this.x(i * distance), this.y(of(values[i]))];
-      if (Math.floor(x) !== column) {
-        [column, low, high] = [Math.floor(x), y, y];
-        to.lineTo(x, y);
-      } else if (y < low || y > high) {
-        to.lineTo(x, y);
-        [low, high] = [Math.min(low, y), Math.max(high, y)];
-      }
-    }
-    to.stroke();
-  }
-
-  /** A line through points, without those within half a pixel of the one before. @param {Float64Array} xs @param {Float64Array} ys @param {number} n */
-  orbit(xs, ys, n) {
+  /** A line through points, without those within half a pixel of the one before. @param {Float64Array} xs @param {Float64Array} ys */
+  curve(xs, ys) {
     const { to } = this;
     let [lastX, lastY] = [NaN, NaN];
     to.beginPath();
-    for (let i = 0; i < n; i++) {
+    for (let i = 0; i < ys.length; i++) {
       const [x, y] = [this.x(xs[i]), this.y(ys[i])];
       if (Math.abs(x - lastX) < 0.5 && Math.abs(y - lastY) < 0.5) continue;
       to.lineTo(x, y);

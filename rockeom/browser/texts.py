@@ -1,0 +1,46 @@
+"""The words of a page: the table of `texts.js`, in which a user may give others."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from rockeom.browser.controls import check_mapping
+from rockeom.numbers.checks import near
+
+_TABLE = re.compile(r"(?<=^const TEXTS = )\{.*?^\}(?=;)", re.DOTALL | re.MULTILINE)
+
+
+def with_texts(script: str, given: Mapping[str, Any], names: Mapping[str, str]) -> str:
+    """The script of the texts without comments and indents, with others in its table.
+
+    names : words of the names of sliders, menus, states and presets. Raises ValueError for a text
+    that the table does not have, and for one that leaves out a place such as {0}.
+    """
+    source = _TABLE.findall(script)[0]
+    table = re.sub(r"(^|[{,] )(\w+):", r'\1"\2":', source, flags=re.MULTILINE)
+    own = {**json.loads(re.sub(r",(?=\n\})", "", table)), "names": dict(names)}
+    text = json.dumps(_changed("texts", own, given)).replace("<", "\\u003c")
+    return script.replace(source, text)
+
+
+def _changed(where: str, own: Mapping[str, Any], given: Any) -> dict[str, Any]:
+    """A table with other texts in their places."""
+    check_mapping(where, given)
+    table = dict(own)
+    for name, text in given.items():
+        if name not in own:
+            raise ValueError(f"{where}: a page has no {name!r}{near(name, own)}")
+        if isinstance(own[name], dict):
+            table[name] = _changed(f"{where}[{name!r}]", own[name], text)
+        elif isinstance(text, str) and _places(text) == _places(own[name]):
+            table[name] = text
+        else:
+            raise ValueError(f"{where}: {name!r} is {text!r}: give a text like {own[name]!r}")
+    return table
+
+
+def _places(text: str) -> set[str]:
+    return set(re.findall(r"\{\d\}", text))
