@@ -12,32 +12,29 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Sequence
+from itertools import chain
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from rockeom.analysis.sweeps import FALLS
 from rockeom.assessment.remedies import remedies
 from rockeom.assessment.result import Assessment
-from rockeom.assessment.statics import statics_of
+from rockeom.assessment.statics import is_symmetric, statics_of
 from rockeom.assessment.trials import (
     Conditions,
-    UnderRecord,
     as_recorded,
-    can_slide,
-    case_of,
     scaled,
 )
 from rockeom.motion import GroundMotion, MotionError
+from rockeom.motion.components import split
 from rockeom.motion.motion_set import MotionSet
 from rockeom.motion.recording import Recording
+from rockeom.motion.recordings import recordings
 from rockeom.motion.units import acceleration
 from rockeom.numbers import explained
 from rockeom.numbers.arguments import not_negative, positive, require
 from rockeom.numbers.checks import described
-from rockeom.simulation.response import Response
-from rockeom.simulation.simulate import simulate
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 
@@ -56,6 +53,7 @@ def assess(
     friction: float | None = None,
     impact: ImpactLaw | None = None,
     level: float = 0.95,
+    units_checked: bool = False,
 ) -> Assessment:
     """Will it overturn? A verdict in words, with the numbers behind it and a page.
 
@@ -65,11 +63,13 @@ def assess(
         answer.save("rack.html")
         answer.pga_at(0.05)  # m/s2, with its interval
 
-    structure : rigid or elastic, on rigid ground that its feet may leave.
+    structure : rigid or elastic, on rigid ground that its feet may leave, or `StackedBlocks`, of
+        which the fall of either block counts.
     records : a MotionSet, a list of motions or recordings, one of them, a file, or a folder of .AT2
-        files. Each horizontal component is a record by itself; those of `Recording`, such as of
-        `motions.recordings()`, shake vertically, too. Vertical components that are no part of a
-        recording are left out, and named.
+        files. Each horizontal component is a record by itself; those whose names are of one
+        recording, as "ELC-180" and "ELC-270", count as one in the intervals. Those of `Recording`,
+        such as of `motions.recordings()`, shake vertically, too. Vertical components that are no
+        part of a recording are left out, and named.
     pga : peak ground accelerations that each record is scaled to, numbers [m/s2] or texts such as
         "0.4 g"; eight from 1.25 to 6 times the one that lifts a foot, if not given.
     friction : coefficient of friction below the feet. With it a rigid block with the default law of
@@ -77,16 +77,20 @@ def assess(
         sliding needs. Without it sliding is not judged.
     impact : as in `simulate`.
     level : of the intervals of confidence, between 0 and 1.
+    units_checked : whether there is a verdict though lengths, gravity or intensities look as if in
+        another unit; the `questions` of the result say which.
 
-    Each record is simulated as it was recorded and scaled to each PGA, and ten seconds longer. The
-    result has the acceleration that lifts a foot, whether it slides before, the fraction of records
-    that overturn it at each PGA with the interval of Clopper and Pearson (1934), a lognormal
-    fragility curve of maximum likelihood (Baker 2015) with a covariance by record (Liang and Zeger
-    1986), the PGA at 5 % and 50 % by the delta method, changes that help with their figures, and
+    Each record is simulated as it was recorded and scaled to each PGA, and ten seconds longer; of a
+    structure without symmetry, such as `OffsetBlock`, in both directions. The result has the
+    acceleration that lifts a foot, whether it slides before, and the fraction that overturns at
+    each PGA with the interval of Clopper and Pearson (1934) by recording. From six recordings on it
+    has a lognormal fragility curve of maximum likelihood (Baker 2015) with its PGA at 50 %, from
+    eight on that at 5 %, as `fit_fragility` says; changes that help with their figures; and
     assumptions. No record, or each, that overturns it is an answer, too.
 
     Raises ValueError for a structure whose feet do not lift from rigid ground and for values that
-    cannot be; TypeError and MotionError for what is no structure or no records.
+    cannot be; TypeError and MotionError for what is no structure or no records, and for a motion
+    that is there twice. A keyboard interrupt gives no answer.
     """
     if not isinstance(structure, Structure):
         raise TypeError(
@@ -97,27 +101,22 @@ def assess(
     if friction is not None:
         not_negative("assess", friction=friction)
     statics = statics_of(structure)
-    given = _given(records)
-    alone = [one.name for one in given if isinstance(one, GroundMotion) and one.is_vertical]
-    pairs = [(i, pair) for i, one in enumerate(given) for pair in _in_plane(one)]
+    given = by_recording(_given(records))
+    both_ways = not is_symmetric(structure)
     conditions = Conditions(
-        tuple(pair for _, pair in pairs),
-        tuple(i for i, _ in pairs),
+        *_in_plane(given, both_ways),
         _levels(pga, statics.uplift_acceleration),
         friction,
         impact,
+        both_ways,
+        tuple(one.name for one in given if isinstance(one, GroundMotion)),
+        pga,
     )
-    found = as_recorded(structure, conditions)
+    recorded = as_recorded(structure, conditions)
+    trials = scaled(structure, conditions, level)
+    changed = remedies(structure, conditions, trials, level)
     return Assessment(
-        structure,
-        conditions,
-        level,
-        statics,
-        found,
-        scaled(structure, conditions, level),
-        remedies(structure, conditions, level),
-        _furthest(structure, conditions, found),
-        tuple(alone),
+        structure, conditions, level, statics, recorded, trials, changed, units_checked
     )
 
 
@@ -144,11 +143,61 @@ def _given(records: Any) -> tuple[GroundMotion | Recording, ...]:
     return given
 
 
-def _in_plane(one: GroundMotion | Recording) -> tuple[Recording, ...]:
-    """A recording of one horizontal component for each; none for a vertical motion."""
-    if isinstance(one, Recording):
-        return one.in_plane()
-    return () if one.is_vertical else (Recording(one.name, (one,)),)
+def by_recording(
+    given: Iterable[GroundMotion | Recording],
+) -> tuple[GroundMotion | Recording, ...]:
+    """Recordings, of horizontal motions also those whose names are those of one recording.
+
+    Vertical motions stay as they are.
+    """
+    members: dict[str | int, list[GroundMotion]] = {}
+    whole: list[GroundMotion | Recording] = []
+    for i, one in enumerate(given):
+        if isinstance(one, Recording) or one.is_vertical:
+            whole.append(one)
+            continue
+        name, component = split(one.name)
+        members.setdefault(name if component else i, []).append(one)
+    for alike in members.values():
+        whole += _whole(alike) or [Recording(one.name, (one,)) for one in alike]
+    return tuple(whole)
+
+
+def _whole(alike: list[GroundMotion]) -> tuple[Recording, ...]:
+    """The recording of two components; none for names that tell of more, as "seed 100" to 130."""
+    try:
+        return recordings(alike, "") if len(alike) == 2 else ()
+    except MotionError:
+        return ()
+
+
+def _in_plane(
+    given: Sequence[GroundMotion | Recording], both_ways: bool
+) -> tuple[tuple[Recording, ...], np.ndarray]:
+    """Recordings of one horizontal component, and the number of the recording of each (n,).
+
+    both_ways : whether each is there reversed, too, with the same vertical component. Raises
+    MotionError for a motion that is given twice: it would count as two.
+    """
+    motions: dict[bytes, Recording] = {}
+    numbers = []
+    for number, one in enumerate(given):
+        for pair in one.in_plane() if isinstance(one, Recording) else ():
+            table = pair.horizontal[0].segments.tobytes()
+            if table in motions:
+                raise MotionError(
+                    f"assess: records has one motion twice, as {motions[table].name!r} and as "
+                    f"{pair.name!r}: give each once"
+                )
+            motions[table] = pair
+            numbers += [number] * (1 + both_ways)
+    ways = [(one, _reversed(one)) if both_ways else (one,) for one in motions.values()]
+    return tuple(chain.from_iterable(ways)), np.array(numbers, dtype=int)
+
+
+def _reversed(one: Recording) -> Recording:
+    """The recording with its horizontal component in the other direction."""
+    return Recording(f"{one.name}, reversed", (-one.horizontal[0],), one.vertical)
 
 
 def _levels(pga: Any, threshold: float) -> np.ndarray:
@@ -160,17 +209,3 @@ def _levels(pga: Any, threshold: float) -> np.ndarray:
     (levels,) = positive("assess", pga=given)
     require(levels.size, "assess", "pga", levels.size, "give one intensity or more")
     return np.unique(levels)
-
-
-def _furthest(
-    structure: Structure, conditions: Conditions, found: tuple[UnderRecord, ...]
-) -> Response | None:
-    """Response to the record that turned it furthest and did not overturn it."""
-    standing = [i for i, one in enumerate(found) if one.outcome != FALLS]
-    if not standing or can_slide(structure, conditions):
-        return None
-    motion = conditions.motions[max(standing, key=lambda i: found[i].rotation)]
-    case = case_of(structure, motion, conditions.impact)
-    return simulate(
-        structure, case.motion, impact=case.impact, duration=case.duration, vertical=case.vertical
-    )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from html import escape
@@ -13,37 +14,42 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from rockeom.analysis.risk.fragility import Estimate
-from rockeom.analysis.sweeps import FALLS
 from rockeom.assessment.figure import draw
 from rockeom.assessment.remedies import Remedy
-from rockeom.assessment.statics import Statics
+from rockeom.assessment.statics import Load, Statics
 from rockeom.assessment.trials import (
+    OF_TAILS,
     QUIET,
     AtIntensity,
     Conditions,
     Trials,
     UnderRecord,
     can_slide,
+    case_of,
+    fitted,
+    pga_of,
     simulated,
 )
+from rockeom.assessment.words import count, in_g, in_mm, newton, percent, plural
 from rockeom.drawing import page
 from rockeom.files import check_target, write
-from rockeom.motion import STANDARD_GRAVITY
 from rockeom.numbers import explained
 from rockeom.numbers.arguments import require
 from rockeom.plots.design_report import facts_of
-from rockeom.simulation.plausible import LIKE_G, default_masses
+from rockeom.simulation.plausible import LIKE_G, default_masses, forces, shaking
 from rockeom.simulation.response import Response
+from rockeom.simulation.simulate import simulate
+from rockeom.structures import plausible
 from rockeom.structures.base import Structure
 
-FEW = 20
-"""Number of stations below which intervals of the curve are too short."""
 _UNIT = re.compile(r"(?<=\d) (?=(?:g|m|mm|k?N|%)(?![a-z]))")
 """The blank between a number and its unit."""
 _WIDTH = 78
 """Letters in a line of the summary."""
 _SHOWN = 60
 """Records that the page lists."""
+_STILL = 5e-4
+"""Distance below which a structure stays in its place [m]."""
 
 
 @explained.attributes(fragility="trials.fragility", pga="pga_at(probability)")
@@ -57,9 +63,7 @@ class Assessment:
     records : each record as it was recorded, and its effect.
     trials : outcomes at each intensity, with `trials.fragility`, the curve, if there is one.
     remedies : changed structures, with their statics and trials.
-    furthest : response to the record that turned it furthest without overturning it, for the
-        assumptions; None without records or where all overturn.
-    left_out : names of vertical components, which were not used.
+    units_checked : whether there is a verdict though a unit is in doubt.
     """
 
     structure: Structure
@@ -69,175 +73,296 @@ class Assessment:
     records: tuple[UnderRecord, ...]
     trials: Trials
     remedies: tuple[Remedy, ...]
-    furthest: Response | None
-    left_out: tuple[str, ...]
+    units_checked: bool = False
 
     # -- numbers
 
     def pga_at(self, probability: float) -> Estimate | None:
-        """PGA that overturns with a probability [m/s2], and its interval; None without a curve.
+        """PGA that overturns with a probability [m/s2], and its interval.
 
-        Raises ValueError for a probability outside 0 to 1.
+        None without a curve, with less than eight recordings (six for a probability of 0.5), and
+        where the interval is wider than a factor of ten. Raises ValueError for a probability
+        outside 0 to 1.
         """
         require(0.0 < probability < 1.0, "pga_at", "probability", probability, "as 0.05 for 5 %")
-        return _pga(self.trials, probability, self.level)
+        return pga_of(self.trials.fragility, probability, self.level)
 
     @property
     def slides_first(self) -> bool | None:
-        """Whether it slides before it rocks; None without a coefficient of friction."""
+        """Whether it slides before it rocks, to both sides; None without a friction."""
         friction = self.conditions.friction
-        return None if friction is None else friction < self.statics.friction_to_rock
+        return None if friction is None else all(self.statics.slides_first(friction))
+
+    @cached_property
+    def furthest(self) -> Response | None:
+        """Response to the record that turned it furthest without overturning it.
+
+        None where none stands, and where sliding is simulated.
+        """
+        standing = [i for i, one in enumerate(self.records) if one.answered and not one.fell]
+        if not standing or self._slides:
+            return None
+        furthest = max(standing, key=lambda i: self.records[i].rotation)
+        motion, impact = self.conditions.motions[furthest], self.conditions.impact
+        duration = case_of(self.structure, motion, impact).duration
+        return simulate(self.structure, motion, impact=impact, duration=duration)
+
+    # -- questions
+
+    @cached_property
+    def units_in_doubt(self) -> tuple[str, ...]:
+        """Questions about lengths, gravity, and intensities that were given without a unit."""
+        m, p = self.structure.module, self.structure.vector
+        top, pga = float(self.conditions.levels[-1]), self.conditions.pga_given
+        like_g = LIKE_G[0] <= top <= min(LIKE_G[1], self._threshold)
+        said = (f'The highest PGA is {top:.3g} m/s2: was it meant in g? Then write "{top:.3g} g".',)
+        without_unit = pga is not None and np.asarray(pga).dtype.kind != "U"
+        return (*plausible.size(m, p), *plausible.gravity(m, p), *said * (like_g and without_unit))
+
+    @cached_property
+    def records_in_doubt(self) -> tuple[str, ...]:
+        """Questions about the accelerations of the records."""
+        horizontal = [one.horizontal[0] for one in self.conditions.motions]
+        strongest = max(horizontal, key=lambda one: one.peak, default=None)
+        stood = not any(one.lifts for one in self.records)
+        return () if strongest is None else shaking(self.structure, strongest, stood)
+
+    @property
+    def questions(self) -> tuple[str, ...]:
+        """Sentences on values to check before the answer is believed."""
+        friction, vertical = self.conditions.friction, self.conditions.left_out
+        left_out = (
+            f"Vertical components are left out: {'; '.join(vertical)}. Those of recordings shake "
+            "along, see MotionSet.recordings().",
+        )
+        both = (*self.units_in_doubt, *self.records_in_doubt, *self.structure.hints())
+        rough = plausible.friction(0.0 if friction is None else friction)
+        return (*dict.fromkeys(both), *rough, *left_out[: len(vertical)], *forces(self.structure))
 
     # -- words
 
     @property
     def title(self) -> str:
-        return f"Will it overturn? {type(self.structure).__name__} under {_records(self._n)}"
+        n = self._n // 2 if self.conditions.both_ways else self._n
+        return f"Will it overturn? {type(self.structure).__name__} under {plural(n, 'record')}"
 
     @cached_property
     def verdict(self) -> str:
-        """The answer in a sentence or two."""
-        slides = "It slides before it rocks. " if self.slides_first else ""
-        rows = self.trials.intensities
+        """The answer in a few sentences, those on the records as they are first."""
+        if self.units_in_doubt and not self.units_checked:
+            return (
+                "No verdict: a unit is in doubt, as the questions say. Mend it, or give "
+                "units_checked=True."
+            )
+        return " ".join(filter(None, (
+            self._as_recorded(),
+            "It slides before it rocks." if self.slides_first else "",
+            self._scaled(),
+            self._of_bodies(),
+            "Each record shakes it in both directions." * self.conditions.both_ways,
+        )))  # fmt: skip
+
+    def _as_recorded(self) -> str:
+        answered = [one for one in self.records if one.answered]
+        if not answered or self.records_in_doubt:
+            return ""
+        lift = sum(one.lifts for one in answered)
+        said = f"As recorded, {count(lift)} of {self._motions(len(answered))} lift{_s(lift)} a foot"
+        if not lift:
+            return f"{said}."
+        standing = [one.part for one in answered if not one.fell]
+        fell = len(answered) - len(standing)
+        said += f", {count(fell)} overturn{_s(fell)} it"
+        if standing and np.isfinite(standing).all():
+            said += f"; the largest theta/alpha {'of the others ' * (fell > 0)}is "
+            said += f"{max(standing):.2g}"
+        return f"{said}."
+
+    def _scaled(self) -> str:
+        """The answer on the records as scaled; it counts motions with an answer."""
+        if not self._n:
+            return "Not judged under records: there is no horizontal one."
+        rows = [row for row in self.trials.intensities if row.number]
         if not rows:
-            return f"{slides}Not judged under records: there is no horizontal one."
-        top = rows[-1]
-        fallen = [row for row in rows if row.overturned]
-        if not fallen:
-            return slides + self._none_overturns(top)
-        first = fallen[0]
+            return f"Not judged when scaled: none of {self.trials.fell.size} motions has an answer."
+        top, fallen = rows[-1], [row for row in rows if row.overturned]
         if all(row.overturned == row.number for row in rows):
-            return f"{slides}Yes: at each intensity, from {_g(first.pga)} on, every record does it."
+            every = "every record" + " with an answer" * bool(self.trials.without_answer)
+            return f"Yes: scaled to each PGA, from {in_g(rows[0].pga)} on, {every} does it."
+        if fallen:
+            first = fallen[0]
+            of_top = f", {top.overturned} of {top.number} at {in_g(top.pga)}" * (top != first)
+            return (
+                f"Scaled it may: {first.overturned} of {self._motions(first.number)} "
+                f"overturn{_s(first.overturned)} it at a PGA of {in_g(first.pga)}{of_top}."
+                f"{self._of_curve()}"
+            )
+        most = f"up to a PGA of {in_g(top.pga)}"
+        if not any(row.lifted for row in rows):
+            return f"No: {most} none of {self._motions(top.number)} even lifts a foot."
         return (
-            f"{slides}It may: {first.overturned} of {_records(first.number)} overturn"
-            f"{'s' * (first.overturned == 1)} it at a PGA of {_g(first.pga)}"
-            + (f", {top.overturned} of {top.number} at {_g(top.pga)}." if top != first else ".")
-            + self._of_curve()
+            f"Not under these records: none of {top.number} overturns it {most}, where the "
+            f"{percent(self.level)} interval of the probability is {_interval(top)}."
         )
 
     def _of_curve(self) -> str:
-        found = [(p, self.pga_at(p)) for p in (0.05, 0.5)]
-        said = [f"{_percent(p)} at {_g(one.value, 2)}" for p, one in found if one is not None]
+        estimates = [(p, self.pga_at(p)) for p in (0.05, 0.5)]
+        said = [f"{percent(p)} at {in_g(one.value, 2)}" for p, one in estimates if one is not None]
         return f" The probability reaches {' and '.join(said)}." if said else ""
 
-    def _none_overturns(self, top: AtIntensity) -> str:
-        if not any(row.lifted for row in self.trials.intensities):
-            said = (
-                f"No: up to a PGA of {_g(top.pga)} none of {_records(self._n)} even lifts a foot."
-            )
-            if LIKE_G[0] <= top.pga <= min(LIKE_G[1], self._threshold):
-                said += f' If {top.pga:.3g} was meant in g, write "{top.pga:.3g} g".'
-            return said
-        return (
-            f"Not under these records: none of {self._n} overturns it up to a PGA of "
-            f"{_g(top.pga)}, where the probability is below {_percent(top.upper)}."
-        )
+    def _of_bodies(self) -> str:
+        """Which body fell, where there are several."""
+        if not any(self.trials.bodies):
+            return ""
+        which = ", ".join(f"{n} of the {body} one" for body, n in self.trials.bodies.items())
+        return f"A fall of any block counts, of the scaled motions {which}."
 
     @cached_property
     def findings(self) -> tuple[str, ...]:
         """The results in sentences."""
-        threshold = self.statics.uplift_acceleration
-        said = [
-            f"Uplift: a foot lifts from {_g(threshold)} ({threshold:.3g} m/s2) on, the static "
-            "threshold.",
+        accelerations = [f"{in_g(a)} ({a:.3g} m/s2)" for a in self.statics.uplift_accelerations]
+        uplift = _by_side(f"from {a} on" for a in accelerations)
+        curve = f"Probability against intensity: no curve, {self.trials.no_curve}."
+        of_curve = [curve] if self.trials.no_curve else map(self._of_probability, (0.05, 0.5))
+        return (
+            f"Uplift: {self.statics.lifts} lifts {uplift}, the static threshold.",
             self._of_sliding(),
-        ]
-        if self.records:
-            lift = sum(one.lifts for one in self.records)
-            fall = sum(one.outcome == FALLS for one in self.records)
-            lifts = f"{_count(lift)} of {_records(self._n)} lift{'s' * (lift <= 1)} a foot"
-            falls = f", {_count(fall)} overturn{'s' * (fall <= 1)} it" if lift else ""
-            said.append(f"As recorded: {lifts}{falls}.")
-        said += [self._of_probability(p) for p in (0.05, 0.5)] if self.trials.fragility else []
-        if self.trials.no_curve:
-            said.append(f"Probability against intensity: no curve, {self.trials.no_curve}.")
-        return tuple(said)
+            *of_curve,
+            *([self._of_unanswered()] if self.trials.without_answer else []),
+        )
 
     def _of_sliding(self) -> str:
-        needed, friction = self.statics.friction_to_rock, self.conditions.friction
+        needed, friction = self.statics.frictions_to_rock, self.conditions.friction
         if friction is None:
             return (
                 "Sliding: not judged, since no coefficient of friction was given; below "
-                f"{needed:.3g} it slides before it rocks."
+                f"{_by_side(f'{one:.3g}' for one in needed)} it slides before it rocks."
             )
-        if self.slides_first:
-            slides = _g(self.statics.sliding_acceleration(friction))
-            said = (
-                f"Sliding: it slides first, from {slides} on, since its friction, {friction:g}, is "
-                f"below {needed:.3g}."
-            )
-        else:
-            said = (
-                f"Sliding: it rocks first, since its friction, {friction:g}, is not below "
-                f"{needed:.3g}."
-            )
-        slips = [one.slip for one in self.records if np.isfinite(one.slip)]
-        if slips:
-            moved = f"ends up to {_mm(max(slips))} from its place"
-            said += f" As recorded it {moved if max(slips) > 5e-4 else 'stays in its place'}."
-        return said
+        slides = in_g(friction * self.statics.weight / self.statics.mass)
+        phrases = {
+            True: f"slides first, from {slides} on, since its friction, {friction:g}, is below ",
+            False: f"rocks first, since its friction, {friction:g}, is above ",
+            None: "is at the limit between sliding first and rocking first, a friction of ",
+        }
+        first = self.statics.slides_first(friction)
+        said = _by_side(f"{phrases[a]}{b:.3g}" for a, b in zip(first, needed, strict=True))
+        return f"Sliding: it {said}.{self._of_slips()}"
+
+    def _of_slips(self) -> str:
+        slips = [(one.slip, one.final_slip) for one in self.records if np.isfinite(one.slip)]
+        if not slips or self.records_in_doubt:
+            return ""
+        largest, final = (max(column) for column in zip(*slips, strict=True))
+        if largest < _STILL:
+            return " As recorded it stays in its place."
+        return (
+            f" As recorded it needs {in_mm(largest)} of room on either side, and ends up to "
+            f"{in_mm(final)} from its place."
+        )
 
     def _of_probability(self, probability: float) -> str:
-        found = self.pga_at(probability)
-        assert found is not None
+        estimate, said = self.pga_at(probability), f"PGA at {percent(probability)}"
+        said += " of overturning"
+        if estimate is None:
+            few = self._recordings < OF_TAILS
+            why = f"that takes {OF_TAILS} recordings" if few else "its interval would be too wide"
+            return f"{said}: not given, since {why}."
         first, last = self.conditions.levels[[0, -1]]
-        beyond = ", below those tried" if found.value < first else ""
-        beyond += ", above those tried" if found.value > last else ""
-        interval = f"{_g(found.lower, 2)} to {_g(found.upper, 2)}"
+        inside = first <= estimate.value <= last
         return (
-            f"Probability of overturning {_percent(probability)}: at a PGA of {_g(found.value, 2)}"
-            f"{beyond} ({_percent(self.level)} interval {interval})."
+            f"{said}: {in_g(estimate.value, 2)}{'' if inside else ', beyond those tried'} "
+            f"({percent(self.level)} interval {in_g(estimate.lower, 2)} to "
+            f"{in_g(estimate.upper, 2)})."
+        )
+
+    def _of_unanswered(self) -> str:
+        """Motions that are left out, and the figures with all of them standing and fallen."""
+        kinds = ", ".join(f"{n} {outcome!r}" for outcome, n in self.trials.without_answer.items())
+        fell, answered, rows, *_ = self.trials
+        low, high = (
+            pga_of(fitted(self.conditions, counted, np.ones_like(fell))[0], 0.5, self.level)
+            for counted in (fell | ~answered, fell)
+        )
+        between = f"{fell[:, -1].sum()} to {(fell | ~answered)[:, -1].sum()} of {len(fell)}"
+        between = f"{between} overturn it at {in_g(rows[-1].pga)}"
+        if low is not None and high is not None:
+            between = f"the PGA at 50 % is {in_g(low.value, 2)} to {in_g(high.value, 2)}"
+        return (
+            f"Without an answer, and left out: {kinds} of {fell.size} scaled motions. With all of "
+            f"them standing, or all of them fallen, {between}."
         )
 
     @cached_property
     def helps(self) -> tuple[str, ...]:
         """Changes that help, each with its figure."""
-        said = []
-        for one in self.remedies:
-            lifts = f"{_g(one.statics.uplift_acceleration)} instead of {_g(self._threshold)}"
-            said.append(
-                f"{one.change[0].upper()}{one.change[1:]}: a foot lifts from {lifts} on"
-                f"{self._gain(one.trials)}."
-            )
-        if restraint := self._of_restraint():
-            said.append(restraint)
-        return tuple(said)
-
-    def _gain(self, changed: Trials) -> str:
-        """The effect of a change on overturning."""
-        mine, other = self.pga_at(0.05), _pga(changed, 0.05, self.level)
-        if mine is not None and other is not None:
-            gained = other.value > mine.value
-            effect = f"5 % overturn at {_g(other.value, 2)} instead of {_g(mine.value, 2)}"
-        elif self.trials.intensities and self.trials.intensities[-1].overturned:
-            before, after = self.trials.intensities[-1], changed.intensities[-1]
-            gained = after.overturned < before.overturned
-            effect = (
-                f"{_count(after.overturned)} of {_records(after.number)} overturn"
-                f"{'s' * (after.overturned <= 1)} it at {_g(after.pga)} instead of "
-                f"{before.overturned}"
-            )
-        else:
-            return ""
-        return f"; {effect}" + ("" if gained else ", no gain under these records")
-
-    def _of_restraint(self) -> str:
-        most = self.conditions.levels[-1]
-        held = self.statics.hold_down(most)
-        if not held:
-            return ""
-        height = 2 * self.statics.centroid_height
-        pushed = self.statics.restraint(most, height)
-        return (
-            f"A strap or an anchor: a horizontal force of {self._force(pushed)} "
-            f"{height:.3g} m above the ground, or {self._force(held)} of hold-down at each edge, "
-            f"keeps both feet down up to {_g(most)}, statically. The height is twice that of the "
-            "centroid; further down the force is larger in proportion."
+        lifts = f"instead of {in_g(self._threshold)} on"
+        said = (
+            f"{one.change}: a foot lifts from {in_g(one.statics.uplift_acceleration)} {lifts}"
+            f"{self._gain(one)}."
+            for one in self.remedies
         )
+        return (*said, *self._of_restraint())
+
+    def _gain(self, remedy: Remedy) -> str:
+        """The effect of a change on overturning, averaged over all intensities."""
+        if remedy.gain is None or not (self.trials.fell.any() or remedy.trials.fell.any()):
+            return ""
+        mean, low, high = (f"{percent(abs(x))} {_fewer(x)}" for x in remedy.gain)
+        said = f"of all scaled motions {mean} overturn"
+        if remedy.gain.lower <= 0.0 <= remedy.gain.upper:
+            said = "no measurable difference in how many overturn"
+        said = f"; {said} ({percent(self.level)} interval {low} to {high})"
+        for part in (0.05, 0.5):
+            before, after = self.pga_at(part), pga_of(remedy.trials.fragility, part, self.level)
+            if before is not None and after is not None:
+                values = f"{in_g(after.value, 2)} instead of {in_g(before.value, 2)}"
+                said += f", {percent(part)} at {values}"
+        return said
+
+    def _of_restraint(self) -> Iterator[str]:
+        """A strap and a hold-down against the highest PGA."""
+        top, friction = float(self.conditions.levels[-1]), self.conditions.friction
+        load = Load(top, self.conditions.vertical_peak, friction)
+        (full, which), highest = self._strap_place, self.statics.highest_strap(load)
+        height = full
+        if highest < full:  # rounded down: from there on upwards none holds
+            step = 10.0 ** (np.floor(np.log10(highest)) - 2.0)
+            height = step * np.floor(highest / step)
+            which = "the highest place where it does not push the base out"
+        force, held = self.statics.strap(load, height), self.statics.hold_down(load)
+        pushed = self.statics.mass * top
+        if force == 0.0 or not self.statics.one_body:
+            return
+        if np.isnan(force):
+            yield "No strap or anchor is judged: the vertical shaking lifts it."
+            return
+        yield (
+            f"A strap {height:.4g} m above the ground, {which}, keeps it from lifting"
+            f"{' and sliding' * (friction is not None)} up to {in_g(top)}, "
+            f"statically, with a strength of {self._force(force)}; the base then carries "
+            f"{self._force(pushed - force)} across."
+        )
+        yield (
+            f"So does a hold-down of {self._force(held)} at each edge; the base then carries "
+            f"{self._force(pushed)} across."
+            if np.isfinite(held)
+            else f"No hold-down does without friction: stop the base with {self._force(pushed)}."
+        )
+        if friction is None:
+            yield "Neither is judged against sliding, since no coefficient of friction was given."
+
+    @property
+    def _strap_place(self) -> tuple[float, str]:
+        """Height of a strap above the ground [m], and in words."""
+        if full := getattr(self.structure, "full_height", None):
+            return full, "its full height"
+        if half := getattr(self.structure, "half_height", None):
+            return 2 * half, "twice the height of the centroid"
+        return self.statics.centroid_height, "the height of the centroid"
 
     def _force(self, force: float) -> str:
-        part = f"{_percent(force / self.statics.weight)} of the weight"
-        return part if default_masses(self.structure) else f"{_newton(force)} ({part})"
+        part = f"{percent(force / self.statics.weight)} of the weight"
+        return part if default_masses(self.structure) else f"{newton(force)} ({part})"
 
     @cached_property
     def assumptions(self) -> tuple[str, ...]:
@@ -256,24 +381,16 @@ class Assessment:
                 f"Records: scaled to each PGA, by {min(factors):.2g} to {max(factors):.2g}, which "
                 f"keeps their frequencies. {QUIET:g} s of quiet follow each."
             )
-        if self.left_out:
-            said.append(
-                f"Vertical components were left out: {'; '.join(self.left_out)}. Those of "
-                "recordings count, see MotionSet.recordings()."
-            )
-        if self.trials.unanswered:
-            said.append(
-                f"{self.trials.unanswered} motions had no end that is an answer, and do not count."
-            )
         shaken = sum(motion.vertical is not None for motion in self.conditions.motions)
         if shaken:
-            said.append(f"Vertical shaking: that of {shaken} of {_records(self._n)}, scaled along.")
+            said.append(
+                f"Vertical shaking: that of {shaken} of {self._motions(self._n)}, scaled along."
+            )
         still = "" if shaken else "no vertical shaking, "
         said.append(
             f"Not checked: rigid ground, motion in one plane, {still}feet that keep their edges."
         )
-        said += self._of_intervals()
-        return tuple(said)
+        return (*said, *self._of_intervals())
 
     def _of_feet(self) -> tuple[str, ...]:
         if self._slides:
@@ -295,17 +412,17 @@ class Assessment:
         )
 
     def _of_intervals(self) -> tuple[str, ...]:
-        level, n = _percent(self.level), len(set(self.conditions.stations))
-        said = [f"Intervals of fractions: {level}, Clopper and Pearson."]
-        if self.trials.fragility is not None:
-            said.append(
-                "Curve: lognormal, maximum likelihood. Its intervals: "
-                f"{level}, delta method, with a covariance by record (Liang and Zeger), since the "
-                "same records are scaled to each PGA"
-                + (f"; those of {n} stations are few, and the intervals too short." if n < FEW
-                   else ".")
-            )  # fmt: skip
-        return tuple(said)
+        n = self._recordings
+        said = (
+            f"Intervals: {percent(self.level)}. Their unit is a recording, one event at one "
+            f"station: {plural(n, 'recording')} of {self._motions(self._n)}. Several events of a "
+            "station, and stations of one event, are not grouped.",
+            "Fractions: Clopper and Pearson, from below of the recordings all of whose motions "
+            "overturn it, from above of those of which any does.",
+            "Curve: lognormal, maximum likelihood. Its intervals: Fieller and Student; motions of "
+            "a recording may depend on one another fully.",
+        )
+        return said[: 2 + (self.trials.fragility is not None)] if self._n else ()
 
     @property
     def _slides(self) -> bool:
@@ -313,25 +430,31 @@ class Assessment:
 
     @property
     def _moves(self) -> bool:
-        """Whether it ends anywhere else than it began, by a millimetre."""
+        """Whether it slides anywhere."""
         slips = [row.slip for row in self.trials.intensities]
-        return any(slip > 5e-4 for slip in [*slips, *(one.slip for one in self.records)])
+        return any(slip > _STILL for slip in [*slips, *(one.slip for one in self.records)])
 
     @property
     def _n(self) -> int:
         return len(self.conditions.motions)
 
     @property
+    def _recordings(self) -> int:
+        return len(np.unique(self.conditions.recordings))
+
+    @property
     def _threshold(self) -> float:
         return self.statics.uplift_acceleration
+
+    def _motions(self, n: int) -> str:
+        return plural(n, "motion" if self.conditions.both_ways else "record")
 
     def summary(self) -> str:
         """All of it in lines of text."""
         rows = [
-            f"PGA {_g(row.pga)}: {row.overturned} of {row.number}, "
-            f"{_percent(row.overturned / max(row.number, 1))} "
-            f"({_percent(row.lower)} to {_percent(row.upper)})"
-            + (f", it ends up to {_mm(row.slip)} from its place" if self._moves else "")
+            f"PGA {in_g(row.pga)}: {row.overturned} of {row.number}"
+            + f" ({_interval(row)})"
+            + (f"; others need {in_mm(row.slip)} of room" if row.slip > _STILL else "")
             for row in self.trials.intensities
         ]
         blocks = {
@@ -340,7 +463,9 @@ class Assessment:
             "Measures that help": self.helps,
             "Assumptions": self.assumptions,
         }
-        lines = [self.title, fill(self.verdict, _WIDTH)]
+        lines = [self.title]
+        lines += [fill(f"Question: {one}", _WIDTH) for one in self.questions]
+        lines.append(fill(self.verdict, _WIDTH))
         for name, sentences in blocks.items():
             lines += ["", name] if sentences else []
             lines += [
@@ -358,8 +483,8 @@ class Assessment:
     # -- a figure and a page
 
     def plot(self) -> Figure:
-        """Probability of overturning against PGA, and the largest rotation under each record."""
-        return draw(self.trials, self.remedies, self.records, self._threshold, self.level)
+        """Probability of overturning against PGA."""
+        return draw(self.trials, self.remedies, self._threshold, self.level)
 
     def html(self) -> str:
         """A page that needs no other file."""
@@ -381,6 +506,7 @@ class Assessment:
         shaken = simulated(self.structure, self.conditions)
         facts = facts_of(shaken, self.conditions.impact)
         parts = [
+            *(f'<p class="question">{escape(one)}</p>' for one in self.questions),
             f'<p class="verdict">{escape(self.verdict)}</p>',
             page.bullets(self.findings),
             page.image(self.plot(), "probability of overturning against peak ground acceleration")
@@ -389,7 +515,7 @@ class Assessment:
             "<h2>Overturning against intensity</h2>" + page.wide(self._intensity_table())
             if self._n
             else "",
-            f"<h2>Measures that help</h2>{page.bullets(self.helps)}",
+            f"<h2>Measures that help</h2>{page.bullets(self.helps)}" if self.helps else "",
             f"<h2>Assumptions, and whether they held</h2>{page.bullets(self.assumptions)}",
             f"<h2>Structure</h2>{page.facts(facts)}",
             f"<h2>Each record as it was recorded</h2>{page.wide(self._record_table())}"
@@ -399,44 +525,38 @@ class Assessment:
         return _UNIT.sub("&nbsp;", "".join(parts))
 
     def _intensity_table(self) -> str:
-        curve, level = self.trials.fragility, _percent(self.level)
-        heads = (
-            *("PGA", "lift a foot", "overturn", "fraction", f"{level} interval", "curve"),
-            *("hold-down of an edge", *(["ends from its place"] if self._moves else [])),
-        )
+        curve = self.trials.fragility
+        heads = ("PGA", "lift a foot", "overturn", f"{percent(self.level)} interval", "curve")
         rows = [
             (
-                _g(row.pga),
+                in_g(row.pga),
                 f"{row.lifted} of {row.number}",
                 f"{row.overturned} of {row.number}",
-                _percent(row.overturned / max(row.number, 1)),
-                f"{_percent(row.lower)} to {_percent(row.upper)}",
-                "–" if curve is None else _percent(float(curve.probability(row.pga))),
-                self._force(force) if (force := self.statics.hold_down(row.pga)) else "–",
-                *([_mm(row.slip)] if self._moves else []),
+                _interval(row),
+                "–" if curve is None else percent(float(curve.probability(row.pga))),
+                *([in_mm(row.slip)] if self._moves else []),
             )
             for row in self.trials.intensities
         ]
-        return page.table(heads, rows)
+        return page.table((*heads, *(["room"] if self._moves else [])), rows)
 
     def _record_table(self) -> str:
         """Records that overturn it first, then those that turn it furthest."""
-        heads = ("record", "PGA", "outcome", "largest rotation", "of the overturning angle")
-        order = sorted(self.records, key=lambda one: (one.outcome != FALLS, -one.rotation))
+        order = sorted(self.records, key=lambda one: (not one.fell, -one.rotation))
         rows = [
             (
                 one.name,
-                _g(one.peak),
-                one.outcome if one.lifts else "no foot lifts",
-                "–" if one.outcome == FALLS else f"{np.degrees(one.rotation):.1f}°",
-                "–" if one.outcome == FALLS or np.isnan(one.part) else _percent(one.part),
-                *([_mm(one.slip)] if self._moves else []),
+                in_g(one.peak),
+                one.outcome if one.fell or not one.answered else f"{np.degrees(one.rotation):.1f}°",
+                "–" if one.fell or np.isnan(one.part) else f"{one.part:.2g}",
+                *([in_mm(one.slip), in_mm(one.final_slip)] if self._moves else []),
             )
             for one in order
         ]
         rest = f"<p>{len(rows) - _SHOWN} more are not listed.</p>" if len(rows) > _SHOWN else ""
-        slip = ("ends from its place",) if self._moves else ()
-        return page.table((*heads, *slip), rows[:_SHOWN]) + rest
+        slip = ("room", "in the end") if self._moves else ()
+        heads = ("record", "PGA", "largest rotation", "theta/alpha", *slip)
+        return page.table(heads, rows[:_SHOWN]) + rest
 
 
 def check_page(path: str | Path) -> None:
@@ -446,32 +566,19 @@ def check_page(path: str | Path) -> None:
     check_target(path)
 
 
-def _pga(trials: Trials, probability: float, level: float) -> Estimate | None:
-    curve = trials.fragility
-    return None if curve is None else curve.quantile(probability, level)
+def _by_side(texts: Iterable[str]) -> str:
+    left, right = texts
+    return left if left == right else f"{left} to the left and {right} to the right"
 
 
-def _g(acceleration: float, digits: int = 3) -> str:
-    return f"{acceleration / STANDARD_GRAVITY:.{digits}g} g"
+def _fewer(part: float) -> str:
+    return "fewer" if part > 0.0 else "more"
 
 
-def _percent(part: float) -> str:
-    percent = 100 * part
-    whole = percent >= 10 or abs(percent - round(percent)) < 0.05
-    return f"{percent:.{0 if whole else 1}f} %"
+def _s(n: int) -> str:
+    """The end of a verb of which none, one or more are the subject."""
+    return "s" * (n <= 1)
 
 
-def _mm(length: float) -> str:
-    return "–" if np.isnan(length) else f"{1e3 * length:.0f} mm"
-
-
-def _newton(force: float) -> str:
-    return f"{force / 1e3:.3g} kN" if force >= 1e3 else f"{force:.3g} N"
-
-
-def _count(n: int) -> str:
-    return str(n) if n else "none"
-
-
-def _records(n: int) -> str:
-    return f"{n} record{'s' * (n != 1)}"
+def _interval(row: AtIntensity) -> str:
+    return f"{percent(row.lower).removesuffix(' %')} to {percent(row.upper)}"

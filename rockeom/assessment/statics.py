@@ -1,14 +1,17 @@
 """Uplift, sliding and restraint under a horizontal acceleration that grows slowly.
 
-The ground accelerates the whole structure by a. A structure of mass M that rests on the ground with
-the force V presses with H = M a across. The force on the foot that lifts first falls linearly, from
-N_0 at rest to zero at the uplift acceleration a_u (g B/H of a block of half width B with its
-centroid at height H):
+The ground accelerates the whole structure by a. A structure of mass m, its centroid at the height h
+and at the distance b from the edge about which it leans, presses with N = m (g - a_v) on the
+ground, where a_v is the largest vertical acceleration, upwards or downwards: databases have
+components of either sign. With the coefficient of friction mu it lifts where m a h > N b, and
+slides where m a > mu N. A horizontal force F at the height z holds it still if
 
-- it slides where H = mu V. Before it lifts it does so if mu < M a_u/V, which is B/H of a block;
-- beyond a_u it stays on both feet if the one that would lift is held down by N_0 (a/a_u - 1);
-- or if a horizontal force at height z carries the same moment about the other foot, at the distance
-  2 B: N_0 (a/a_u - 1) 2 B/z, which is M (a H - g B)/z of a block.
+    F >= (m a h - N b)/z   or it lifts      F <= (m a h + N b)/z   or it tips to the other side
+    F >= m a - mu N        or it slides     F <= m a + mu N        or its base is pushed out
+
+A strap takes what it must: its strength is the largest of the lower bounds. One that is too high
+pushes the base out: up to z = (a h + b N/m)/(a - mu N/m) one holds. A force T that holds an edge
+down needs T >= (m a h - N b)/(2 b), with the distance 2 b of the edges, and T >= m a/mu - N.
 """
 
 from __future__ import annotations
@@ -19,43 +22,91 @@ from typing import NamedTuple
 import numpy as np
 
 from rockeom.structures.base import Structure
+from rockeom.structures.shipped.stacked_blocks import StackedBlocks
+
+_SAME = 1e-9
+"""Relative difference of a friction coefficient and b/h that is rounding."""
+
+
+class Load(NamedTuple):
+    """The load of a restraint.
+
+    acceleration : horizontal, either way; vertical : the largest [m/s2]. friction : coefficient
+    below the feet; None where it is not known, and lifting alone is prevented.
+    """
+
+    acceleration: float
+    vertical: float = 0.0
+    friction: float | None = None
 
 
 class Statics(NamedTuple):
     """A structure at rest, and what changes it.
 
-    uplift_acceleration : that lifts a foot [m/s2]. weight : vertical force of the ground, of
-    tendons too [N]. mass : of all that the ground accelerates [kg]. least_foot : force on the foot
-    that lifts first [N]. base_width : distance of the feet [m].
+    uplift_accelerations : (left, right), at which it starts to lean there [m/s2]. weight : vertical
+    force of the ground, of tendons too [N]. mass : of all that the ground accelerates [kg].
+    arms : (left, right) horizontal distances b of the centroid from the edge about which it leans
+    there, centroid_height : h, of all that the ground accelerates [m]. base_width : distance of the
+    edges [m]. lifts : what lifts first, in words. one_body : whether a strap holds all of it.
     """
 
-    uplift_acceleration: float
+    uplift_accelerations: tuple[float, float]
     weight: float
     mass: float
-    least_foot: float
+    arms: tuple[float, float]
+    centroid_height: float
     base_width: float
+    lifts: str = "a foot"
+    one_body: bool = True
 
     @property
-    def friction_to_rock(self) -> float:
-        """Coefficient of friction below which it slides before it rocks; B/H of a block."""
-        return self.mass * self.uplift_acceleration / self.weight
+    def uplift_acceleration(self) -> float:
+        """Acceleration that lifts a foot, to the side of the lesser one [m/s2]."""
+        return min(self.uplift_accelerations)
 
     @property
-    def centroid_height(self) -> float:
-        """Height of the centroid of all that the ground accelerates [m]."""
-        return self.least_foot * self.base_width / (self.mass * self.uplift_acceleration)
+    def frictions_to_rock(self) -> tuple[float, float]:
+        """(left, right) coefficients of friction below which it slides before; b/h of a block."""
+        left, right = (self.mass * a / self.weight for a in self.uplift_accelerations)
+        return left, right
 
-    def sliding_acceleration(self, friction: float) -> float:
-        """Acceleration from which it slides if it does not lift before [m/s2]."""
-        return friction * self.weight / self.mass
+    def slides_first(self, friction: float) -> tuple[bool | None, bool | None]:
+        """(left, right) whether it slides before it lifts; None at the limit."""
+        left, right = (
+            None if math.isclose(friction, least, rel_tol=_SAME) else friction < least
+            for least in self.frictions_to_rock
+        )
+        return left, right
 
-    def hold_down(self, acceleration: float) -> float:
-        """Force that keeps the foot on the ground [N]; 0 where it stays there by itself."""
-        return self.least_foot * max(0.0, acceleration / self.uplift_acceleration - 1.0)
+    def strap(self, load: Load, height: float) -> float:
+        """Strength of a strap at a height [m] that holds it still [N]; 0 where it stays by itself.
 
-    def restraint(self, acceleration: float, height: float) -> float:
-        """Horizontal force at a height [m] that keeps both feet on the ground [N]."""
-        return self.hold_down(acceleration) * self.base_width / height
+        nan where no force does.
+        """
+        pushed, grip, overturning, restoring = self._at_rest(load)
+        force = max(0.0, (overturning - restoring) / height, pushed - grip)
+        most = min((overturning + restoring) / height, pushed + grip)
+        return force if restoring > 0.0 and force <= most * (1.0 + _SAME) else math.nan
+
+    def highest_strap(self, load: Load) -> float:
+        """Height [m] above which a strap pushes the base out; inf where none does."""
+        pushed, grip, overturning, restoring = self._at_rest(load)
+        pulled_out = pushed > grip and restoring > 0.0
+        return (overturning + restoring) / (pushed - grip) if pulled_out else math.inf
+
+    def hold_down(self, load: Load) -> float:
+        """Force at the edge that would lift [N]; 0 where it stays, inf where none holds it."""
+        pushed, grip, overturning, restoring = self._at_rest(load)
+        if restoring <= 0.0 or (grip == 0.0 and pushed > 0.0):
+            return math.inf
+        lifting = (overturning - restoring) / self.base_width
+        return max(0.0, lifting, 0.0 if load.friction is None else (pushed - grip) / load.friction)
+
+    def _at_rest(self, load: Load) -> tuple[float, float, float, float]:
+        """m a, mu N [N], m a h, N b [N m] with the lesser b."""
+        weight, pushed = self.weight - self.mass * load.vertical, self.mass * load.acceleration
+        grip = math.inf if load.friction is None else load.friction * weight
+        return pushed, grip, pushed * self.centroid_height, weight * min(self.arms)
 
 
 def statics_of(structure: Structure) -> Statics:
@@ -63,26 +114,49 @@ def statics_of(structure: Structure) -> Statics:
 
     Raises ValueError for another one, and for one that no acceleration lifts.
     """
-    threshold = structure.uplift_acceleration
-    if threshold is None or structure.module.STATE_UNITS[structure.module.ROTATION] != "rad":
+    if isinstance(structure, StackedBlocks):
+        return _of_stack(structure)
+    thresholds = structure.uplift_accelerations
+    if thresholds is None or structure.module.STATE_UNITS[structure.module.ROTATION] != "rad":
         raise ValueError(
             f"assess: {structure.model} has no feet that lift from rigid ground, in metres and "
-            "seconds: take a RigidBlock, with friction= where it may slide, LumpedMassStructure, "
-            "FlexibleStructure or ShearFrame"
+            "seconds: take a RigidBlock, with friction= where it may slide, StackedBlocks, "
+            "LumpedMassStructure, FlexibleStructure or ShearFrame"
         )
-    if not math.isfinite(threshold):
+    if not math.isfinite(min(thresholds)):
         raise ValueError(f"assess: no horizontal acceleration lifts {structure.model}")
     feet, lifted = _feet(structure), _feet(structure, 1.0)
     pushed = structure.reactions({}, ground_acceleration=1.0)["horizontal_reaction"]
     mass = abs(float(pushed)) + _moving_mass(structure)
+    counted = float((lifted - feet).sum())
+    # the beam of a rocking frame bears on the feet of one side, and counts on both
+    weight = float(feet.sum() * mass / counted)
     places = structure.positions({})
+    width = float(abs(places["right"][0] - places["left"][0]))
+    left, right = (feet[::-1] * width).tolist()  # leaning to the right lifts the left foot
     return Statics(
-        threshold,
-        # the beam of a rocking frame bears on the feet of one side, and counts on both
-        float(feet.sum() * mass / (lifted - feet).sum()),
+        thresholds,
+        weight,
         mass,
-        float(feet.min()),
-        float(abs(places["right"][0] - places["left"][0])),
+        (left / weight, right / weight),
+        max(left / thresholds[0], right / thresholds[1]) / mass,
+        width,
+        one_body=math.isclose(counted, mass, rel_tol=1e-6),
+    )
+
+
+def _of_stack(stack: StackedBlocks) -> Statics:
+    """Both blocks lift as one, or the upper one alone."""
+    lower, upper = stack.lower, stack.upper
+    mass = lower.mass + upper.mass
+    heights = np.array([lower.half_height, 2 * lower.half_height + upper.half_height])
+    height = float(heights @ [lower.mass, upper.mass]) / mass
+    both = stack.gravity * lower.half_width / height
+    alone = stack.gravity * upper.half_width / upper.half_height
+    lifts = "a foot of the upper block" if alone < both else "a foot"
+    least, arm = min(both, alone), lower.half_width
+    return Statics(
+        (least, least), mass * stack.gravity, mass, (arm, arm), height, 2 * arm, lifts, False
     )
 
 
@@ -98,3 +172,27 @@ def _moving_mass(structure: Structure) -> float:
         return float(structure.fixed_base().effective_masses.sum())
     except ValueError:
         return 0.0
+
+
+def is_symmetric(structure: Structure) -> bool:
+    """Whether the mirror image of each motion is a motion, too.
+
+    By the equations of motion at random states and their mirror images, all coordinates with the
+    other sign. One with a coordinate that keeps its sign counts as not symmetric.
+    """
+    if isinstance(structure, StackedBlocks):
+        return True
+    m, p, rng = structure.module, structure.vector, np.random.default_rng(0)
+    left, right = np.empty((2, m.N_STATES))
+    for y in 0.1 * rng.standard_normal((_STATES, m.N_STATES)):
+        y[m.ROTATION] = abs(y[m.ROTATION])
+        across, up = rng.standard_normal(2).tolist()
+        m.rates(m.MODES.index("left"), -y, p, -across, up, left)
+        m.rates(m.MODES.index("right"), y, p, across, up, right)
+        if not np.allclose(left, -right, rtol=_SAME, atol=_SAME * np.abs(right).max()):
+            return False
+    return True
+
+
+_STATES = 20
+"""Random states at which the equations of motion are compared with those of the mirror image."""

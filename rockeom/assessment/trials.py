@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections import Counter
+from dataclasses import fields
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from rockeom.analysis.risk.fragility import Fragility, fit_fragility, proportion_interval
+from rockeom.analysis.risk.fragility import (
+    Estimate,
+    Fragility,
+    fit_fragility,
+    proportion_interval_by_group,
+)
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
+from rockeom.analysis.unfinished import finished
 from rockeom.motion.recording import Recording
 from rockeom.simulation.case import Case
 from rockeom.simulation.reserve import rotation_ratio
@@ -15,12 +23,18 @@ from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.structures.shipped.rigid_block import RigidBlock
 from rockeom.structures.shipped.sliding_block import SlidingBlock
-from rockeom.sweeps.dataset import Sweep
 from rockeom.sweeps.options import SweepOptions
 from rockeom.sweeps.run import simulate_many
 
 QUIET = 10.0
 """Time that is followed after a record [s]: who overturns may do so after the shaking."""
+OF_CURVE, OF_TAILS = 6, 8
+"""Least numbers of recordings of a curve with its median, and of the rest of its probabilities.
+
+With fewer the intervals hold the truth less often than they say, see `benchmarks/assessment.py`.
+"""
+_WIDEST = 10.0
+"""Ratio of the ends of an interval of a PGA that says too little."""
 _LIFTED = 1e-9  # rad; less is rounding
 
 
@@ -28,25 +42,37 @@ class Conditions(NamedTuple):
     """The conditions under which structures are compared.
 
     motions (n) : one horizontal component each, with the vertical one if it was given.
-    stations (n) : a number for each, the same for both components of a recording.
+    recordings (n,) : a number for each, the same for all motions of one event at one station.
     levels (m,) : PGA that each is scaled to [m/s2].
     friction : below the feet [-]; None where it is not known.
     impact : law of impact; None for the default.
+    both_ways : whether each record is among the motions twice, the second time reversed.
+    left_out : names of vertical components, which were not used. pga_given : as the user gave it.
     """
 
     motions: tuple[Recording, ...]
-    stations: tuple[int, ...]
+    recordings: np.ndarray
     levels: np.ndarray
     friction: float | None
     impact: ImpactLaw | None
+    both_ways: bool = False
+    left_out: tuple[str, ...] = ()
+    pga_given: Any = None
+
+    @property
+    def vertical_peak(self) -> float:
+        """The largest vertical acceleration, with all scaled to the highest level [m/s2]."""
+        shaken = [(one.vertical.peak, one.horizontal[0]) for one in self.motions if one.vertical]
+        return float(self.levels[-1]) * max((up / one.peak for up, one in shaken), default=0.0)
 
 
 class UnderRecord(NamedTuple):
-    """A record as it was recorded, and its effect.
+    """The effect of a record, as it was recorded or scaled, by a sweep that was finished.
 
-    peak : PGA [m/s2]. rotation : largest [rad]. part : of the overturning angle, nan where it is
-    not known. slip : distance from the place before, in the end [m]; nan where it overturned or
-    feet do not slide.
+    peak : PGA [m/s2]. rotation : the largest of any body [rad]. part : of the overturning angle,
+    nan where it is not known. slip, final_slip : largest distance from the place before, and that
+    in the end [m]; nan where it overturned or feet do not slide. body : that turned furthest in the
+    end.
     """
 
     name: str
@@ -55,17 +81,27 @@ class UnderRecord(NamedTuple):
     rotation: float
     part: float
     slip: float
+    final_slip: float
+    body: str
 
     @property
     def lifts(self) -> bool:
         return self.rotation > _LIFTED
 
+    @property
+    def fell(self) -> bool:
+        return self.outcome == FALLS
+
+    @property
+    def answered(self) -> bool:
+        return self.fell or self.outcome in STANDS
+
 
 class AtIntensity(NamedTuple):
-    """Number of records, scaled to a PGA [m/s2], that lift a foot and that overturn.
+    """Number of motions, scaled to a PGA [m/s2], that lift a foot and that overturn.
 
-    number : of records with an answer. lower, upper : interval of confidence of the probability of
-    overturning, Clopper and Pearson's. slip : largest distance from the place before, in the end,
+    number : of motions with an answer. lower, upper : interval of confidence of the probability of
+    overturning, Clopper and Pearson's by recording. slip : largest distance from the place before
     of those that stand [m]; nan where there are none or feet do not slide.
     """
 
@@ -79,12 +115,19 @@ class AtIntensity(NamedTuple):
 
 
 class Trials(NamedTuple):
-    """Outcomes at each intensity, and the fragility curve or the reason why there is none."""
+    """Motions (n, m) at each intensity, and the curve or the reason why there is none.
 
+    fell, answered (n, m) : of each motion. bodies : falls by what fell. without_answer : other
+    outcomes and their numbers.
+    """
+
+    fell: np.ndarray
+    answered: np.ndarray
     intensities: tuple[AtIntensity, ...]
     fragility: Fragility | None
     no_curve: str
-    unanswered: int
+    bodies: dict[str, int]
+    without_answer: dict[str, int]
 
 
 def can_slide(structure: Structure, conditions: Conditions) -> bool:
@@ -98,63 +141,36 @@ def simulated(structure: Structure, conditions: Conditions) -> Structure:
     if conditions.friction is None or not can_slide(structure, conditions):
         return structure
     assert isinstance(structure, RigidBlock)
-    return SlidingBlock(
-        half_width=structure.half_width,
-        half_height=structure.half_height,
-        mass=structure.mass,
-        inertia=structure.parameters()["inertia"],
-        gravity=structure.gravity,
-        friction=conditions.friction,
-        restitution=0.0,
-    )
+    values = {f.name: getattr(structure, f.name) for f in fields(structure)}
+    values["inertia"] = structure.parameters()["inertia"]
+    return SlidingBlock(**values, friction=conditions.friction, restitution=0.0)
 
 
 def as_recorded(structure: Structure, conditions: Conditions) -> tuple[UnderRecord, ...]:
     """The effect of each record as it was recorded."""
-    motions = conditions.motions
-    if not motions:
-        return ()
-    sweep = _sweep(structure, conditions, None)
-    theta = structure.module.STATES[structure.module.ROTATION]
-    left, right = (sweep[name].sel(state=theta).values for name in ("minimum", "maximum"))
-    parts = _parts(structure, left, right)
-    labels = outcome_labels(sweep).values
-    slips = np.where(labels == FALLS, np.nan, _slips(structure, conditions, sweep))
-    largest = np.maximum(right, -left) + 0.0
-    columns = (column.tolist() for column in (labels, largest, parts, slips))
-    rows = zip(motions, *columns, strict=True)
-    return tuple(
-        UnderRecord(
-            motion.name or "a ground motion",
-            motion.horizontal[0].peak,
-            outcome,
-            rotation,
-            part,
-            slip,
-        )
-        for motion, outcome, rotation, part, slip in rows
-    )
+    return tuple(one for (one,) in _under(structure, conditions, None))
 
 
 def scaled(structure: Structure, conditions: Conditions, level: float) -> Trials:
     """Outcomes under each record scaled to each intensity; level : of the intervals."""
-    if not conditions.motions:
-        return Trials((), None, "there is no horizontal record", 0)
-    sweep = _sweep(structure, conditions, conditions.levels)
-    theta = structure.module.STATES[structure.module.ROTATION]
-    labels = outcome_labels(sweep).values
-    fell, lifted = labels == FALLS, sweep["peak"].sel(state=theta).values > _LIFTED
-    known = fell | np.isin(labels, STANDS)
-    counts = known.sum(axis=0), fell.sum(axis=0), (lifted & known).sum(axis=0)
-    slips = np.where(fell, np.nan, _slips(structure, conditions, sweep))
-    farthest = [max(column[~np.isnan(column)], default=np.nan) for column in slips.T]
-    rows = []
-    columns = (np.asarray(column).tolist() for column in (conditions.levels, *counts, farthest))
-    for pga, n, hits, up, slip in zip(*columns, strict=True):
-        lower, upper = proportion_interval(hits, n, level) if n else (0.0, 1.0)
-        rows.append(AtIntensity(pga, up, hits, n, float(lower), float(upper), slip))
-    curve, reason = _fitted(conditions, fell, known)
-    return Trials(tuple(rows), curve, reason, int((~known).sum()))
+    levels = conditions.levels
+    rows = _under(structure, conditions, levels)
+    every = [one for row in rows for one in row]
+    fell, answered = (
+        np.array(which, dtype=bool).reshape(len(rows), len(levels))
+        for which in ([one.fell for one in every], [one.answered for one in every])
+    )
+    return Trials(
+        fell,
+        answered,
+        tuple(
+            _at(conditions, pga, column, level)
+            for pga, column in zip(levels.tolist(), zip(*rows, strict=True), strict=False)
+        ),
+        *fitted(conditions, fell, answered),
+        Counter(one.body for one in every if one.fell),
+        Counter(one.outcome for one in every if not one.answered),
+    )
 
 
 def case_of(structure: Structure, motion: Recording, impact: ImpactLaw | None) -> Case:
@@ -164,54 +180,106 @@ def case_of(structure: Structure, motion: Recording, impact: ImpactLaw | None) -
     return Case(structure, horizontal, impact, duration=longest + QUIET, vertical=vertical)
 
 
-def _sweep(structure: Structure, conditions: Conditions, levels: np.ndarray | None) -> Sweep:
-    """(n,) motions as they were recorded, or (n, m) scaled to levels."""
-    tried = simulated(structure, conditions)
+def _under(
+    structure: Structure, conditions: Conditions, levels: np.ndarray | None
+) -> list[tuple[UnderRecord, ...]]:
+    """(n, 1) effects of motions as they were recorded, or (n, m) scaled to levels.
+
+    A keyboard interrupt is raised: nothing is concluded from a part of the motions.
+    """
+    motions, tried = conditions.motions, simulated(structure, conditions)
+    if not motions:
+        return []
 
     def case(motion: Recording, pga: float | None = None) -> Case:
         return case_of(tried, motion if pga is None else motion.scaled_to(pga), conditions.impact)
 
-    over = {"motion": conditions.motions} | ({} if levels is None else {"pga": levels})
-    return simulate_many(case, over, sweep_options=SweepOptions(progress=False))
+    over = {"motion": motions} | ({} if levels is None else {"pga": levels})
+    sweep = finished(simulate_many(case, over, sweep_options=SweepOptions(progress=False)))
+    labels = outcome_labels(sweep).values
+    part = slip = final_slip = np.full(labels.shape, np.nan)
+    theta = structure.module.STATES[structure.module.ROTATION]
+    if structure.overturning_angles is not None:
+        ratios = (
+            rotation_ratio(structure, sweep[name].sel(state=theta).values)
+            for name in ("minimum", "maximum")
+        )
+        part = np.maximum(*map(np.abs, ratios))
+    if can_slide(structure, conditions):
+        slip, final_slip = (
+            np.where(labels == FALLS, np.nan, np.abs(sweep[name].sel(state="x").values))
+            for name in ("peak", "final")
+        )
+    turned = sweep[["peak", "final"]].sel(state=list(structure.falls))
+    rotation = turned["peak"].max("state").values
+    body = np.array(_bodies(structure))[abs(turned["final"]).argmax("state").values]
+    columns = [
+        x.reshape(len(motions), -1) for x in (labels, rotation, part, slip, final_slip, body)
+    ]
+    return [
+        tuple(
+            UnderRecord(motion.name or "a ground motion", peak, *(x[i, j].item() for x in columns))
+            for j, peak in enumerate(
+                [motion.horizontal[0].peak] if levels is None else levels.tolist()
+            )
+        )
+        for i, motion in enumerate(motions)
+    ]
 
 
-def _slips(structure: Structure, conditions: Conditions, sweep: Sweep) -> np.ndarray:
-    """Distances from the place before, in the end [m]; nan where feet do not slide."""
-    if not can_slide(structure, conditions):
-        return np.full(sweep["outcome"].shape, np.nan)
-    return np.abs(sweep["final"].sel(state="x").values)
+def _bodies(structure: Structure) -> list[str]:
+    """The body that turns with each coordinate of `falls`; no names where there is but one."""
+    angles = [structure.rotations({name: 0.1}) for name in structure.falls]
+    if len(angles) == 1:
+        return [""]
+    return [next((name for name, angle in one.items() if angle), "") for one in angles]
 
 
-def _parts(structure: Structure, smallest: np.ndarray, largest: np.ndarray) -> np.ndarray:
-    """Largest rotations over the overturning angle of their side; nan where there is none."""
-    if structure.overturning_angles is None:
-        return np.full(len(largest), np.nan)
-    left, right = (rotation_ratio(structure, one) for one in (smallest, largest))
-    return np.maximum(-left, right) + 0.0
+def _at(
+    conditions: Conditions, pga: float, column: tuple[UnderRecord, ...], level: float
+) -> AtIntensity:
+    """The motions scaled to one intensity."""
+    rows = [i for i, one in enumerate(column) if one.answered]
+    answered = [column[i] for i in rows]
+    fell = [one.fell for one in answered]
+    lower, upper = 0.0, 1.0
+    if rows:
+        lower, upper = proportion_interval_by_group(fell, conditions.recordings[rows], level)
+    slip = max((one.slip for one in answered if one.slip >= 0.0), default=np.nan)
+    lifted = sum(one.lifts for one in answered)
+    return AtIntensity(pga, lifted, sum(fell), len(rows), lower, upper, slip)
 
 
-def _fitted(
-    conditions: Conditions, fell: np.ndarray, known: np.ndarray
+def fitted(
+    conditions: Conditions, fell: np.ndarray, answered: np.ndarray
 ) -> tuple[Fragility | None, str]:
     """The curve of outcomes (n, m), or the reason why there is none."""
-    station = np.broadcast_to(np.array(conditions.stations)[:, None], fell.shape)
-    pga = np.broadcast_to(conditions.levels, fell.shape)
-    if not fell[known].any():
+    recording = np.broadcast_to(conditions.recordings[:, None], fell.shape)[answered]
+    pga = np.broadcast_to(conditions.levels, fell.shape)[answered]
+    hits = fell[answered]
+    if not hits.size:
+        return None, "there is no motion with an answer"
+    if not hits.any():
         return None, "no record overturns it: add higher intensities"
-    if fell[known].all():
+    if hits.all():
         return None, "every record overturns it at each intensity: add lower ones"
-    if len(set(conditions.stations)) == 1:
-        return None, "one record says nothing of others: give several"
+    if (n := len(np.unique(recording))) < OF_CURVE:
+        return None, f"its intervals hold for {OF_CURVE} recordings or more, and there are {n}"
     try:
-        curve = fit_fragility(
-            pga[known], fell[known], left_out=int((~known).sum()), group=station[known]
-        )
+        return fit_fragility(pga, hits, left_out=int((~answered).sum()), group=recording), ""
     except ValueError as error:
         if "falls" in str(error):
-            return None, "fewer records overturn it at higher intensities: give more records"
+            return None, "not more records overturn it at higher intensities: give more records"
         where = "between" if fell[:, -1].all() else "higher"
         return None, (
             "too few intensities at which some records overturn it and others do not: add some "
             f"{where}"
         )
-    return curve, ""
+
+
+def pga_of(curve: Fragility | None, probability: float, level: float) -> Estimate | None:
+    """The PGA at a probability; None where its interval says too little or too much."""
+    if curve is None or (curve.groups < OF_TAILS and probability != 0.5):
+        return None
+    estimate = curve.quantile(probability, level)
+    return estimate if estimate.upper < _WIDEST * estimate.lower else None

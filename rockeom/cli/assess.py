@@ -5,25 +5,29 @@ from __future__ import annotations
 import argparse
 import sys
 from pathlib import Path
+from typing import Any
 
-from rockeom.assessment.assess import assess
+from rockeom.assessment.assess import assess, by_recording
 from rockeom.assessment.result import check_page
 from rockeom.cli.errors import in_options
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, accelerations, add_records, records
 from rockeom.cli.simulate import impact_law
+from rockeom.motion.floor import floor_motion
 
 DESCRIPTION = """\
 Will it overturn? Judge a structure under a set of records: the acceleration that lifts a foot,
 whether it slides before, the probability of overturning against the peak ground acceleration
-with its interval, the changes that help, and the assumptions. It prints the answer and, with
---out, writes a page. A block may be given by its full size: width, height, centroid_height,
-offset [m], mass [kg].
+with its interval, the changes that help, and the assumptions. Components of one recording count as
+one; with --components all its vertical one shakes, too. It prints the answer and, with
+--out, writes a page. A block may be given by its full size: width,
+height, centroid_height, offset [m], mass [kg].
 """
 _USAGE = """\
 rockeom assess NAME --set PARAMETER=VALUE ...
          (--records WORD ... | --motion FILE ... | --motion FOLDER)
-         [--pga 0.2g 0.4g ...] [--friction MU] [--out FILE.html] [more options, see --help]
+         [--pga 0.2g 0.4g ...] [--friction MU] [--floor T ...] [--out FILE.html]
+         [more options, see --help]
 """
 EPILOG = f"""\
 {SETS}
@@ -44,6 +48,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument("--impact", metavar="LAW", help="as for rockeom simulate")
     parser.add_argument(
+        "--units-checked", action="store_true", help="give a verdict though a unit is in doubt"
+    )
+    parser.add_argument(
         "--level", type=float, default=0.95, metavar="P",
         help="of the intervals of confidence; 0.95 if not given",
     )  # fmt: skip
@@ -54,6 +61,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="peak ground accelerations that each record is scaled to, as 0.4g or 3.9m/s2, or "
         "0.1g:0.8g:8; from 1.25 to 6 times the one that lifts a foot, if not given",
     )  # fmt: skip
+    group.add_argument(
+        "--floor", nargs="+", type=float, metavar="T",
+        help="it stands on a floor of a building of these periods [s], the longest first",
+    )  # fmt: skip
+    group.add_argument(
+        "--floor-height", type=float, default=1.0, metavar="Z",
+        help="of that floor, as a part of the height of the building; 1, the roof, if not given",
+    )  # fmt: skip
 
 
 def run(args: argparse.Namespace) -> int:
@@ -62,11 +77,15 @@ def run(args: argparse.Namespace) -> int:
     if args.out is not None:
         check_page(args.out)  # before the simulations, not after
     pga = None if args.pga is None else accelerations(args.pga, "--pga")
-    motions = list(records(args))
+    motions = records(args)
     print(f"simulating {len(motions)} record{'s' * (len(motions) > 1)} ...", file=sys.stderr)
+    shaking: Any = motions.recordings() if args.components == "all" else by_recording(motions)
+    if args.floor:
+        shaking = [floor_motion(x, args.floor, height=args.floor_height) for x in shaking]
     answer = assess(
-        structure, motions, pga=pga, friction=args.friction, impact=law, level=args.level
-    )
+        structure, shaking, pga=pga, friction=args.friction, impact=law, level=args.level,
+        units_checked=args.units_checked,
+    )  # fmt: skip
     print(in_options(str(answer)))
     if args.out is not None:
         answer.save(args.out)

@@ -29,6 +29,8 @@ _REMEDIES = (
     (rf"^({_OPTIONS}) (?=is|has|needs)", r"--\1 "),
     (r"^over: ", "--over: "),
     (r"^assess: (?=level|friction)", "--"),
+    (r"units_checked=True", "--units-checked"),
+    (r"see MotionSet\.recordings\(\)", "with --components all of a folder"),
     (r"^time is", "--time-scale is"),
     (r"^acceleration is", "--acceleration-scale is"),
     (r"\(start, end\)", "(--start, --end)"),

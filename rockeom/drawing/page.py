@@ -72,6 +72,7 @@ th, td {{ text-align: right; padding: 0.15rem 0.4rem; border-bottom: 1px solid #
 td {{ white-space: nowrap }}
 th:first-child, td:first-child {{ text-align: left; white-space: normal }}
 .verdict {{ font-size: 1.15rem; border-left: 4px solid #0072B2; padding-left: 0.8rem }}
+.question {{ border-left: 4px solid #D55E00; padding-left: 0.8rem }}
 @media print {{ body {{ font-size: 10px; margin: 0 }} }}
 </style></head><body>
 <h1>{title}</h1>

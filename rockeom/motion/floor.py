@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,6 +19,7 @@ from numpy.typing import ArrayLike
 from rockeom.motion.arguments import array, finite, positive
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.recording import Recording
 from rockeom.motion.spectra import oscillator_history
 from rockeom.numbers import explained
 from rockeom.numbers.checks import described
@@ -28,22 +30,26 @@ _FADED = 0.01
 """Part of the vibration in the first mode that is left when the motion ends."""
 
 
+Shaking = TypeVar("Shaking", GroundMotion, Recording)
+
+
 @explained.calls(period="periods=", damping="damping_ratio=")
 def floor_motion(
-    record: GroundMotion,
+    record: Shaking,
     periods: ArrayLike,
     *,
     height: float = 1.0,
     damping_ratio: float = 0.05,
     participation: ArrayLike | None = None,
-) -> GroundMotion:
+) -> Shaking:
     """Absolute acceleration of a floor of an elastic building, as a record.
 
         rk.floor_motion(record, periods=0.5)                          # of the roof, by one mode
         rk.floor_motion(record, periods=[0.6, 0.2, 0.12], height=0.5)
         rk.floor_motion(record, periods=[0.6, 0.2], participation=[0.9, 0.3])
 
-    record : horizontal motion of the ground below the building.
+    record : horizontal motion of the ground below the building, or a recording; the building moves
+        vertically as the ground does.
     periods : of the modes of the building, (n,) or one number, the longest first [s].
     height : of the floor, as a part of the height of the building, from 0 to 1, the roof.
     damping_ratio : of all modes, above 0 and below 1.
@@ -64,10 +70,8 @@ def floor_motion(
     Raises MotionError for values that are not in these ranges, for periods that do not fall, for
     another number of participations than of periods, and for a vertical record.
     """
-    if not isinstance(record, GroundMotion):
-        raise MotionError(f"record is {described(record)}: give a GroundMotion")
-    if record.is_vertical:
-        raise MotionError(f"{record.name} is a vertical component: give a horizontal one")
+    if not isinstance(record, GroundMotion | Recording):
+        raise MotionError(f"record is {described(record)}: give a GroundMotion or a Recording")
     of_modes = _periods(periods)
     xi, z = positive("damping_ratio", damping_ratio), finite("height", height)
     if xi >= 1.0:
@@ -77,16 +81,28 @@ def floor_motion(
             f"height is {z:g}: give the part of the height of the building, from 0 to 1, the roof"
         )
     shares = _participation(participation, len(of_modes), z)
-    ground = _refined(record, of_modes, xi)
+    where = f"floor at {z:g} of the height" if participation is None else "floor"
+    if isinstance(record, GroundMotion):
+        return _of_modes(record, of_modes, xi, shares, where)
+    floors = (_of_modes(one, of_modes, xi, shares, where) for one in record.horizontal)
+    return replace(record, horizontal=tuple(floors))
+
+
+def _of_modes(
+    record: GroundMotion, periods: np.ndarray, xi: float, shares: np.ndarray, where: str
+) -> GroundMotion:
+    """The motion of a floor to which modes contribute these shares."""
+    if record.is_vertical:
+        raise MotionError(f"{record.name} is a vertical component: give a horizontal one")
+    ground = _refined(record, periods, xi)
     assert ground.samples is not None
     assert ground.dt is not None
     a = (1.0 - shares.sum()) * ground.samples
-    for period, share in zip(of_modes.tolist(), shares.tolist(), strict=True):
+    for period, share in zip(periods.tolist(), shares.tolist(), strict=True):
         omega, one = 2.0 * math.pi / period, oscillator_history(ground, period, xi)
         a -= share * (2.0 * xi * omega * one.velocity + omega**2 * one.displacement)
-    where = f"floor at {z:g} of the height" if participation is None else "floor"
     made = GroundMotion.from_array(a, ground.dt, name=f"{record.name}, {where}")
-    of = f"T {', '.join(f'{t:.3g}' for t in of_modes)} s, damping {xi:g}"
+    of = f"T {', '.join(f'{t:.3g}' for t in periods)} s, damping {xi:g}"
     return replace(made, source=f"{record.source}, {where}, {of}")
 
 

@@ -322,10 +322,18 @@ class DesignReport:
 def facts_of(structure: Structure, impact: ImpactLaw | None) -> tuple[tuple[str, str], ...]:
     """Parameters of a structure, the acceleration that lifts it and its impact law."""
     m, values = structure.module, structure.parameters()
-    found = [
-        (name.replace("_", " "), f"{digits(values[name], 5)} {unit}".removesuffix(" -"))
+    words = getattr(structure, "arguments", {})
+    rows = {
+        words.get(name, name): (values[name], unit)
         for name, unit in zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True)
         if name in values
+    }
+    if (full := getattr(structure, "full_height", None)) is not None:  # as the block was given
+        base, centroid = rows.pop("half_width")[0], rows.pop("half_height")
+        rows = {"width": (2 * base, "m"), "height": (full, "m"), "centroid height": centroid} | rows
+    found = [
+        (name.replace("_", " "), f"{digits(value, 5)} {unit}".removesuffix(" -"))
+        for name, (value, unit) in rows.items()
     ]
     threshold = structure.uplift_acceleration
     if threshold is not None and math.isfinite(threshold):
@@ -424,7 +432,7 @@ def _draw_demands(
             )  # fmt: skip
             ax.plot(values, np.arange(1, len(values) + 1) / number, ".", ms=3.5, color=color)
     ax.set_xlabel(what)
-    ax.set_ylabel("part of the records [-]")
+    ax.set_ylabel("fraction of the records")
     ax.set_xlim(0, None)
     ax.set_ylim(0, 1.03)
     style.legend_above(ax)

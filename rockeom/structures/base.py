@@ -499,9 +499,7 @@ class Structure(metaclass=explained.Constructors):
     def hints(self) -> tuple[str, ...]:
         """Questions about parameters that are allowed and hardly meant, a sentence each."""
         m, p = self.module, self.vector
-        if p.dtype != float:
-            return ()
-        return (*plausible.size(m, p), *plausible.damping(m, p))
+        return plausible.parameters(m, p) if p.dtype == float else ()
 
     def fixed_base(self) -> FixedBase:
         """The same structure with feet that cannot lift, with its periods.

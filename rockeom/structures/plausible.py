@@ -1,4 +1,4 @@
-"""Questions about parameters that are allowed and hardly meant: lengths and dampings.
+"""Questions about parameters that are allowed and hardly meant, such as lengths and dampings.
 
 Each function returns the sentences of one question, none where the values are plausible. p : the
 parameters and constants, plain numbers.
@@ -18,8 +18,19 @@ from rockeom.structures.units import is_dimensionless
 
 TALLEST = 50.0
 """Size of a body above which its lengths are questioned [m]."""
+ON_EARTH = 9.5, 10.1
+"""Accelerations of gravity that are not questioned [m/s2]."""
+ROUGHEST_SURFACE = 1.5
+"""Friction coefficient above which one that is given is questioned."""
 LEAST_DAMPING = 1e-3
 """Part of critical damping below which that of a damped column is questioned."""
+
+
+def parameters(m: GeneratedModule, p: np.ndarray) -> tuple[str, ...]:
+    """All questions about the parameters."""
+    rows = zip(m.PARAMETERS, m.PARAMETER_UNITS, p.tolist(), strict=False)
+    roughest = max((x for name, u, x in rows if "friction" in name and u == "-"), default=0.0)
+    return (*size(m, p), *gravity(m, p), *friction(roughest), *damping(m, p))
 
 
 def size(m: GeneratedModule, p: np.ndarray) -> tuple[str, ...]:
@@ -37,6 +48,23 @@ def size(m: GeneratedModule, p: np.ndarray) -> tuple[str, ...]:
         f"The structure measures {largest:.4g} m: were its lengths given in cm or mm? They are in "
         "metres.",
     )
+
+
+def gravity(m: GeneratedModule, p: np.ndarray) -> tuple[str, ...]:
+    """Gravity in other units, or of another planet."""
+    g = dict(zip(m.PARAMETERS, p.tolist(), strict=False)).get("gravity", ON_EARTH[0])
+    if is_dimensionless(m) or ON_EARTH[0] <= g <= ON_EARTH[1]:
+        return ()
+    return (f"gravity is {g:.4g} m/s2, and 9.81 on Earth: was it given in another unit?",)
+
+
+def friction(coefficient: float) -> tuple[str, ...]:
+    """A friction coefficient in percent, or an angle of friction in degrees."""
+    said = (
+        f"friction is {coefficient:.4g}, more than {ROUGHEST_SURFACE:g}, that of rubber on rough "
+        "concrete: was it given in percent, or as an angle?",
+    )
+    return said if coefficient > ROUGHEST_SURFACE else ()
 
 
 def damping(m: GeneratedModule, p: np.ndarray) -> tuple[str, ...]:

@@ -1,12 +1,19 @@
 """Fragility curves: against closed forms, an optimisation of another kind, and chance itself."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 import xarray as xr
 from scipy.optimize import minimize
-from scipy.stats import binomtest, norm
+from scipy.stats import binomtest, norm, t as student
 
-from rockeom.analysis.risk.fragility import fit_fragility, fragility_of, proportion_interval
+from rockeom.analysis.risk.fragility import (
+    fit_fragility,
+    fragility_of,
+    proportion_interval,
+    proportion_interval_by_group,
+)
 from rockeom.analysis.sweeps import outcome_labels, peaks_of
 
 IM = np.array([0.1, 0.2, 0.3, 0.4, 0.6, 0.8])
@@ -214,19 +221,21 @@ def scaled_records(n: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
     return np.broadcast_to(im, (n, 8)), im > limits
 
 
-def test_covariance_by_record_is_the_sandwich_of_numerical_slopes():
+def test_covariance_by_record_is_that_of_scores_which_one_capacity_decides():
+    """By numerical slopes, and the covariance of indicators that one normal number decides."""
     im, hits = scaled_records(20, seed=3)
-    record = np.arange(20)[:, None]
-    curve = fit_fragility(im, hits, group=record)
-    best = np.array([curve.median, curve.dispersion])
+    curve = fit_fragility(im, hits, group=np.arange(20)[:, None])
+    best, levels = np.array([curve.median, curve.dispersion]), im[0]
     steps = 1e-5 * np.eye(2)
-    slopes = np.array([[
-        (unlikelihood(best - h, row, hit, 1) - unlikelihood(best + h, row, hit, 1)) / 2e-5
-        for h in steps] for row, hit in zip(im, hits, strict=True)
-    ])  # fmt: skip
-    bread = fit_fragility(im, hits).covariance
-    expected = 20 / 19 * bread @ slopes.T @ slopes @ bread
-    np.testing.assert_allclose(curve.covariance, expected, rtol=1e-5)
+    p = probability(levels, *best)
+    slopes = np.array([
+        probability(levels, *(best + h)) - probability(levels, *(best - h)) for h in steps
+    ]) / 2e-5  # fmt: skip
+    indicators = np.minimum.outer(p, p) - np.multiply.outer(p, p)
+    weights = slopes / (p * (1 - p))
+    bread = np.linalg.inv(20 * weights @ slopes.T)
+    expected = bread @ (20 * weights @ indicators @ weights.T) @ bread
+    np.testing.assert_allclose(curve.covariance, expected, rtol=1e-6)
 
 
 def test_record_that_is_counted_twice_says_nothing_new():
@@ -250,14 +259,45 @@ def test_interval_by_record_holds_the_true_median_as_often_as_it_says():
     assert within["independent"] / sets < 0.86
 
 
-def test_quantile_of_the_median_is_the_median_and_its_interval_that_of_its_logarithm():
-    curve = fit_fragility(IM, HITS, OF)
-    value, lower, upper = curve.quantile(0.5, level=0.9)
-    doubt = norm.ppf(0.95) * np.sqrt(curve.covariance[0, 0]) / curve.median
-    assert (value, lower, upper) == pytest.approx(
-        (curve.median, curve.median * np.exp(-doubt), curve.median * np.exp(doubt))
-    )
-    assert curve.probability(curve.quantile(0.05).value) == pytest.approx(0.05)
+@pytest.mark.parametrize("probability", [0.05, 0.5, 0.9])
+@pytest.mark.parametrize("group", [None, np.arange(20)[:, None]])
+def test_interval_of_a_quantile_ends_where_the_bounds_reach_its_probability(probability, group):
+    im, hits = scaled_records(20, seed=3)
+    curve = fit_fragility(im, hits, group=group)
+    value, lower, upper = curve.quantile(probability, level=0.9)
+    assert curve.probability(value) == pytest.approx(probability)
+    assert lower < value < upper
+    assert curve.bounds(lower, 0.9)[1] == pytest.approx(probability)
+    assert curve.bounds(upper, 0.9)[0] == pytest.approx(probability)
+
+
+def test_interval_by_record_is_wider_by_students_factor():
+    im, hits = scaled_records(20, seed=3)
+    curve = fit_fragility(im, hits, group=np.arange(20)[:, None])
+    low, high = curve.bounds(0.5)
+    width = norm.ppf(high) - norm.ppf(low)
+    low, high = dataclasses.replace(curve, groups=0).bounds(0.5)
+    factor = student.ppf(0.975, 19) / norm.ppf(0.975)
+    assert width == pytest.approx(factor * (norm.ppf(high) - norm.ppf(low)))
+
+
+def test_interval_of_a_curve_that_may_be_flat_has_no_end():
+    curve = fit_fragility([0.5, 0.5, 1.0, 1.0], [0, 1, 0, 1], [3, 3, 1, 1])
+    assert curve.quantile(0.5)[1:] == (0.0, np.inf)
+    with pytest.raises(ValueError, match="falls as the intensity rises"):
+        fit_fragility([0.5, 1.0], [300_000, 300_001], 10**6)
+
+
+def test_interval_by_group_is_that_of_groups_all_or_any_of_which_exceed():
+    group = np.repeat(np.arange(6), 2)
+    hits = np.array([1, 1, 1, 0, 0, 0, 0, 0, 1, 1, 0, 1], dtype=bool)
+    every = binomtest(2, 6).proportion_ci(0.95, method="exact")
+    some = binomtest(4, 6).proportion_ci(0.95, method="exact")
+    assert proportion_interval_by_group(hits, group) == pytest.approx((every.low, some.high))
+    none = proportion_interval_by_group(np.zeros(12), group)
+    assert none == pytest.approx((0.0, 1.0 - 0.025 ** (1 / 6)))  # 0.459, of 12 tests 0.265
+    with pytest.raises(ValueError, match="group is 3: a label"):
+        proportion_interval_by_group(hits, group[:3])
 
 
 @pytest.mark.parametrize("level", [0.5, 0.95, 0.999])

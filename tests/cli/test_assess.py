@@ -6,6 +6,8 @@ import numpy as np
 import pytest
 
 from rockeom.cli import main
+from rockeom.sweeps import run as sweeps
+from tests.interrupts import interrupted_at
 
 BLOCK = ["rigid_block", "--set", "width=0.5", "height=2.0", "mass=400"]
 
@@ -85,3 +87,50 @@ def test_folder_without_records_is_named(tmp_path, capsys):
         assert str(folder) in said
     assert main(["assess", *BLOCK, "--motion", str(tmp_path)]) == 2
     assert f"--motion {tmp_path}/*.txt --units g" in capsys.readouterr().err
+
+
+def recording(tmp_path) -> list[str]:
+    """Files of PEER of one recording: two horizontal components and a vertical one."""
+    t = 0.02 * np.arange(150)
+    for i, component in enumerate(("000", "090", "-UP")):
+        a = (0.3, 0.25, 0.1)[i] * np.sin((9.0 + i) * t) * np.exp(-0.5 * t)
+        head = f"PEER\nSome, 1/1/2000, A, {component}\nACCELERATION TIME SERIES IN UNITS OF G\n"
+        text = f"{head}NPTS= {len(a)}, DT= .0200 SEC\n" + "\n".join(f"{x:.7E}" for x in a)
+        (tmp_path / f"RSN1_SOME_A{component}.AT2").write_text(text)
+    return ["--motion", str(tmp_path)]
+
+
+@pytest.mark.filterwarnings("ignore:.*vertical components")
+def test_components_of_one_recording_count_as_one(tmp_path, capsys):
+    files = recording(tmp_path)
+    assert main(["assess", *BLOCK, *files, "--pga", "0.3g"]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "1 recording of 2 records" in said
+    assert "no vertical shaking" in said
+    assert main(["assess", *BLOCK, *files, "--pga", "0.3g", "--components", "all"]) == 0
+    assert "Vertical shaking: that of 2 of 2 records" in " ".join(capsys.readouterr().out.split())
+
+
+@pytest.mark.filterwarnings("ignore:.*vertical components")
+def test_floors_are_those_of_the_components(tmp_path, capsys):
+    out = tmp_path / "page.html"
+    floor = ["--floor", "0.5", "0.17", "--floor-height", "0.8", "--out", str(out)]
+    assert main(["assess", *BLOCK, *recording(tmp_path), "--pga", "0.3g", *floor]) == 0
+    assert "1 recording of 2 records" in " ".join(capsys.readouterr().out.split())
+    assert "RSN1_SOME_A090, floor at 0.8 of the height" in out.read_text(encoding="utf-8")
+
+
+def test_lengths_in_mm_are_questioned_until_they_are_checked(record, capsys):
+    large = ["rigid_block", "--set", "width=600", "height=1800", "mass=1"]
+    assert main(["assess", *large, *record]) == 0
+    said = capsys.readouterr().out
+    assert said.index("Question: The structure measures 1800 m") < said.index("No verdict")
+    assert "--units-checked" in said
+    assert main(["assess", *large, *record, "--units-checked"]) == 0
+    assert "No verdict" not in capsys.readouterr().out
+
+
+def test_interrupt_ends_it_without_a_verdict(record, monkeypatch, capsys):
+    monkeypatch.setattr(sweeps, "in_threads", interrupted_at(1, sweeps.in_threads))
+    assert main(["assess", *BLOCK, *record]) == 130
+    assert capsys.readouterr().out == ""

@@ -99,6 +99,15 @@ def test_lengths_in_centimetres_or_millimetres(structure, size):
     assert "cm or mm" in hint
 
 
+@pytest.mark.parametrize("change", [{"gravity": 981.0}, {"gravity": 1.0}, {"friction": 60.0}])
+def test_gravity_in_another_unit_and_friction_in_percent(change):
+    size = {"half_width": 0.2, "half_height": 0.6, "friction": 1.5, "restitution": 0.0}
+    assert rk.SlidingBlock(**size).hints() == ()
+    (hint,) = rk.SlidingBlock(**size | change).hints()
+    ((name, value),) = change.items()
+    assert hint.startswith(f"{name} is {value:g}")
+
+
 def test_damping_ratio_that_was_given_for_a_damping():
     values = column().parameters()
     typed = rk.FlexibleStructure(**values | {"damping": 0.05})

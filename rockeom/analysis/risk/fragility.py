@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
-from scipy.special import betaincinv, log_ndtr, ndtr, ndtri
+from scipy.special import betaincinv, log_ndtr, ndtr, ndtri, stdtrit
 
 from rockeom.analysis.sweeps import FALLS, STANDS, check_sweep, outcome_labels, peaks_of
 from rockeom.analysis.unfinished import check_finished
@@ -53,6 +53,30 @@ def proportion_interval(
     return lower, upper
 
 
+def proportion_interval_by_group(
+    exceeded: ArrayLike, group: ArrayLike, level: float = 0.95
+) -> tuple[float, float]:
+    """Lower and upper confidence bound of a probability, by dependent observations.
+
+    exceeded (n,) : True or False. group (n,) : labels; observations of one label, such as both
+    components of a recording, depend on one another in any way. level : as of
+    `proportion_interval`.
+
+    The lower bound is that of groups all of which exceeded, the upper one that of groups any of
+    which did: the probability lies between those of both, whatever the dependence. Raises
+    ValueError as `proportion_interval` does, and for other shapes.
+    """
+    hits, labels = np.asarray(exceeded, dtype=bool), np.asarray(group)
+    function = "proportion_interval_by_group"
+    require(
+        hits.shape == labels.shape, function, "group", labels.size, "a label for each observation"
+    )
+    groups = [hits[labels == label] for label in np.unique(labels)]
+    lower, _ = proportion_interval(sum(one.all() for one in groups), len(groups), level)
+    _, upper = proportion_interval(sum(one.any() for one in groups), len(groups), level)
+    return float(lower), float(upper)
+
+
 @dataclass(frozen=True, eq=False)
 class Fragility:
     """The probability Phi(ln(im/median)/dispersion) that a limit is exceeded, and its doubt.
@@ -63,6 +87,10 @@ class Fragility:
         that of `fit_fragility` by `group` where motions are scaled to several intensities.
     intensity (n,), exceeded (n,), number (n,) : the observations.
     left_out : cases without an answer, which are not counted.
+    groups : number of groups of dependent observations; 0 where all are independent.
+
+    Intervals take so many standard errors as the normal distribution asks for, or Student's with
+    groups - 1 degrees of freedom.
     """
 
     median: float
@@ -72,6 +100,7 @@ class Fragility:
     exceeded: np.ndarray
     number: np.ndarray
     left_out: int = 0
+    groups: int = 0
 
     def probability(self, im: ArrayLike) -> np.ndarray:
         """Probability that the limit is exceeded at intensities, of the shape of `im`."""
@@ -89,28 +118,41 @@ class Fragility:
         slopes = np.stack([np.full_like(deviates, -1.0 / self.median), -deviates], axis=-1)
         slopes /= self.dispersion
         variance = np.einsum("...i,ij,...j", slopes, self.covariance, slopes)
-        reach = ndtri(0.5 + 0.5 * level) * np.sqrt(variance)
+        reach = self._standard_errors(level) * np.sqrt(variance)
         return ndtr(deviates - reach), ndtr(deviates + reach)
 
     def quantile(self, probability: float, level: float = 0.95) -> Estimate:
         """Intensity at which the limit is exceeded with a probability, and its interval.
 
-        level : of the interval, by the delta method for the logarithm of the intensity. Raises
-        ValueError for a probability or a level that does not lie between 0 and 1.
+        level : of the interval, whose ends are where `bounds` reach the probability (Fieller 1954,
+        Journal of the Royal Statistical Society B 16, 175-185); 0 and infinity where they do not,
+        since the curve may be flat. Raises ValueError for a probability or a level that does not
+        lie between 0 and 1.
         """
-        for name, given in (("probability", probability), ("level", level)):
-            require(0.0 < given < 1.0, "quantile", name, given, "it lies between 0 and 1")
+        for name, part in (("probability", probability), ("level", level)):
+            require(0.0 < part < 1.0, "quantile", name, part, "it lies between 0 and 1")
         deviate = float(ndtri(probability))
         value = self.median * np.exp(self.dispersion * deviate)
-        slopes = np.array([1.0 / self.median, deviate])
-        reach = ndtri(0.5 + 0.5 * level) * np.sqrt(slopes @ self.covariance @ slopes)
-        return Estimate(*map(float, (value, value * np.exp(-reach), value * np.exp(reach))))
+        scale = np.array([1.0 / self.median, 1.0]) * self._standard_errors(level) / self.dispersion
+        (c_0, c_1), (_, c_2) = self.covariance * np.outer(scale, scale)
+        # the ends are the deviates x with (x - deviate)**2 = c_0 + 2 c_1 x + c_2 x**2
+        if c_2 >= 1.0:
+            return Estimate(float(value), 0.0, np.inf)
+        middle, rest = deviate + c_1, deviate**2 - c_0
+        reach = np.sqrt(middle**2 - (1.0 - c_2) * rest)
+        ends = (middle + np.array([-reach, reach])) / (1.0 - c_2)
+        return Estimate(float(value), *(self.median * np.exp(self.dispersion * ends)).tolist())
 
     def fractions(self) -> tuple[np.ndarray, np.ndarray]:
         """(k,) the different intensities, and (k,) which part exceeded the limit at each."""
         levels, where = np.unique(self.intensity, return_inverse=True)
         exceeded, number = (np.bincount(where, weights) for weights in (self.exceeded, self.number))
         return levels[number > 0], exceeded[number > 0] / number[number > 0]
+
+    def _standard_errors(self, level: float) -> float:
+        """Half of an interval in standard errors."""
+        tail = 0.5 + 0.5 * level
+        return float(stdtrit(self.groups - 1, tail) if self.groups else ndtri(tail))
 
     def _deviates(self, im: ArrayLike) -> np.ndarray:
         (intensity,) = positive("Fragility", im=im)
@@ -143,8 +185,11 @@ def fit_fragility(
     left_out : cases that gave no answer, for the result.
     group : the record of each observation, where each of n records is scaled to several
         intensities; any labels, of a shape that broadcasts with the others. Observations of one
-        record are not independent: the covariance is then n/(n - 1) times the sandwich of Liang
-        and Zeger (1986), Biometrika 73(1), 13-22, that of sums over each record.
+        record are not independent: the covariance is then that of scores which one capacity of the
+        record decides, from which on it exceeds the limit. Where a group has several motions, such
+        as both components of a recording, it is an upper bound, since they may depend on one
+        another fully. The sandwich of Liang and Zeger (1986), Biometrika 73(1), 13-22, is too
+        small for tens of records, see `benchmarks/assessment.py`.
 
     The likelihood of ln-normal limits is that of a probit regression on ln(intensity), whose
     maximum is unique. Source: Baker (2015), Earthquake Spectra 31(1), 579-599, equation 11.
@@ -168,16 +213,16 @@ def fit_fragility(
     (level, slope), information = _probit(columns, hits, of)
     spread = np.linalg.inv(information)
     if group is not None:
-        scores = _scores(columns, np.array([level, slope]), hits, of)
-        spread = spread @ _between(scores, labels) @ spread
-    if slope <= 0.0:
+        spread = spread @ _between(columns, np.array([level, slope]), of, labels) @ spread
+    if slope <= 0.0 or abs(level) > _FLATTEST * slope:
         raise ValueError(f"{function}: the fraction that exceeds falls as the intensity rises")
     median, dispersion = np.exp(centre - level / slope), 1.0 / slope
     turned = np.array(
         [[-median / slope, median * level / slope**2], [0.0, -1.0 / slope**2]]
     )  # of median and dispersion by level and slope
     covariance = turned @ spread @ turned.T
-    return Fragility(float(median), float(dispersion), covariance, im, hits, of, left_out)
+    groups = 0 if group is None else len(np.unique(labels))
+    return Fragility(float(median), float(dispersion), covariance, im, hits, of, left_out, groups)
 
 
 @explained.calls()
@@ -241,26 +286,37 @@ def _refuse_separable(im: np.ndarray, hits: np.ndarray, of: np.ndarray) -> None:
         raise ValueError(f"{function}: the fraction that exceeds falls as the intensity rises")
 
 
-def _scores(
-    columns: np.ndarray, coefficients: np.ndarray, hits: np.ndarray, of: np.ndarray
-) -> np.ndarray:
-    """(n, 2) slopes of the logarithm of the likelihood of each observation."""
-    deviates = columns @ coefficients
+def _hazards(deviates: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(n,) slopes of ln p and of -ln(1 - p) by the normal deviates of probabilities p."""
     density = -0.5 * deviates**2 - 0.5 * np.log(2 * np.pi)
-    above, below = np.exp(density - log_ndtr(deviates)), np.exp(density - log_ndtr(-deviates))
-    return columns * (hits * above - (of - hits) * below)[:, None]
+    return np.exp(density - log_ndtr(deviates)), np.exp(density - log_ndtr(-deviates))
 
 
-def _between(scores: np.ndarray, labels: np.ndarray) -> np.ndarray:
-    """(2, 2) sum of squares of the scores, those of one label added before."""
-    distinct, which = np.unique(labels, return_inverse=True)
+def _between(
+    columns: np.ndarray, coefficients: np.ndarray, of: np.ndarray, labels: np.ndarray
+) -> np.ndarray:
+    """(2, 2) covariance of the sum of the scores, if one capacity decides all of a label.
+
+    Observations i, j with p_i <= p_j have the covariance p_i (1 - p_j), their scores that over
+    p (1 - p) of both, times the densities: the slope of -ln(1 - p_i) times that of ln p_j.
+    """
+    distinct = np.unique(labels)
     n = len(distinct)
     require(n > 1, "fit_fragility", "group", n, "one record alone tells nothing of others")
-    sums = np.zeros((n, 2))
-    np.add.at(sums, which, scores)
-    return n / (n - 1) * sums.T @ sums
+    deviates = columns @ coefficients
+    later, earlier = ((of * slopes)[:, None] * columns for slopes in _hazards(deviates))
+    total = np.zeros((2, 2))
+    for label in distinct:
+        rows = np.flatnonzero(labels == label)
+        rows = rows[np.argsort(deviates[rows])]
+        before = np.cumsum(earlier[rows], axis=0) - earlier[rows]
+        pairs = before.T @ later[rows]
+        total += earlier[rows].T @ later[rows] + pairs + pairs.T
+    return total
 
 
+_FLATTEST = 100.0
+"""Logarithm of the median over the mean intensity beyond which a curve does not rise."""
 _ROUNDS = 100
 
 
@@ -279,9 +335,9 @@ def _probit(columns: np.ndarray, hits: np.ndarray, of: np.ndarray) -> tuple[np.n
             step = step / 2
             continue
         coefficients, best = coefficients + step, likelihood
-        score = _scores(columns, coefficients, hits, of).sum(axis=0)
-        density = -0.5 * deviates**2 - 0.5 * np.log(2 * np.pi)
-        weights = of * np.exp(2 * density - above - below)
+        rising, falling = _hazards(deviates)
+        score = (hits * rising - (of - hits) * falling) @ columns
+        weights = of * rising * falling
         information = columns.T @ (weights[:, None] * columns)
         step = np.linalg.solve(information, score)
         if np.abs(step).max() <= 1e-13 * np.abs(coefficients).max():

@@ -7,6 +7,8 @@ from rockeom.structures.shipped.declarations import offset_block as declared
 
 
 class OffsetBlock(declared.OffsetBlock):
+    full_height: float | None = None
+
     def __post_init__(self) -> None:
         if not -self.half_width < self.offset < self.half_width:
             raise ValueError(

@@ -14,6 +14,8 @@ from rockeom.structures.shipped.offset_block import OffsetBlock
 
 
 class RigidBlock(Block, declared.RigidBlock):
+    full_height: float | None = None
+
     @classmethod
     @accepts_degrees("alpha")
     def from_frequency(
@@ -63,6 +65,7 @@ class RigidBlock(Block, declared.RigidBlock):
         The inertia is m (width**2 + height**2)/12 if not given: that of the homogeneous rectangle.
         With the centroid off the middle it is an estimate: the inertia about a foot is for three
         quarters that of the centroid's distance, so that an error of 20 % changes p by 2.5 %.
+        The block keeps its height as `full_height`, for a strap and for words.
 
         >>> rack = RigidBlock.from_dimensions(width=0.6, height=2.0, centroid_height=0.8)
         >>> rack.alpha  # rad
@@ -89,6 +92,7 @@ class RigidBlock(Block, declared.RigidBlock):
                 "base; give its distance from the middle of the base [m], positive to the right"
             )
         size = dict(half_width=0.5 * width, half_height=up, mass=mass, gravity=gravity, **others)
+        size["full_height"] = height
         if inertia is None and (offset or centroid_height is not None):
             check_values(name, {"mass": mass})
             inertia = mass * (width**2 + height**2) / 12
