@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 
 from rockeom import renamed
@@ -10,10 +11,12 @@ from rockeom.motion.components import split
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.recording import Recording
+from rockeom.motion.scaling import SCALE_IN_NAME
 from rockeom.numbers.checks import described
 
 _RIGHT_ANGLE = 10.0  # degrees by which the angle between two azimuths may differ from a right one
 _SHOWN = 5
+_OF_SCALED = re.compile(f"({SCALE_IN_NAME.pattern.rstrip('$')})?( \\(\\d+\\))?$")
 
 
 def recordings(motions: Iterable[GroundMotion], set_name: str) -> tuple[Recording, ...]:
@@ -22,6 +25,11 @@ def recordings(motions: Iterable[GroundMotion], set_name: str) -> tuple[Recordin
     for motion in motions:
         groups.setdefault(split(motion.name)[0] or set_name, []).append(motion)
     return tuple(_recording(name, group) for name, group in groups.items())
+
+
+def recording_of(name: object) -> str:
+    """The recording of a motion by its label in a sweep, where scaled ones may have many labels."""
+    return split(_OF_SCALED.sub("", name))[0] if isinstance(name, str) else str(name)
 
 
 def _recording(name: str, group: Sequence[GroundMotion]) -> Recording:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -243,6 +244,12 @@ class _Moving:
         run = self.run
         along = self.found.end
         last = self.path.last_time
+        bound = run.structure.falls.get(name, math.inf) if self.path.falls else math.inf
+        if abs(run.final.get(name, 0.0)) >= bound * (1.0 - 1e-9):
+            raise ValueError(
+                f"of: the motion overturned, and {name} ends at {bound:.4g} whatever the numbers "
+                'are, so that its derivatives tell nothing: ask for "overturning time"'
+            )
         if self.path.falls:
             along = along + np.outer(self.path.rates(last), self.found.end_time)
         modes = run.steps.at(np.array([last]), "left")[1]
