@@ -244,12 +244,6 @@ class _Moving:
         run = self.run
         along = self.found.end
         last = self.path.last_time
-        bound = run.structure.falls.get(name, math.inf) if self.path.falls else math.inf
-        if abs(run.final.get(name, 0.0)) >= bound * (1.0 - 1e-9):
-            raise ValueError(
-                f"of: the motion overturned, and {name} ends at {bound:.4g} whatever the numbers "
-                'are, so that its derivatives tell nothing: ask for "overturning time"'
-            )
         if self.path.falls:
             along = along + np.outer(self.path.rates(last), self.found.end_time)
         modes = run.steps.at(np.array([last]), "left")[1]
@@ -332,6 +326,12 @@ def _extreme(motion: _Moving, which: str, name: str) -> Dual:
     of = motion.run.extremes(name)
     sided = which == "greatest" or (which == "peak" and of.maximum >= -of.minimum)
     t, value = (of.maximum_time, of.maximum) if sided else (of.minimum_time, of.minimum)
+    bound = motion.run.structure.falls.get(name, math.inf)
+    if motion.path.falls and abs(value) >= bound * (1.0 - 1e-9):
+        raise ValueError(
+            f"of: {which} {name} is {bound:.4g}, at which the motion ends as overturned, whatever "
+            'the numbers are, and has no derivatives: ask for "overturning time"'
+        )
     tolerance = 1e-7 * float(np.max(motion.run.steps.span[:, 1]))
     there = np.flatnonzero(np.abs(motion.run.events.columns[0] - t) <= tolerance)
     places = [motion.at_event(name, k, after) for k in there.tolist() for after in (False, True)]

@@ -1,11 +1,14 @@
 """Fragility curves: against closed forms, an optimisation of another kind, and chance itself."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 import xarray as xr
 from scipy.optimize import minimize
-from scipy.stats import binomtest, norm
+from scipy.stats import binomtest, norm, t
 
+from benchmarks import dependence
 from rockeom.analysis.risk.fragility import fit_fragility, fragility_of, proportion_interval
 from rockeom.analysis.sweeps import outcome_labels, peaks_of
 
@@ -214,19 +217,28 @@ def scaled_records(n: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
     return np.broadcast_to(im, (n, 8)), im > limits
 
 
-def test_covariance_by_record_is_the_sandwich_of_numerical_slopes():
+def test_covariance_by_record_is_that_of_curves_without_one_each():
+    """In 1/dispersion and the deviate of the intensity 1, in which the likelihood is concave."""
     im, hits = scaled_records(20, seed=3)
-    record = np.arange(20)[:, None]
-    curve = fit_fragility(im, hits, group=record)
-    best = np.array([curve.median, curve.dispersion])
-    steps = 1e-5 * np.eye(2)
-    slopes = np.array([[
-        (unlikelihood(best - h, row, hit, 1) - unlikelihood(best + h, row, hit, 1)) / 2e-5
-        for h in steps] for row, hit in zip(im, hits, strict=True)
-    ])  # fmt: skip
-    bread = fit_fragility(im, hits).covariance
-    expected = 20 / 19 * bread @ slopes.T @ slopes @ bread
-    np.testing.assert_allclose(curve.covariance, expected, rtol=1e-5)
+    curve = fit_fragility(im, hits, group=np.arange(20)[:, None])
+
+    def coefficients(one):
+        return np.array([-np.log(one.median), 1.0]) / one.dispersion
+
+    rows = ~np.eye(20, dtype=bool)
+    changes = [coefficients(fit_fragility(im[r], hits[r])) - coefficients(curve) for r in rows]
+    expected = np.transpose(changes) @ changes
+    for at in (0.3, 0.6, 1.4):
+        low, high = curve.bounds(at, 0.9)
+        slopes = np.array([1.0, np.log(at)])
+        error = t.ppf(0.95, 19) * np.sqrt(slopes @ expected @ slopes)
+        deviate = slopes @ coefficients(curve)
+        assert (low, high) == pytest.approx(norm.cdf([deviate - error, deviate + error]), rel=1e-6)
+    _, low, high = curve.dispersion_interval(0.9)
+    error = t.ppf(0.95, 19) * np.sqrt(expected[1, 1])
+    assert (1 / high, 1 / low) == pytest.approx(
+        (1 / curve.dispersion - error, 1 / curve.dispersion + error)
+    )
 
 
 def test_record_that_is_counted_twice_says_nothing_new():
@@ -237,27 +249,21 @@ def test_record_that_is_counted_twice_says_nothing_new():
     np.testing.assert_allclose(twice.covariance, once.covariance, rtol=1e-9)
 
 
-def test_interval_by_record_holds_the_true_median_as_often_as_it_says():
-    """That of independent motions, a mistake here, holds it in three of four sets."""
-    within = {"by record": 0, "independent": 0}
-    sets = 200
-    for seed in range(sets):
-        im, hits = scaled_records(40, seed)
-        for name, group in (("by record", np.arange(40)[:, None]), ("independent", None)):
-            _, lower, upper = fit_fragility(im, hits, group=group).quantile(0.5)
-            within[name] += lower <= 0.6 <= upper
-    assert 0.91 < within["by record"] / sets < 0.98
-    assert within["independent"] / sets < 0.86
-
-
-def test_quantile_of_the_median_is_the_median_and_its_interval_that_of_its_logarithm():
+@pytest.mark.parametrize("part", [0.05, 0.5, 0.9])
+def test_interval_of_a_quantile_ends_where_a_bound_has_its_probability(part):
     curve = fit_fragility(IM, HITS, OF)
-    value, lower, upper = curve.quantile(0.5, level=0.9)
-    doubt = norm.ppf(0.95) * np.sqrt(curve.covariance[0, 0]) / curve.median
-    assert (value, lower, upper) == pytest.approx(
-        (curve.median, curve.median * np.exp(-doubt), curve.median * np.exp(doubt))
-    )
-    assert curve.probability(curve.quantile(0.05).value) == pytest.approx(0.05)
+    value, lower, upper = curve.quantile(part, level=0.9)
+    assert lower < value < upper
+    assert curve.probability(value) == pytest.approx(part)
+    assert curve.bounds(lower, 0.9)[1] == pytest.approx(part)
+    assert curve.bounds(upper, 0.9)[0] == pytest.approx(part)
+    assert curve.quantile(0.5).value == curve.median
+
+
+def test_slope_that_may_be_zero_leaves_every_intensity_open():
+    curve = fit_fragility([1, 2, 3, 4], [1, 0, 1, 2], 3)
+    assert curve.quantile(0.05)[1:] == (0.0, np.inf)
+    assert curve.dispersion_interval()[2] == np.inf
 
 
 @pytest.mark.parametrize("level", [0.5, 0.95, 0.999])
@@ -268,9 +274,91 @@ def test_interval_of_a_fraction_is_that_of_scipy(level):
             assert proportion_interval(hits, number, level) == pytest.approx(expected, abs=1e-12)
 
 
-def test_impossible_fractions_and_groups_are_refused():
+def test_impossible_fractions_are_refused():
     for wrong in ((5, 4), (-1, 4), (0, 0)):
         with pytest.raises(ValueError, match="proportion_interval"):
             proportion_interval(*wrong)
-    with pytest.raises(ValueError, match="one record alone"):
-        fit_fragility(IM, HITS, OF, group=0)
+
+
+# --- recordings of a sweep, and cases without an answer
+
+
+def of_recordings(n=12, shared=0.5, **changed) -> xr.Dataset:
+    made = dependence.recordings(np.random.default_rng(1), n, shared)
+    return made.assign_coords(**changed)
+
+
+def test_components_of_a_recording_are_one_group():
+    """By default from the names, which scaled motions have with a factor and a number."""
+    sweep = of_recordings()
+    default = fragility_of(sweep, intensity="pga")
+    station, fell = np.repeat(np.arange(12), 2)[:, None], sweep.outcome.values == "overturned"
+    by_hand = fit_fragility(sweep.pga.values, fell, group=station)
+    np.testing.assert_allclose(default.covariance, by_hand.covariance)
+    assert default.groups == 12
+    assert "192 motions in 12 groups; intervals of 95 %" in repr(default)
+    table = sweep.stack(case=("motion", "pga")).reset_index("case")
+    names = [f"{name}-A1.5-T1 (2)" for name in table.motion.values]
+    for other in (table, table.assign_coords(motion=("case", names))):
+        curve = fragility_of(other, intensity="pga")
+        np.testing.assert_allclose(curve.covariance, default.covariance)
+
+
+@pytest.mark.parametrize(
+    ("group", "groups", "said"),
+    [
+        ("motion", 24, "192 motions in 24 groups; intervals of 95 %"),
+        ("event", 4, "192 motions in 4 groups; intervals of 95 %"),
+        ("region", 2, "192 motions in 2 groups; no intervals: 2 groups are too few"),
+        (None, None, "192 motions counted as independent; intervals of 95 %"),
+    ],
+)
+def test_groups_of_another_name_or_none_are_said(group, groups, said):
+    place = np.arange(24)
+    sweep = of_recordings(event=("motion", place % 4), region=("motion", place % 2))
+    curve = fragility_of(sweep, intensity="pga", group=group)
+    assert curve.groups == groups
+    assert said in repr(curve)
+    assert np.isnan(curve.quantile(0.5).lower) == np.isnan(curve.bounds(1.0)[1]) == (groups == 2)
+    with pytest.raises(ValueError, match=r"no coordinate 'evnt' \(did you mean event\?\); it has"):
+        fragility_of(sweep, intensity="pga", group="evnt")
+
+
+def test_sweep_without_motions_has_no_groups():
+    assert fragility_of(sweep(), intensity="pga").groups is None
+    assert fragility_of(of_recordings(motion=np.arange(24)), intensity="pga").groups == 24
+
+
+def test_cases_without_an_answer_are_counted_both_ways():
+    curve = fragility_of(sweep(), intensity="pga")
+    both = [fit_fragility([1, 2, 3, 4, 5], [0, 1, 2, 2 + more, 3], 4) for more in (1, 0)]
+    fallen, standing = (f"median {c.median:.4g}, dispersion {c.dispersion:.3g}" for c in both)
+    said = (
+        f"1 without an answer (1 stalled) left out; with all of them fallen: {fallen}; "
+        f"with all standing: {standing}"
+    )
+    assert curve.not_counted == said
+    assert said in repr(curve)
+
+
+def test_fractions_are_said_where_a_curve_is_missing():
+    few = sweep().isel(pga=[0, 3], record=[0, 2, 3])
+    fractions = r"fallen: fractions 0, 0\.667; with all standing: fractions 0, 0\.333"
+    with pytest.raises(ValueError, match=rf"separable.*; 1 without an answer .*{fractions}"):
+        fragility_of(few, intensity="pga")
+
+
+@pytest.mark.parametrize(("n", "shared"), [(6, 0.5), (22, 1.0)])
+def test_intervals_between_recordings_hold_the_truth(n, shared):
+    """The whole study is `python -m benchmarks.dependence`."""
+    once = partial(dependence.fragility, n=n, shared=shared, group="recording")
+    found, silent = dependence.counts(dependence.Study("", once), 100, seed=5)
+    assert silent < 20
+    for name, one in found.items():
+        assert one.true >= 0.9 * one.number, name
+
+
+def test_motions_of_a_recording_are_not_independent():
+    once = partial(dependence.fragility, n=22, shared=1.0, group=None)
+    found, _ = dependence.counts(dependence.Study("", once), 60)
+    assert found["PGA at 50 %"].true < 45

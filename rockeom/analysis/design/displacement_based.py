@@ -52,8 +52,8 @@ def modified_spectrum(
 ) -> Spectrum:
     """A spectrum of displacements for any damping, out of that for 5 %.
 
-    spectrum : period [s] to displacement [m], for 5 % of damping; or a `DesignSpectrum`, whose
-    displacements are taken. exponent of `damping_modifier`.
+    spectrum : period [s] to displacement [m], for 5 % of damping; or a `DesignSpectrum`, with
+    its displacements. exponent of `damping_modifier`.
 
     Raises ValueError for a design spectrum of another damping.
     """
@@ -127,7 +127,7 @@ def displacement_based_design(
     target_displacement, yield_displacement [m], of the substitute structure; mass, the effective
     one [kg].
     spectrum : displacement [m] of period [s] and damping ratio, such as `MeanSpectrum(motions)`, or
-        `modified_spectrum` of one for 5 %; or a `DesignSpectrum`, of which it is taken.
+        `modified_spectrum` of one for 5 %; or a `DesignSpectrum`, for which it is called.
     damping : ratio of ductility and effective period [s], such as 2-31 with 2-32c,
         `lambda mu, t: 0.05 + flag_damping(mu, 0.05, 0.35)`, 2-33 (`grant_damping`), 2-34 or 2-35.
     periods : shortest and longest of the search [s].

@@ -91,8 +91,8 @@ def fema_356_rocking(
 
     block, motion : its spectrum replaces the design spectrum; or a design spectrum, a
         function of period [s] and damping ratio that gives the displacement [m], such as
-        `modified_spectrum` of one for 5 %; or a `DesignSpectrum`, of which it is taken. Both need
-        a fixed_base_period.
+        `modified_spectrum` of one for 5 %; or a `DesignSpectrum`, for which `modified_spectrum`
+        is called. Both need a fixed_base_period.
     damping : "2-15" (FEMA 356), or "2-16" (Priestley et al. 1978), which is more.
     bearing_capacity q_c of the ground for each metre of the edge's way in [N/m]: the pivot lies
         m g/(2 q_c) inside the edge, which needs the block's mass; infinite for rigid ground.

@@ -29,7 +29,7 @@ class Calibration:
     p_value : how likely frequencies as far from the probabilities are, all bins together, if these
         are right.
     level : of the bounds.
-    campaigns : number of those given as `outcomes`; 0 where tests were taken for independent.
+    campaigns : number of those given as `outcomes`; 0 where tests count as independent.
     """
 
     number: np.ndarray
@@ -78,8 +78,9 @@ def calibration_of(
     probability : (n,) predicted for it, such as `Ensemble.overturning_probability`.
     bins : number of equal bins from 0 to 1, or their bounds in ascending order.
     outcomes : (n, m) True or False, of m campaigns of the same tests that the model simulates, such
-        as `simulated.overturned`. Without them tests are taken for **independent**, and a right
-        model is rejected too often where they share a parameter, such as the width of the specimen.
+        as `simulated.overturned`. Without them the function **assumes independent tests**, and
+        rejects a right model too often where they share a parameter, such as the width of the
+        specimen.
     level : of the bounds of `Calibration`. seed : of the draws of the p-value.
 
     The p-value is that of the sum over the bins of the squared excess of the count over its

@@ -102,18 +102,18 @@ class Ensemble:
         """Lower and upper confidence bound of the distribution at x, each of the shape of x.
 
         x : as of `distribution`. level : probability, at least, that the true distribution lies
-        within the band everywhere. seed : of what is drawn.
+        within the band everywhere. seed : of the draws.
 
-        Of m campaigns, peaks (n, m), whose tests may share parameters, m are drawn with
-        replacement, 999 times. The band is as wide to both sides as the quantile of the largest
-        deviation of their distribution, times sqrt(m/(m - 1)) and the quantile of Student over that
-        of the normal distribution. The true distribution is that of the same tests.
+        m campaigns, peaks (n, m), whose tests may share parameters, are resampled as a whole, 999
+        times. The band reaches as far to both sides as the quantile of the largest deviation of the
+        resampled distributions, times sqrt(m/(m - 1)) and the quantile of Student over that of the
+        normal distribution. The true distribution is that of the same tests.
 
-        Of one campaign (n,) it is the inequality of Dvoretzky, Kiefer and Wolfowitz (1956) with the
-        constant of Massart (1990), Annals of Probability 18(3), 1269-1283:
-        sqrt(ln(2/(1 - level))/(2 n)) to both sides. **It takes tests for independent**, of any
-        distribution, with a part that overturns, too. What they share, such as a parameter of the
-        specimen, one campaign cannot tell, and the band is that of this specimen.
+        The band of one campaign (n,) follows from the inequality of Dvoretzky, Kiefer and Wolfowitz
+        (1956) with the constant of Massart (1990), Annals of Probability 18(3), 1269-1283:
+        sqrt(ln(2/(1 - level))/(2 n)) to both sides. **It assumes independent tests**, of any
+        distribution, with a part that overturns, too. One campaign does not show the scatter of a
+        parameter that all its tests share: the band is that of this specimen.
 
         Raises ValueError for a level that does not lie between 0 and 1.
         """
@@ -131,7 +131,7 @@ class Ensemble:
         return self.peaks.shape[-1] if self.peaks.ndim > 1 else 1
 
     def _largest_deviation(self, level: float, seed: int) -> float:
-        """Of the distribution of m campaigns from the true one; see `band`."""
+        """Half-width of the band of m campaigns, see `band`."""
         m, every = self.campaigns, np.sort(self.peaks, axis=None)
         x = every[np.linspace(0, len(every) - 1, min(len(every), _PLACES)).astype(int)]
         columns = np.sort(self.peaks.reshape(-1, m), axis=0).T
