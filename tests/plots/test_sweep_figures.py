@@ -279,6 +279,7 @@ def test_each_record_is_a_line_that_leaves_the_numbers_where_it_overturns():
     assert max(ax.get_xticks()) < edge / 1.1  # no number where none is meant
     said = {text.get_text(): text for text in ax.texts}
     assert {"overturned", "a", "b"} == set(said)
+    assert ax.get_title() == f"1 without an answer (1 {STALLED}): in no fractile"
     assert said["b"].xy == (edge, 2.0)
     assert ax.get_xlabel() == "largest |theta| [rad]"
 

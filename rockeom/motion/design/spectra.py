@@ -50,7 +50,7 @@ _VERY_LOW = 0.04 * STANDARD_GRAVITY
 _CATEGORY_A = 0.167 * STANDARD_GRAVITY
 
 _MATCHED = 0.01, 0.5  # damping ratios: less has too many oscillators, more tells no period apart
-_FINER = 8  # parts between two matched periods, in which the largest difference is looked for
+_FINER = 16  # parts between two matched periods, in which the largest difference is looked for
 _WORST_MATCH = 0.25
 _PEAK = 1.05
 """Largest acceleration of a matched motion, over the spectrum at the period 0."""
