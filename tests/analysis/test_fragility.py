@@ -310,7 +310,7 @@ def test_components_of_a_recording_are_one_group():
         ("motion", 24, "192 motions in 24 groups; intervals of 95 %"),
         ("event", 4, "192 motions in 4 groups; intervals of 95 %"),
         ("region", 2, "192 motions in 2 groups; no intervals: 2 groups are too few"),
-        (None, None, "192 motions counted as independent; intervals of 95 %"),
+        (None, 0, "192 motions counted as independent; intervals of 95 %"),
     ],
 )
 def test_groups_of_another_name_or_none_are_said(group, groups, said):
@@ -325,7 +325,7 @@ def test_groups_of_another_name_or_none_are_said(group, groups, said):
 
 
 def test_sweep_without_motions_has_no_groups():
-    assert fragility_of(sweep(), intensity="pga").groups is None
+    assert fragility_of(sweep(), intensity="pga").groups == 0
     assert fragility_of(of_recordings(motion=np.arange(24)), intensity="pga").groups == 24
 
 

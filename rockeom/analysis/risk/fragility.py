@@ -65,9 +65,9 @@ class Fragility:
     covariance (2, 2) : of median and dispersion, the inverse of the expected Fisher information,
         or of `fit_fragility` by `group`; nan where that has none.
     intensity (n,), exceeded (n,), number (n,) : the observations.
-    left_out : cases without an answer, which are not counted; not_counted : how they ended and what
-        follows if they are counted, in words, where the curve is that of a sweep.
-    groups : number of the groups whose motions depend on one another; None if none do.
+    left_out : cases without an answer, which are not counted.
+    groups : number of groups of motions that depend on one another; 0 where all are independent.
+    not_counted : how cases without an answer ended and what follows if they are counted, in words.
     """
 
     median: float
@@ -77,8 +77,8 @@ class Fragility:
     exceeded: np.ndarray
     number: np.ndarray
     left_out: int = 0
+    groups: int = 0
     not_counted: str = ""
-    groups: int | None = None
 
     @property
     def no_interval(self) -> str:
@@ -137,7 +137,7 @@ class Fragility:
     @property
     def grouped(self) -> str:
         """How many motions were counted, and which of them depend on one another, in words."""
-        how = "counted as independent" if self.groups is None else f"in {self.groups} groups"
+        how = f"in {self.groups} groups" if self.groups else "counted as independent"
         return f"{self.number.sum():g} motions {how}"
 
     def _deviates(self, im: ArrayLike) -> np.ndarray:
@@ -154,7 +154,7 @@ class Fragility:
         """Half of an interval over the standard error."""
         require(0.0 < level < 1.0, where, "level", level, _WITHIN)
         upper = 0.5 + 0.5 * level
-        return float(ndtri(upper) if self.groups is None else stdtrit(self.groups - 1, upper))
+        return float(stdtrit(self.groups - 1, upper) if self.groups else ndtri(upper))
 
     def __repr__(self) -> str:
         estimates = self.quantile(0.5), self.dispersion_interval()
@@ -212,7 +212,7 @@ def fit_fragility(
     centre = np.average(np.log(im), weights=of)
     u = np.log(im) - centre
     (level, slope), information = _probit(u, hits, of)
-    groups, spread = None, np.linalg.inv(information)
+    groups, spread = 0, np.linalg.inv(information)
     if group is not None:
         distinct, which = np.unique(labels, return_inverse=True)
         groups, spread = len(distinct), _jackknife(u, hits, of, which, np.array([level, slope]))
@@ -223,9 +223,7 @@ def fit_fragility(
         [[-median / slope, median * level / slope**2], [0.0, -1.0 / slope**2]]
     )  # of median and dispersion by level and slope
     covariance = turned @ spread @ turned.T
-    return Fragility(
-        float(median), float(dispersion), covariance, im, hits, of, left_out, groups=groups
-    )
+    return Fragility(float(median), float(dispersion), covariance, im, hits, of, left_out, groups)
 
 
 @explained.calls()
