@@ -34,7 +34,7 @@ def peak_distributions(
 
     ensembles : `analysis.validation.Ensemble` by what the legend calls it; six at most.
     limit : rotation at which the axis ends, the largest peak if not given.
-    level : of the bands, see `Ensemble.band`: that of one campaign takes its tests for independent.
+    level : of the bands, see `Ensemble.band`; that of one campaign assumes independent tests.
     quantity : what the peaks are, with its unit, for the axis.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
 

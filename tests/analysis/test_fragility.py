@@ -356,9 +356,3 @@ def test_intervals_between_recordings_hold_the_truth(n, shared):
     assert silent < 20
     for name, one in found.items():
         assert one.true >= 0.9 * one.number, name
-
-
-def test_motions_of_a_recording_are_not_independent():
-    once = partial(dependence.fragility, n=22, shared=1.0, group=None)
-    found, _ = dependence.counts(dependence.Study("", once), 60)
-    assert found["PGA at 50 %"].true < 45
