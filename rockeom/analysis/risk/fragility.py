@@ -327,29 +327,30 @@ def _jackknife(
     if n < LEAST_GROUPS:
         return unknown
     levels, place = np.unique(u, return_inverse=True)
-    rows, size = which * len(levels) + place, n * len(levels)
-    counts = [np.bincount(rows, weights, size).reshape(n, -1) for weights in (hits, of)]
-    own = np.stack(counts, axis=1)
     changes = np.empty((n, 2))
-    for k, rest in enumerate(own.sum(axis=0) - own):
+    for k in range(n):
+        rows = which != k
+        some, every = (np.bincount(place[rows], x[rows], len(levels)) for x in (hits, of))
         try:
-            _refuse_separable(levels, *rest)
+            _refuse_separable(levels, some, every)
         except ValueError:
             return unknown
-        changes[k] = _probit(levels, *rest)[0] - coefficients
+        changes[k] = _probit(levels, some, every, coefficients)[0] - coefficients
     return changes.T @ changes
 
 
 _ROUNDS = 100
 
 
-def _probit(u: np.ndarray, hits: np.ndarray, of: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _probit(
+    u: np.ndarray, hits: np.ndarray, of: np.ndarray, start: ArrayLike = (0.0, 0.0)
+) -> tuple[np.ndarray, np.ndarray]:
     """Coefficients (2,) of the most likely probit regression on u, and their expected information.
 
     By Fisher's scoring. The likelihood is concave: a step is halved until it gains.
     """
     columns = np.column_stack([np.ones(len(u)), u])
-    coefficients, best = np.zeros(2), -np.inf
+    coefficients, best = np.array(start), -np.inf
     step = np.zeros(2)
     for _ in range(_ROUNDS):
         deviates = columns @ (coefficients + step)
