@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
 import xarray as xr
 
 from rockeom.analysis.risk.fragility import Fragility, fragility_of
@@ -169,7 +170,7 @@ def _fitted(curve: Fragility) -> str:
     lines = [f"Lognormal curve of maximum likelihood, {curve.grouped}, {doubt}:"]
     told = [(f"{part:.0%}", curve.quantile(part), " g") for part in (0.05, 0.5)]
     for name, x, unit in (*told, ("dispersion", curve.dispersion_interval(), "")):
-        interval = "" if curve.no_interval else f" ({x.lower:.3g} to {x.upper:.3g}{unit})"
+        interval = "" if np.isnan(x.lower) else f" ({x.lower:.3g} to {x.upper:.3g}{unit})"
         lines.append(f"  {name}: {x.value:.3g}{unit}{interval}")
     return "\n".join([*lines, *filter(None, [curve.not_counted])])
 

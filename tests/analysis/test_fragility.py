@@ -1,6 +1,7 @@
 """Fragility curves: against closed forms, an optimisation of another kind, and chance itself."""
 
 from functools import partial
+from itertools import product
 
 import numpy as np
 import pytest
@@ -227,18 +228,16 @@ def test_covariance_by_record_is_that_of_curves_without_one_each():
 
     rows = ~np.eye(20, dtype=bool)
     changes = [coefficients(fit_fragility(im[r], hits[r])) - coefficients(curve) for r in rows]
-    expected = np.transpose(changes) @ changes
+    middle = coefficients(curve) - 19 * np.mean(changes, axis=0)
+    covariance = np.transpose(changes) @ changes
     for at in (0.3, 0.6, 1.4):
-        low, high = curve.bounds(at, 0.9)
         slopes = np.array([1.0, np.log(at)])
-        error = t.ppf(0.95, 19) * np.sqrt(slopes @ expected @ slopes)
-        deviate = slopes @ coefficients(curve)
-        assert (low, high) == pytest.approx(norm.cdf([deviate - error, deviate + error]), rel=1e-6)
+        error = t.ppf(0.95, 19) * np.sqrt(slopes @ covariance @ slopes)
+        expected = norm.cdf(slopes @ middle + np.array([-error, error]))
+        assert curve.bounds(at, 0.9) == pytest.approx(expected, rel=1e-6)
     _, low, high = curve.dispersion_interval(0.9)
-    error = t.ppf(0.95, 19) * np.sqrt(expected[1, 1])
-    assert (1 / high, 1 / low) == pytest.approx(
-        (1 / curve.dispersion - error, 1 / curve.dispersion + error)
-    )
+    error = t.ppf(0.95, 19) * np.sqrt(covariance[1, 1])
+    assert (1 / high, 1 / low) == pytest.approx(middle[1] + np.array([-error, error]))
 
 
 def test_record_that_is_counted_twice_says_nothing_new():
@@ -249,15 +248,12 @@ def test_record_that_is_counted_twice_says_nothing_new():
     np.testing.assert_allclose(twice.covariance, once.covariance, rtol=1e-9)
 
 
-@pytest.mark.parametrize("part", [0.05, 0.5, 0.9])
-def test_interval_of_a_quantile_ends_where_a_bound_has_its_probability(part):
-    curve = fit_fragility(IM, HITS, OF)
-    value, lower, upper = curve.quantile(part, level=0.9)
-    assert lower < value < upper
-    assert curve.probability(value) == pytest.approx(part)
-    assert curve.bounds(lower, 0.9)[1] == pytest.approx(part)
-    assert curve.bounds(upper, 0.9)[0] == pytest.approx(part)
-    assert curve.quantile(0.5).value == curve.median
+def test_interval_of_a_quantile_ends_where_a_bound_has_its_probability():
+    grouped = fragility_of(of_recordings(), intensity="pga")
+    for curve, part in product((grouped, fit_fragility(IM, HITS, OF)), (0.05, 0.5, 0.9)):
+        value, low, high = curve.quantile(part, level=0.9)
+        assert (curve.probability(value), curve.bounds(low, 0.9)[1]) == pytest.approx((part, part))
+        assert curve.bounds(high, 0.9)[0] == pytest.approx(part)
 
 
 def test_slope_that_may_be_zero_leaves_every_intensity_open():
@@ -309,7 +305,7 @@ def test_components_of_a_recording_are_one_group():
     [
         ("motion", 24, "192 motions in 24 groups; intervals of 95 %"),
         ("event", 4, "192 motions in 4 groups; intervals of 95 %"),
-        ("region", 2, "192 motions in 2 groups; no intervals: 2 groups are too few"),
+        ("region", 2, "192 motions in 2 groups; no intervals: 2 groups are too few, or no"),
         (None, 0, "192 motions counted as independent; intervals of 95 %"),
     ],
 )
@@ -322,6 +318,12 @@ def test_groups_of_another_name_or_none_are_said(group, groups, said):
     assert np.isnan(curve.quantile(0.5).lower) == np.isnan(curve.bounds(1.0)[1]) == (groups == 2)
     with pytest.raises(ValueError, match=r"no coordinate 'evnt' \(did you mean event\?\); it has"):
         fragility_of(sweep, intensity="pga", group="evnt")
+
+
+def test_tail_of_a_curve_has_no_intervals_between_recordings():
+    curve = fragility_of(of_recordings(22).isel(pga=slice(0, 4)), intensity="pga")
+    assert curve.fractions()[1].max() < 0.5
+    assert "no intensities lie on both sides of the median" in curve.no_interval
 
 
 def test_sweep_without_motions_has_no_groups():

@@ -67,6 +67,8 @@ class Fragility:
     intensity (n,), exceeded (n,), number (n,) : the observations.
     left_out : cases without an answer, which are not counted.
     groups : number of groups of motions that depend on one another; 0 where all are independent.
+    unbiased : the normal deviate z of the curve is unbiased[0] + unbiased[1] z without the bias of
+        few groups, about which intervals lie.
     not_counted : how cases without an answer ended and what follows if they are counted, in words.
     """
 
@@ -78,13 +80,15 @@ class Fragility:
     number: np.ndarray
     left_out: int = 0
     groups: int = 0
+    unbiased: tuple[float, float] = (0.0, 1.0)
     not_counted: str = ""
 
     @property
     def no_interval(self) -> str:
         """Why no interval is known, all of which are nan then; or nothing."""
         known = np.isfinite(self.covariance).all()
-        return "" if known else f"no intervals: {self.groups} groups are too few"
+        few = f"{self.groups} groups are too few, or no intensities lie on both sides of the median"
+        return "" if known else f"no intervals: {few}"
 
     def probability(self, im: ArrayLike) -> np.ndarray:
         """Probability that the limit is exceeded at intensities, of the shape of `im`."""
@@ -94,14 +98,15 @@ class Fragility:
         """Lower and upper confidence bound of the probability, each of the shape of `im`.
 
         level : probability that both lie around the true curve at an intensity. They are Wald's:
-        of the normal deviate ln(im/median)/dispersion, by the covariance and the normal
-        distribution, or that of Student with a degree of freedom less than there are groups.
-        Raises ValueError for a level that does not lie between 0 and 1.
+        of the normal deviate ln(im/median)/dispersion without its bias, by the covariance and the
+        normal distribution, or Student's. Raises ValueError for a level that does not lie between 0
+        and 1.
         """
         deviates, reach = self._deviates(im), self._reach("bounds", level)
         at_zero, mixed, of_square = self._variance
         reach = reach * np.sqrt(at_zero + 2.0 * mixed * deviates + of_square * deviates**2)
-        return ndtr(deviates - reach), ndtr(deviates + reach)
+        middle = self.unbiased[0] + self.unbiased[1] * deviates
+        return ndtr(middle - reach), ndtr(middle + reach)
 
     def quantile(self, probability: float, level: float = 0.95) -> Estimate:
         """Intensity at which the limit is exceeded with a probability, and its interval.
@@ -114,19 +119,20 @@ class Fragility:
         require(0.0 < probability < 1.0, "quantile", "probability", probability, _WITHIN)
         reach = self._reach("quantile", level)
         (at_zero, mixed, of_square), deviate = reach**2 * self._variance, float(ndtri(probability))
-        value, curved = self.median * np.exp(self.dispersion * deviate), 1.0 - of_square
+        value, (start, slope) = self.median * np.exp(self.dispersion * deviate), self.unbiased
+        curved = slope**2 - of_square
         if curved <= 0.0:
             return Estimate(float(value), 0.0, np.inf)
-        middle = (deviate + mixed) / curved
-        away = np.sqrt(middle**2 - (deviate**2 - at_zero) / curved)
+        middle = (slope * (deviate - start) + mixed) / curved
+        away = np.sqrt(middle**2 - ((deviate - start) ** 2 - at_zero) / curved)
         ends = self.median * np.exp(self.dispersion * (middle + np.array([-away, away])))
         return Estimate(*map(float, (value, *ends)))
 
     def dispersion_interval(self, level: float = 0.95) -> Estimate:
         """The dispersion and its interval, that of the slope 1/dispersion at a level."""
         reach = self._reach("dispersion_interval", level) * np.sqrt(self._variance[2])
-        high = np.inf if reach >= 1.0 else self.dispersion / (1.0 - reach)
-        return Estimate(self.dispersion, float(self.dispersion / (1.0 + reach)), float(high))
+        low, high = (float(self.dispersion / (self.unbiased[1] + r)) for r in (reach, -reach))
+        return Estimate(self.dispersion, low, np.inf if high < low else high)
 
     def fractions(self) -> tuple[np.ndarray, np.ndarray]:
         """(k,) the different intensities, and (k,) which part exceeded the limit at each."""
@@ -159,7 +165,7 @@ class Fragility:
     def __repr__(self) -> str:
         estimates = self.quantile(0.5), self.dispersion_interval()
         median, dispersion = (
-            f"{value:.4g}" + f" ({low:.4g} to {high:.4g})" * (not self.no_interval)
+            f"{value:.4g}" + f" ({low:.4g} to {high:.4g})" * (not np.isnan(low))
             for value, low, high in estimates
         )
         of = f"{self.grouped}; {self.no_interval or 'intervals of 95 %'}"
@@ -188,9 +194,10 @@ def fit_fragility(
         intensities; any labels, of a shape that broadcasts with the others. Observations of one
         recording are not independent: the covariance is then that of the jackknife, the sum of
         squares of the changes by leaving out each recording (Lipsitz, Dear and Zhao 1994,
-        Biometrics 50(3), 842-846), without the factor (n - 1)/n, since intervals of few recordings
-        would be too short with it. It is nan for fewer than three recordings, and where without
-        one of them no curve fits.
+        Biometrics 50(3), 842-846), and intervals are those of Student, about the curve less its
+        bias by the same changes. There are none, and the covariance is nan, for fewer than three
+        recordings, where without one of them no curve fits, and where at each intensity more than
+        half exceed, or less.
 
     The likelihood of ln-normal limits is that of a probit regression on ln(intensity), whose
     maximum is unique. Source: Baker (2015), Earthquake Spectra 31(1), 579-599, equation 11.
@@ -212,10 +219,11 @@ def fit_fragility(
     centre = np.average(np.log(im), weights=of)
     u = np.log(im) - centre
     (level, slope), information = _probit(u, hits, of)
-    groups, spread = 0, np.linalg.inv(information)
+    groups, spread, bias = 0, np.linalg.inv(information), np.zeros(2)
     if group is not None:
         distinct, which = np.unique(labels, return_inverse=True)
-        groups, spread = len(distinct), _jackknife(u, hits, of, which, np.array([level, slope]))
+        groups, coefficients = len(distinct), np.array([level, slope])
+        spread, bias = _jackknife(u, hits, of, which, coefficients)
     if slope <= 0.0:
         raise ValueError(f"{function}: the fraction that exceeds falls as the intensity rises")
     median, dispersion = np.exp(centre - level / slope), 1.0 / slope
@@ -223,7 +231,10 @@ def fit_fragility(
         [[-median / slope, median * level / slope**2], [0.0, -1.0 / slope**2]]
     )  # of median and dispersion by level and slope
     covariance = turned @ spread @ turned.T
-    return Fragility(float(median), float(dispersion), covariance, im, hits, of, left_out, groups)
+    unbiased = float(bias[1] * level / slope - bias[0]), float(1.0 - bias[1] / slope)
+    return Fragility(
+        float(median), float(dispersion), covariance, im, hits, of, left_out, groups, unbiased
+    )
 
 
 @explained.calls()
@@ -321,12 +332,13 @@ def _refuse_separable(im: np.ndarray, hits: np.ndarray, of: np.ndarray) -> None:
 
 def _jackknife(
     u: np.ndarray, hits: np.ndarray, of: np.ndarray, which: np.ndarray, coefficients: np.ndarray
-) -> np.ndarray:
-    """(2, 2) covariance of the coefficients, each group left out in turn; nan where it has none."""
-    n, unknown = int(which.max()) + 1, np.full((2, 2), np.nan)
-    if n < LEAST_GROUPS:
-        return unknown
+) -> tuple[np.ndarray, np.ndarray]:
+    """Covariance (2, 2) and bias (2,) of the coefficients, each group left out in turn, or nan."""
+    n, unknown = int(which.max()) + 1, (np.full((2, 2), np.nan), np.zeros(2))
     levels, place = np.unique(u, return_inverse=True)
+    most = np.bincount(place, 2 * hits - of)[np.bincount(place, of) > 0]  # half, where it is zero
+    if n < LEAST_GROUPS or most.min() > 0 or most.max() < 0:
+        return unknown
     changes = np.empty((n, 2))
     for k in range(n):
         rows = which != k
@@ -336,7 +348,7 @@ def _jackknife(
         except ValueError:
             return unknown
         changes[k] = _probit(levels, some, every, coefficients)[0] - coefficients
-    return changes.T @ changes
+    return changes.T @ changes, (n - 1) * changes.mean(axis=0)
 
 
 _ROUNDS = 100
