@@ -36,7 +36,8 @@ class RandomParameters:
             if not all(hasattr(marginal, part) for part in ("ppf", "isf", "logpdf")):
                 raise ValueError(
                     f"{where}: {argument} has {name} = {marginal!r}: give a continuous "
-                    "distribution with its parameters, such as scipy.stats.norm(0.1, 0.01)"
+                    "distribution with its parameters, such as scipy.stats.norm(0.1, 0.01), and "
+                    "let the function that takes it have the numbers that are known"
                 )
         return cls(tuple(random), tuple(random.values()))
 

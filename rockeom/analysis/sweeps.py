@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import Any
 
 import numpy as np
 import xarray as xr
+from numpy.typing import ArrayLike
 
 from rockeom.numbers.checks import described, near
 
@@ -13,6 +15,7 @@ RESTS = "came to rest"
 STANDS = ("completed", RESTS)
 """Outcomes of motions that last to their end without overturning."""
 FALLS = "overturned"
+ANSWERS = (FALLS, *STANDS)
 NOT_RUN = "not run"
 """Label, and no outcome, of a case that an interrupt left out."""
 
@@ -23,6 +26,16 @@ def check_sweep(function: str, sweep: Any) -> None:
         raise TypeError(
             f"{function}: sweep is {described(sweep)}: give the dataset of rk.simulate_many"
         )
+
+
+def coordinate(function: str, sweep: xr.Dataset, name: str) -> xr.DataArray:
+    """A coordinate of a sweep; raises ValueError, naming all there are, where there is none."""
+    if name not in sweep.coords:
+        raise ValueError(
+            f"{function}: the sweep has no coordinate {name!r}"
+            f"{near(name, map(str, sweep.coords))}; it has {', '.join(map(str, sweep.coords))}"
+        )
+    return sweep[name]
 
 
 def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
@@ -54,6 +67,16 @@ def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
     return outcome.copy(data=labels)
 
 
+def unanswered(labels: ArrayLike) -> str:
+    """How many of some cases gave no answer and how they ended; nothing where all gave one.
+
+    labels : of any shape, as of `outcome_labels`.
+    """
+    lost = Counter(label for label in np.ravel(labels).tolist() if label not in ANSWERS)
+    each = ", ".join(f"{n} {label}" for label, n in sorted(lost.items()))
+    return f"{lost.total()} without an answer ({each})" if lost else ""
+
+
 def peaks_of(sweep: xr.Dataset, name: str) -> xr.DataArray:
     """Largest size of a state, or of one of the `quantities` asked for, in each case of a sweep.
 
@@ -75,3 +98,17 @@ def peaks_of(sweep: xr.Dataset, name: str) -> xr.DataArray:
         f"the sweep has no {name!r}{near(name, there)}: choose among {', '.join(there)}, or give "
         f"simulate_many quantities=[{name!r}]"
     )
+
+
+def exceedances(
+    sweep: xr.Dataset, demand: str | None, limit: float | None
+) -> tuple[xr.DataArray, xr.DataArray, xr.DataArray]:
+    """Which cases of a sweep exceed a limit, which gave an answer, and how each ended.
+
+    Who overturns exceeds it; so does whose peak of the demand reaches the limit, if both are given.
+    """
+    labels = outcome_labels(sweep)
+    exceeds, answered = labels == FALLS, labels.isin(ANSWERS)
+    if demand is not None and limit is not None:
+        exceeds = exceeds | (peaks_of(sweep, demand) >= limit)
+    return exceeds & answered, answered, labels

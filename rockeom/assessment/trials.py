@@ -15,7 +15,6 @@ from rockeom.analysis.risk.fragility import (
     proportion_interval_by_group,
 )
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
-from rockeom.analysis.unfinished import finished
 from rockeom.motion.recording import Recording
 from rockeom.simulation.case import Case
 from rockeom.simulation.reserve import rotation_ratio
@@ -195,7 +194,7 @@ def _under(
         return case_of(tried, motion if pga is None else motion.scaled_to(pga), conditions.impact)
 
     over = {"motion": motions} | ({} if levels is None else {"pga": levels})
-    sweep = finished(simulate_many(case, over, sweep_options=SweepOptions(progress=False)))
+    sweep = simulate_many(case, over, sweep_options=SweepOptions(progress=False))
     labels = outcome_labels(sweep).values
     part = slip = final_slip = np.full(labels.shape, np.nan)
     theta = structure.module.STATES[structure.module.ROTATION]

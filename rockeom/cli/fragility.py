@@ -6,15 +6,13 @@ import argparse
 import csv
 import io
 import sys
-from collections.abc import Callable
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-import numpy as np
 import xarray as xr
 
-from rockeom.analysis.risk.fragility import Fragility, fit_fragility
-from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.analysis.risk.fragility import Fragility, fragility_of
+from rockeom.analysis.sweeps import exceedances
 from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, accelerations, add_records, records
@@ -80,16 +78,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
 
 
-class Intensity(NamedTuple):
-    """The measure that records are scaled to, and its values [g].
+Rows = list[tuple[float, int, int]]
+"""Each intensity [g], how many records exceed the limit, and how many have an answer."""
 
-    scaled : a motion scaled to a value [m/s2].
-    """
+
+class Intensity(NamedTuple):
+    """The measure that records are scaled to, by its name of `scaled_to`, and its values [g]."""
 
     name: str
     meaning: str
     values: list[float]
-    scaled: Callable[[GroundMotion, float], GroundMotion]
 
 
 def run(args: argparse.Namespace) -> int:
@@ -105,23 +103,25 @@ def run(args: argparse.Namespace) -> int:
     quantities = () if args.demand in (None, *structure.states) else (args.demand,)
     if args.out is not None:
         check_folder(args.out)
-    motions = {motion.name: motion for motion in records(args)}
+    motions = records(args)
 
-    def case(record: str, **level: float) -> Case:
-        motion = intensity.scaled(motions[record], level[intensity.name] * STANDARD_GRAVITY)
-        return Case(structure, motion, law, duration=args.duration)
+    def case(motion: GroundMotion, **level: float) -> Case:
+        wanted: dict[str, Any] = {name: x * STANDARD_GRAVITY for name, x in level.items()}
+        scaled = motion.scaled_to(**wanted, period=args.period)
+        return Case(structure, scaled, law, duration=args.duration)
 
     about = {"units": "g", "long_name": intensity.meaning}
     levels = xr.DataArray(intensity.values, dims=intensity.name, attrs=about)
     print(f"simulating {len(levels) * len(motions)} motions ...", file=sys.stderr)
-    over = {intensity.name: levels, "record": list(motions)}
+    over = {intensity.name: levels, "motion": list(motions)}
     sweep = simulate_many(case, over=over, quantities=quantities)
-    found = _observed(sweep, args)
-    print(_table(found, args, intensity))
-    curve = _fit(found, args, intensity)
+    counts = [of.sum("motion").values for of in exceedances(sweep, args.demand, args.limit)[:2]]
+    rows: Rows = [*zip(intensity.values, *counts, strict=True)]
+    print(_table(rows, args, intensity, len(motions)))
+    curve = _fit(sweep, args, intensity)
     print(_fitted(curve))
     if args.out is not None:
-        for path in _write(found, curve, intensity, args):
+        for path in _write(rows, curve, intensity, args):
             print(f"wrote {path}")
     return 0
 
@@ -135,52 +135,14 @@ def _intensity(args: argparse.Namespace) -> Intensity:
     if not 1 < len({*values}) == len(values):
         raise UsageError(f"{option} {' '.join(given)}: give two values or more, each once")
     if name == "pga":
-        return Intensity(
-            name, "peak ground acceleration", values, lambda motion, x: motion.scaled_to(pga=x)
-        )
-    return Intensity(
-        name,
-        f"spectral acceleration at {args.period:g} s",
-        values,
-        lambda motion, x: motion.scaled_to(sa=x, period=args.period),
-    )
+        return Intensity(name, "peak ground acceleration", values)
+    return Intensity(name, f"spectral acceleration at {args.period:g} s", values)
 
 
-class Observed(NamedTuple):
-    """Whether each motion exceeds the limit and whether it has an answer, (intensity, record)."""
-
-    exceeds: xr.DataArray
-    answered: xr.DataArray
-
-    @property
-    def counts(self) -> tuple[np.ndarray, np.ndarray]:
-        """(n,) numbers of records that exceed the limit, and of those with an answer."""
-        return (
-            (self.exceeds & self.answered).sum("record").values,
-            self.answered.sum("record").values,
-        )
-
-
-def _observed(sweep: xr.Dataset, args: argparse.Namespace) -> Observed:
-    labels = outcome_labels(sweep)
-    exceeds = fell = labels == FALLS
-    if args.demand is not None:
-        exceeds = fell | (peaks_of(sweep, args.demand) >= args.limit)
-    return Observed(exceeds, fell | labels.isin(STANDS))
-
-
-def _fit(found: Observed, args: argparse.Namespace, intensity: Intensity) -> Fragility:
+def _fit(sweep: xr.Dataset, args: argparse.Namespace, intensity: Intensity) -> Fragility:
     """The curve; raises UsageError, with the option to change, where there is none."""
-    answered, exceeds = found.answered, found.exceeds
-    levels, records = xr.broadcast(answered[intensity.name], answered["record"])
-    rows = answered.values
     try:
-        return fit_fragility(
-            levels.transpose(*answered.dims).values[rows],
-            exceeds.transpose(*answered.dims).values[rows],
-            left_out=int((~rows).sum()),
-            group=records.transpose(*answered.dims).values[rows],
-        )
+        return fragility_of(sweep, intensity=intensity.name, demand=args.demand, limit=args.limit)
     except ValueError as error:
         said = str(error).removeprefix("fit_fragility: ").replace("intensities", "values")
         given = " ".join(getattr(args, intensity.name))
@@ -189,53 +151,39 @@ def _fit(found: Observed, args: argparse.Namespace, intensity: Intensity) -> Fra
         ) from None
 
 
-def _table(found: Observed, args: argparse.Namespace, intensity: Intensity) -> str:
+def _table(rows: Rows, args: argparse.Namespace, intensity: Intensity, number: int) -> str:
     """How many records exceed the limit at each intensity."""
     what = "overturned" if args.demand is None else f"reached {args.demand} = {args.limit:g}"
-    exceeded, number = found.counts
     lines = [
-        f"{args.name} under {found.answered.sizes['record']} records, each scaled to "
-        f"{len(intensity.values)} values of {intensity.meaning}:"
+        f"{args.name} under {number} records, each scaled to {len(rows)} values of "
+        f"{intensity.meaning}:"
     ]
-    lines += [
-        f"  {level:6.3g} g: {hits:3d} of {of} {what}"
-        for level, hits, of in zip(intensity.values, exceeded, number, strict=True)
-    ]
-    if lost := int((~found.answered).sum()):
-        lines.append(f"{lost} motions without an answer are left out.")
+    lines += [f"  {x:6.3g} g: {hits:3d} of {of} {what}" for x, hits, of in rows]
     return "\n".join(lines)
 
 
 def _fitted(curve: Fragility) -> str:
     """The intensities at 5 and 50 percent with their intervals."""
-    lines = ["Lognormal curve of maximum likelihood, with intervals of 95 % between records:"]
+    lines = [f"Lognormal curve of maximum likelihood, {curve.grouped}, intervals of 95 %:"]
     for part in (0.05, 0.5):
         x = curve.quantile(part)
         lines.append(f"  {part:.0%}: {x.value:.3g} g ({x.lower:.3g} to {x.upper:.3g} g)")
-    return "\n".join([*lines, f"  dispersion {curve.dispersion:.2g}"])
+    lines.append(f"  dispersion: {curve.dispersion:.3g}")
+    return "\n".join([*lines, *filter(None, [curve.not_counted])])
 
 
 def _write(
-    found: Observed, curve: Fragility, intensity: Intensity, args: argparse.Namespace
+    rows: Rows, curve: Fragility, intensity: Intensity, args: argparse.Namespace
 ) -> list[Path]:
     args.out.mkdir(parents=True, exist_ok=True)
     table, picture = args.out / "fragility.csv", args.out / "fragility.png"
-    low, high = curve.bounds(intensity.values)
-    exceeded, number = found.counts
     text = io.StringIO(newline="")
     writer = csv.writer(text)
     writer.writerow(
         [f"{intensity.name} [g]", "exceeded", "motions", "probability", "lower", "upper"]
     )
-    for x, hits, of, *rest in zip(
-        intensity.values,
-        exceeded,
-        number,
-        curve.probability(intensity.values),
-        low,
-        high,
-        strict=True,
-    ):
+    curves = curve.probability(intensity.values), *curve.bounds(intensity.values)
+    for (x, hits, of), *rest in zip(rows, *curves, strict=True):
         writer.writerow([f"{x:.9g}", hits, of, *(f"{p:.6g}" for p in rest)])
     write(table, text.getvalue())
     figure = fragility_curve(curve, intensity=f"{intensity.meaning} [g]")

@@ -19,6 +19,7 @@ from rockeom.numbers.checks import described
 if TYPE_CHECKING:
     from rockeom.motion.spectra import ResponseSpectrum
 
+_SHORTER = 0.02  # part of the samples that one component may lack at its end
 _HALF_TURN = 180
 """Directions of a horizontal component, a degree apart, of RotD50 and RotD100."""
 
@@ -77,14 +78,21 @@ class Recording:
     def along(self, angle: float) -> Recording:
         """The horizontal component at an angle [rad] from the first, with the vertical one.
 
-        Raises MotionError where there is one horizontal component only.
+        A component that is up to 2 % shorter than the other gets zeros at its end, as the name of
+        the result says. Raises MotionError where there is one horizontal component only.
         """
         if len(self.horizontal) == 1:
             raise MotionError(
                 f"the recording {self.name!r} has one horizontal component: two have others between"
             )
-        turned = self.horizontal[0].rotated(self.horizontal[1], angle)
+        one, other = self._of_one_length()
+        turned = one.rotated(other, angle)
         return Recording(turned.name, (turned,), self.vertical)
+
+    def _of_one_length(self) -> list[GroundMotion]:
+        """The horizontal components; zeros follow one that is a little shorter than the other."""
+        longest = max(self.horizontal, key=lambda one: one.duration)
+        return [_as_long_as(longest, one) for one in self.horizontal]
 
     # -- scaled
 
@@ -140,7 +148,7 @@ class Recording:
         of : "geometric mean", "larger" or "srss" (the root of the sum of squares) of both;
             "rotd50" and "rotd100", the median and the largest value of all components in
             directions a degree apart (Boore 2010, Bulletin of the Seismological Society of America
-            100, 1830-1835), which takes as long as 180 components do.
+            100, 1830-1835), which takes as long as 180 components do; of components as of `along`.
 
         Each is the spectrum itself where there is one component. Raises MotionError for another
         word.
@@ -154,6 +162,9 @@ class Recording:
 
         u, v, a = self._combined(of, largest)
         name = f"{self.name}, {of}"
+        if of.startswith("rotd"):
+            longer = (one.name for one in self._of_one_length() if one not in self.horizontal)
+            name = ", ".join([name, *longer])
         return replace(spectra[0], displacement=u, velocity=v, acceleration=a, name=name)
 
     def _combined(self, of: str, measure: Callable[[GroundMotion], np.ndarray]) -> np.ndarray:
@@ -165,6 +176,17 @@ class Recording:
             turns = np.radians(np.arange(_HALF_TURN)).tolist()
             components = tuple(self.along(turn).horizontal[0] for turn in turns)
         return _COMBINED[of](np.array([measure(one) for one in components]))
+
+
+def _as_long_as(longest: GroundMotion, one: GroundMotion) -> GroundMotion:
+    a, b = one.samples, longest.samples
+    if a is None or b is None or one.dt is None or one.dt != longest.dt:
+        return one
+    lacks = len(b) - len(a)
+    if not 0 < lacks <= _SHORTER * len(b):
+        return one
+    longer = GroundMotion.from_array(np.pad(a, (0, lacks)), one.dt)
+    return replace(longer, name=f"{one.name}, {lacks} zeros at its end", source=one.source)
 
 
 _COMBINED: dict[str, Callable[[np.ndarray], np.ndarray]] = {

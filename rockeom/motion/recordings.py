@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -11,10 +12,12 @@ from rockeom.motion.components import channel, split
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.recording import Recording
+from rockeom.motion.scaling import SCALE_IN_NAME
 from rockeom.numbers.checks import described
 
 _RIGHT_ANGLE = 10.0  # degrees by which the angle between two azimuths may differ from a right one
 _SHOWN = 5
+_OF_SCALED = re.compile(f"({SCALE_IN_NAME.pattern.rstrip('$')})?( \\(\\d+\\))?$")
 
 
 def recordings(motions: Sequence[GroundMotion], set_name: str) -> tuple[Recording, ...]:
@@ -28,6 +31,11 @@ def recordings(motions: Sequence[GroundMotion], set_name: str) -> tuple[Recordin
         recording = ", ".join(filter(None, (name or set_name, instrument)))
         groups.setdefault(recording, []).append(motion)
     return tuple(_recording(name, group) for name, group in groups.items())
+
+
+def recording_of(name: object) -> str:
+    """The recording of a motion by its label in a sweep, where scaled ones may have many labels."""
+    return split(_OF_SCALED.sub("", name))[0] if isinstance(name, str) else str(name)
 
 
 def _recording(name: str, group: Sequence[GroundMotion]) -> Recording:

@@ -69,12 +69,12 @@ def multiplier(value: Any, done: str = "multiplied") -> Any:
 
 
 _PRINTED = r"(-?\d+\.?\d*(?:e[+-]\d+)?)"
-_SCALE_IN_NAME = re.compile(f"-A{_PRINTED}-T{_PRINTED}$")
+SCALE_IN_NAME = re.compile(f"-A{_PRINTED}-T{_PRINTED}$")
 
 
 def scaled_name(name: str, acceleration: float, time: float) -> str:
     """The name with its factors at the end; those of an earlier scaling are multiplied."""
-    if scale := _SCALE_IN_NAME.search(name):
+    if scale := SCALE_IN_NAME.search(name):
         name = name[: scale.start()]
         acceleration, time = acceleration * float(scale[1]), time * float(scale[2])
     return name + named("-A{:.4g}-T{:.4g}", acceleration, time)

@@ -8,17 +8,8 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 
+from rockeom.analysis.sweeps import coordinate
 from rockeom.drawing import style
-
-
-def known(function: str, sweep: xr.Dataset, name: str) -> str:
-    """The name; raises ValueError where the dataset has no such coordinate."""
-    if name not in sweep.coords:
-        raise ValueError(
-            f"{function}: the sweep has no coordinate {name!r}; it has "
-            f"{', '.join(map(str, sweep.coords))}"
-        )
-    return name
 
 
 def only(function: str, found: xr.DataArray, sweep: xr.Dataset, *names: str) -> xr.DataArray:
@@ -26,7 +17,7 @@ def only(function: str, found: xr.DataArray, sweep: xr.Dataset, *names: str) -> 
 
     Raises ValueError where others have several values.
     """
-    wanted = {d for name in names for d in sweep[known(function, sweep, name)].dims}
+    wanted = {d for name in names for d in coordinate(function, sweep, name).dims}
     others = {str(d): n for d, n in found.sizes.items() if d not in wanted and n > 1}
     if others:
         told = ", ".join(f"{name} ({n} values)" for name, n in others.items())

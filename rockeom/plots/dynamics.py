@@ -15,6 +15,7 @@ from matplotlib.patches import Patch
 
 from rockeom.analysis.arguments import dims_of_starts
 from rockeom.analysis.dynamics.sections import FALLEN, NOT_PERIODIC, UNKNOWN
+from rockeom.analysis.sweeps import coordinate
 from rockeom.analysis.unfinished import check_finished
 from rockeom.drawing import style
 from rockeom.plots import coordinates
@@ -85,7 +86,8 @@ def bifurcation_diagram(
     where they vary other parameters, and for branches that cannot be drawn so.
     """
     function = "bifurcation_diagram"
-    values = _looks(function, sections, y, at, coordinates.known(function, sections, x))
+    coordinate(function, sections, x)
+    values = _looks(function, sections, y, at, x)
     if ax is None:
         ax = style.new_figure(6.6, 4.0).add_subplot()
     for i, look in enumerate(_looks_of_starts(sections, len(values))):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import combinations
+from textwrap import wrap
 from typing import Any
 
 import numpy as np
@@ -19,9 +20,10 @@ from matplotlib.patches import Patch
 from rockeom import renamed
 from rockeom.analysis.dynamics.overturning import impacts_before_overturning
 from rockeom.analysis.risk.fragility import Fragility, fragility_of
-from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.analysis.sweeps import FALLS, STANDS, coordinate, outcome_labels, peaks_of, unanswered
 from rockeom.analysis.unfinished import check_finished
 from rockeom.drawing import style
+from rockeom.numbers.arguments import positive
 from rockeom.plots import coordinates
 
 _STYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 3)))
@@ -215,8 +217,10 @@ def rocking_spectrum(
     function = "rocking_spectrum"
     check_finished(function, sweep)
     labels = outcome_labels(sweep)
-    slenderness = (
-        sweep[coordinates.known(function, sweep, alpha)] if isinstance(alpha, str) else alpha
+    slenderness: Any = (
+        coordinate(function, sweep, alpha)
+        if isinstance(alpha, str)
+        else positive(function, alpha=alpha)[0]
     )
     ratios = (peaks_of(sweep, state) / slenderness).where(labels.isin(STANDS))
     names = (x,) if by is None else (by, x)
@@ -300,6 +304,7 @@ def fragility_curve(
     intensity: str = "intensity",
     demand: str | None = None,
     limit: float | None = None,
+    group: str | None = "recording",
     level: float = 0.95,
     ax: Axes | None = None,
 ) -> Figure:
@@ -309,8 +314,8 @@ def fragility_curve(
         fragility_curve(sweep, intensity="pga", demand="theta", limit=0.05)
 
     result : a sweep, or a curve that `analysis.risk.fit_fragility` has fitted.
-    intensity, demand, limit : as of `analysis.fragility_of`; of overturning without the latter two.
-        `intensity` labels the axis of a curve that is given.
+    intensity, demand, limit, group : as of `analysis.fragility_of`; of overturning without demand
+        and limit. `intensity` labels the axis of a curve that is given.
     level : probability of the bounds at an intensity, which come from the covariance of the curve.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
 
@@ -320,7 +325,7 @@ def fragility_curve(
     if isinstance(result, Fragility):
         curve, label = result, style.plain(intensity.replace("_", " "))
     else:
-        curve = fragility_of(result, intensity=intensity, demand=demand, limit=limit)
+        curve = fragility_of(result, intensity=intensity, demand=demand, limit=limit, group=group)
         label = coordinates.label(result, intensity)
     if ax is None:
         ax = style.new_figure(5.4, 3.8).add_subplot()
@@ -337,10 +342,8 @@ def fragility_curve(
     ax.set_ylabel(_event(demand, limit, result))
     _, _, unit = label.partition(" [")
     title = f"median {curve.median:.4g} {unit.rstrip(']')}".rstrip(" -")
-    title += f", dispersion {curve.dispersion:.3g}, {curve.number.sum():g} motions"
-    if curve.left_out:
-        title += f", {curve.left_out} without an answer left out"
-    ax.set_title(title, fontsize=8.5)
+    title += f", dispersion {curve.dispersion:.3g}, {curve.grouped}"
+    ax.set_title("\n".join(map(style.plain, [title, *wrap(curve.not_counted, 70)])), fontsize=8.5)
     ax.legend(loc="lower right")
     return style.parent_figure(ax)
 
@@ -425,6 +428,8 @@ def incremental_dynamic_analysis(
     ax.set_xlabel(_demand_label(sweep, demand))
     ax.set_ylabel(coordinates.label(sweep, intensity))
     ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, borderaxespad=0.2)
+    if lost := unanswered(outcome_labels(sweep)):
+        ax.set_title(f"{lost}: in no fractile", fontsize=9, pad=24)
     return style.parent_figure(ax)
 
 
@@ -436,7 +441,7 @@ def _by_record(
     Cases without an answer are nan.
     """
     check_finished(function, sweep)
-    im = sweep[coordinates.known(function, sweep, intensity)]
+    im = coordinate(function, sweep, intensity)
     labels = outcome_labels(sweep)
     found = peaks_of(sweep, demand).where(labels.isin(STANDS)).where(labels != FALLS, np.inf)
     others = [str(d) for d in labels.dims if d not in im.dims]
@@ -447,7 +452,7 @@ def _by_record(
             "give record=, the name of its coordinate that tells one"
         )
     keys = [record] if record is not None else others
-    columns = [sweep[coordinates.known(function, sweep, key)] for key in keys]
+    columns = [coordinate(function, sweep, key) for key in keys]
     each = [a.values.ravel() for a in xr.broadcast(im, found, *columns)]
     of = np.array([", ".join(map(str, key)) for key in zip(*each[2:], strict=True)])
     curves, names = [], list(dict.fromkeys(of.tolist()))
@@ -539,4 +544,5 @@ def _unit_of_demand(sweep: xr.Dataset, demand: str) -> str:
 
 def _entitle(ax: Axes, sweep: xr.Dataset, n: int) -> None:
     name = style.plain(str(sweep.attrs.get("model", "")).replace("_", " "))
-    ax.set_title(f"{name[:1].upper()}{name[1:]}, {n:,} motions".lstrip(", "), fontsize=9)
+    title = f"{name[:1].upper()}{name[1:]}, {n:,} motions".lstrip(", ")
+    ax.set_title(f"{title}\n{unanswered(outcome_labels(sweep))}".rstrip(), fontsize=9)

@@ -34,7 +34,7 @@ def peak_distributions(
 
     ensembles : `analysis.validation.Ensemble` by what the legend calls it; six at most.
     limit : rotation at which the axis ends, the largest peak if not given.
-    level : of the bands of Dvoretzky, Kiefer and Wolfowitz.
+    level : of the bands, see `Ensemble.band`; that of one campaign assumes independent tests.
     quantity : what the peaks are, with its unit, for the axis.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
 
@@ -53,11 +53,14 @@ def peak_distributions(
         x = np.concatenate([[0.0], np.unique(peaks[(peaks > 0) & (peaks < end)]), [end]])
         lower, upper = one.band(x, level)
         ax.fill_between(x, lower, upper, step="post", color=colour, alpha=0.15, lw=0)
-        label = f"{style.plain(name)} ({one.number:,})"
+        of = f"{one.number:,}, assumed independent"
+        if one.campaigns > 1:
+            of = f"{one.number // one.campaigns:,} x {one.campaigns:,}"
+        label = f"{style.plain(name)} ({of})"
         ax.step(x, one.distribution(x), where="post", color=colour, label=label)
     ax.set(xlim=(0.0, end), ylim=(0.0, 1.0), xlabel=quantity)
     ax.set_ylabel("part of all motions that do not exceed it [-]")
-    ax.legend(title=f"number of motions; bands of {100 * level:g} %", loc="lower right")
+    ax.legend(title=f"tests (x campaigns); bands of {100 * level:g} %", loc="lower right")
     return style.parent_figure(ax)
 
 
@@ -70,8 +73,9 @@ def reliability_diagram(calibration: Calibration, *, ax: Axes | None = None) -> 
     calibration : of `analysis.validation.calibration_of`.
     ax : axes to draw in; those of a new figure if not given. Returns their figure.
 
-    A dot is a bin, with the number of its tests and the interval of its probability. The grey bar
-    is the range in which the dot lies, with the same level, if the predictions are right.
+    A dot is a bin, with the number of its tests. The grey bar is the range in which it lies, at the
+    level of the calibration, if the predictions are right: by the campaigns, or of independent
+    tests, for which a dot has the interval of its probability, too.
     """
     c = calibration
     if ax is None:
@@ -82,16 +86,17 @@ def reliability_diagram(calibration: Calibration, *, ax: Axes | None = None) -> 
         c.probability, c.expected_lower, c.expected_upper, color="0.85", lw=9, zorder=2,
         label=f"range if the predictions are right, {per_cent}",
     )  # fmt: skip
-    reach = np.abs([c.frequency - c.lower, c.upper - c.frequency])
+    reach = None if c.campaigns else np.abs([c.frequency - c.lower, c.upper - c.frequency])
+    interval = "" if c.campaigns else f", with its interval of {per_cent}"
     ax.errorbar(
         c.probability, c.frequency, reach, fmt="o", color=style.LINES[0], ms=4.5, capsize=2.5,
-        lw=1.1, zorder=4, label=f"observed, with its interval of {per_cent}",
+        lw=1.1, zorder=4, label=f"observed{interval}",
     )  # fmt: skip
     for x, y, n in zip(c.probability, c.frequency, c.number, strict=True):
         ax.annotate(f"{n}", (x, y), xytext=(6, 3), textcoords="offset points", fontsize=7.5)
     ax.set(xlim=(-0.04, 1.04), ylim=(-0.04, 1.04))
     ax.set_xlabel("predicted probability of overturning [-]")
     ax.set_ylabel("observed frequency [-]")
-    ax.set_title(f"{c.number.sum()} tests, p = {c.p_value:.2g}", fontsize=9)
+    ax.set_title(f"{c.number.sum()} tests, p = {c.p_value:.2g}\n{c.basis}", fontsize=9)
     ax.legend(loc="upper left", bbox_to_anchor=(0.0, -0.16), borderaxespad=0.0)
     return style.parent_figure(ax)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -325,6 +326,12 @@ def _extreme(motion: _Moving, which: str, name: str) -> Dual:
     of = motion.run.extremes(name)
     sided = which == "greatest" or (which == "peak" and of.maximum >= -of.minimum)
     t, value = (of.maximum_time, of.maximum) if sided else (of.minimum_time, of.minimum)
+    bound = motion.run.structure.falls.get(name, math.inf)
+    if motion.path.falls and abs(value) >= bound * (1.0 - 1e-9):
+        raise ValueError(
+            f"of: {which} {name} is {bound:.4g}, at which the motion ends as overturned, whatever "
+            'the numbers are, and has no derivatives: ask for "overturning time"'
+        )
     tolerance = 1e-7 * float(np.max(motion.run.steps.span[:, 1]))
     there = np.flatnonzero(np.abs(motion.run.events.columns[0] - t) <= tolerance)
     places = [motion.at_event(name, k, after) for k in there.tolist() for after in (False, True)]

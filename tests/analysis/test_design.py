@@ -1,5 +1,6 @@
 """Procedures of design: hysteresis, FEMA 356, displacement-based design, Housner's criteria."""
 
+from functools import partial
 from importlib.util import find_spec
 from itertools import pairwise
 
@@ -276,6 +277,31 @@ def test_design_names_targets_out_of_the_spectrum():
     assert outcome(0.49) == "designed"
     assert outcome(0.51) == "target beyond the spectrum"
     assert outcome(0.005) == "target below the spectrum"
+
+
+def test_design_spectrum_gives_its_displacements():
+    """EN 1998-1: S_d = S_a (T/(2 pi))**2, times (0.07/(0.02 + xi))**0.5, up to 4 s."""
+    eurocode, xi = rk.DesignSpectrum.eurocode_8(2.4, "B"), 0.11
+    spectrum = analysis.design.modified_spectrum(eurocode)
+    for t in (0.3, 1.0, 3.5):
+        by_hand = eurocode(t) * (t / (2 * np.pi)) ** 2 * np.sqrt(0.07 / (0.02 + xi))
+        assert spectrum(t, xi) == pytest.approx(by_hand)
+    target = by_hand / 2
+    design = partial(
+        analysis.design.displacement_based_design,
+        yield_displacement=0.02, mass=1e3, damping=lambda mu, t: xi, periods=(0.1, 3.9),
+    )  # fmt: skip
+    designs = [design(target, spectrum=of) for of in (spectrum, eurocode)]
+    assert designs[0] == designs[1]
+    assert spectrum(designs[1].effective_period, xi) == pytest.approx(target)
+    beyond = design(1.0, spectrum=eurocode, periods=(0.1, 10.0))  # and not an error beyond 4 s
+    assert beyond.outcome == "target beyond the spectrum"
+    block = rk.RigidBlock(half_width=0.1, half_height=0.5, mass=1.0)
+    fema = [
+        analysis.design.fema_356_rocking(block, of, fixed_base_period=0.05)
+        for of in (spectrum, eurocode)
+    ]
+    assert fema[0].rotations.tolist() == fema[1].rotations.tolist()
 
 
 def test_wall_of_the_thesis_is_designed_for_a_drift_and_checked():

@@ -1,6 +1,7 @@
 """Fragility curves: against closed forms, an optimisation of another kind, and chance itself."""
 
 import dataclasses
+from itertools import product
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ import xarray as xr
 from scipy.optimize import minimize
 from scipy.stats import binomtest, norm, t as student
 
+from benchmarks import dependence
 from rockeom.analysis.risk.fragility import (
     fit_fragility,
     fragility_of,
@@ -246,29 +248,12 @@ def test_record_that_is_counted_twice_says_nothing_new():
     np.testing.assert_allclose(twice.covariance, once.covariance, rtol=1e-9)
 
 
-def test_interval_by_record_holds_the_true_median_as_often_as_it_says():
-    """That of independent motions, a mistake here, holds it in three of four sets."""
-    within = {"by record": 0, "independent": 0}
-    sets = 200
-    for seed in range(sets):
-        im, hits = scaled_records(40, seed)
-        for name, group in (("by record", np.arange(40)[:, None]), ("independent", None)):
-            _, lower, upper = fit_fragility(im, hits, group=group).quantile(0.5)
-            within[name] += lower <= 0.6 <= upper
-    assert 0.91 < within["by record"] / sets < 0.98
-    assert within["independent"] / sets < 0.86
-
-
-@pytest.mark.parametrize("probability", [0.05, 0.5, 0.9])
-@pytest.mark.parametrize("group", [None, np.arange(20)[:, None]])
-def test_interval_of_a_quantile_ends_where_the_bounds_reach_its_probability(probability, group):
-    im, hits = scaled_records(20, seed=3)
-    curve = fit_fragility(im, hits, group=group)
-    value, lower, upper = curve.quantile(probability, level=0.9)
-    assert curve.probability(value) == pytest.approx(probability)
-    assert lower < value < upper
-    assert curve.bounds(lower, 0.9)[1] == pytest.approx(probability)
-    assert curve.bounds(upper, 0.9)[0] == pytest.approx(probability)
+def test_interval_of_a_quantile_ends_where_a_bound_has_its_probability():
+    grouped = fragility_of(of_recordings(), intensity="pga")
+    for curve, part in product((grouped, fit_fragility(IM, HITS, OF)), (0.05, 0.5, 0.9)):
+        value, low, high = curve.quantile(part, level=0.9)
+        assert (curve.probability(value), curve.bounds(low, 0.9)[1]) == pytest.approx((part, part))
+        assert curve.bounds(high, 0.9)[0] == pytest.approx(part)
 
 
 def test_interval_by_record_is_wider_by_students_factor():
@@ -308,9 +293,51 @@ def test_interval_of_a_fraction_is_that_of_scipy(level):
             assert proportion_interval(hits, number, level) == pytest.approx(expected, abs=1e-12)
 
 
-def test_impossible_fractions_and_groups_are_refused():
+def test_impossible_fractions_are_refused():
     for wrong in ((5, 4), (-1, 4), (0, 0)):
         with pytest.raises(ValueError, match="proportion_interval"):
             proportion_interval(*wrong)
-    with pytest.raises(ValueError, match="one record alone"):
-        fit_fragility(IM, HITS, OF, group=0)
+
+
+# --- recordings of a sweep, and cases without an answer
+
+
+def of_recordings(n=12, shared=0.5, **changed) -> xr.Dataset:
+    made = dependence.recordings(np.random.default_rng(1), n, shared)
+    return made.assign_coords(**changed)
+
+
+def test_components_of_a_recording_are_one_group():
+    """By default from the names, which scaled motions have with a factor and a number."""
+    sweep = of_recordings()
+    default = fragility_of(sweep, intensity="pga")
+    station, fell = np.repeat(np.arange(12), 2)[:, None], sweep.outcome.values == "overturned"
+    by_hand = fit_fragility(sweep.pga.values, fell, group=station)
+    np.testing.assert_allclose(default.covariance, by_hand.covariance)
+    assert default.groups == 12
+    assert repr(default).endswith("192 motions in 12 groups")
+    table = sweep.stack(case=("motion", "pga")).reset_index("case")
+    names = [f"{name}-A1.5-T1 (2)" for name in table.motion.values]
+    for other in (table, table.assign_coords(motion=("case", names))):
+        curve = fragility_of(other, intensity="pga")
+        np.testing.assert_allclose(curve.covariance, default.covariance)
+
+
+@pytest.mark.parametrize(
+    ("group", "groups", "said"),
+    [
+        ("motion", 24, "192 motions in 24 groups"),
+        ("event", 4, "192 motions in 4 groups"),
+        (None, 0, "192 motions counted as independent"),
+    ],
+)
+def test_groups_of_another_name_or_none_are_said(group, groups, said):
+    place = np.arange(24)
+    sweep = of_recordings(event=("motion", place % 4), region=("motion", np.zeros(24)))
+    curve = fragility_of(sweep, intensity="pga", group=group)
+    assert curve.groups == groups
+    assert said in repr(curve)
+    with pytest.raises(ValueError, match=r"group is 1: .* or group=None"):
+        fragility_of(sweep, intensity="pga", group="region")
+    with pytest.raises(ValueError, match=r"no coordinate 'evnt' \(did you mean event\?\); it has"):
+        fragility_of(sweep, intensity="pga", group="evnt")

@@ -203,6 +203,9 @@ def test_none_of_n_has_the_interval_of_clopper_and_pearson():
         sweep_options=rk.SweepOptions(lanes=False, progress=False),
     )
     assert peaks.probability == 1.0
+    lost = counted.sweep.assign(outcome=("case", ["no solution"] * 5 + ["completed"] * 15))
+    said = repr(risk.MonteCarlo(3, 15, 5, lost))
+    assert "5 without an answer (5 no solution) left out: 0.15 if none of them fails, 0.4" in said
 
 
 def test_what_has_no_reliability_is_refused_with_the_reason():

@@ -1,5 +1,6 @@
 """Statistical validation: known truth, closed forms, enumeration, SciPy where all stood."""
 
+from functools import partial
 from itertools import combinations, product
 
 import numpy as np
@@ -8,7 +9,7 @@ from hypothesis import given, strategies as st
 from scipy import stats
 
 import rockeom as rk
-from benchmarks import coverage
+from benchmarks import coverage, dependence
 from rockeom.analysis import validation
 from rockeom.analysis.validation import Ensemble
 from rockeom.analysis.validation.comparison import OUTCOME_TESTS, PEAK_TESTS
@@ -78,7 +79,7 @@ def test_a_sweep_is_an_ensemble_unless_a_case_gave_no_answer():
     peak = rk.simulate(block, case.motion).extremes("theta").peak
     assert made.peaks[1] == pytest.approx(peak, rel=1e-8)
     sweep["outcome"].values[1] = "too many steps"
-    with pytest.raises(ValueError, match=r"1 of 3 cases gave no answer.*'too many steps'"):
+    with pytest.raises(ValueError, match=r"3 cases 1 without an answer \(1 too many steps"):
         Ensemble.from_sweep(sweep)
 
 
@@ -125,6 +126,35 @@ def test_the_band_is_no_wider_than_its_level_needs():
     expected = stats.kstwo.cdf(reach, n)
     assert expected > 0.5
     assert abs(holds / replicates - expected) < 4 * np.sqrt(0.25 / replicates)
+
+
+@pytest.mark.parametrize(
+    ("what", "n", "m", "shared"),
+    [
+        (dependence.band, 20, 5, 0.5),
+        (dependence.band, 20, 20, 0.2),
+        (dependence.calibration, 40, 60, 0.5),
+    ],
+)
+def test_what_is_said_of_campaigns_holds_where_their_tests_share_a_parameter(what, n, m, shared):
+    """The whole study is `python -m benchmarks.dependence`."""
+    once = partial(what, n=n, m=m, shared=shared)
+    found, _ = dependence.counts(dependence.Study("", once), 150, seed=1)
+    parts = {name: one.true / one.number for name, one in found.items()}
+    assert parts.pop("size, independent", 0.5) > 0.3  # a right model, rejected
+    assert parts.pop("size, outcomes", 0.0) < 0.1
+    assert all(part > 0.9 for part in parts.values())
+
+
+def test_band_of_campaigns_of_independent_tests_is_that_of_all_motions():
+    """Both reach as far where nothing is shared, that of one campaign by an inequality."""
+    peaks = np.exp(np.random.default_rng(3).standard_normal((20, 200)))
+    every, one = Ensemble(peaks), Ensemble(peaks.ravel())
+    reach = [made.band(1.0)[1] - made.distribution(1.0) for made in (every, one)]
+    assert 0.85 < reach[0] / reach[1] < 1.1
+    assert (every.campaigns, one.campaigns) == (200, 1)
+    alike = Ensemble(np.repeat(peaks[:, :1], 30, axis=1))  # thirty times the same campaign
+    assert alike.band(1.0)[0] == alike.distribution(1.0)
 
 
 @pytest.mark.parametrize("change", [{"shift": 0.4}, {"shift": -0.4}, {"spread": 2.0}])
@@ -379,6 +409,38 @@ def test_bins_count_each_test_once_and_have_the_exact_interval():
     exact = stats.binomtest(2, 3).proportion_ci(0.95)
     assert (found.lower[2], found.upper[2]) == pytest.approx((exact.low, exact.high))
     assert len(validation.calibration_of(fell, p, bins=10).number) == 4  # of ten, six are empty
+
+
+def test_p_value_of_campaigns_is_the_rank_of_the_measured_one():
+    """By hand: each of m + 1 campaigns against the mean of all others, in one bin."""
+    rng = np.random.default_rng(4)
+    every = rng.random((12, 61)) < rng.random((12, 1))
+    found = validation.calibration_of(
+        every[:, 0], every[:, 1:].mean(axis=1), 1, outcomes=every[:, 1:], level=0.9
+    )
+    excess = []
+    for j in range(61):
+        p = (np.delete(every, j, axis=1).sum(axis=1) + 0.5) / 61
+        excess.append((every[:, j].sum() - p.sum()) ** 2 / (p * (1 - p)).sum())
+    assert found.p_value == pytest.approx(np.mean(np.array(excess) >= excess[0] * (1 - 1e-9)))
+    counts = np.sort(every[:, 1:].sum(axis=0))
+    assert (found.expected_lower[0], found.expected_upper[0]) == (counts[2] / 12, counts[-3] / 12)
+    assert repr(found).splitlines()[0].endswith("if the probabilities are right; by 60 campaigns")
+    alone = validation.calibration_of(every[:, 0], np.full(12, 0.5))
+    assert repr(alone).splitlines()[0].endswith("; assumes independent tests")
+
+
+@pytest.mark.parametrize(
+    ("outcomes", "said"),
+    [
+        (np.zeros((3, 60)), r"outcomes has the shape \(3, 60\): give \(n, m\), here 2 tests"),
+        (np.zeros((2, 38)), r"shape \(2, 38\).* for this level 39 campaigns or more"),
+        (np.full((2, 40), 0.5), r"outcomes\[0, 0\] is 0\.5: give True or False"),
+    ],
+)
+def test_campaigns_of_other_tests_or_too_few_are_refused(outcomes, said):
+    with pytest.raises(ValueError, match=said):
+        validation.calibration_of([True, False], [0.5, 0.5], outcomes=outcomes)
 
 
 def test_a_motion_that_overturned_where_it_never_does_is_impossible():

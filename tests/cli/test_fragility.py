@@ -50,6 +50,7 @@ def test_curve_is_that_of_single_simulations_and_is_written(folder, tmp_path, ca
         assert f"{level:6.3g} g: {hits:3d} of 6 overturned" in said
     curve = fit_fragility(LEVELS, fell, 6)
     assert f"50%: {curve.median:.3g} g (" in said
+    assert "maximum likelihood, 24 motions in 6 groups, intervals of 95 %:" in said
     with (out / "fragility.csv").open(encoding="utf-8", newline="") as file:
         header, *rows = csv.reader(file)
     assert header[0] == "pga [g]"

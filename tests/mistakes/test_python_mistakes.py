@@ -45,6 +45,10 @@ def sweep() -> Any:
     return rk.simulate_many(pulse, {"amplitude": [1.0, 5.0]})
 
 
+def eurocode(damping_ratio: float) -> rk.DesignSpectrum:
+    return rk.DesignSpectrum.eurocode_8("0.25 g", "B", damping_ratio=damping_ratio)
+
+
 @cache
 def assessment() -> rk.Assessment:
     return rk.assess(BLOCK, [SINE], pga=[3.0])
@@ -597,6 +601,40 @@ ANALYSES = [
     mistake(
         SHAPE, lambda: analysis.risk.fit_fragility([1, 2], [1, 0, 1]), ValueError,
         "intensity (2,), exceeded (3,)",
+    ),
+    mistake(
+        UNIT, lambda: analysis.design.bilinear_fit(BLOCK.pushover, 0.3), TypeError,
+        "bilinear_fit: force is the function pushover", "rotations [rad]", "lambda u:",
+    ),
+    mistake(
+        UNIT, lambda: analysis.design.EquivalentOscillator(1.0, BLOCK.pushover), TypeError,
+        "of rotations [rad]", "lambda u:",
+    ),
+    mistake(
+        VALUE, lambda: analysis.design.modified_spectrum(eurocode(0.1)), ValueError,
+        "damping_ratio of the spectrum is 0.1", "damping_ratio=0.05",
+    ),
+    mistake(
+        UNIT, lambda: eurocode(5), rk.MotionError, "damping_ratio is 5", "0.05",
+    ),
+    mistake(
+        VALUE, lambda: eurocode(0.9).compatible_motions(1, seed=1), rk.MotionError,
+        "is 0.9: motions are matched", "0.01 to 0.5", "damping_ratio=0.05",
+    ),
+    mistake(
+        VALUE, lambda: eurocode(1e-3).matched(RECORD), rk.MotionError, "is 0.001", "0.01 to 0.5",
+    ),
+    mistake(
+        NAME, lambda: eurocode(0.05).acceleration(1.0), AttributeError,
+        "acceleration", "did you mean spectrum(periods)?",
+    ),
+    mistake(
+        VALUE, lambda: rk.sensitivity(pulse(20.0), ["peak theta"], ["half_width"]), ValueError,
+        "peak theta is 1.571", "overturned", '"overturning time"',
+    ),
+    mistake(
+        TYPE, lambda: plots.rocking_spectrum(sweep(), x="amplitude", alpha=abs), ValueError,
+        "alpha is <built-in function abs>", "give numbers",
     ),
     mistake(
         NAME, lambda: analysis.overturning_boundaries(pulse, sweep(), along="period"), ValueError,

@@ -2,6 +2,8 @@
 
 import math
 import pickle
+import re
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -165,17 +167,35 @@ def test_noise_of_white_spectral_density():
     ],
 )
 def test_matched_record_has_the_spectrum(spectrum):
-    motion = spectrum.matched(record(), between=(0.1, 2.0))
+    with warnings.catch_warnings(record=True) as warned:
+        warnings.simplefilter("always")
+        motion = spectrum.matched(record(), between=(0.1, 2.0))
     periods = np.geomspace(0.1, 2.0, 150)
     found = motion.response_spectrum(periods, spectrum.damping_ratio).pseudo_acceleration
     ratio = found / spectrum(periods)
     assert 0.85 < ratio.min() <= ratio.max() < 1.15
     assert abs(ratio.mean() - 1.0) < 0.02
-    assert abs(motion.velocity(motion.duration)) < 0.1 * motion.peak_velocity
+    assert abs(motion.velocity(motion.duration)) < 1e-3 * motion.peak_velocity
+    assert abs(motion.displacement(motion.duration)) < 0.01 * motion.peak_displacement
+    farther = motion.peak_displacement > spectrum.displacement(periods).max()
+    assert farther == any("the ground moves by" in str(one.message) for one in warned)
+    check_differences_in_the_source(spectrum, motion, 0.1, 2.0)
     if spectrum.shortest == 0.0:
         assert motion.peak < 1.06 * spectrum(0.0)
     assert motion.name == "quake, matched"
     assert f"matched to {spectrum.name} within" in motion.source
+
+
+def check_differences_in_the_source(spectrum, motion, first, last):
+    """Those at the oscillators, and up to those between them, which are the largest of all."""
+    said = re.search(r"within (\d+) % at (\d+) periods, (\d+) % between", motion.source)
+    at, number, between = map(int, said.groups())
+    xi = spectrum.damping_ratio
+    own = matching.periods(first, last, xi)
+    assert len(own) == number
+    for periods, part in ((own, at), (np.geomspace(first, last, 700), between)):
+        found = motion.response_spectrum(periods, xi).pseudo_acceleration / spectrum(periods)
+        assert 100 * np.abs(found - 1.0).max() == pytest.approx(part, abs=1.0)
 
 
 def test_artificial_motions_meet_eurocode_and_come_again_with_their_seed():
@@ -183,6 +203,7 @@ def test_artificial_motions_meet_eurocode_and_come_again_with_their_seed():
     check = EUROCODE.check(motions, period=0.6)
     assert check.passed
     assert check.clauses == {"a": True, "b": True, "c": True}
+    check_differences_in_the_source(EUROCODE, motions[0], 0.1, 1.25)  # after the factor of peaks
     one = EUROCODE.compatible_motions(1, seed=4, duration=20.0, between=(0.1, 1.25))[0]
     assert one.samples / one.peak == pytest.approx(motions[0].samples / motions[0].peak)
     assert np.corrcoef(motions[0].samples, motions[1].samples)[0, 1] < 0.2

@@ -232,6 +232,23 @@ def test_component_at_an_angle_keeps_the_vertical_one():
     assert turned.vertical is PAIR.vertical
 
 
+def test_component_that_is_a_little_shorter_gets_zeros_and_is_named():
+    """The two of El Centro have 5372 and 5346 samples; the sum is that of arrays with zeros."""
+    (pair,) = rk.MotionSet.from_library("El Centro 1940", components="all").recordings()
+    one, other = pair.horizontal
+    turned = pair.along(0.3).horizontal[0]
+    zeros = np.append(other.samples, np.zeros(26))
+    by_hand = np.cos(0.3) * one.samples + np.sin(0.3) * zeros
+    np.testing.assert_allclose(turned.samples, by_hand, atol=1e-12)
+    assert turned.name.endswith(f"to {other.name}, 26 zeros at its end")
+    spectra = {of: pair.response_spectrum([0.5], of=of) for of in ("rotd50", "rotd100", "larger")}
+    assert spectra["rotd50"].name == f"{pair.name}, rotd50, {other.name}, 26 zeros at its end"
+    assert spectra["rotd100"].displacement[0] >= spectra["larger"].displacement[0]
+    short = rk.Recording("x", (one, other.trimmed(0.0, 50.0)))
+    with pytest.raises(rk.MotionError, match="not recorded at the same times"):
+        short.along(0.3)
+
+
 @pytest.mark.parametrize(
     ("make", "error", "said"),
     [

@@ -251,7 +251,9 @@ def test_fragility_curve_shows_the_fit_its_bounds_and_the_fractions():
     assert "80 % confidence" in band.get_label()
     assert ax.get_xlabel() == "peak ground acceleration [m/s2]"
     fit = f"median {curve.median:.4g} m/s2, dispersion {curve.dispersion:.3g}"
-    assert ax.get_title() == f"{fit}, 11 motions, 1 without an answer left out"
+    first, *rest = ax.get_title().split("\n")
+    assert first == f"{fit}, 11 motions counted as independent"
+    assert " ".join(rest) == curve.not_counted
 
 
 def test_curve_fitted_elsewhere_is_drawn_alike():
@@ -277,6 +279,7 @@ def test_each_record_is_a_line_that_leaves_the_numbers_where_it_overturns():
     assert max(ax.get_xticks()) < edge / 1.1  # no number where none is meant
     said = {text.get_text(): text for text in ax.texts}
     assert {"overturned", "a", "b"} == set(said)
+    assert ax.get_title() == f"1 without an answer (1 {STALLED}): in no fractile"
     assert said["b"].xy == (edge, 2.0)
     assert ax.get_xlabel() == "largest |theta| [rad]"
 

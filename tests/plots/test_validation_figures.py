@@ -22,7 +22,9 @@ def test_a_distribution_ends_below_one_by_the_part_that_overturned():
     assert band[:, 1].max() == pytest.approx(0.6 + reach)
     assert band[:, 1].min() == 0.0  # 0.2 - reach is less
     assert ax.get_xlim() == (0.0, 0.2)
-    assert [text.get_text() for text in ax.get_legend().get_texts()] == [r"wall \$1\$ (5)"]
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == [
+        r"wall \$1\$ (5, assumed independent)"
+    ]
 
 
 def test_without_a_limit_the_axis_ends_at_the_largest_peak():
@@ -54,4 +56,15 @@ def test_a_reliability_diagram_has_a_dot_an_interval_and_a_range_for_each_bin():
     )
     np.testing.assert_allclose(intervals, np.column_stack([found.lower, found.upper]))
     assert {text.get_text() for text in ax.texts} == {"8"}
-    assert ax.get_title() == f"24 tests, p = {found.p_value:.2g}"
+    assert ax.get_title() == f"24 tests, p = {found.p_value:.2g}\nassumes independent tests"
+
+
+def test_a_dot_of_campaigns_has_no_interval_of_independent_tests():
+    p, rng = np.repeat([0.2, 0.8], 8), np.random.default_rng(0)
+    found = calibration_of(rng.random(16) < p, p, outcomes=rng.random((16, 60)) < p[:, None])
+    (ax,) = plots.reliability_diagram(found).axes
+    assert sum(isinstance(lines, LineCollection) for lines in ax.collections) == 1  # the ranges
+    assert ax.get_title().endswith("\nby 60 campaigns")
+    peaks = Ensemble(rng.random((5, 40)))
+    legend = plots.peak_distributions({"all": peaks}).axes[0].get_legend()
+    assert [text.get_text() for text in legend.get_texts()] == ["all (5 x 40)"]

@@ -28,7 +28,7 @@ from numpy.typing import ArrayLike
 from rockeom.analysis.design.hysteresis import FlagRule
 from rockeom.analysis.dynamics.spectra import Spectrum, response_spectrum
 from rockeom.analysis.formulas.controlled_wall import Wall
-from rockeom.motion import GroundMotion
+from rockeom.motion import DesignSpectrum, GroundMotion
 from rockeom.numbers.arguments import not_negative, positive, require
 
 DESIGNED = "designed"
@@ -47,14 +47,23 @@ def damping_modifier(damping_ratio: ArrayLike, exponent: float = 0.5):
     return (0.07 / (0.02 + xi)) ** exponent
 
 
-def modified_spectrum(spectrum: Callable[[float], float], exponent: float = 0.5) -> Spectrum:
-    """A spectrum for any damping, out of that for 5 %.
+def modified_spectrum(
+    spectrum: Callable[[float], float] | DesignSpectrum, exponent: float = 0.5
+) -> Spectrum:
+    """A spectrum of displacements for any damping, out of that for 5 %.
 
-    spectrum : period [s] to displacement [m], for 5 % of damping. exponent of `damping_modifier`.
+    spectrum : period [s] to displacement [m], for 5 % of damping; or a `DesignSpectrum`, with
+    its displacements. exponent of `damping_modifier`.
+
+    Raises ValueError for a design spectrum of another damping.
     """
+    if isinstance(spectrum, DesignSpectrum):
+        xi, rule = spectrum.damping_ratio, "make the spectrum with damping_ratio=0.05"
+        require(xi == 0.05, "modified_spectrum", "damping_ratio of the spectrum", xi, rule)
+    of_5_per_cent = spectrum.displacement if isinstance(spectrum, DesignSpectrum) else spectrum
 
     def damped(period: float, damping_ratio: float) -> float:
-        return float(spectrum(period) * damping_modifier(damping_ratio, exponent))
+        return float(of_5_per_cent(period) * damping_modifier(damping_ratio, exponent))
 
     return damped
 
@@ -108,7 +117,7 @@ def displacement_based_design(
     target_displacement: float,
     yield_displacement: float,
     mass: float,
-    spectrum: Spectrum,
+    spectrum: Spectrum | DesignSpectrum,
     damping: Callable[[float, float], float],
     *,
     periods: tuple[float, float] = (0.05, 10.0),
@@ -118,7 +127,7 @@ def displacement_based_design(
     target_displacement, yield_displacement [m], of the substitute structure; mass, the effective
     one [kg].
     spectrum : displacement [m] of period [s] and damping ratio, such as `MeanSpectrum(motions)`, or
-        `modified_spectrum` of one for 5 %.
+        `modified_spectrum` of one for 5 %; or a `DesignSpectrum`, for which it is called.
     damping : ratio of ductility and effective period [s], such as 2-31 with 2-32c,
         `lambda mu, t: 0.05 + flag_damping(mu, 0.05, 0.35)`, 2-33 (`grant_damping`), 2-34 or 2-35.
     periods : shortest and longest of the search [s].
@@ -136,6 +145,8 @@ def displacement_based_design(
     rule = "the target is below the yield displacement: the structure stays elastic"
     require(target >= yields, where, "target_displacement", target, rule)
     first, last = (float(t) for t in positive(where, periods=np.asarray(periods))[0])
+    if isinstance(spectrum, DesignSpectrum):
+        last, spectrum = min(last, spectrum.longest), modified_spectrum(spectrum)
     mu = float(target / yields)
 
     def ratio(period: float) -> float:

@@ -28,12 +28,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rockeom.analysis.design.displacement_based import modified_spectrum
 from rockeom.analysis.dynamics.spectra import Spectrum, response_spectrum
 from rockeom.analysis.formulas.damping import fema_356_damping, priestley_damping
 from rockeom.analysis.formulas.periods import rocking_period
 from rockeom.analysis.formulas.restitution import energy_ratio_of_block
-from rockeom.analysis.sweeps import FALLS, STANDS
-from rockeom.motion import GroundMotion
+from rockeom.analysis.sweeps import ANSWERS, STANDS, unanswered
+from rockeom.motion import DesignSpectrum, GroundMotion
 from rockeom.numbers.arguments import not_negative, positive, require
 from rockeom.simulation.case import Case
 from rockeom.structures.classes import RigidBlock
@@ -75,7 +76,7 @@ class FemaEstimate:
 
 def fema_356_rocking(
     block: RigidBlock,
-    motion: GroundMotion | Spectrum,
+    motion: GroundMotion | Spectrum | DesignSpectrum,
     *,
     damping: str = "2-15",
     bearing_capacity: float = np.inf,
@@ -89,7 +90,8 @@ def fema_356_rocking(
 
     block, motion : its spectrum replaces the design spectrum; or a design spectrum, a
         function of period [s] and damping ratio that gives the displacement [m], such as
-        `modified_spectrum` of one for 5 %. It needs a fixed_base_period.
+        `modified_spectrum` of one for 5 %; or a `DesignSpectrum`, for which `modified_spectrum`
+        is called. Both need a fixed_base_period.
     damping : "2-15" (FEMA 356), or "2-16" (Priestley et al. 1978), which is more.
     bearing_capacity q_c of the ground for each metre of the edge's way in [N/m]: the pivot lies
         m g/(2 q_c) inside the edge, which needs the block's mass; infinite for rigid ground.
@@ -103,6 +105,8 @@ def fema_356_rocking(
     where = "fema_356_rocking"
     if damping not in _DAMPINGS:
         raise ValueError(f"{where}: damping is {damping!r}: choose between '2-15' and '2-16'")
+    if isinstance(motion, DesignSpectrum):
+        motion = modified_spectrum(motion)
     positive(where, tolerance=tolerance)
     (guess,) = positive(where, first_guess=first_guess)
     require(guess < 1, where, "first_guess", guess, "it is a part of alpha, less than 1")
@@ -202,7 +206,7 @@ class FemaComparison:
     @property
     def answered(self) -> np.ndarray:
         """(n,) whether the block overturned in the integration, or stood to its end."""
-        return np.isin(self.outcome, (FALLS, *STANDS))
+        return np.isin(self.outcome, ANSWERS)
 
     @property
     def ratio(self) -> np.ndarray:
@@ -249,8 +253,8 @@ class FemaComparison:
         number = len(self.motions)
         plural = "" if number == 1 else "s"
         text = [f"{number} motion{plural}; integrated: {self.overturned.sum()} overturned"]
-        if lost := int((~self.answered).sum()):
-            text[0] += f", {lost} without an answer"
+        if lost := unanswered(self.outcome):
+            text[0] += f"; {lost}, {(self.overturned | ~self.answered).sum()} if they did"
         for name, estimates, ratio in (
             ("2-15", self.fema, self.ratio),
             ("2-16", self.priestley, self.ratio_2_16),

@@ -32,6 +32,8 @@ from numpy.typing import ArrayLike
 from rockeom.analysis.design.hysteresis import FlagRule, HysteresisRule
 from rockeom.motion import GroundMotion
 from rockeom.numbers.arguments import not_negative, numbers, positive, require
+from rockeom.numbers.checks import described
+from rockeom.structures.base import Structure
 
 Force = Callable[[np.ndarray], np.ndarray]
 """Displacements [m] to restoring forces [N], both (n,)."""
@@ -43,12 +45,22 @@ _SMALL = 1e-7
 # --- backbones
 
 
+def _check_force(where: str, force: Force | HysteresisRule) -> None:
+    """Raise TypeError for the pushover of a structure, whose argument is a rotation."""
+    if isinstance(getattr(force, "__self__", None), Structure):
+        raise TypeError(
+            f"{where}: force is {described(force)}, a function of rotations [rad]: give one of "
+            "displacements [m], as lambda u: structure.pushover(u / height)"
+        )
+
+
 def linear_start(force: Force, displacement: float) -> Force:
     """A backbone that starts with a straight line, as in the first trial of 4.9.1.4.
 
     force : F_k [N] of displacements (n,) [m]. displacement : up to which the line goes, from the
     origin to the force there, on either side [m]; positive.
     """
+    _check_force("linear_start", force)
     (end,) = positive("linear_start", displacement=displacement)
     ends = np.array([-end, end])
     slopes = np.asarray(force(ends), dtype=float) / ends
@@ -65,6 +77,7 @@ def tabulated(force: Force, largest: float, points: int = 4001) -> Force:
     force : F_k [N] of displacements (n,) [m]. largest : displacement up to which it is tabulated
     on either side [m]; beyond it the force stays. points : of both sides, evenly apart.
     """
+    _check_force("tabulated", force)
     (end,) = positive("tabulated", largest=largest)
     table = np.linspace(-end, end, points)
     forces = np.asarray(force(table), dtype=float)
@@ -82,6 +95,7 @@ def bilinear_fit(force: Force, largest: float, points: int = 400) -> FlagRule:
     """
     from scipy.optimize import minimize_scalar  # takes long to import
 
+    _check_force("bilinear_fit", force)
     (end,) = positive("bilinear_fit", largest=largest)
     u = end * np.arange(1, points + 1) / points
     wanted = np.asarray(force(u), dtype=float)
@@ -231,6 +245,7 @@ class EquivalentOscillator:
 
     def __post_init__(self) -> None:
         positive("EquivalentOscillator", mass=self.mass)
+        _check_force("EquivalentOscillator", self.force)
         if not callable(self.force) and not isinstance(self.force, HysteresisRule):
             raise ValueError(
                 f"EquivalentOscillator: force is {self.force!r}: give a function of the "

@@ -460,8 +460,8 @@ def _checked(tests: tuple[Observed, ...], space: RandomParameters) -> tuple[Obse
     taken = noises | {name for test in bound for name in test.takes or ()}
     if lacks := sorted(taken - {*space.names}):
         raise ValueError(
-            f"posterior: priors lack {', '.join(lacks)}: give a distribution of each, or a number "
-            "where it is known"
+            f"posterior: priors lack {', '.join(lacks)}: give a distribution of each; a number "
+            "that is known belongs into the model, as in lambda r: model(r, half_width=0.1)"
         )
     if unused := [name for name in space.names if name not in taken]:
         raise ValueError(

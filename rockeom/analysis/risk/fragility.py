@@ -5,7 +5,8 @@ Observed fractions and the curve each have an interval of confidence.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -13,11 +14,13 @@ import xarray as xr
 from numpy.typing import ArrayLike
 from scipy.special import betaincinv, log_ndtr, ndtr, ndtri, stdtrit
 
-from rockeom.analysis.sweeps import FALLS, STANDS, check_sweep, outcome_labels, peaks_of
+from rockeom.analysis.sweeps import check_sweep, coordinate, exceedances, unanswered
 from rockeom.analysis.unfinished import check_finished
+from rockeom.motion.recordings import recording_of
 from rockeom.numbers import explained
 from rockeom.numbers.arguments import numbers, positive, require
-from rockeom.numbers.checks import near
+
+_WITHIN = "it lies between 0 and 1, as 0.95"
 
 
 class Estimate(NamedTuple):
@@ -42,14 +45,13 @@ def proportion_interval(
     """
     where = "proportion_interval"
     hits, of = numbers(where, exceeded=exceeded, number=number)
-    require(0.0 < level < 1.0, where, "level", level, "it lies between 0 and 1, as 0.95")
+    require(0.0 < level < 1.0, where, "level", level, _WITHIN)
     require(of > 0, where, "number", of, "give one motion or more")
     require((hits >= 0) & (hits <= of), where, "exceeded", hits, "it lies between 0 and number")
     hits, of = np.broadcast_arrays(hits, of)
     tail = 0.5 * (1.0 - level)
-    none, every = hits == 0, hits == of
-    lower = np.where(none, 0.0, betaincinv(np.where(none, 1, hits), of - hits + 1, tail))
-    upper = np.where(every, 1.0, betaincinv(hits + 1, np.where(every, 1, of - hits), 1.0 - tail))
+    lower = np.where(hits == 0, 0.0, betaincinv(hits, of - hits + 1, tail))
+    upper = np.where(hits == of, 1.0, betaincinv(hits + 1, of - hits, 1.0 - tail))
     return lower, upper
 
 
@@ -83,14 +85,12 @@ class Fragility:
 
     median : intensity at which half exceed the limit [unit of the intensity]; dispersion :
         standard deviation of its logarithm [-].
-    covariance (2, 2) : of median and dispersion, the inverse of the expected Fisher information;
-        that of `fit_fragility` by `group` where motions are scaled to several intensities.
+    covariance (2, 2) : of median and dispersion, the inverse of the expected Fisher information,
+        or of `fit_fragility` by `group`; nan where that has none.
     intensity (n,), exceeded (n,), number (n,) : the observations.
     left_out : cases without an answer, which are not counted.
-    groups : number of groups of dependent observations; 0 where all are independent.
-
-    Intervals take so many standard errors as the normal distribution asks for, or Student's with
-    groups - 1 degrees of freedom.
+    groups : number of groups of motions that depend on one another; 0 where all are independent.
+    not_counted : how cases without an answer ended and what follows if they are counted, in words.
     """
 
     median: float
@@ -101,6 +101,7 @@ class Fragility:
     number: np.ndarray
     left_out: int = 0
     groups: int = 0
+    not_counted: str = ""
 
     def probability(self, im: ArrayLike) -> np.ndarray:
         """Probability that the limit is exceeded at intensities, of the shape of `im`."""
@@ -109,39 +110,35 @@ class Fragility:
     def bounds(self, im: ArrayLike, level: float = 0.95) -> tuple[np.ndarray, np.ndarray]:
         """Lower and upper confidence bound of the probability, each of the shape of `im`.
 
-        level : probability that both lie around the true curve at an intensity. They are Wald's:
-        of the normal deviate ln(im/median)/dispersion, by the covariance. Raises ValueError for a
-        level that does not lie between 0 and 1.
+        level : probability that both lie around the true curve at an intensity. They are Wald's: of
+        the normal deviate ln(im/median)/dispersion, by the covariance and the normal distribution,
+        of groups Student's with groups - 1 degrees of freedom. Raises ValueError for a level that
+        does not lie between 0 and 1.
         """
-        require(0.0 < level < 1.0, "bounds", "level", level, "it lies between 0 and 1, as 0.95")
-        deviates = self._deviates(im)
-        slopes = np.stack([np.full_like(deviates, -1.0 / self.median), -deviates], axis=-1)
-        slopes /= self.dispersion
-        variance = np.einsum("...i,ij,...j", slopes, self.covariance, slopes)
-        reach = self._standard_errors(level) * np.sqrt(variance)
+        deviates, reach = self._deviates(im), self._reach("bounds", level)
+        at_zero, mixed, of_square = self._variance
+        reach = reach * np.sqrt(at_zero + 2.0 * mixed * deviates + of_square * deviates**2)
         return ndtr(deviates - reach), ndtr(deviates + reach)
 
     def quantile(self, probability: float, level: float = 0.95) -> Estimate:
         """Intensity at which the limit is exceeded with a probability, and its interval.
 
-        level : of the interval, whose ends are where `bounds` reach the probability (Fieller 1954,
-        Journal of the Royal Statistical Society B 16, 175-185); 0 and infinity where they do not,
-        since the curve may be flat. Raises ValueError for a probability or a level that does not
-        lie between 0 and 1.
+        level : of the interval, at whose ends a bound of the curve has this probability (Fieller
+        1954, Journal of the Royal Statistical Society B 16(2), 175-185); from 0 to infinity where
+        the slope may be zero. Raises ValueError for a probability or a level that does not lie
+        between 0 and 1.
         """
-        for name, part in (("probability", probability), ("level", level)):
-            require(0.0 < part < 1.0, "quantile", name, part, "it lies between 0 and 1")
-        deviate = float(ndtri(probability))
+        require(0.0 < probability < 1.0, "quantile", "probability", probability, _WITHIN)
+        reach = self._reach("quantile", level)
+        (at_zero, mixed, of_square), deviate = reach**2 * self._variance, float(ndtri(probability))
         value = self.median * np.exp(self.dispersion * deviate)
-        scale = np.array([1.0 / self.median, 1.0]) * self._standard_errors(level) / self.dispersion
-        (c_0, c_1), (_, c_2) = self.covariance * np.outer(scale, scale)
-        # the ends are the deviates x with (x - deviate)**2 = c_0 + 2 c_1 x + c_2 x**2
-        if c_2 >= 1.0:
+        # the ends are the deviates x with (x - deviate)**2 = at_zero + 2 mixed x + of_square x**2
+        if of_square >= 1.0:
             return Estimate(float(value), 0.0, np.inf)
-        middle, rest = deviate + c_1, deviate**2 - c_0
-        reach = np.sqrt(middle**2 - (1.0 - c_2) * rest)
-        ends = (middle + np.array([-reach, reach])) / (1.0 - c_2)
-        return Estimate(float(value), *(self.median * np.exp(self.dispersion * ends)).tolist())
+        middle = (deviate + mixed) / (1.0 - of_square)
+        away = np.sqrt(middle**2 - (deviate**2 - at_zero) / (1.0 - of_square))
+        ends = self.median * np.exp(self.dispersion * (middle + np.array([-away, away])))
+        return Estimate(*map(float, (value, *ends)))
 
     def fractions(self) -> tuple[np.ndarray, np.ndarray]:
         """(k,) the different intensities, and (k,) which part exceeded the limit at each."""
@@ -149,21 +146,35 @@ class Fragility:
         exceeded, number = (np.bincount(where, weights) for weights in (self.exceeded, self.number))
         return levels[number > 0], exceeded[number > 0] / number[number > 0]
 
-    def _standard_errors(self, level: float) -> float:
-        """Half of an interval in standard errors."""
-        tail = 0.5 + 0.5 * level
-        return float(stdtrit(self.groups - 1, tail) if self.groups else ndtri(tail))
+    @property
+    def grouped(self) -> str:
+        """How many motions were counted, and which of them depend on one another, in words."""
+        how = f"in {self.groups} groups" if self.groups else "counted as independent"
+        return f"{self.number.sum():g} motions {how}"
 
     def _deviates(self, im: ArrayLike) -> np.ndarray:
         (intensity,) = positive("Fragility", im=im)
         return np.asarray(np.log(intensity / self.median) / self.dispersion)
 
+    @cached_property
+    def _variance(self) -> np.ndarray:
+        """(3,) a, b, c of the variance a + 2 b z + c z**2 of the normal deviate z of the curve."""
+        relative = self.covariance / np.outer([self.median, 1.0], [self.median, 1.0])
+        return relative[[0, 0, 1], [0, 1, 1]] / self.dispersion**2
+
+    def _reach(self, where: str, level: float) -> float:
+        """Half of an interval over the standard error."""
+        require(0.0 < level < 1.0, where, "level", level, _WITHIN)
+        upper = 0.5 + 0.5 * level
+        return float(stdtrit(self.groups - 1, upper) if self.groups else ndtri(upper))
+
     def __repr__(self) -> str:
-        doubt = np.sqrt(np.diag(self.covariance))
-        return (
-            f"Fragility(median={self.median:.4g} +- {doubt[0]:.2g}, "
-            f"dispersion={self.dispersion:.4g} +- {doubt[1]:.2g})"
+        median, low, high = self.quantile(0.5)
+        told = (
+            f"Fragility: median {median:.4g} ({low:.4g} to {high:.4g} at 95 %), "
+            f"dispersion {self.dispersion:.4g}; {self.grouped}"
         )
+        return f"{told}\n  {self.not_counted}" if self.not_counted else told
 
 
 @explained.calls()
@@ -183,13 +194,13 @@ def fit_fragility(
     exceeded : how many of `number` motions of that intensity exceeded the limit; of single motions
         True or False. The three broadcast.
     left_out : cases that gave no answer, for the result.
-    group : the record of each observation, where each of n records is scaled to several
+    group : the recording of each observation, where each of n recordings is scaled to several
         intensities; any labels, of a shape that broadcasts with the others. Observations of one
-        record are not independent: the covariance is then that of scores which one capacity of the
-        record decides, from which on it exceeds the limit. Where a group has several motions, such
-        as both components of a recording, it is an upper bound, since they may depend on one
-        another fully. The sandwich of Liang and Zeger (1986), Biometrika 73(1), 13-22, is too
-        small for tens of records, see `benchmarks/assessment.py`.
+        recording are not independent: the covariance is then that of scores which one capacity of
+        the recording decides, from which on it exceeds the limit. Where a recording has several
+        motions, such as both its components, intervals of the curve are upper bounds, since they
+        may depend on one another fully. The sandwich of Liang and Zeger (1986), Biometrika 73(1),
+        13-22, is too small for tens of recordings, see `benchmarks/dependence.py`.
 
     The likelihood of ln-normal limits is that of a probit regression on ln(intensity), whose
     maximum is unique. Source: Baker (2015), Earthquake Spectra 31(1), 579-599, equation 11.
@@ -211,8 +222,9 @@ def fit_fragility(
     centre = np.average(np.log(im), weights=of)
     columns = np.column_stack([np.ones(len(im)), np.log(im) - centre])
     (level, slope), information = _probit(columns, hits, of)
-    spread = np.linalg.inv(information)
+    groups, spread = 0, np.linalg.inv(information)
     if group is not None:
+        groups = len(np.unique(labels))
         spread = spread @ _between(columns, np.array([level, slope]), of, labels) @ spread
     if slope <= 0.0 or abs(level) > _FLATTEST * slope:
         raise ValueError(f"{function}: the fraction that exceeds falls as the intensity rises")
@@ -221,13 +233,17 @@ def fit_fragility(
         [[-median / slope, median * level / slope**2], [0.0, -1.0 / slope**2]]
     )  # of median and dispersion by level and slope
     covariance = turned @ spread @ turned.T
-    groups = 0 if group is None else len(np.unique(labels))
     return Fragility(float(median), float(dispersion), covariance, im, hits, of, left_out, groups)
 
 
 @explained.calls()
 def fragility_of(
-    sweep: xr.Dataset, *, intensity: str, limit: float | None = None, demand: str | None = None
+    sweep: xr.Dataset,
+    *,
+    intensity: str,
+    limit: float | None = None,
+    demand: str | None = None,
+    group: str | None = "recording",
 ) -> Fragility:
     """The fragility curve of a sweep of `simulate_many`, all its other names taken together.
 
@@ -237,31 +253,58 @@ def fragility_of(
     intensity : a name of the sweep's dimensions or coordinates.
     demand, limit : of the state or quantity whose largest size is to stay below the limit [its
         unit]; who overturns exceeds it. If neither is given, overturning is meant.
+    group : a name of the sweep's, of which each value stands for motions that depend on one
+        another; None for none that do. By default "recording": that of each `motion`, by the names
+        of its components, where the sweep has two motions or more.
 
-    Cases that gave no answer do not count; `left_out` is their number. Else as `fit_fragility`.
+    Cases that gave no answer do not count; `not_counted` tells how many ended in which way, and the
+    median and dispersion, or the fraction at each intensity where no curve fits, with all of them
+    counted as fallen, and as standing. Else as `fit_fragility`.
     Raises ValueError also for names that the sweep does not have, and for cases that were not run.
     """
     if (limit is None) != (demand is None):
         raise ValueError("fragility_of: demand and limit belong together: give both or neither")
     check_sweep("fragility_of", sweep)
-    if intensity not in sweep.coords:
-        raise ValueError(
-            f"fragility_of: the sweep has no coordinate {intensity!r}"
-            f"{near(intensity, map(str, sweep.coords))}; it has "
-            f"{', '.join(map(str, sweep.coords))}"
-        )
+    coordinate("fragility_of", sweep, intensity)
     check_finished("fragility_of", sweep)
-    labels = outcome_labels(sweep)
-    fell = labels == FALLS
-    answered = fell | labels.isin(STANDS)
-    exceeds = fell
-    if demand is not None and limit is not None:
-        exceeds = fell | (peaks_of(sweep, demand) >= limit)
-    im, counted, hit = xr.broadcast(sweep[intensity], answered, exceeds)
-    rows = counted.values.ravel()
-    return fit_fragility(
-        im.values.ravel()[rows], hit.values.ravel()[rows], left_out=int((~rows).sum())
+    by = _groups(sweep, group)
+    columns = sweep[intensity], *exceedances(sweep, demand, limit), *([] if by is None else [by])
+    im, hits, answered, labels, *groups = (
+        column.values.ravel() for column in xr.broadcast(*columns)
     )
+
+    def fitted(hits: np.ndarray, rows: np.ndarray | slice = slice(None)) -> Fragility:
+        return fit_fragility(im[rows], hits[rows], group=groups[0][rows] if groups else None)
+
+    def figures(hits: np.ndarray) -> str:
+        try:
+            curve = fitted(hits)
+        except ValueError:
+            parts = [hits[im == level].mean() for level in np.unique(im)]
+            return f"fractions {', '.join(f'{part:.3g}' for part in parts)}"
+        return f"median {curve.median:.4g}, dispersion {curve.dispersion:.3g}"
+
+    if answered.all():
+        return fitted(hits)
+    left_out = (
+        f"{unanswered(labels)} left out; with all of them fallen: "
+        f"{figures(hits | ~answered)}; with all standing: {figures(hits)}"
+    )
+    try:
+        curve = fitted(hits, answered)
+    except ValueError as error:
+        raise ValueError(f"{error}; {left_out}") from None
+    return replace(curve, left_out=int((~answered).sum()), not_counted=left_out)
+
+
+def _groups(sweep: xr.Dataset, group: str | None) -> xr.DataArray | None:
+    """The label of the group of each case, see `fragility_of`; None for no groups."""
+    if group == "recording" and group not in sweep.coords:
+        names = sweep.coords.get("motion")
+        if names is None or len(np.unique(names)) < 2:
+            return None
+        return names.copy(data=[recording_of(name) for name in names.values.ravel().tolist()])
+    return None if group is None else coordinate("fragility_of", sweep, group)
 
 
 def _refuse_separable(im: np.ndarray, hits: np.ndarray, of: np.ndarray) -> None:
@@ -302,7 +345,7 @@ def _between(
     """
     distinct = np.unique(labels)
     n = len(distinct)
-    require(n > 1, "fit_fragility", "group", n, "one record alone tells nothing of others")
+    require(n > 1, "fit_fragility", "group", n, _ONE_GROUP)
     deviates = columns @ coefficients
     later, earlier = ((of * slopes)[:, None] * columns for slopes in _hazards(deviates))
     total = np.zeros((2, 2))
@@ -317,6 +360,10 @@ def _between(
 
 _FLATTEST = 100.0
 """Logarithm of the median over the mean intensity beyond which a curve does not rise."""
+_ONE_GROUP = (
+    "motions of one recording alone tell nothing of others: give more recordings, or group=None "
+    "for motions that do not depend on one another"
+)
 _ROUNDS = 100
 
 

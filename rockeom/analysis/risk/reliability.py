@@ -28,7 +28,8 @@ import numpy as np
 from scipy.special import ndtr
 
 from rockeom.analysis.random_parameters import RandomParameters
-from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.analysis.risk.fragility import proportion_interval
+from rockeom.analysis.sweeps import FALLS, exceedances, outcome_labels, unanswered
 from rockeom.numbers.arguments import require
 from rockeom.numbers.dual import Dual
 from rockeom.simulation.case import Case
@@ -128,19 +129,20 @@ class MonteCarlo:
 
         level : how often. Raises ValueError for one that does not lie between 0 and 1.
         """
-        from scipy.stats import binomtest  # takes long to import
-
-        require(0.0 < level < 1.0, "interval", "level", level, "it lies between 0 and 1, as 0.95")
-        bounds = binomtest(self.failures, self.number).proportion_ci(level)
-        return float(bounds.low), float(bounds.high)
+        low, high = proportion_interval(self.failures, self.number, level)
+        return float(low), float(high)
 
     def __repr__(self) -> str:
         low, high = self.interval()
-        left_out = f", {self.left_out} left out" if self.left_out else ""
-        return (
+        lost = unanswered(outcome_labels(self.sweep))
+        least, most = self.failures, self.failures + self.left_out
+        told = (
             f"{self.failures} of {self.number} fail: probability {self.probability:.3g}, "
-            f"{low:.3g} to {high:.3g} (95 %){left_out}"
+            f"{low:.3g} to {high:.3g} (95 %)"
         )
+        none, all_ = (f"{n / (self.number + self.left_out):.3g}" for n in (least, most))
+        left_out = f"; {lost} left out: {none} if none of them fails, {all_} if all do"
+        return told + left_out * bool(lost)
 
 
 def first_order_reliability(
@@ -475,12 +477,8 @@ class _Condition:
 
     def of_sweep(self, sweep: Sweep) -> tuple[np.ndarray, np.ndarray]:
         """(n,) which cases of a sweep fail, and (n,) which gave an answer."""
-        labels = outcome_labels(sweep)
-        fails = labels == FALLS
-        answered = fails | labels.isin(STANDS)
-        if self.demand is not None and self.limit is not None:
-            fails = fails | (peaks_of(sweep, self.demand) >= self.limit)
-        return fails.values & answered.values, answered.values
+        fails, answered, _ = exceedances(sweep, self.demand, self.limit)
+        return fails.values, answered.values
 
 
 class _Fates:

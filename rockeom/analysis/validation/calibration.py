@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,12 +22,14 @@ class Calibration:
     number (k,) : tests of each bin; those without a test are left out.
     probability (k,) : mean of the probabilities predicted for them; frequency (k,) : which part of
         them overturned.
-    lower, upper (k,) : confidence bounds of the probability that the frequency tells.
+    lower, upper (k,) : confidence bounds of the probability that the frequency tells, if tests are
+        independent.
     expected_lower, expected_upper (k,) : between which the frequency lies, with the same level, if
         the predicted probabilities are right.
     p_value : how likely frequencies as far from the probabilities are, all bins together, if these
         are right.
     level : of the bounds.
+    campaigns : number of those given as `outcomes`; 0 where tests count as independent.
     """
 
     number: np.ndarray
@@ -38,15 +41,25 @@ class Calibration:
     expected_upper: np.ndarray
     p_value: float
     level: float
+    campaigns: int = 0
+
+    @property
+    def basis(self) -> str:
+        """With what tests are compared, in words."""
+        return f"by {self.campaigns} campaigns" if self.campaigns else "assumes independent tests"
 
     def __repr__(self) -> str:
         lines = [
-            f"{self.number.sum()} tests: p = {self.p_value:.3g} if the probabilities are right"
+            f"{self.number.sum()} tests: p = {self.p_value:.3g} if the probabilities are right; "
+            f"{self.basis}"
         ]
         for n, p, f, low, high in zip(
-            self.number, self.probability, self.frequency, self.lower, self.upper, strict=True
-        ):
-            lines.append(f"predicted {p:.3f}, observed {f:.3f} of {n} ({low:.3f} to {high:.3f})")
+            self.number, self.probability, self.frequency, self.expected_lower,
+            self.expected_upper, strict=True,
+        ):  # fmt: skip
+            lines.append(
+                f"predicted {p:.3f}, observed {f:.3f} of {n} ({low:.3f} to {high:.3f} if right)"
+            )
         return "\n".join(lines)
 
 
@@ -55,6 +68,7 @@ def calibration_of(
     probability: ArrayLike,
     bins: int | ArrayLike = 5,
     *,
+    outcomes: ArrayLike | None = None,
     level: float = 0.95,
     seed: int = 0,
 ) -> Calibration:
@@ -63,16 +77,25 @@ def calibration_of(
     overturned : (n,) True or False, the measured outcome of each test.
     probability : (n,) predicted for it, such as `Ensemble.overturning_probability`.
     bins : number of equal bins from 0 to 1, or their bounds in ascending order.
+    outcomes : (n, m) True or False, of m campaigns of the same tests that the model simulates, such
+        as `simulated.overturned`. Without them the function **assumes independent tests**, and
+        rejects a right model too often where they share a parameter, such as the width of the
+        specimen.
     level : of the bounds of `Calibration`. seed : of the draws of the p-value.
 
-    The interval of a frequency is that of `risk.proportion_interval`; where the probabilities of a
-    bin differ, it holds their mean at least as often (Hoeffding 1956). The expected range is exact,
-    of a sum of outcomes of unequal probabilities (Broecker and Smith 2007, Weather and Forecasting
-    22(3), 651-661). The p-value is that of the sum over the bins of the squared excess of the count
-    over its variance, against 9999 draws of all outcomes.
+    The p-value is that of the sum over the bins of the squared excess of the count over its
+    variance. With `outcomes` the measured campaign is one of m + 1: each is compared with the
+    probabilities by all others, and its part of those that are as far off holds whatever tests
+    share (Barnard 1963, Journal of the Royal Statistical Society B 25(2), 294). Expected ranges are
+    order statistics of the campaigns.
+
+    Without them 9999 draws of all outcomes are compared. The interval of a frequency is that of
+    `risk.proportion_interval`; where the probabilities of a bin differ, it holds their mean at
+    least as often (Hoeffding 1956). The expected range is exact, of a sum of outcomes of unequal
+    probabilities (Broecker and Smith 2007, Weather and Forecasting 22(3), 651-661).
 
     Raises ValueError for probabilities that do not lie between 0 and 1, bounds that leave one out,
-    and where n differs.
+    where n differs, and for fewer campaigns than tell the level.
     """
     where = "calibration_of"
     fell, p = numbers(where, overturned=overturned, probability=probability)
@@ -80,20 +103,37 @@ def calibration_of(
     require((p >= 0) & (p <= 1), where, "probability", p, "it lies between 0 and 1")
     require(0.0 < level < 1.0, where, "level", level, "it lies between 0 and 1, as 0.95")
     fell, p = (np.atleast_1d(a).ravel() for a in np.broadcast_arrays(fell, p))
-    member = _members(where, p, bins)
-    number, hits, expected = member.sum(axis=1), member @ fell, member @ p
-    lower, upper = proportion_interval(hits, number, level)
-    tail = 0.5 * (1.0 - level)
-    ranges = np.array([_range(p[row], tail) for row in member]) / number[:, None]
-    variance = member @ (p * (1.0 - p))
-    drawn = np.random.default_rng(seed).random((_DRAWS, len(p))) < p
-    excess = _excess(hits, expected, variance)
-    others = _excess(drawn @ member.T.astype(float), expected, variance)
-    p_value = (1 + int((others >= excess * (1 - 1e-12)).sum())) / (_DRAWS + 1)
+    member, tail = _members(where, p, bins), 0.5 * (1.0 - level)
+    number, hits = member.sum(axis=1), member @ fell
+    if outcomes is None:
+        campaigns = 0
+        ranges = np.array([_range(p[row], tail) for row in member])
+        drawn = np.random.default_rng(seed).random((_DRAWS, len(p))) < p
+        excess = _excess(np.vstack([fell, drawn]), p, member)
+    else:
+        every = np.vstack([fell, _campaigns(where, outcomes, len(fell), level)])
+        campaigns = len(every) - 1
+        place = math.floor(tail * len(every) + 1e-9)
+        ranges = np.sort(member @ every[1:].T, axis=1)[:, [place - 1, -place]]
+        excess = _excess(every, (every.sum(axis=0) - every + 0.5) / len(every), member)
+    (lower, upper), (low, high) = proportion_interval(hits, number, level), ranges.T / number
     return Calibration(
-        number, expected / number, hits / number, lower, upper, ranges[:, 0], ranges[:, 1],
-        p_value, level,
+        number, member @ p / number, hits / number, lower, upper, low, high,
+        float((excess >= excess[0] * (1 - 1e-12)).mean()), level, campaigns,
     )  # fmt: skip
+
+
+def _campaigns(where: str, outcomes: ArrayLike, n: int, level: float) -> np.ndarray:
+    """(m, n) outcomes of campaigns of n tests, as many as an expected range needs."""
+    (given,) = numbers(where, outcomes=outcomes)
+    require((given == 0) | (given == 1), where, "outcomes", given, "give True or False")
+    needed = math.ceil(2.0 / (1.0 - level) - 1e-9) - 1
+    if given.ndim != 2 or len(given) != n or given.shape[1] < needed:
+        raise ValueError(
+            f"{where}: outcomes has the shape {given.shape}: give (n, m), here {n} tests and for "
+            f"this level {needed} campaigns or more"
+        )
+    return given.T
 
 
 def _members(where: str, p: np.ndarray, bins: int | ArrayLike) -> np.ndarray:
@@ -110,9 +150,13 @@ def _members(where: str, p: np.ndarray, bins: int | ArrayLike) -> np.ndarray:
     return member[member.any(axis=1)]
 
 
-def _excess(hits: np.ndarray, expected: np.ndarray, variance: np.ndarray) -> np.ndarray:
-    """Sum over the bins, the last axis, of squares over their variance; infinite where none is."""
-    squares = (hits - expected) ** 2
+def _excess(fell: np.ndarray, p: np.ndarray, member: np.ndarray) -> np.ndarray:
+    """Sum over the bins of squared excesses over their variance; infinite where none is.
+
+    fell (..., n) : outcomes, whose last axis goes.
+    """
+    weights = member.T.astype(float)
+    squares, variance = ((fell - p) @ weights) ** 2, (p * (1.0 - p)) @ weights
     impossible = np.where(squares > 0, np.inf, 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.where(variance > 0, squares / variance, impossible).sum(axis=-1)

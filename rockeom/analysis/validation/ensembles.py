@@ -7,12 +7,16 @@ from dataclasses import dataclass
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
+from scipy.special import ndtri, stdtrit
 
-from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels, peaks_of
+from rockeom.analysis.sweeps import FALLS, outcome_labels, peaks_of, unanswered
 from rockeom.analysis.unfinished import check_finished
 from rockeom.numbers import explained
 from rockeom.numbers.arguments import numbers, positive, require
 from rockeom.numbers.checks import described
+
+_DRAWS = 999
+_PLACES = 1000  # peaks at which distributions of campaigns are compared, at most
 
 
 @explained.calls()
@@ -71,11 +75,9 @@ class Ensemble:
         check_finished("Ensemble.from_sweep", sweep)
         labels = outcome_labels(sweep)
         fell = labels == FALLS
-        lost = ~(fell | labels.isin(STANDS)).values
-        if lost.any():
+        if lost := unanswered(labels):
             raise ValueError(
-                f"Ensemble.from_sweep: {lost.sum()} of {lost.size} cases gave no answer; the "
-                f"outcome of the first is {labels.values[lost][0]!r}: run them with other solver "
+                f"Ensemble.from_sweep: of {labels.size} cases {lost}: run them with other solver "
                 "options, or select the cases with an answer and state how many were left out"
             )
         return cls(peaks_of(sweep, quantity).transpose(*labels.dims).values, fell.values)
@@ -94,21 +96,51 @@ class Ensemble:
         (at,) = numbers("Ensemble.distribution", x=x)
         return np.searchsorted(np.sort(self.peaks, axis=None), at, side="right") / self.number
 
-    def band(self, x: ArrayLike, level: float = 0.95) -> tuple[np.ndarray, np.ndarray]:
+    def band(
+        self, x: ArrayLike, level: float = 0.95, seed: int = 0
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Lower and upper confidence bound of the distribution at x, each of the shape of x.
 
         x : as of `distribution`. level : probability, at least, that the true distribution lies
-        within the band everywhere.
+        within the band everywhere. seed : of the draws.
 
-        The inequality of Dvoretzky, Kiefer and Wolfowitz (1956) with the constant of Massart
-        (1990), Annals of Probability 18(3), 1269-1283: sqrt(ln(2/(1 - level))/(2 n)) to both sides.
-        It holds for independent motions of any distribution, with a part that overturns, too.
+        m campaigns, peaks (n, m), whose tests may share parameters, are resampled as a whole, 999
+        times. The band reaches as far to both sides as the quantile of the largest deviation of the
+        resampled distributions, times sqrt(m/(m - 1)) and the quantile of Student over that of the
+        normal distribution. The true distribution is that of the same tests.
+
+        The band of one campaign (n,) follows from the inequality of Dvoretzky, Kiefer and Wolfowitz
+        (1956) with the constant of Massart (1990), Annals of Probability 18(3), 1269-1283:
+        sqrt(ln(2/(1 - level))/(2 n)) to both sides. **It assumes independent tests**, of any
+        distribution, with a part that overturns, too. One campaign does not show the scatter of a
+        parameter that all its tests share: the band is that of this specimen.
+
         Raises ValueError for a level that does not lie between 0 and 1.
         """
         require(0.0 < level < 1.0, "band", "level", level, "it lies between 0 and 1, as 0.95")
-        reach = np.sqrt(np.log(2.0 / (1.0 - level)) / (2.0 * self.number))
+        if self.campaigns == 1:
+            reach = np.sqrt(np.log(2.0 / (1.0 - level)) / (2.0 * self.number))
+        else:
+            reach = self._largest_deviation(level, seed)
         found = self.distribution(x)
         return np.maximum(found - reach, 0.0), np.minimum(found + reach, 1.0)
+
+    @property
+    def campaigns(self) -> int:
+        """How many campaigns of the same tests there are."""
+        return self.peaks.shape[-1] if self.peaks.ndim > 1 else 1
+
+    def _largest_deviation(self, level: float, seed: int) -> float:
+        """Half-width of the band of m campaigns, see `band`."""
+        m, every = self.campaigns, np.sort(self.peaks, axis=None)
+        x = every[np.linspace(0, len(every) - 1, min(len(every), _PLACES)).astype(int)]
+        columns = np.sort(self.peaks.reshape(-1, m), axis=0).T
+        each = np.array([np.searchsorted(one, x, side="right") for one in columns])
+        drawn = np.random.default_rng(seed).multinomial(m, np.full(m, 1.0 / m), _DRAWS)
+        deviations = np.abs((drawn - 1.0) @ each).max(axis=1) / self.number
+        upper = 0.5 + 0.5 * level
+        few = np.sqrt(m / (m - 1.0)) * stdtrit(m - 1, upper) / ndtri(upper)
+        return float(few * np.quantile(deviations, level, method="higher"))
 
     def overturning_probability(self) -> np.ndarray:
         """(n,) (k + 1/2)/(m + 1) of each test, where k of its m motions overturned.

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.spectra import largest_displacement
 
 _APART = 1.2
@@ -24,6 +25,7 @@ _ROUNDS = 15
 _COUPLING = 0.6
 """Part of the response to the wavelets of other periods that a round accounts for. Neighbours
 answer nearly alike: with all of it the rounds diverge, with 0.8 at 2 % of damping."""
+_BASELINE = 5  # degree of the polynomial of the displacement that each round subtracts
 _PEAK_FACTOR = 3.0
 """Largest response over its standard deviation, of the start alone."""
 
@@ -38,13 +40,6 @@ class Target(NamedTuple):
     accelerations: np.ndarray
     damping_ratio: float
     peak: float = math.inf
-
-
-class Matched(NamedTuple):
-    """Accelerations (m,) [m/s2], and their largest relative difference from the target."""
-
-    samples: np.ndarray
-    error: float
 
 
 def periods(first: float, last: float, damping_ratio: float) -> np.ndarray:
@@ -81,23 +76,34 @@ def noise(target: Target, n: int, dt: float, generator: np.random.Generator) -> 
     return np.fft.irfft(0.5 * m * amplitudes, m)[:n]
 
 
-def matched(samples: np.ndarray, dt: float, target: Target) -> Matched:
+def matched(samples: np.ndarray, dt: float, target: Target) -> np.ndarray:
     """Accelerations with the spectrum of the target, by wavelets added to `samples` (m,) [m/s2].
 
-    The rounds end where all differences are small; if they do not become so, the best is returned.
+    The ground is at rest after each round. The rounds end where all differences are small; if they
+    do not become so, the best is returned.
     """
-    best = Matched(samples, np.inf)
+    least, best = np.inf, samples
     for _ in range(_ROUNDS):
-        samples = np.clip(samples, -target.peak, target.peak)
+        samples = _at_rest(np.clip(samples, -target.peak, target.peak), dt)
         time, response = _largest(samples, dt, target)
         error = float(np.abs(np.abs(response) / target.accelerations - 1.0).max())
-        if error < best.error:
-            best = Matched(samples, error)
+        if error < least:
+            least, best = error, samples
         if error < _CLOSE:
             break
         missing = np.sign(response) * target.accelerations - response
         samples = samples + _adjustment(dt * np.arange(len(samples)), time, missing, target)
     return best
+
+
+def _at_rest(samples: np.ndarray, dt: float) -> np.ndarray:
+    """A record less its baseline, and less the line that leaves a velocity or a displacement."""
+    motion = GroundMotion.from_array(samples, dt).baseline_corrected(_BASELINE, "displacement")
+    assert motion.samples is not None
+    t = motion.duration
+    ends = np.array([motion.velocity(t), motion.displacement(t)])
+    level, slope = np.linalg.solve([[t, t**2 / 2], [t**2 / 2, t**3 / 6]], ends)
+    return motion.samples - level - slope * dt * np.arange(len(samples))
 
 
 def _largest(samples: np.ndarray, dt: float, target: Target) -> tuple[np.ndarray, np.ndarray]:
