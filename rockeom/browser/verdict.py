@@ -23,14 +23,17 @@ TURNS = 8
 
 @entry
 def uplift_and_friction(p: Floats, out: Floats):
-    """The static uplift acceleration [m/s2], and the friction coefficient below which it slides."""
-    uplift = min(lifting(LEFT_FOOT, p), lifting(RIGHT_FOOT, p))
+    """The least acceleration that lifts a foot [m/s2], the friction that prevents sliding before.
+
+    The friction coefficient is that of both sides: with less it slides first to one of them.
+    """
+    left, right = lifting(LEFT_FOOT, p), lifting(RIGHT_FOOT, p)
     y, forces = np.zeros(N_STATES), np.zeros(N_REACTIONS)
     reactions(BOTH_MODE, y, p, 0.0, 0.0, forces)
     weight = forces[LEFT_FOOT] + forces[RIGHT_FOOT]
     reactions(BOTH_MODE, y, p, 0.0, 1.0, forces)
     mass = forces[LEFT_FOOT] + forces[RIGHT_FOOT] - weight
-    out[0], out[1] = uplift, uplift * mass / weight
+    out[0], out[1] = min(left, right), max(left, right) * mass / weight
 
 
 def lifting(foot, p):
