@@ -127,8 +127,8 @@ def tie(motion: GroundMotion, events: EventColumns) -> tuple[str, ...]:
     for t, _, (before, _) in zip(*events.of(UPLIFT), strict=True):
         if not before.any() and motion.acceleration(t) == 0.0:
             return (
-                f"At {t:.4g} s both feet lift at once: it leans to the left, and could to the right "
-                "as well.",
+                f"At {t:.4g} s both feet lift at once: it leans to the left, and could to the "
+                "right as well.",
             )
     return ()
 
