@@ -207,5 +207,6 @@ def _levels(pga: Any, threshold: float) -> np.ndarray:
     one = isinstance(pga, str) or np.ndim(pga) == 0
     given = [acceleration("pga", value) for value in ([pga] if one else pga)]
     (levels,) = positive("assess", pga=given)
-    require(levels.size, "assess", "pga", levels.size, "give one intensity or more")
+    if not levels.size:
+        raise ValueError("assess: pga is empty: give one intensity or more")
     return np.unique(levels)

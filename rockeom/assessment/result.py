@@ -27,6 +27,7 @@ from rockeom.assessment.trials import (
     can_slide,
     case_of,
     fitted,
+    height_of,
     pga_of,
     simulated,
 )
@@ -149,7 +150,7 @@ class Assessment:
     @cached_property
     def verdict(self) -> str:
         """The answer in a few sentences, those on the records as they are first."""
-        if self.units_in_doubt and not self.units_checked:
+        if self._in_doubt:
             return (
                 "No verdict: a unit is in doubt, as the questions say. Mend it, or give "
                 "units_checked=True."
@@ -199,7 +200,8 @@ class Assessment:
             )
         most = f"up to a PGA of {in_g(top.pga)}"
         if not any(row.lifted for row in rows):
-            return f"No: {most} none of {self._motions(top.number)} even lifts a foot."
+            lifts = f"none of {self._motions(top.number)} even lifts"
+            return f"No: {most} {lifts if top.number > 1 else 'it does not even lift'} a foot."
         return (
             f"Not under these records: none of {top.number} overturns it {most}, where the "
             f"{percent(self.level)} interval of the probability is {_interval(top)}."
@@ -246,17 +248,17 @@ class Assessment:
         }
         first = self.statics.slides_first(friction)
         said = _by_side(f"{phrases[a]}{b:.3g}" for a, b in zip(first, needed, strict=True))
-        return f"Sliding: it {said}.{self._of_slips()}"
+        return f"Sliding: it {said}.{self._of_room()}"
 
-    def _of_slips(self) -> str:
-        slips = [(one.slip, one.final_slip) for one in self.records if np.isfinite(one.slip)]
-        if not slips or self.records_in_doubt:
+    def _of_room(self) -> str:
+        rooms = [(one.room, one.displacement) for one in self.records if np.isfinite(one.room)]
+        if not rooms or self.records_in_doubt or self._in_doubt:
             return ""
-        largest, final = (max(column) for column in zip(*slips, strict=True))
+        largest, final = (max(column) for column in zip(*rooms, strict=True))
         if largest < _STILL:
             return " As recorded it stays in its place."
         return (
-            f" As recorded it needs {in_mm(largest)} of room on either side, and ends up to "
+            f" As recorded it needs up to {in_mm(largest)} of room on either side, and ends up to "
             f"{in_mm(final)} from its place."
         )
 
@@ -301,7 +303,7 @@ class Assessment:
             f"{self._gain(one)}."
             for one in self.remedies
         )
-        return (*said, *self._of_restraint())
+        return tuple(said) if self._in_doubt else (*said, *self._of_restraint())
 
     def _gain(self, remedy: Remedy) -> str:
         """The effect of a change on overturning, averaged over all intensities."""
@@ -354,11 +356,10 @@ class Assessment:
     @property
     def _strap_place(self) -> tuple[float, str]:
         """Height of a strap above the ground [m], and in words."""
-        if full := getattr(self.structure, "full_height", None):
-            return full, "its full height"
-        if half := getattr(self.structure, "half_height", None):
-            return 2 * half, "twice the height of the centroid"
-        return self.statics.centroid_height, "the height of the centroid"
+        height, words = height_of(self.structure)
+        if np.isnan(height):
+            return self.statics.centroid_height, "the height of the centroid"
+        return height, words
 
     def _force(self, force: float) -> str:
         part = f"{percent(force / self.statics.weight)} of the weight"
@@ -425,14 +426,19 @@ class Assessment:
         return said[: 2 + (self.trials.fragility is not None)] if self._n else ()
 
     @property
+    def _in_doubt(self) -> bool:
+        """Whether lengths, gravity or intensities must be checked before anything is promised."""
+        return bool(self.units_in_doubt) and not self.units_checked
+
+    @property
     def _slides(self) -> bool:
         return can_slide(self.structure, self.conditions)
 
     @property
     def _moves(self) -> bool:
-        """Whether it slides anywhere."""
-        slips = [row.slip for row in self.trials.intensities]
-        return any(slip > _STILL for slip in [*slips, *(one.slip for one in self.records)])
+        """Whether it leaves its place anywhere."""
+        rooms = [row.room for row in self.trials.intensities] + [one.room for one in self.records]
+        return any(room > _STILL for room in rooms)
 
     @property
     def _n(self) -> int:
@@ -454,7 +460,7 @@ class Assessment:
         rows = [
             f"PGA {in_g(row.pga)}: {row.overturned} of {row.number}"
             + f" ({_interval(row)})"
-            + (f"; others need {in_mm(row.slip)} of room" if row.slip > _STILL else "")
+            + (f"; others need up to {in_mm(row.room)} of room" if row.room > _STILL else "")
             for row in self.trials.intensities
         ]
         blocks = {
@@ -534,7 +540,7 @@ class Assessment:
                 f"{row.overturned} of {row.number}",
                 _interval(row),
                 "–" if curve is None else percent(float(curve.probability(row.pga))),
-                *([in_mm(row.slip)] if self._moves else []),
+                *([in_mm(row.room)] if self._moves else []),
             )
             for row in self.trials.intensities
         ]
@@ -549,13 +555,13 @@ class Assessment:
                 in_g(one.peak),
                 one.outcome if one.fell or not one.answered else f"{np.degrees(one.rotation):.1f}°",
                 "–" if one.fell or np.isnan(one.part) else f"{one.part:.2g}",
-                *([in_mm(one.slip), in_mm(one.final_slip)] if self._moves else []),
+                *([in_mm(one.room), in_mm(one.displacement)] if self._moves else []),
             )
             for one in order
         ]
         rest = f"<p>{len(rows) - _SHOWN} more are not listed.</p>" if len(rows) > _SHOWN else ""
-        slip = ("room", "in the end") if self._moves else ()
-        heads = ("record", "PGA", "largest rotation", "theta/alpha", *slip)
+        moves = ("room", "in the end") if self._moves else ()
+        heads = ("record", "PGA", "largest rotation", "theta/alpha", *moves)
         return page.table(heads, rows[:_SHOWN]) + rest
 
 

@@ -115,6 +115,10 @@ def statics_of(structure: Structure) -> Statics:
     Raises ValueError for another one, and for one that no acceleration lifts.
     """
     if isinstance(structure, StackedBlocks):
+        if structure.support:
+            raise ValueError(
+                "assess: corners that slide are not judged: leave out the support of the stack"
+            )
         return _of_stack(structure)
     thresholds = structure.uplift_accelerations
     if thresholds is None or structure.module.STATE_UNITS[structure.module.ROTATION] != "rad":

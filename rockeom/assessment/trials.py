@@ -69,9 +69,9 @@ class UnderRecord(NamedTuple):
     """The effect of a record, as it was recorded or scaled, by a sweep that was finished.
 
     peak : PGA [m/s2]. rotation : the largest of any body [rad]. part : of the overturning angle,
-    nan where it is not known. slip, final_slip : largest distance from the place before, and that
-    in the end [m]; nan where it overturned or feet do not slide. body : that turned furthest in the
-    end.
+    nan where it is not known. room : beside the place before that its base, sliding, and its top,
+    leaning, take up at most; displacement : from that place, in the end [m]; nan where it
+    overturned or feet do not slide. body : that turned furthest in the end.
     """
 
     name: str
@@ -79,8 +79,8 @@ class UnderRecord(NamedTuple):
     outcome: str
     rotation: float
     part: float
-    slip: float
-    final_slip: float
+    room: float
+    displacement: float
     body: str
 
     @property
@@ -100,8 +100,8 @@ class AtIntensity(NamedTuple):
     """Number of motions, scaled to a PGA [m/s2], that lift a foot and that overturn.
 
     number : of motions with an answer. lower, upper : interval of confidence of the probability of
-    overturning, Clopper and Pearson's by recording. slip : largest distance from the place before
-    of those that stand [m]; nan where there are none or feet do not slide.
+    overturning, Clopper and Pearson's by recording. room : at most, of those that stand [m]; nan
+    where there are none or feet do not slide.
     """
 
     pga: float
@@ -110,7 +110,7 @@ class AtIntensity(NamedTuple):
     number: int
     lower: float
     upper: float
-    slip: float
+    room: float
 
 
 class Trials(NamedTuple):
@@ -196,7 +196,7 @@ def _under(
     over = {"motion": motions} | ({} if levels is None else {"pga": levels})
     sweep = simulate_many(case, over, sweep_options=SweepOptions(progress=False))
     labels = outcome_labels(sweep).values
-    part = slip = final_slip = np.full(labels.shape, np.nan)
+    part = room = displacement = np.full(labels.shape, np.nan)
     theta = structure.module.STATES[structure.module.ROTATION]
     if structure.overturning_angles is not None:
         ratios = (
@@ -204,16 +204,17 @@ def _under(
             for name in ("minimum", "maximum")
         )
         part = np.maximum(*map(np.abs, ratios))
+    turned = sweep[["peak", "final"]].sel(state=list(structure.falls))
+    rotation = turned["peak"].max("state").values
     if can_slide(structure, conditions):
-        slip, final_slip = (
+        base, displacement = (
             np.where(labels == FALLS, np.nan, np.abs(sweep[name].sel(state="x").values))
             for name in ("peak", "final")
         )
-    turned = sweep[["peak", "final"]].sel(state=list(structure.falls))
-    rotation = turned["peak"].max("state").values
+        room = base + height_of(structure)[0] * np.sin(rotation)
     body = np.array(_bodies(structure))[abs(turned["final"]).argmax("state").values]
     columns = [
-        x.reshape(len(motions), -1) for x in (labels, rotation, part, slip, final_slip, body)
+        x.reshape(len(motions), -1) for x in (labels, rotation, part, room, displacement, body)
     ]
     return [
         tuple(
@@ -224,6 +225,14 @@ def _under(
         )
         for i, motion in enumerate(motions)
     ]
+
+
+def height_of(structure: Structure) -> tuple[float, str]:
+    """The height of a structure [m], and in words; nan where it is not known."""
+    if full := getattr(structure, "full_height", None):
+        return full, "its full height"
+    half = getattr(structure, "half_height", np.nan)
+    return 2.0 * half, "twice the height of the centroid"
 
 
 def _bodies(structure: Structure) -> list[str]:
@@ -244,9 +253,9 @@ def _at(
     lower, upper = 0.0, 1.0
     if rows:
         lower, upper = proportion_interval_by_group(fell, conditions.recordings[rows], level)
-    slip = max((one.slip for one in answered if one.slip >= 0.0), default=np.nan)
+    room = max((one.room for one in answered if one.room >= 0.0), default=np.nan)
     lifted = sum(one.lifts for one in answered)
-    return AtIntensity(pga, lifted, sum(fell), len(rows), lower, upper, slip)
+    return AtIntensity(pga, lifted, sum(fell), len(rows), lower, upper, room)
 
 
 def fitted(

@@ -28,6 +28,7 @@ _REMEDIES = (
     (r"^start and end are", "--start and --end are"),
     (rf"^({_OPTIONS}) (?=is|has|needs)", r"--\1 "),
     (r"^over: ", "--over: "),
+    (r"^periods are", "--floor: periods are"),
     (r"^assess: (?=level|friction)", "--"),
     (r"units_checked=True", "--units-checked"),
     (r"see MotionSet\.recordings\(\)", "with --components all of a folder"),

@@ -111,7 +111,7 @@ def _periods(periods: ArrayLike) -> np.ndarray:
     found = np.atleast_1d(array("periods", periods))
     if found.ndim != 1 or not len(found) or not (np.isfinite(found) & (found > 0.0)).all():
         raise MotionError(
-            f"periods is {described(periods)}: give positive numbers [s], one for each mode"
+            f"periods are {found.tolist()} s: give positive numbers, one for each mode"
         )
     if (np.diff(found) >= 0.0).any():
         raise MotionError(f"periods are {found.tolist()} s: give the longest first")

@@ -203,7 +203,10 @@ def of_structure(structure: Structure) -> dict[str, Number]:
     units = dict(zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True))
     made, found = _made_of(structure), {}
     for name, path, value in _numbers(made):
-        unit, smooth = units.get(structure.parameter_at(path), ""), signs.get(name) != "n"
+        parameter, smooth = structure.parameter_at(path), signs.get(name) != "n"
+        if not parameter and len(path) == 1:
+            continue  # such as `full_height` of a block, which no equation has
+        unit = units.get(parameter, "")
         found[f"structure.{name}"] = Number("structure", path, value, unit, smooth)
     for name in (name for name, value in made.items() if value is None):
         if parameter := structure.parameter_at((name,)):  # which follows from others

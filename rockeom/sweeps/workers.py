@@ -100,6 +100,8 @@ def in_executor(
             del under_way[i]
             try:
                 answer = future.result()
+                if not isinstance(answer, dict | Exception):
+                    raise TypeError(f"a future gives {described(answer)} and no results")
             except (Exception, asyncio.CancelledError) as error:
                 lost[i] = error
                 submit(i)

@@ -435,6 +435,7 @@ def test_p_value_of_campaigns_is_the_rank_of_the_measured_one():
     [
         (np.zeros((3, 60)), r"outcomes has the shape \(3, 60\): give \(n, m\), here 2 tests"),
         (np.zeros((2, 38)), r"shape \(2, 38\).* for this level 39 campaigns or more"),
+        (np.zeros((2, 60)), r"probability\[0\] is 0\.5: the campaigns of `outcomes` contradict it"),
         (np.full((2, 40), 0.5), r"outcomes\[0, 0\] is 0\.5: give True or False"),
     ],
 )

@@ -189,8 +189,8 @@ def test_effect_of_each_record_is_that_of_a_plain_simulation(held, sliding):
         assert one.rotation == pytest.approx(abs(run.extremes("theta").peak), rel=1e-6)
         assert one.part == pytest.approx(one.rotation / BLOCK.alpha)
         assert one.lifts == (motion.peak > 0.25 * G)
-        assert np.isnan(one.slip)
-        assert np.isfinite(slid.slip) == (slid.outcome != "overturned")
+        assert np.isnan(one.room)
+        assert np.isfinite(slid.room) == (slid.outcome != "overturned")
 
 
 def test_room_is_the_largest_distance_from_its_place_and_not_the_last():
@@ -201,11 +201,22 @@ def test_room_is_the_largest_distance_from_its_place_and_not_the_last():
     slides = rk.SlidingBlock(half_width=0.3, half_height=0.4, friction=0.2, restitution=0.0)
     run = rk.simulate(slides, motion, duration=motion.duration + 10.0)
     (one,) = answer.records
-    assert one.slip == pytest.approx(abs(run.extremes("x").peak))
-    assert one.final_slip == pytest.approx(abs(run["x"][-1]))
-    assert one.slip > 20 * one.final_slip
-    assert "needs 13 mm of room on either side, and ends up to 0.5 mm" in answer.findings[1]
-    assert answer.trials.intensities[0].slip == pytest.approx(one.slip, rel=1e-6)
+    assert one.room == pytest.approx(abs(run.extremes("x").peak))
+    assert one.displacement == pytest.approx(abs(run["x"][-1]))
+    assert one.room > 20 * one.displacement
+    assert "needs up to 13 mm of room on either side, and ends up to 0.5 mm" in answer.findings[1]
+    assert answer.trials.intensities[0].room == pytest.approx(one.room, rel=1e-6)
+
+
+def test_room_of_a_block_that_rocks_is_that_of_its_top():
+    block = rk.RigidBlock.from_dimensions(width=1.0, height=2.0, centroid_height=0.9)
+    motion = rk.GroundMotion.single_sine("0.9 g", 0.6)
+    (one,) = rk.assess(block, motion, friction=0.9, pga=motion.peak).records
+    run = rk.simulate(block, motion, duration=motion.duration + 10.0)
+    tilt = abs(run.extremes("theta").peak)
+    middle = 0.5 * (1.0 - np.cos(tilt))  # of the base, towards the corner that stands
+    assert one.outcome != "overturned"
+    assert one.room == pytest.approx(middle + 2.0 * np.sin(tilt), rel=1e-4)
 
 
 def test_pga_is_the_quantile_of_the_curve_and_its_interval_says_its_method(held):

@@ -532,6 +532,10 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
         lambda: tower(elastic_energy=k * sp.Max(u, -u)),
         ("elastic energy in mode left/right has a kink where u is zero", "declare an element"),
     ),
+    "an energy by a distance that is zero where the feet are closed": (
+        lambda: tower(elastic_energy=k * sp.sqrt(2 - 2 * sp.cos(THETA.position))),
+        ("elastic energy in mode left/right has a kink where theta is zero", "declare an element"),
+    ),
     "an energy in pieces": (
         lambda: tower(elastic_energy=k * sp.Piecewise((u**2, u > 0), (0, True))),
         ("elastic energy in mode left/right contains Piecewise", "cannot be compiled"),

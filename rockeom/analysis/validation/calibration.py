@@ -95,7 +95,8 @@ def calibration_of(
     probabilities (Broecker and Smith 2007, Weather and Forecasting 22(3), 651-661).
 
     Raises ValueError for probabilities that do not lie between 0 and 1, bounds that leave one out,
-    where n differs, and for fewer campaigns than tell the level.
+    where n differs, for probabilities that the campaigns contradict, and for fewer campaigns than
+    tell the level.
     """
     where = "calibration_of"
     fell, p = numbers(where, overturned=overturned, probability=probability)
@@ -113,6 +114,8 @@ def calibration_of(
     else:
         every = np.vstack([fell, _campaigns(where, outcomes, len(fell), level)])
         campaigns = len(every) - 1
+        least, most = proportion_interval(every[1:].sum(axis=0), campaigns, _CONTRADICTED)
+        require((p >= least) & (p <= most), where, "probability", p, _OF_ONE_MODEL)
         place = math.floor(tail * len(every) + 1e-9)
         ranges = np.sort(member @ every[1:].T, axis=1)[:, [place - 1, -place]]
         excess = _excess(every, (every.sum(axis=0) - every + 0.5) / len(every), member)
@@ -121,6 +124,11 @@ def calibration_of(
         number, member @ p / number, hits / number, lower, upper, low, high,
         float((excess >= excess[0] * (1 - 1e-12)).mean()), level, campaigns,
     )  # fmt: skip
+
+
+_CONTRADICTED = 1.0 - 1e-6
+"""Level of the interval of a fraction of the campaigns that has the probability of a test."""
+_OF_ONE_MODEL = "the campaigns of `outcomes` contradict it: give both of one model"
 
 
 def _campaigns(where: str, outcomes: ArrayLike, n: int, level: float) -> np.ndarray:

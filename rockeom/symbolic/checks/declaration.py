@@ -196,16 +196,15 @@ def _content(
                 + (", ".join(["the parameters", *(WORDS[k] for k in kinds)])),
             )
     by = RATES if item.startswith("dissipation") else PLACES
-    if (
-        not named
-        and (by == RATES or RATES not in kinds)
-        and expr.has(sp.Abs, sp.Heaviside, sp.Max, sp.Min)
-    ):
+    steep = expr.has(sp.Abs, sp.Heaviside, sp.Max, sp.Min)
+    steep = steep or ("energy" in item and _has_roots(expr, used))
+    if steep and not named and (by == RATES or RATES not in kinds):
         _has_slopes(model, item, expr, {x for x in used if known[x] == by})
 
 
 _COMPILED = frozenset({*MATH, "Abs", "Heaviside", "Max", "Min"})
 """Functions of an expression that a program has."""
+_NEXT_TO = sp.Rational(1, 10**9)  # exact, since cosines are rounded to 1 there
 _REMEDY = "write it with Max or tanh, or declare an element: Spring, Unilateral or Yielding"
 
 
@@ -215,12 +214,20 @@ def _has_functions(model: HybridModel, item: str, expr: sp.Expr, compiled: Colle
             fail(model.name, f"{item} contains {f}, which cannot be compiled: {_REMEDY}")
 
 
+def _has_roots(expr: sp.Expr, moving: Set[sp.Basic]) -> bool:
+    return any(
+        power.exp.is_integer is False and power.base.free_symbols & moving
+        for power in expr.atoms(sp.Pow)
+    )
+
+
 def _has_slopes(model: HybridModel, item: str, expr: sp.Expr, moving: Set[sp.Basic]) -> None:
     """Refuse a slope that cannot be compiled, or that jumps at the closed configuration."""
     for x in sorted(moving, key=str):
         slope = sp.diff(expr, x)
         _has_functions(model, f"the slope of {item} by {x}", slope, _COMPILED)
         closed = {s: int(s not in moving) for s in slope.free_symbols - {x}}
-        before, after = (sp.N(slope.subs({**closed, x: side * 1e-9})) for side in (-1, 1))
-        if abs(after - before) > 1e-6:
+        before, after = (sp.N(slope.subs({**closed, x: place})) for place in (-_NEXT_TO, _NEXT_TO))
+        jump = abs(after - before)
+        if jump.is_number and jump > 1e-6:
             fail(model.name, f"{item} has a kink where {x} is zero, {expr}: {_REMEDY}")
