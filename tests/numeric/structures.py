@@ -32,6 +32,12 @@ def column(**changes):
     return rk.FlexibleStructure(**(S1 | {"stiffness": STIFFNESS, "damping": DAMPING} | changes))
 
 
+def oscillator():
+    """Its mass alone, on an elastic column."""
+    shared = {name: S1[name] for name in ("mass", "height", "half_width")}
+    return rk.UpliftingOscillator(**shared, stiffness=STIFFNESS, damping=DAMPING)
+
+
 def on_springs(**changes):
     foundation = {"foundation_stiffness": FOUNDATION_STIFFNESS, "foundation_damping": 3e3}
     return rk.TwoSpringStructure(**(S1 | foundation | changes))
