@@ -24,7 +24,7 @@ FUNCTIONS = {
 TABLES = {node.target.id for node in DECLARED.body if isinstance(node, ast.AnnAssign)}
 OF_POINTS = {
     "N_ELEMENTS", "POINT_STATES", "ELEMENT_STATES", "SHARED", "SUBJECTS", "ANGLES", "free_motion",
-    "points", "point_laws", "landed",
+    "points", "point_laws", "landed", "FEET_OF",
 }  # fmt: skip
 """What only modules have whose modes are found; the loop asks no other for them."""
 OF_LAWS = {"IMPACT_LAW", "point_numbers"}
