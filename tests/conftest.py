@@ -16,6 +16,7 @@ LONGEST = (
     "codegen/test_generated_functions.py",
     "integrator/test_compiled_programs.py",
     "codegen/test_generated_text.py",
+    "thesis/test_statements.py",
     "readme/test_names.py",
     "integrator/test_lanes.py",
     "integrator/test_ensembles.py",

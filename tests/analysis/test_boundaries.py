@@ -7,6 +7,7 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import dynamics, formulas
 from rockeom.motion import STANDARD_GRAVITY as GRAVITY
+from tests.numeric.structures import column
 
 from .exact_slender import exact_fates
 
@@ -73,11 +74,7 @@ def test_boundary_ends_where_its_step_is_wider_than_the_fate_beside_it():
 
 def flexible(amplitude):
     """A column on a rigid base, 2.1 m to its mass."""
-    column = rk.FlexibleStructure(
-        mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1,
-        base_inertia=1.37, half_width=0.285, stiffness=571.8e3, damping=502.4,
-    )  # fmt: skip
-    return rk.Case(column, rk.GroundMotion.single_sine(amplitude, 1.2))
+    return rk.Case(column(), rk.GroundMotion.single_sine(amplitude, 1.2))
 
 
 def test_flexible_column_overturns_on_one_side_of_its_boundary_only():

@@ -9,13 +9,10 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import identification
 from tests.numeric.exact import FreeBlock
+from tests.numeric.structures import S1 as COLUMN
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
 SHAPE = {"mass": BLOCK.mass, "alpha": BLOCK.alpha, "radius": BLOCK.radius}
-COLUMN = {
-    "mass": 122.6, "height": 1.05, "inertia": 44.8, "base_mass": 45.6, "base_height": 0.10,
-    "base_inertia": 1.37, "half_width": 0.285,
-}  # fmt: skip
 RELEASE = np.radians(7.876)
 BY_FOOT = {"left": 0.76, "right": 0.93}  # about those of Figure 3-19
 

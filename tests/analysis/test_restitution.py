@@ -8,16 +8,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.analysis import formulas
-
-COLUMN = {
-    "mass": 122.6,
-    "height": 1.05,
-    "inertia": 44.8,
-    "base_mass": 45.6,
-    "base_height": 0.10,
-    "base_inertia": 1.37,
-    "half_width": 0.285,
-}
+from tests.numeric.structures import S1 as COLUMN
 
 
 def peaks_of(run, count):

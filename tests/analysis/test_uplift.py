@@ -1,10 +1,13 @@
 """Uplift and the vibration after it, beside the engine's structures."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
 import rockeom as rk
 from rockeom.analysis import formulas
+from tests.numeric import structures
 
 
 @pytest.mark.parametrize(("factor", "lifts"), [(0.999, False), (1.001, True)])
@@ -15,14 +18,9 @@ def test_block_lifts_above_the_static_criterion_and_not_below(factor, lifts):
     assert (np.abs(run["theta"]).max() > 0) is np.bool_(lifts)
 
 
-def column(**changes):
-    """A mass without inertia on an elastic column whose base has no mass."""
-    values = {
-        "mass": 122.6, "height": 1.05, "inertia": 0.0, "half_width": 0.285,
-        "base_mass": 0.0, "base_height": 0.0, "base_inertia": 0.0,
-        "stiffness": 571.8e3, "damping": 502.4,
-    }  # fmt: skip
-    return rk.FlexibleStructure(**(values | changes))
+NOTHING = dict.fromkeys(("inertia", "base_mass", "base_height", "base_inertia"), 0.0)
+column = partial(structures.column, **NOTHING)
+"""A mass without inertia on an elastic column whose base has no mass."""
 
 
 FREQUENCY = np.sqrt(571.8e3 / 122.6)

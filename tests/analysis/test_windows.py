@@ -7,13 +7,11 @@ from scipy import signal
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import identification
+from tests.numeric.structures import column
 
 RATE = 200.0
 T = np.arange(0.0, 8.0, 1 / RATE)
-COLUMN = rk.FlexibleStructure(
-    mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.10, base_inertia=1.37,
-    half_width=0.285, stiffness=571.8e3, damping=502.4,
-)  # fmt: skip
+COLUMN = column()
 
 
 def recorded(**channels):

@@ -15,7 +15,7 @@ from rockeom.motion import JenningsEnvelope
 from rockeom.plots.design_report import facts_of
 from rockeom.sweeps import run as sweeps
 from tests.interrupts import interrupted_at
-from tests.numeric.structures import column
+from tests.numeric.structures import column, stack
 
 G = 9.81
 BLOCK = rk.RigidBlock(half_width=0.25, half_height=1.0, mass=400.0)
@@ -407,11 +407,7 @@ def test_questions_stand_above_the_verdict_and_doubtful_units_take_its_place(
 
 
 def test_stack_counts_the_fall_of_any_block_and_says_which():
-    stack = rk.StackedBlocks(
-        lower_half_width=0.25, lower_half_height=0.6, upper_half_width=0.15, upper_half_height=0.5,
-        lower_mass=600.0, upper_mass=200.0,
-    )  # fmt: skip
-    answer = rk.assess(stack, RECORDS[:4], pga=["0.3 g", "0.6 g"])
+    answer = rk.assess(stack(), RECORDS[:4], pga=["0.3 g", "0.6 g"])
     fell = sum(row.overturned for row in answer.trials.intensities)
     assert fell > 0
     assert (
@@ -419,7 +415,7 @@ def test_stack_counts_the_fall_of_any_block_and_says_which():
     )
     assert not answer.helps
     for row in answer.trials.intensities:
-        assert row.overturned == sum(fallen(stack, motion, row.pga) for motion in RECORDS[:4])
+        assert row.overturned == sum(fallen(stack(), motion, row.pga) for motion in RECORDS[:4])
 
 
 def test_floors_of_a_recording_are_those_of_its_components():

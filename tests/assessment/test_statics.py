@@ -10,7 +10,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.assessment.statics import Load, Statics, is_symmetric, statics_of
-from tests.numeric.structures import column
+from tests.numeric.structures import column, stack
 
 G = 9.81
 
@@ -37,11 +37,7 @@ def test_column_slides_by_the_mass_of_all_its_parts():
 
 @pytest.mark.parametrize(("upper_half_width", "lifts"), [(0.12, "upper"), (0.2, "a foot")])
 def test_stack_lifts_as_one_or_its_upper_block_alone(upper_half_width, lifts):
-    stack = rk.StackedBlocks(
-        lower_half_width=0.25, lower_half_height=0.6, lower_mass=600.0, upper_half_height=0.5,
-        upper_mass=200.0, upper_half_width=upper_half_width,
-    )  # fmt: skip
-    statics = statics_of(stack)
+    statics = statics_of(stack(upper_half_width=upper_half_width))
     both = 0.25 / ((600 * 0.6 + 200 * 1.7) / 800)
     assert statics.uplift_acceleration == pytest.approx(G * min(both, upper_half_width / 0.5))
     assert lifts in statics.lifts

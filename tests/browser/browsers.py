@@ -31,7 +31,8 @@ from rockeom.browser.traced import UntracedError
 from rockeom.codes import OUTCOMES
 from rockeom.structures.classes import SHIPPED
 from rockeom.sweeps.case_numbers import of_structure
-from rockeom.symbolic import Body, Contact, Model, Rigid, coordinate, parameter, turned
+from rockeom.symbolic import parameter
+from tests.contact import declared
 from tests.shipped import plain
 
 BROWSERS = {
@@ -224,35 +225,11 @@ def pages() -> dict[str, rk.Case]:
 
 def _declared_block() -> rk.Structure:
     """A block on feet that slide, declared by a user."""
-    x, y = coordinate("x", "x", "m", "place"), coordinate("y", "y", "m", "height of the base")
-    theta = coordinate("theta", "theta", "rad", "rotation")
-    m, b, h, inertia, g, mu, e_n = declared = [
-        parameter("m", "mass", "kg", "mass"),
-        parameter("b", "half_width", "m", "half of the distance of the feet"),
-        parameter("h", "height", "m", "height of the centroid"),
-        parameter("I", "inertia", "kg m2", "moment of inertia about the centroid"),
-        parameter("g", "gravity", "m/s2", "acceleration of gravity"),
-        parameter("mu", "friction", "-", "coefficient of friction"),
-        parameter("e_n", "restitution", "-", "ratio of the rates of a gap"),
-    ]
-
-    def placed(across: Any, up: Any) -> tuple[Any, Any]:
-        right, above = turned((across, up), (0, 0), theta.position)
-        return x.position + right, y.position + above
-
-    def foot(name: str, side: int) -> Contact:
-        along, gap = placed(side * b.symbol, 0)
-        return Contact(name, gap=gap, slip=along, law=Rigid(e_n.symbol, mu.symbol))
-
-    model = Model(
-        name="declared_sliding_block", title="A block on feet that slide", parameters=declared,
-        coordinates=(x, y, theta), rotation=theta, gravity=g.symbol,
-        bodies=[Body("block", m.symbol, placed(0, h.symbol), inertia.symbol, theta.position)],
-        contacts=[foot("left", -1), foot("right", 1)],
-    )  # fmt: skip
+    b = parameter("b", "half_width", "m", "half of the distance of the feet")
+    feet = {"left": (-b.symbol, 0), "right": (b.symbol, 0)}
     return rk.structure(
-        model, mass=1.0, half_width=0.2, height=0.7, inertia=0.18, gravity=9.81, friction=0.4,
-        restitution=0.0,
+        declared.on_points("declared_sliding_block", feet, b), mass=1.0, half_width=0.2,
+        height=0.7, inertia=0.18, gravity=9.81, friction=0.4, restitution=0.0,
     )  # fmt: skip
 
 

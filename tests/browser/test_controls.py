@@ -12,6 +12,7 @@ from rockeom.assessment.statics import statics_of
 from rockeom.browser.setup import difference
 from rockeom.browser.sizes import enlarged
 from rockeom.browser.traced import UntracedError
+from tests.numeric.structures import column
 
 from .browsers import native
 
@@ -21,10 +22,7 @@ CASE = rk.Case(BLOCK, PULSE)
 WIDTH = {"half_width": (0.05, 0.4)}
 LAWS = {"Housner": rk.AngularMomentum(), "r = 0.7": rk.EnergyRatio(0.7)}
 PULSES = {"half sine": PULSE, "sine": rk.GroundMotion.single_sine(3.0, 0.8, duration=6.0)}
-COLUMN = rk.FlexibleStructure(
-    mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1, base_inertia=1.37,
-    half_width=0.3, stiffness=5e5, damping=500.0,
-)  # fmt: skip
+COLUMN = column(half_width=0.3, stiffness=5e5, damping=500.0)
 FRAME = rk.ShearFrame(
     masses=[20e3] * 3, heights=[3.5, 7.0, 10.5], stiffnesses=[2e7] * 3, dampings=[12e4] * 3,
     half_width=2.0, base_mass=10e3, base_inertia=5e3,

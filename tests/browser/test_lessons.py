@@ -244,16 +244,19 @@ CanvasRenderingContext2D.prototype.fillText = function (text, ...at) {
 """
 
 
+@pytest.fixture(scope="module")
+def second_language(page):
+    question = rk.Question("«Higher?»", {"height": 4.0}, "duration", explanation="«Why.»")
+    words = translated(texts_of(page))
+    return rk.explorer(lesson, SLIDERS, "«Title»", questions=[question], texts=words)
+
+
 @pytest.mark.parametrize("browser", BROWSERS)
-def test_a_browser_marks_a_right_prediction_in_a_second_language(page, browser):
+def test_a_browser_marks_a_right_prediction_in_a_second_language(second_language, browser):
     """Free rocking of 8 s: 1.2 m high it takes 10.8 s to rest, 4 m high 19.7 s."""
     if not shutil.which(browser):
         pytest.skip(f"{browser} is not installed")
-    question = rk.Question("«Higher?»", {"height": 4.0}, "duration", explanation="«Why.»")
-    lesson_page = rk.explorer(
-        lesson, SLIDERS, "«Title»", questions=[question], texts=translated(texts_of(page))
-    )
-    told = answered(with_script(lesson_page.html, _LESSON), browser)
+    told = answered(with_script(second_language.html, _LESSON), browser)
     assert told["answer"] == "«It grows from 10.8 s to 19.7 s.» «You predicted it.»"
     assert "«32.00 s»" in told["now"] or "of 32 s" in told["now"]
     words = [text for text in told["shown"] if re.search("[a-z]{3}", text) and "«" not in text]

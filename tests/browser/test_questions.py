@@ -12,6 +12,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.structures.classes import SHIPPED
+from tests.numeric.structures import column
 from tests.shipped import plain
 
 from .browsers import native
@@ -20,10 +21,7 @@ SAMPLES = 4801
 BLOCK = rk.RigidBlock(half_width=0.15, half_height=0.6)
 PULSE = rk.GroundMotion.half_sine(4.0, 0.8, duration=5.0)
 LIFT = rk.GroundMotion.half_sine(2.0, 0.5, duration=5.0)
-COLUMN = rk.FlexibleStructure(
-    mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1, base_inertia=1.37,
-    half_width=0.285, stiffness=40e3, damping=502.4,
-)  # fmt: skip
+COLUMN = column(stiffness=40e3)
 OFFSET = rk.OffsetBlock(half_width=0.2, half_height=0.6, offset=0.05)
 SLIDER = {"gravity": (9.0, 10.0, 9.81)}
 

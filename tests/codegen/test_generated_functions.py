@@ -25,21 +25,13 @@ from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.reactions import reactions
 from rockeom.symbolic.statics import LOAD, equilibrium
 from tests.evaluation import Values
+from tests.numeric.structures import S1, oscillator
 from tests.shipped import PINNED, plain
 
 N = 1000
 TOLERANCE = 1e-12
 
-TWO_MASSES = {
-    "mass": 122.6,
-    "height": 1.05,
-    "inertia": 44.8,
-    "base_mass": 45.6,
-    "base_height": 0.10,
-    "base_inertia": 1.37,
-    "half_width": 0.285,
-    "gravity": 9.81,
-}
+TWO_MASSES = S1 | {"gravity": 9.81}
 WALL = {
     "mass": 2000.0,
     "height": 2.4,
@@ -87,14 +79,7 @@ TYPICAL = {
     "lumped_mass_structure": TWO_MASSES,
     "two_spring_structure": TWO_MASSES | {"foundation_stiffness": 5.5e5, "foundation_damping": 3e3},
     "two_spring_cart": TWO_MASSES | {"foundation_stiffness": 5.5e5},
-    "uplifting_oscillator": {
-        "mass": 122.6,
-        "height": 1.05,
-        "half_width": 0.285,
-        "stiffness": 571.8e3,
-        "damping": 502.4,
-        "gravity": 9.81,
-    },
+    "uplifting_oscillator": oscillator().parameters(),
     "flexible_structure": TWO_MASSES | {"stiffness": 571.8e3, "damping": 502.4},
     "controlled_wall": WALL | TURNING,
     "flexible_controlled_wall": WALL | TURNING | {"stiffness": 40e6, "damping": 2e4},

@@ -14,6 +14,7 @@ from rockeom.structures import searched_modes
 from rockeom.symbolic import SHIPPED, Rigid, parameter
 from rockeom.symbolic.parts.supports import X
 from tests.contact import declared
+from tests.numeric.structures import stack
 
 STACK = rk.StackedBlocks(
     lower=rk.RigidBlock(half_width=0.3, half_height=1.0, mass=10.0),
@@ -157,16 +158,13 @@ def test_a_pinned_twin_falls_wherever_a_motion_without_a_solution_counts_as_a_fa
 
 def test_no_fall_of_a_stack_is_left_out_of_its_fragility():
     """Of these motions seven ended without a solution, the upper block beyond 1 rad."""
-    stack = rk.StackedBlocks(
-        lower_half_width=0.25, lower_half_height=0.6, upper_half_width=0.15,
-        upper_half_height=0.5, lower_mass=600.0, upper_mass=200.0,
-    )  # fmt: skip
+    statue = stack()
     records = [rk.GroundMotion.kanai_tajimi(0.02, duration=15.0, seed=i) for i in range(8)]
     over = {"motion": records, "pga": [5.0, 7.0]}
-    found = rk.simulate_many(rk.Case(stack, records[0]), over=over).outcome.values.astype(str)
+    found = rk.simulate_many(rk.Case(statue, records[0]), over=over).outcome.values.astype(str)
     assert "no solution" not in found
     fallen = {(i, pga) for i, pga in np.argwhere(found == "overturned").tolist()}
-    runs = [rk.simulate(stack, records[i].scaled_to([5.0, 7.0][pga])) for i, pga in fallen]
+    runs = [rk.simulate(statue, records[i].scaled_to([5.0, 7.0][pga])) for i, pga in fallen]
     judged = [run for run in runs if fall_is_judged(run)]
     assert judged
     for run in judged:

@@ -17,6 +17,7 @@ import numpy as np
 import rockeom as rk
 from rockeom.codes import CONTACT_LAWS
 from rockeom.structures.classes import SHIPPED
+from tests.numeric.structures import S1, column, on_springs
 from tests.shipped import plain
 
 METHODS = ("DOP853", "RK45", "Radau")
@@ -30,17 +31,11 @@ PIER = {
     "mass": 3e5, "height": 12.0, "inertia": 2e6, "base_mass": 4e4, "base_height": 0.5,
     "base_inertia": 6e4, "half_width": 1.5, "stiffness": 20e6, "damping": 25e4,
 }  # fmt: skip
-COLUMN = {
-    "mass": 122.6, "height": 1.05, "inertia": 44.8, "base_mass": 45.6, "base_height": 0.1,
-    "base_inertia": 1.37, "half_width": 0.285,
-}  # fmt: skip
 SIZED = {
-    "two_spring_structure": partial(
-        rk.TwoSpringStructure, **COLUMN, foundation_stiffness=550e3, foundation_damping=3e3
-    ),
-    "two_spring_cart": partial(rk.TwoSpringCart, **COLUMN, foundation_stiffness=550e3),
+    "two_spring_structure": on_springs,
+    "two_spring_cart": partial(rk.TwoSpringCart, **S1, foundation_stiffness=550e3),
     "uplifting_oscillator": partial(rk.UpliftingOscillator.from_frequency, 20.0, 0.02, 1.0, 0.3),
-    "flexible_structure": partial(rk.FlexibleStructure, **COLUMN, stiffness=571.8e3, damping=502.4),
+    "flexible_structure": column,
     "controlled_wall": rk.ControlledWall.thesis,
     "flexible_controlled_wall": rk.FlexibleControlledWall.thesis,
     "controlled_wall_oscillator": partial(rk.ControlledWallOscillator.thesis, 0.85),

@@ -9,15 +9,13 @@ import rockeom as rk
 from rockeom.simulation.case import Case
 from rockeom.simulation.method_selection import chosen
 from rockeom.structures.classes import SHIPPED
+from tests.numeric.structures import column
 from tests.shipped import plain
 
 from .test_stiff import LIFTING, MASS, STIFF, on_springs
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.45)
-COLUMN = rk.FlexibleStructure(
-    mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.10, base_inertia=1.37,
-    half_width=0.285, stiffness=571.8e3, damping=502.4,
-)  # fmt: skip
+COLUMN = column()
 SAMPLES = 4.0 * np.sin(0.005 * np.arange(1200.0)) * np.sin(0.08 * np.arange(1200.0))
 CLOSE = rk.GroundMotion.from_array(SAMPLES, 0.005)
 PULSE = rk.GroundMotion.single_sine(4.0, 1.0, duration=2.0)

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import example, given, settings, strategies as st
 
 import rockeom as rk
+from tests.numeric.structures import on_springs
 
 from .models import CHAIN, point, thrown
 
@@ -227,11 +228,7 @@ def test_guard_with_a_kink_in_the_step(damping, speed, flights):
     Both feet leave the ground with `speed`, and are back after 2 v/g; the step is the whole time.
     """
     gravity, stiffness, mass = 9.81, 550e3, 122.6 + 45.6
-    structure = rk.TwoSpringStructure(
-        mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1, base_inertia=1.37,
-        half_width=0.285, foundation_stiffness=stiffness, foundation_damping=damping,
-        gravity=gravity,
-    )  # fmt: skip
+    structure = on_springs(foundation_damping=damping, gravity=gravity)
     flight = 2 * speed / gravity
     run = rk.simulate(
         structure,

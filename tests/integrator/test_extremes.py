@@ -9,6 +9,7 @@ from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
 from rockeom.motion.segments import SegmentKind
+from tests.numeric.structures import on_springs
 
 from .models import point, thrown
 
@@ -338,10 +339,7 @@ def test_impact_on_a_sample_of_the_record(samples, ulps):
 def test_both_feet_of_a_symmetric_structure_leave_at_once():
     """Thrown up without any tilt, on springs: simultaneous events must not tip it."""
     from_rest = rk.GroundMotion.none(3.0)
-    structure = rk.TwoSpringStructure(
-        mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1, base_inertia=1.37,
-        half_width=0.285, foundation_stiffness=550e3, foundation_damping=500.0,
-    )  # fmt: skip
+    structure = on_springs(foundation_damping=500.0)
     shaking = rk.GroundMotion.single_sine(30.0, period=0.2, duration=3.0)
     run = rk.simulate(structure, from_rest, vertical=shaking)
     assert "flight" in run.mode

@@ -12,16 +12,11 @@ import pytest
 from scipy.interpolate import BPoly
 from scipy.optimize import brentq
 
-import rockeom as rk
+from tests.numeric.structures import column, oscillator
 from tests.oracle.ways import python
 
-COLUMN = rk.FlexibleStructure(
-    mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.10, base_inertia=1.37,
-    half_width=0.285, stiffness=571.8e3, damping=502.4,
-)  # fmt: skip
-OSCILLATOR = rk.UpliftingOscillator(
-    mass=122.6, height=1.05, half_width=0.285, stiffness=571.8e3, damping=502.4
-)
+COLUMN = column()
+OSCILLATOR = oscillator()
 STRUCTURES = pytest.mark.parametrize(
     "structure", [COLUMN, OSCILLATOR], ids=["flexible_structure", "uplifting_oscillator"]
 )

@@ -7,11 +7,8 @@ import pytest
 from hypothesis import example, given, settings, strategies as st
 
 import rockeom as rk
+from tests.numeric.structures import S1, column, on_springs
 
-S1 = {
-    "mass": 122.6, "height": 1.05, "inertia": 44.8, "base_mass": 45.6, "base_height": 0.10,
-    "base_inertia": 1.37, "half_width": 0.285,
-}  # fmt: skip
 STRUCTURES = {
     s.model: s
     for s in (
@@ -19,8 +16,8 @@ STRUCTURES = {
         rk.SlenderBlock.from_frequency(p=2.14, alpha=0.25),
         rk.NondimensionalBlock(alpha=0.3),
         rk.LumpedMassStructure(**S1),
-        rk.FlexibleStructure(**S1, stiffness=571.8e3, damping=502.4),
-        rk.TwoSpringStructure(**S1, foundation_stiffness=550e3, foundation_damping=3e3),
+        column(),
+        on_springs(),
         rk.TwoSpringCart(**S1, foundation_stiffness=550e3),
     )
 }

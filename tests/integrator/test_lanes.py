@@ -17,6 +17,7 @@ from rockeom.simulation.case import Problems
 from rockeom.sweeps.cases import Batch
 from rockeom.sweeps.results import Results
 from rockeom.sweeps.run import lanes_pay
+from tests.numeric.structures import S1, column, on_springs
 from tests.oracle.ways import flat
 from tests.sweeping import simulate_many
 
@@ -42,20 +43,9 @@ def block(height, alpha):
     return rk.RigidBlock(half_width=height * math.tan(alpha), half_height=height)
 
 
-def column(**changes):
-    values = {
-        "mass": 122.6, "height": 1.05, "inertia": 44.8, "base_mass": 45.6, "base_height": 0.10,
-        "base_inertia": 1.37, "half_width": 0.285, "stiffness": 571.8e3, "damping": 502.4,
-    }  # fmt: skip
-    return rk.FlexibleStructure(**values | changes)
-
-
 def sprung(width=0.285, stiffness=5e5, damping=2e3):
     """On springs and dampers that only press: in each step a foot may lift or land."""
-    return rk.TwoSpringStructure(
-        mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.10, base_inertia=1.37,
-        half_width=width, foundation_stiffness=stiffness, foundation_damping=damping,
-    )  # fmt: skip
+    return on_springs(half_width=width, foundation_stiffness=stiffness, foundation_damping=damping)
 
 
 def many(case, over, options=STEP, **others):
@@ -504,10 +494,7 @@ def test_lanes_serve_where_they_are_not_asked_for():
 
 
 def test_structures_whose_contact_changes_too_often_are_refused():
-    cart = rk.TwoSpringCart(
-        mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.10, base_inertia=1.37,
-        half_width=0.285, foundation_stiffness=1e6,
-    )  # fmt: skip
+    cart = rk.TwoSpringCart(**S1, foundation_stiffness=1e6)
     with pytest.raises(ValueError, match="gain too little for two_spring_cart"):
         many(lambda n: rk.Case(cart, RECORD), {"n": [1]})
     assert {name for name in rk.models() if not lanes_pay(module_of(name))} == {

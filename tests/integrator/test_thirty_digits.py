@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
+from tests.numeric.structures import DAMPING, S1, STIFFNESS
 
 GRAVITY = 9.81
 
@@ -113,10 +114,7 @@ def test_slender_block_under_a_record():
 
 # -- the flexible column: extrapolation of Gragg's rule to order 24, in decimals, which are fast
 
-COLUMN = {
-    "mass": 122.6, "height": 1.05, "inertia": 44.8, "base_mass": 45.6, "base_height": 0.10,
-    "base_inertia": 1.37, "half_width": 0.285, "stiffness": 571.8e3, "damping": 502.4,
-}  # fmt: skip
+COLUMN = S1 | {"stiffness": STIFFNESS, "damping": DAMPING}
 
 
 def sine_cosine(angle):

@@ -12,16 +12,12 @@ from rockeom.integrator.program import program
 from rockeom.simulation.case import Case
 from rockeom.simulation.recorder import DenseRecorder
 from rockeom.simulation.simulate import run
+from tests.numeric.structures import column, oscillator
 
-COLUMN = {
-    "mass": 122.6, "height": 1.05, "half_width": 0.285, "stiffness": 571.8e3, "damping": 502.4
-}  # fmt: skip
 STRUCTURES = {
     "block": rk.RigidBlock(half_width=0.095, half_height=0.45),
-    "column": rk.FlexibleStructure(
-        **COLUMN, inertia=44.8, base_mass=45.6, base_height=0.10, base_inertia=1.37
-    ),
-    "oscillator": rk.UpliftingOscillator(**COLUMN),
+    "column": column(),
+    "oscillator": oscillator(),
 }
 
 

@@ -81,7 +81,7 @@ def test_building_rings_on_after_the_record_until_a_hundredth_is_left():
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ({"periods": [0.2, 0.6]}, ["longest first"]),
+        ({"periods": [0.2, 0.6]}, ["periods are [0.2, 0.6]", "longest first"]),
         ({"periods": []}, ["periods", "positive"]),
         ({"periods": "0.5 s"}, ["periods"]),
         ({"periods": [0.5, -0.1]}, ["positive"]),

@@ -41,9 +41,9 @@ def test_acceleration_with_its_unit(text, si):
 @pytest.mark.parametrize(
     ("scaled_to", "said"),
     [
-        ({}, "no intensity: give exactly one"),
+        ({}, 'no intensity: give exactly one, such as pga="0.4 g"'),
         ({"pga": 1.0, "sa": 2.0, "period": 1.0}, r"pga=1\.0 and sa=2\.0: give exactly one"),
-        ({"sa": 2.0}, r"sa needs the period of its oscillator \[s\]"),
+        ({"sa": 2.0}, r"sa needs the period of its oscillator \[s\]: give period="),
         ({"pga": 2.0, "period": 1.0}, "pga has no period"),
         ({"sa": 2.0, "period": 0.0}, "period is 0: give a positive number"),
         ({"pga": -1.0}, "pga is -1: give a positive number"),

@@ -32,6 +32,21 @@ def column(**changes):
     return rk.FlexibleStructure(**(S1 | {"stiffness": STIFFNESS, "damping": DAMPING} | changes))
 
 
+def stack(**changes):
+    """A statue on its pedestal."""
+    values = {
+        "lower_half_width": 0.25, "lower_half_height": 0.6, "lower_mass": 600.0,
+        "upper_half_width": 0.15, "upper_half_height": 0.5, "upper_mass": 200.0,
+    }  # fmt: skip
+    return rk.StackedBlocks(**(values | changes))
+
+
+def oscillator():
+    """Its mass alone, on an elastic column."""
+    shared = {name: S1[name] for name in ("mass", "height", "half_width")}
+    return rk.UpliftingOscillator(**shared, stiffness=STIFFNESS, damping=DAMPING)
+
+
 def on_springs(**changes):
     foundation = {"foundation_stiffness": FOUNDATION_STIFFNESS, "foundation_damping": 3e3}
     return rk.TwoSpringStructure(**(S1 | foundation | changes))

@@ -253,7 +253,7 @@ print(time.process_time(), "sympy" in sys.modules)
 @pytest.mark.parametrize(
     ("changes", "error", "says"),
     [
-        ({"masses": 20e3}, TypeError, "masses is 20000.0: give a list"),
+        ({"masses": 20e3}, TypeError, "masses is 20000.0: give a list with a number"),
         ({"masses": "23"}, TypeError, "masses is '23': give a list"),
         ({"masses": {"1": 2.0}}, TypeError, "masses is a dict"),
         ({"masses": [20e3, "2"]}, TypeError, r"masses\[1\] is '2'"),
@@ -264,7 +264,11 @@ print(time.process_time(), "sympy" in sys.modules)
         ({"dampings": [1.0, np.nan]}, ValueError, r"dampings\[1\] is nan"),
         ({"stiffnesses": [1e6, 0.0]}, ValueError, r"stiffnesses\[1\] is 0.0"),
         ({"inertias": [1.0]}, ValueError, "inertias 1"),
-        ({"heights": [7.0, 3.5]}, ValueError, r"heights\[1\] is 3.5, not above heights\[0\], 7.0"),
+        (
+            {"heights": [7.0, 3.5]},
+            ValueError,
+            r"heights\[1\] is 3.5, not above .*: give the hei",
+        ),
         ({"support": "pinned"}, TypeError, "support is 'pinned': give what the base stands on"),
         ({"floors": 2}, TypeError, "unknown floors"),
     ],

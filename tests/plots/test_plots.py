@@ -20,20 +20,11 @@ from rockeom.plots import (
     plot_response,
 )
 from rockeom.structures.classes import SHIPPED
+from tests.numeric.structures import S1 as COLUMN, column, on_springs
 from tests.shipped import plain
 
-COLUMN = {
-    "mass": 122.6,
-    "height": 1.05,
-    "inertia": 44.8,
-    "base_mass": 45.6,
-    "base_height": 0.10,
-    "base_inertia": 1.37,
-    "half_width": 0.285,
-}
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.45)
-FLEXIBLE = rk.FlexibleStructure(**COLUMN, stiffness=571.8e3, damping=502.4)
-SPRINGS = rk.TwoSpringStructure(**COLUMN, foundation_stiffness=550e3, foundation_damping=1e3)
+FLEXIBLE, SPRINGS = column(), on_springs(foundation_damping=1e3)
 STACK = rk.StackedBlocks(
     lower_half_width=0.4, lower_half_height=0.4, upper_half_width=0.2, upper_half_height=0.5
 )
@@ -52,9 +43,7 @@ RUNS = {
     "flexible": lambda: rk.simulate(FLEXIBLE, STRONG),
     "on springs": lambda: rk.simulate(SPRINGS, STRONG),
     "stack": lambda: rk.simulate(STACK, STRONG),
-    "on a bed": lambda: rk.simulate(
-        rk.FlexibleStructure(**COLUMN, stiffness=571.8e3, damping=502.4, support=BED), STRONG
-    ),
+    "on a bed": lambda: rk.simulate(column(support=BED), STRONG),
     "cart": lambda: rk.simulate(rk.TwoSpringCart(**COLUMN, foundation_stiffness=550e3), STRONG),
     "without dimensions": lambda: rk.simulate(
         rk.NondimensionalBlock(alpha=0.2), rk.GroundMotion.single_sine(0.4, 3.0)
@@ -505,8 +494,8 @@ def test_columns_of_a_storey_stay_at_right_angles_to_their_floors():
     (ax,) = draw_structure(replace(FRAME, support=rk.Pinned()), state=state).axes
     columns = [line.get_xydata() for line in ax.lines if len(line.get_xdata()) == 40]
     assert len(columns) == 4
-    for column in columns:
-        for a, b in (column[:2], column[-2:]):
+    for line in columns:
+        for a, b in (line[:2], line[-2:]):
             assert np.arctan2(*(b - a)) == pytest.approx(0.1, abs=0.01)
 
 

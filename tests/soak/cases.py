@@ -17,6 +17,7 @@ import rockeom as rk
 from rockeom.motion.segments import COLUMNS
 from rockeom.structures.base import Structure
 from rockeom.structures.classes import SHIPPED
+from tests.numeric.structures import S1
 from tests.shipped import plain
 
 NEWER = ("sliding_block", "stacked_blocks", "rocking_frame", "wall_with_frame", "offset_block")
@@ -366,10 +367,7 @@ def _dirac_delta_block(dice: Dice) -> tuple[Structure, Scales]:
 
 def _two_masses(dice: Dice) -> tuple[dict[str, float], Scales]:
     if dice.chance(0.2):  # the steel column of thesis chapter 5
-        given = {
-            "mass": 122.6, "height": 1.05, "inertia": 44.8, "base_mass": 45.6, "base_height": 0.1,
-            "base_inertia": 1.37, "half_width": 0.285,
-        }  # fmt: skip
+        given = S1
     else:
         mass, height = dice.over(1.0, 1e6), dice.over(0.2, 30.0)
         base = dice.one_of(0.0, dice.over(1e-3, 3.0), dice.over(0.1, 1.0)) * mass

@@ -501,7 +501,7 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     ),
     "a title that is no text": (lambda: tower(title=None), ("tower", "title", "text")),
     # texts in place of expressions, which SymPy would run
-    "a mass as text": (lambda: Body("top", "mass", (0, h)), ("'top'", "mass is 'mass'")),
+    "a mass as text": (lambda: Body("top", "mass", (0, h)), ("mass is 'mass'", ").symbol")),
     "a place as text": (lambda: Body("top", m, ("x", h)), ("'top'", "position", "'x'")),
     "a point turned as text": (lambda: turned(("x", 0), (b, 0), theta), ("x of point",)),
     "an energy as text": (

@@ -15,6 +15,7 @@ from rockeom.symbolic.statics import pushover
 from rockeom.thesis import EQUATIONS
 from rockeom.thesis.checks.engine import THETA, B, lift_off_sine, shipped
 from rockeom.thesis.comparison import CART, PIER, in_engine_notation, normal_form
+from tests.numeric.structures import S1
 
 H_E, G = PIER["height"], PIER["gravity"]
 K_F = CART["foundation_stiffness"]
@@ -33,21 +34,9 @@ FOOT_GUIDED = {
 }
 """P by hand, from the moments of weight and springs; `right` after lift-off on the right foot."""
 
-S1 = {
-    "mass": 122.6,
-    "height": 1.05,
-    "inertia": 44.8,
-    "base_mass": 45.6,
-    "base_height": 0.10,
-    "base_inertia": 1.37,
-    "half_width": 0.285,
-    "gravity": 9.81,
-}
-"""The column of McManus (1980) as the thesis's text determines it."""
-
 
 def numbers(expr: sp.Expr) -> sp.Expr:
-    put = {PIER[name]: value for name, value in S1.items()}
+    put = {PIER[name]: value for name, value in (S1 | {"gravity": 9.81}).items()}
     return expr.subs({**put, K_F: 550e3})
 
 
