@@ -306,6 +306,8 @@ def passages(r: Record) -> Found:
     floor = 1e-12 * np.abs(old).sum(axis=0) + r.energy_error(r.sources, r.before) * impact
     gained = (new - old).sum(axis=0)
     gives = "u" in m.STATES[1:half] and not isinstance(r.motion.impact, rk.Impulsive)
+    if isinstance(r.motion.structure, rk.OffsetBlock):  # of another inertia about each foot
+        gives = isinstance(r.motion.impact, rk.VelocityRatio)
     if not gives:
         for i in np.flatnonzero(impact & (gained > floor))[:1]:
             yield f"impact {told(i)}: the energy grows by {gained[i]:.3g} from {old[:, i]}"

@@ -44,6 +44,8 @@ NOISE = 1e-9
 GENTLE = 20.0
 """Impacts of a rest change a velocity by so many times the accelerations in its time: those of
 gaps that all close within it, and what these do to other velocities."""
+FAST = 100.0
+"""No rest takes a landing so many times as fast as accelerations make one in its longest time."""
 LOWEST = 1e-11
 """Hops lower than this part of the size of a structure may be summed, however long they take."""
 LOST = 1e-13
@@ -576,7 +578,7 @@ def _rested(
     q0, q1 = one.states.q[0] * turns, two.states.q[0] * turns
     rounding = (1e-7 + 1e-3 * r.loose) * (speed + r.speed)
     falls = float(np.maximum(-one.rates[0, landed, 1], 0.0).max(initial=0.0))
-    falls = min(falls, tolerance * math.sqrt(size * hard))  # a faster landing is an impact
+    falls = min(falls, FAST * tolerance * math.sqrt(size * hard))  # a faster landing is an impact
     most = GENTLE * (hard * lasts + falls) + rounding
     most += GENTLE * math.sqrt(2.0 * LOST * size * hard)  # of hops that end among rounding errors
     gap_room = 1e-9 * size + 1e-3 * r.loose * size
