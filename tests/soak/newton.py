@@ -693,7 +693,7 @@ def mirrored_impacts(r: Told) -> Found:
     """The first impacts of the mirrored motion of a symmetric structure are the mirror images."""
     landings = np.flatnonzero(r.kinds == LANDING)[:3]
     events = r.motion.mirrored().run().events.columns
-    others = events.states[np.flatnonzero(events.kinds == LANDING), 1]
+    others = events.states[events.kinds[:, 0] == LANDING, 1]
     sides = np.array([1.0 if is_even(name) else -1.0 for name in r.run.states])
     for k, i in enumerate(landings):
         scale = np.abs(r.after[i]).max() + r.speed
