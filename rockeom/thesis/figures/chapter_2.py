@@ -90,8 +90,7 @@ def figure_2_8() -> Figure:
     # the ground bears any moment up to that of the edge before the mat turns
     rigid = foundation.rigid_moment(rotation, weight, half_width)
     springs = foundation.two_spring_moment(rotation, weight, stiffness / 2, spacing)
-    figure = style.new_figure(6.0, 3.8)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.8)
     ax.set_prop_cycle(color=style.LINES)
     for moment, label in (
         (rigid, "rigid ground"),
@@ -125,8 +124,7 @@ def gaussian(x, n):
 @thesis_figure(Source.COMPUTED)
 def figure_2_15() -> Figure:
     """The Gaussian that becomes Dirac's delta; the text does not say for which n it is drawn."""
-    figure = style.new_figure(5.6, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.6, 3.4)
     ax.set_prop_cycle(color=style.LINES)
     x = np.linspace(-2.0, 2.0, 2001)
     for n in (1.0, 0.5, 0.2, 0.1):
@@ -215,8 +213,7 @@ def figure_2_16() -> Figure:
 @thesis_figure(Source.COMPUTED)
 def figure_2_17() -> Figure:
     """The effect of n on the same motion; the text does not say for which three n it is drawn."""
-    figure = style.new_figure(7.2, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     for n in (1e-1, 1e-2, 1e-3):
         run = released(n)

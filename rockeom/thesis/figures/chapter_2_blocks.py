@@ -40,8 +40,7 @@ def figure_2_2() -> Figure:
     """Restitution of blocks of different slenderness: 2-6 and the measured values of Table 2-1."""
     ratio, measured = (np.array(TABLE_2_1.numbers(name)) for name in ("H/B", "measured r"))
     slender = np.linspace(1.8, 9.0, 200)
-    figure = style.new_figure(5.6, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.6, 3.6)
     ax.plot(slender, energy_ratio_of_block(np.arctan(1 / slender)), color=style.INK, label="2-6")
     sources = (
         "Ogawa (1977)",
@@ -100,8 +99,7 @@ def figure_2_9() -> Figure:
     rotations of the thesis are not stated: here they are 0.2 to 0.95 of alpha, and the balance,
     which bounds them (dashed).
     """
-    figure = style.new_figure(5.0, 4.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.0, 4.2)
     for start, color in zip((0.2, 0.4, 0.6, 0.8, 0.95), style.LINES, strict=False):
         x = start * np.cos(np.linspace(0.0, np.pi, 801))  # closer together where it turns
         rate = -np.sqrt(np.maximum((1 - np.abs(x)) ** 2 - (1 - start) ** 2, 0.0))
@@ -128,8 +126,7 @@ def figure_2_10() -> Figure:
     """
     run = released_inside_balance()
     x, rate = run["theta"] / UNIT.alpha, run["theta_dot"] / UNIT.alpha
-    figure = style.new_figure(5.0, 4.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.0, 4.2)
     ax.plot(x, rate, color=style.LINES[0], lw=0.9)
     arrow(ax, x, rate, int(np.argmax(x < 0.5)), style.LINES[0])
     crossings = run.impacts[:6]
@@ -282,8 +279,7 @@ def figure_2_12() -> Figure:
     Where one leaves another a multiplier is -1. These beta are found to 1e-8; where they pile up
     follows from the last two and Feigenbaum's constant.
     """
-    figure = style.new_figure(6.6, 4.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.6, 4.4)
     for beta in AMPLITUDES:
         draw_settled(ax, float(beta))
     for branch in branches(doublings=3):

@@ -204,8 +204,7 @@ def figure_2_22() -> Figure:
     band is of 0.3 (upper edge) to 0.5, an unsourced range, with k_p/k_i = 0.05.
     """
     mu = np.linspace(1.0, 8.0, 281)
-    figure = style.new_figure(5.8, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.8, 3.6)
     for name, color in (("bilinear", style.LINES[0]), ("flag", style.LINES[2])):
         ax.plot(mu, 100 * RULES[name].damping(mu), color=color, label=name)
     edges = [design.TakedaRule(1.0, 1.0, HARDENING, exponent).damping(mu) for exponent in EXPONENTS]
@@ -232,8 +231,7 @@ def period_terms() -> tuple[np.ndarray, dict[str, np.ndarray]]:
 def figure_2_23() -> Figure:
     """How the damping of 2-33 depends on the period: its term 1 + (T_e + c)**-d, Table 2-4."""
     period, terms = period_terms()
-    figure = style.new_figure(6.4, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.4, 3.6)
     lines = ("-", "--", "-.", ":", "-", "--")
     for (name, term), color, line in zip(terms.items(), style.LINES, lines, strict=True):
         ax.plot(period, term, line, color=color, label=name.replace("_", " "))

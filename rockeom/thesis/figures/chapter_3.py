@@ -162,8 +162,7 @@ def figure_3_3() -> Figure:
     _, rotation = points()
     run = rocking(BLOCK, float(rotation[0]), 3.2)
     late = release_delay()
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     left, right = (feet()[f] for f in ("left", "right"))
     label = f"simulated, r = {left:.2f} and {right:.2f} (left, right foot lands)"
     held = np.append(rotation[0], run["theta"])
@@ -227,8 +226,7 @@ def figure_3_5() -> Figure:
     peaks = np.abs(np.where(rotation[:-1] != 0, rotation[:-1], rotation[1:]))
     p, alpha = BLOCK.frequency_parameter, BLOCK.alpha
     x = np.linspace(0.0, 0.8, 200)
-    figure = style.new_figure(6.2, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.2, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     ax.plot(x, formulas.quarter_period(x, p), label="2-5, slender")
     ax.fill_between(
@@ -259,8 +257,7 @@ def figure_3_6() -> Figure:
     """
     time, rotation = points()
     late = release_delay()
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     for ratio, line in ((PRINTED_HOUSNER, "-"), (0.88 * PRINTED_HOUSNER, "--")):
         run = housner(ratio, 14.0)
         label = f"simulated, r = {ratio:.3f}"
@@ -335,8 +332,7 @@ def figure_3_8() -> Figure:
     upright = BLOCK.energies({}, mode="both")["gravitational_energy"]
     end = run.t <= run.impacts[1].time + 0.4
     potential, kinetic = run["gravitational_energy"] - upright, run["kinetic_energy"]
-    figure = style.new_figure(7.0, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.0, 3.2)
     draw_energies(
         ax,
         run.t[end],
@@ -377,8 +373,7 @@ def figure_3_9() -> Figure:
     """
     derived, energies = energies_in_kind()
     end = derived.time < 3
-    figure = style.new_figure(7.0, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.0, 3.4)
     draw_energies(
         ax,
         derived.time[end],
@@ -405,8 +400,7 @@ def figure_3_10() -> Figure:
     fit = identification.fitted_rotational_spring(derived, BLOCK, count=5)
     stored = formulas.spring_energy(derived["theta"], fit.stiffness)
     end = derived.time < 3
-    figure = style.new_figure(7.0, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.0, 3.4)
     draw_energies(
         ax,
         derived.time[end],

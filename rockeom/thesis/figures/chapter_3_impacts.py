@@ -122,8 +122,7 @@ def figure_3_18() -> Figure:
 def figure_3_19() -> Figure:
     """Frequency of r in classes of 0.01, of the impacts above 6 J of the runs in kind."""
     impacts = filtered()
-    figure = style.new_figure(5.8, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.8, 3.2)
     edges, _ = impacts.histogram()
     counts = {
         foot: np.histogram(impacts.at_foot(foot).energy_ratio, edges)[0]
@@ -145,8 +144,7 @@ def figure_3_19() -> Figure:
 def figure_3_20() -> Figure:
     """Cumulative frequency of r of the impacts above 6 J of the runs in kind."""
     r, part = filtered().cumulative()
-    figure = style.new_figure(5.8, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.8, 3.2)
     ax.step(np.append(r[0], r), np.append(0.0, 100 * part), where="post", color=style.LINES[0])
     mark_housner(ax, vertical=True)
     ax.axvline(float(r.mean()), color=style.LINES[1], lw=0.8, ls=":", label=f"mean, {r.mean():.3f}")
@@ -167,8 +165,7 @@ def filtered() -> Impacts:
 def figure_3_21() -> Figure:
     """r against the speed at the impact: runs in kind, and the printed points of Figure 3-3."""
     impacts, printed = filtered(), measured_impacts()
-    figure = style.new_figure(5.8, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.8, 3.4)
     draw_by_foot(ax, impacts, impacts.speed, impacts.energy_ratio)
     ax.plot(printed.speed, printed.energy_ratio, "o", color=style.INK, mfc="white", mew=0.9, ms=5,
             label="Figure 3-3, measured")  # fmt: skip
@@ -196,8 +193,7 @@ def figure_3_22() -> Figure:
     """
     speed = np.linspace(-1.0, 1.0, 401)
     impacts = measured_impacts()
-    figure = style.new_figure(6.4, 3.8)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.4, 3.8)
     ax.plot(speed, fitted_change("3-17", speed), label="3-17, all impacts")
     right = speed[speed > 0]
     ax.plot(right, fitted_change("3-18", right), "--", label="3-18, right edge")

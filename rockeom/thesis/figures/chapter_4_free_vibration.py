@@ -107,8 +107,7 @@ def figure_4_12() -> Figure:
     wall slid. Crosses are rows of which a number had to be guessed.
     """
     measured, chosen = identification.FreeVibration.table_a1(), legible()
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     ax.axhline(0.0, color=style.INK, lw=0.6)
     draw_marked(ax, measured.time, measured.displacement * MM, measured.at_peak, chosen)
     ax.set_xlabel("time [s]")
@@ -163,8 +162,7 @@ def figure_4_13() -> Figure:
     spread = np.sqrt(np.einsum("ni,ij,nj->n", slopes, fit.covariance, slopes))
     reach = (fit.interval("c")[1] - fit.values["c"]) / fit.standard_error["c"]
 
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     band: dict[str, Any] = {"color": style.LINES[1], "alpha": 0.15, "lw": 0}
     ax.fill_between(d * MM, fitted - reach * spread, fitted + reach * spread, **band)
     ax.plot(d * MM, quarter_period_fit(d), color=style.LINES[0], label="4-5")
@@ -253,8 +251,7 @@ def figure_4_22b() -> Figure:
     I_o is B-9 with the added masses where they are, (d - B)^2; R from the centre to the centroid.
     """
     b, ratio = inertia_over_radius()
-    figure = style.new_figure(5.0, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.0, 3.2)
     ax.plot(b * MM, ratio, color=style.LINES[0])
     ax.axhline(ratio[-1], color=style.INK, lw=0.6, ls=":")
     ax.set_xlabel("rotation centre from the centreline $b$ [mm]")
@@ -283,8 +280,7 @@ def figure_4_25() -> Figure:
     has no steps of speed, as the thesis says, its peaks and crossings cannot show.
     """
     measured, chosen = identification.FreeVibration.table_a1(), legible()
-    figure = style.new_figure(5.4, 4.0)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.4, 4.0)
     ax.axhline(0.0, color=style.INK, lw=0.6)
     ax.axvline(0.0, color=style.INK, lw=0.6)
     draw_marked(ax, measured.displacement * MM, measured.velocity, measured.at_peak, chosen)
@@ -315,8 +311,7 @@ def figure_4_26() -> Figure:
     Dotted is the motion without losses from each of the first five peaks to upright, 4-23, above
     which no point can lie.
     """
-    figure = style.new_figure(6.4, 3.8)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.4, 3.8)
     draw_speeds(ax)
     for n, (d, speed) in enumerate(paths_without_losses()):
         label = "without losses, 4-23" if n == 0 else None
@@ -350,8 +345,7 @@ def figure_4_27() -> Figure:
     quarter of each peak with the speed that the wall has there without losses; both equations are
     missing from the text and follow its words. Dotted are the 4 mm of the text.
     """
-    figure = style.new_figure(6.4, 3.8)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.4, 3.8)
     draw_boundary(ax)
     draw_speeds(ax)
     for side in (-4, 4):
@@ -370,8 +364,7 @@ def figure_4_28() -> Figure:
     measured = identification.FreeVibration.table_a1()
     energies = measured.energies(WALL)
     n = 13
-    figure = style.new_figure(6.6, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.6, 3.6)
     for values, label, color in (
         (energies.total, "total", style.INK),
         (energies.elastic, "tendon $U_E$", style.LINES[0]),
@@ -482,8 +475,7 @@ def figure_4_34() -> Figure:
     """
     measured, chosen = identification.FreeVibration.table_a1(), legible()
     rows = ~measured.at_peak & chosen
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     draw_boundary(ax)
     size, speed = measured.displacement[rows], np.abs(measured.velocity[rows])
     ax.plot(size * MM, speed, "o", color=style.INK, mfc="white", ms=4, label="crossings, Table A-1")

@@ -105,8 +105,7 @@ def figure_4_79() -> Figure:
     in place of the caption's 0.852. The measured trace is lost; its largest displacement is the
     dotted line.
     """
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     t = np.arange(0.0, 15.0, 2e-3)
     run = shaken.oscillator_run("9", 0.852)
     ax.plot(t, displacement(run, t) * MM, lw=0.9, label="SDOF, 4-27")

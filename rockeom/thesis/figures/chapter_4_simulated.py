@@ -294,8 +294,7 @@ def figure_4_41() -> Figure:
     law = rk.EnergyRatioAtSpeed.equation_4_31()
     limits = [limit for limit, _, _ in law.pieces[:-1] if np.sum(speed < limit) >= 1]
     fitted = rk.EnergyRatioAtSpeed.from_data(speed, r, limits=limits, slopes=False)
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     v = np.linspace(0.01, 0.9, 800)
     ax.plot(v, [law.at(x) for x in v], color=style.LINES[0], label="4-31")
     ax.plot(v, [fitted.at(x) for x in v], "--", color=style.LINES[1], label="fitted in its bands")

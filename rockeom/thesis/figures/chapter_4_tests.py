@@ -71,8 +71,7 @@ def draw_spectrum(ax: Axes, run: str, label: str, factor: float = 1.0, **look: o
 def draw_meant_and_reached(run: str) -> Figure:
     """Spectrum of a run as intended, and the same with the peak that the table reached."""
     factor = shaken.wall_motion(run).peak / shaken.intended_motion(run).peak
-    figure = style.new_figure(5.6, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.6, 3.4)
     draw_spectrum(ax, run, f"intended: {shaken.MOTION_NAMES[run]}")
     draw_spectrum(ax, run, "intended, at the peak of the table", factor, ls="--")
     ax.set_xlim(0, 3)
@@ -104,8 +103,7 @@ def figure_4_7() -> Figure:
     very soft soil is class E, and Z R is at most 0.7. It is second-hand, by a public program for
     the standard. The band holds the rocking periods.
     """
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     runs = {"1": "run 1", "2": "runs 2, 7", "4": "runs 4, 9"}
     for run, label in runs.items():
         draw_spectrum(ax, run, f"{label}: {shaken.MOTION_NAMES[run]}")
@@ -237,8 +235,7 @@ def figure_4_72() -> Figure:
     of mass. Dots are passages through upright, the points of Figure 4-73.
     """
     u, v, speeds = settled()
-    figure = style.new_figure(4.6, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(4.6, 3.6)
     ax.plot(u * MM, v, lw=1.0)
     ax.plot(np.zeros_like(speeds), speeds, "o", ms=4, color=style.LINES[1])
     ax.axvline(0.0, color=style.INK, lw=0.5)
@@ -263,8 +260,7 @@ def figure_4_74() -> Figure:
     again = rk.simulate(first.structure, first.motion, initial={"u": BESIDE})
     t = np.arange(0.0, 15.0, 2e-3)
     one, other = displacement(first, t), displacement(again, t)
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     ax.plot(t, one * MM, lw=0.9, label="from upright")
     ax.plot(t, other * MM, lw=0.9, label="from 0.1 mm next to it")
     ax.set_xlim(0, 15)
@@ -406,8 +402,7 @@ def figure_4_75() -> Figure:
     sliding is part of it the centre comes out too near the middle. 4-7 is drawn as seen from the
     edge, 442 and 66 mm, and as printed, from the gauge.
     """
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     d = np.linspace(0.0, 0.03, 600)
     edge, gauge = formulas.RotationCentre.thesis_edge(), formulas.RotationCentre.thesis_gauge()
     ax.plot(d * MM, edge.distance_from_edge(d) * MM, label="4-7 from the edge")
@@ -426,8 +421,7 @@ def figure_4_76() -> Figure:
     As Figure 4-75: the uplift of the edge follows from the tendon's extension and the rotation,
     without the bending of the wall.
     """
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     d = np.linspace(0.0, 0.03, 600)
     ax.plot(d * MM, MORE.uplift(d) * MM, label="4-9")
     draw_read(ax, "uplift", 1e-3)
@@ -442,8 +436,7 @@ def figure_4_77() -> Figure:
 
     The traces are lost; Table 4-2 has the largest displacement and tendon force of each test.
     """
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     d = symmetric(0.012)
     for wall, label, color in (
         (MORE, "4-16, 111 kN", style.LINES[1]), (WALL, "4-16, 75.6 kN", style.INK),

@@ -77,8 +77,7 @@ def figure_4_17() -> Figure:
     measured = identification.FreeVibration.table_a1()
     d = symmetric(0.032)
     printed, edge = formulas.RotationCentre.thesis_gauge(), formulas.RotationCentre.thesis_edge()
-    figure = style.new_figure(6.6, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.6, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     ax.plot(d * MM, printed.distance_from_edge(d) * MM, label="4-7 as printed: 412, 96 mm")
     ax.plot(d * MM, (edge.distance_from_edge(d) + GAUGE) * MM, "--", label="442, 66 mm, plus 30 mm")
@@ -266,8 +265,7 @@ def figure_4_24() -> Figure:
     starts = starts[legible()[starts] & legible()[starts + 1]]
     peak, time = measured.displacement[starts], np.diff(measured.time)[starts]
     d = np.linspace(1e-3, 0.032, 200)
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     heavier = replace(WALL, inertia=13215.0)
     printed = r"4-17, $I_o$ = 13 215 kg m$^2$ (B-9 as printed)"
@@ -299,8 +297,7 @@ def figure_4_32() -> Figure:
     curves at the zero crossing is the energy lost by then: about half of r.
     """
     measured = identification.FreeVibration.table_a1()
-    figure = style.new_figure(6.4, 4.0)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.4, 4.0)
     for color, row in zip(style.LINES, (0, 4, 8, 12, 16, 20), strict=True):
         for start, line in ((row, "-"), (row + 2, "--")):
             d0 = measured.displacement[start]
@@ -330,8 +327,7 @@ def figure_4_33() -> Figure:
     ahead of the curve, which the 6 % more of F_k in 4.8.1 make up for in part.
     """
     measured = identification.FreeVibration.table_a1()
-    figure = style.new_figure(6.4, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.4, 3.6)
     for color, start in zip(style.LINES, (0, 8, 16, 24, 32), strict=False):
         d0 = measured.displacement[start]
         d = np.abs(d0) * np.cos(np.linspace(0.1, np.pi / 2, 40))

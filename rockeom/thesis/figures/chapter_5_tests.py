@@ -71,8 +71,7 @@ def figure_5_6() -> Figure:
     Dashed: a curve through them that is level at the peaks, no measurement. The uplifts of the
     thesis's figure are not printed. Above each impact is its r, by 5-4 of the peaks on both sides.
     """
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     t, trace = smooth_trace(1)
     ax.plot(t, trace * MM, "--", lw=0.8, label="curve through the points")
     mark_points(ax, 1)
@@ -101,8 +100,7 @@ def draw_quarters(run: int, peaks: np.ndarray, label: str) -> Figure:
     centroid = (RIGID.mass * RIGID.height + RIGID.base_mass * RIGID.base_height) / total
     alpha = float(np.arctan2(RIGID.half_width, centroid))
     p = np.sqrt(-RIGID.accelerations({"theta": alpha / 2})["theta"] / np.sin(alpha / 2))
-    figure = style.new_figure(6.2, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.2, 3.6)
     ax.plot(own / ALPHA, formulas.exact_quarter_period(own, alpha, p), label=label)
     for first, mark, name in ((0, "o", "from a peak"), (1, "s", "to a peak")):
         ax.plot(
@@ -140,8 +138,7 @@ def figure_5_9() -> Figure:
     """
     rocking = impacts()
     r, peak = rocking.energy_ratio, np.abs(rocking.peak_before) / ALPHA
-    figure = style.new_figure(6.0, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.4)
     for foot, mark in (("left", "<"), ("right", ">")):
         one = rocking.foot == foot
         ax.errorbar(
@@ -168,8 +165,7 @@ def figure_5_10() -> Figure:
     Dashed: a curve through them that is level at the peaks, no measurement. The uplifts of the
     thesis's figure are not printed.
     """
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     t, trace = smooth_trace(2)
     ax.plot(t, trace * MM, "--", lw=0.8, label="curve through the points")
     mark_points(ax, 2)
@@ -188,8 +184,7 @@ def figure_5_12() -> Figure:
     """
     t, trace = smooth_trace(2)
     centre = identification.rotation_centre(trace)
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     ax.plot(t, centre * MM, label="5-5 of the curve through the points")
     for edge, name in ((0, "left edge"), (600, "right edge")):
         ax.axhline(edge, color=style.INK, lw=0.8, ls="--")
@@ -208,8 +203,7 @@ def figure_5_13() -> Figure:
     The measured values, by direction of motion, are not printed.
     """
     d = np.linspace(-0.03, 0.03, 301)
-    figure = style.new_figure(5.6, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.6, 3.4)
     ax.plot(d * MM, identification.rotation_centre(d) * MM, label="5-5")
     for edge in (0, 600):
         ax.axhline(edge, color=style.INK, lw=0.8, ls="--")
@@ -312,8 +306,7 @@ def figure_5_16() -> Figure:
     peaks = displacement[::2]
     ratio = formulas.damping_from_decrement(peaks[:-2], peaks[2:])
     size = np.abs(peaks[:-2])
-    figure = style.new_figure(5.6, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.6, 3.4)
     for side, mark, name in ((1, ">", "to the right"), (-1, "<", "to the left")):
         one = np.sign(peaks[:-2]) == side
         ax.plot(size[one] * MM, ratio[one], mark, ms=5, label=f"peaks {name}")
