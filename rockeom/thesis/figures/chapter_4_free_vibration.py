@@ -21,6 +21,7 @@ from rockeom.thesis.figures.chapter_4_wall import (
     MM,
     draw_measured,
     legible,
+    quarters,
 )
 from rockeom.thesis.figures.drawn import Source, thesis_figure
 from rockeom.thesis.free_vibration_table import PEAKS, WALL
@@ -126,15 +127,6 @@ def draw_marked(
         (~chosen, "x", style.INK, "guessed"),
     ):
         ax.plot(x[rows], y[rows], mark, color=style.INK, mfc=face, ms=4, mew=0.8, label=label)
-
-
-@cache
-def quarters() -> tuple[np.ndarray, np.ndarray]:
-    """Peaks [m] and the quarter periods after them [s], (19,), of the legible rows."""
-    measured = identification.FreeVibration.table_a1()
-    starts = np.flatnonzero(measured.at_peak[:-1])
-    starts = starts[legible()[starts] & legible()[starts + 1]]
-    return measured.displacement[starts], np.diff(measured.time)[starts]
 
 
 @cache

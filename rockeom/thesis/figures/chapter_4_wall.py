@@ -31,6 +31,14 @@ def legible() -> np.ndarray:
     return np.asarray(identification.FreeVibration.table_a1().reading) != "guessed"
 
 
+def quarters() -> tuple[np.ndarray, np.ndarray]:
+    """Peaks [m] and the quarter periods after them [s], (19,), of the legible rows."""
+    measured = identification.FreeVibration.table_a1()
+    starts = np.flatnonzero(measured.at_peak[:-1])
+    starts = starts[legible()[starts] & legible()[starts + 1]]
+    return measured.displacement[starts], np.diff(measured.time)[starts]
+
+
 def draw_measured(ax: Axes, column: str, unit: float, label: str = "") -> None:
     """Draw a column of Table A-1, over its unit, against the displacement in mm.
 
@@ -260,10 +268,7 @@ def figure_4_24() -> Figure:
     The thesis does not have the time of a conservative motion to upright, 4-24. It ends at D = 0,
     the measured one at the instant without acceleration, a millimetre or two before.
     """
-    measured = identification.FreeVibration.table_a1()
-    starts = np.flatnonzero(measured.at_peak[:-1])
-    starts = starts[legible()[starts] & legible()[starts + 1]]
-    peak, time = measured.displacement[starts], np.diff(measured.time)[starts]
+    peak, time = quarters()
     d = np.linspace(1e-3, 0.032, 200)
     figure, ax = style.new_axes(6.0, 3.6)
     ax.set_prop_cycle(color=style.LINES)
