@@ -52,10 +52,12 @@ def figure_2_2() -> Figure:
         sources, ([0, 1, 2], [3, 6, 7], [4], [5]), "os^D", style.LINES, strict=False
     ):
         ax.plot(ratio[rows], measured[rows], mark, color=color, ms=5, label=source)
-    ax.set_xlabel("slenderness $H/B$ [-]")
-    ax.set_ylabel("energy ratio $r$ [-]")
-    ax.set_xlim(1.8, 9.0)
-    ax.set_ylim(0.35, 1.0)
+    ax.set(
+        xlabel="slenderness $H/B$ [-]",
+        ylabel="energy ratio $r$ [-]",
+        xlim=(1.8, 9.0),
+        ylim=(0.35, 1.0),
+    )
     ax.legend(loc="lower right")
     return figure
 
@@ -79,9 +81,9 @@ def free_portrait(start: float, law: rk.EnergyRatio, duration: float) -> rk.Resp
 def bare_portrait(ax: Axes, reach: float) -> None:
     ax.axhline(0, color=style.INK, lw=0.6)
     ax.axvline(0, color=style.INK, lw=0.6)
-    ax.set_xlabel(r"rotation $x=\theta/\alpha$ [-]")
-    ax.set_ylabel(r"rate $\dot x$ [-]")
-    ax.set_xlim(-reach, reach)
+    ax.set(
+        xlabel=r"rotation $x=\theta/\alpha$ [-]", ylabel=r"rate $\dot x$ [-]", xlim=(-reach, reach)
+    )
 
 
 def arrow(ax: Axes, x: np.ndarray, y: np.ndarray, at: int, color: str) -> None:
@@ -288,9 +290,9 @@ def figure_2_12() -> Figure:
         draw_branch(ax, branch, np.where(turned[:, None], -speeds, speeds))
     for one in cascade().bifurcations[1:]:
         ax.axvline(one.value, color=style.INK, lw=0.5, ls=":")
-    ax.set_xlabel(r"amplitude $\beta$ [-]")
-    ax.set_ylabel(r"rate when upright $\dot x$ [-]")
-    ax.set_xlim(3.0, 3.26)
+    ax.set(
+        xlabel=r"amplitude $\beta$ [-]", ylabel=r"rate when upright $\dot x$ [-]", xlim=(3.0, 3.26)
+    )
     ax.plot([], [], ".", color=style.INK, ms=4, label="settled")
     ax.plot([], [], **STABLE, label="stable orbit")
     ax.plot([], [], **UNSTABLE, label="unstable orbit")
@@ -322,10 +324,12 @@ def draw_rotations(
         fell = run.outcome == "overturned"
         ax.plot(run.t, ratio, color=color, ls="--" if fell else "-",
                 label=f"{label}{', overturns' if fell else ''}")  # fmt: skip
-    ax.set_xlim(0, until)
-    ax.set_ylim(-reach, reach)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel(r"rotation $\theta/\alpha$ [-]")
+    ax.set(
+        xlim=(0, until),
+        ylim=(-reach, reach),
+        xlabel="time [s]",
+        ylabel=r"rotation $\theta/\alpha$ [-]",
+    )
     ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
 
 

@@ -168,9 +168,7 @@ def figure_3_3() -> Figure:
     held = np.append(rotation[0], run["theta"])
     ax.plot(np.append(0.0, run.t + late), np.degrees(held), label=label)
     mark_points(ax)
-    ax.set_xlim(0, 3.2)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel(r"rotation $\theta$ [deg]")
+    ax.set(xlim=(0, 3.2), xlabel="time [s]", ylabel=r"rotation $\theta$ [deg]")
     style.legend_above(ax)
     return figure
 
@@ -208,9 +206,7 @@ def figure_3_4() -> Figure:
         "threshold", (1.0, 250), (4, 0), xycoords=("axes fraction", "data"),
         textcoords="offset points", va="center",
     )  # fmt: skip
-    score.set_ylabel("score [-]")
-    score.set_xlabel("time [s]")
-    score.set_xlim(0, 5)
+    score.set(ylabel="score [-]", xlabel="time [s]", xlim=(0, 5))
     return figure
 
 
@@ -239,10 +235,12 @@ def figure_3_5() -> Figure:
             peaks[first::2] / alpha, quarters[first::2], mark, color=style.INK, mfc="white",
             mew=0.9, ms=4, label=f"Figure 3-3, {label}",
         )  # fmt: skip
-    ax.set_xlabel(r"peak rotation $|\theta_0|/\alpha$ [-]")
-    ax.set_ylabel("quarter period [s]")
-    ax.set_xlim(0, 0.8)
-    ax.set_ylim(0, 0.6)
+    ax.set(
+        xlabel=r"peak rotation $|\theta_0|/\alpha$ [-]",
+        ylabel="quarter period [s]",
+        xlim=(0, 0.8),
+        ylim=(0, 0.6),
+    )
     ax.legend(loc="upper left")
     return figure
 
@@ -267,9 +265,7 @@ def figure_3_6() -> Figure:
         moved, np.degrees(rotation), "o", color=style.INK, mfc="white", mew=0.9, ms=4,
         label="Figure 3-3, measured",
     )  # fmt: skip
-    ax.set_xlim(0, 6)
-    ax.set_xlabel("time after the release [s]")
-    ax.set_ylabel(r"rotation $\theta$ [deg]")
+    ax.set(xlim=(0, 6), xlabel="time after the release [s]", ylabel=r"rotation $\theta$ [deg]")
     style.legend_above(ax)
     return figure
 
@@ -312,9 +308,7 @@ def draw_energies(
 ) -> None:
     for label, energy, line in curves:
         ax.plot(time, energy, label=label, **line)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel("energy [J]")
-    ax.set_ylim(0, None)
+    ax.set(xlabel="time [s]", ylabel="energy [J]", ylim=(0, None))
 
 
 POTENTIAL = {"color": style.LINES[0], "lw": 0.9}

@@ -74,10 +74,9 @@ def draw_meant_and_reached(run: str) -> Figure:
     figure, ax = style.new_axes(5.6, 3.4)
     draw_spectrum(ax, run, f"intended: {shaken.MOTION_NAMES[run]}")
     draw_spectrum(ax, run, "intended, at the peak of the table", factor, ls="--")
-    ax.set_xlim(0, 3)
-    ax.set_ylim(0, None)
-    ax.set_xlabel("period [s]")
-    ax.set_ylabel(r"spectral acceleration [m/s$^2$]")
+    ax.set(
+        xlim=(0, 3), ylim=(0, None), xlabel="period [s]", ylabel=r"spectral acceleration [m/s$^2$]"
+    )
     ax.legend()
     return figure
 
@@ -110,12 +109,9 @@ def figure_4_7() -> Figure:
     t = spectrum("2").periods
     ax.plot(t, nzs_1170_5(t), color=style.INK, lw=1.5, label="NZS 1170.5, class E, Z R = 0.7")
     ax.axvspan(*ROCKING_PERIODS, color=style.LINES[4], alpha=0.25, lw=0)
-    ax.set_xscale("log")
-    ax.set_xlim(t[0], t[-1])
-    ax.set_ylim(0, 32)
+    ax.set(xscale="log", xlim=(t[0], t[-1]), ylim=(0, 32))
     ax.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2], ["0.05", "0.1", "0.2", "0.5", "1", "2"])
-    ax.set_xlabel("period [s]")
-    ax.set_ylabel(r"spectral acceleration [m/s$^2$]")
+    ax.set(xlabel="period [s]", ylabel=r"spectral acceleration [m/s$^2$]")
     ax.legend(loc="upper right", fontsize=7.5)
     return figure
 
@@ -146,8 +142,7 @@ def draw_windows(run: str, until: float) -> tuple[Figure, np.ndarray]:
     trace.set_ylabel(r"displacement $\Delta$ [mm]")
     ax.pcolormesh(moving.time, moving.frequency, moving.amplitude.T, cmap="Greys", rasterized=True)
     ax.plot(moving.time, moving.dominant, ".", ms=2, color=style.LINES[1], label="largest")
-    ax.set_xlabel("time, middle of the window [s]")
-    ax.set_ylabel("frequency [Hz]")
+    ax.set(xlabel="time, middle of the window [s]", ylabel="frequency [Hz]")
     ax.grid(visible=False)
     ax.set_xlim(0, until)
     style.legend_above(ax, markerscale=4)
@@ -239,8 +234,7 @@ def figure_4_72() -> Figure:
     ax.plot(u * MM, v, lw=1.0)
     ax.plot(np.zeros_like(speeds), speeds, "o", ms=4, color=style.LINES[1])
     ax.axvline(0.0, color=style.INK, lw=0.5)
-    ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    ax.set_ylabel(r"velocity $\dot\Delta$ [m/s]")
+    ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel=r"velocity $\dot\Delta$ [m/s]")
     return figure
 
 
@@ -263,9 +257,7 @@ def figure_4_74() -> Figure:
     figure, ax = style.new_axes(7.2, 3.2)
     ax.plot(t, one * MM, lw=0.9, label="from upright")
     ax.plot(t, other * MM, lw=0.9, label="from 0.1 mm next to it")
-    ax.set_xlim(0, 15)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel(r"displacement $\Delta$ [mm]")
+    ax.set(xlim=(0, 15), xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     style.legend_above(ax)
     return figure
 
@@ -385,8 +377,7 @@ def figure_4_58() -> Figure:
         ax.plot(tests["displacement"] * MM, tests["largest"] / 1e3, "D", color=style.LINES[1],
                 ms=5, label="Table 4-2, largest of a test", zorder=6)  # fmt: skip
         ax.set_xlim(-far * MM, far * MM)
-    axes[0].set_ylabel("tendon force $P$ [kN]")
-    axes[0].set_ylim(70, 165)
+    axes[0].set(ylabel="tendon force $P$ [kN]", ylim=(70, 165))
     axes[1].set_ylim(72, 115)
     axes[0].legend(loc="upper center", fontsize=7)
     return figure
@@ -447,9 +438,7 @@ def figure_4_77() -> Figure:
         near = np.abs(values["displacement"]) < 0.012
         ax.plot(values["displacement"][near] * MM, values["force"][near] / 1e3, mark, color=color,
                 mfc="white", label=f"tests with {label}")  # fmt: skip
-    ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    ax.set_ylabel("tendon force $P$ [kN]")
-    ax.set_ylim(70, 150)
+    ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel="tendon force $P$ [kN]", ylim=(70, 150))
     ax.legend(loc="upper center", ncols=2, fontsize=7.5)
     return figure
 

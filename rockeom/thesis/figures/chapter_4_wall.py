@@ -96,9 +96,9 @@ def figure_4_17() -> Figure:
         measured.displacement[rows] * MM, from_uplifts * MM, "+", ms=9, mew=1.0,
         color=style.LINES[2], zorder=4, label="its uplifts, plus 30 mm",
     )  # fmt: skip
-    ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    ax.set_ylabel("distance from the gauge [mm]")
-    ax.set_ylim(0, 600)
+    ax.set(
+        xlabel=r"displacement $\Delta$ [mm]", ylabel="distance from the gauge [mm]", ylim=(0, 600)
+    )
     ax.legend(loc="upper left", fontsize=7.5)
     return figure
 
@@ -250,11 +250,9 @@ def figure_4_20() -> Figure:
         ax.plot(d * MM, edge.tendon_force(d) / 1e3, "--", label="4-16 with 4-7 from the edge")
         ax.plot(d * MM, line / 1e3, ":", label="stiffness fitted to peaks")
         draw_measured(ax, "tendon_force", 1e3)
-    axes[0].set_ylabel("tendon force $P$ [kN]")
-    axes[0].set_ylim(70, 175)
+    axes[0].set(ylabel="tendon force $P$ [kN]", ylim=(70, 175))
     axes[0].legend(loc="upper center", fontsize=7.5)
-    axes[1].set_xlim(-5, 5)
-    axes[1].set_ylim(74, 88)
+    axes[1].set(xlim=(-5, 5), ylim=(74, 88))
     return figure
 
 
@@ -286,10 +284,12 @@ def figure_4_24() -> Figure:
             np.abs(peak[rows]) * MM, time[rows], mark, color=style.INK, ms=4, mfc="white", mew=0.9,
             label=f"Table A-1, from peaks {name}",
         )  # fmt: skip
-    ax.set_xlabel(r"peak displacement $|\Delta_0|$ [mm]")
-    ax.set_ylabel("quarter period [s]")
-    ax.set_xlim(0, 33)
-    ax.set_ylim(0, 0.085)
+    ax.set(
+        xlabel=r"peak displacement $|\Delta_0|$ [mm]",
+        ylabel="quarter period [s]",
+        xlim=(0, 33),
+        ylim=(0, 0.085),
+    )
     ax.legend(loc="lower right", fontsize=7.5)
     return figure
 
@@ -317,8 +317,7 @@ def figure_4_32() -> Figure:
             )  # fmt: skip
     ax.axhline(0.0, color=style.INK, lw=0.6)
     ax.axvline(0.0, color=style.INK, lw=0.6)
-    ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    ax.set_ylabel(r"velocity $\dot\Delta$ [m/s]")
+    ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel=r"velocity $\dot\Delta$ [m/s]")
     ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=7.5)
     return figure
 
@@ -345,10 +344,12 @@ def figure_4_33() -> Figure:
             np.sign(d0) * measured.displacement[ends] * MM,
             "o", ms=4, color=color, mfc="white", mew=0.9, zorder=5, clip_on=False,
         )  # fmt: skip
-    ax.set_xlabel("time after the peak [s]")
-    ax.set_ylabel(r"displacement $|\Delta|$ [mm]")
-    ax.set_xlim(0, None)
-    ax.set_ylim(0, None)
+    ax.set(
+        xlabel="time after the peak [s]",
+        ylabel=r"displacement $|\Delta|$ [mm]",
+        xlim=(0, None),
+        ylim=(0, None),
+    )
     ax.legend()
     return figure
 
