@@ -16,13 +16,7 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
-from rockeom.thesis.figures.chapter_4_wall import (
-    GAUGE,
-    MM,
-    draw_measured,
-    legible,
-    quarters,
-)
+from rockeom.thesis.figures.chapter_4_wall import GAUGE, MM, draw_measured, legible, quarters
 from rockeom.thesis.figures.drawn import Source, thesis_figure
 from rockeom.thesis.free_vibration_table import PEAKS, WALL
 from rockeom.thesis.printed import FIGURE_4_29
