@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import wraps
 from operator import attrgetter
 from types import FrameType
@@ -61,27 +61,18 @@ def names(
 def arguments(**names: str) -> Callable[[Callable[..., T]], Callable[..., T]]:
     """Let a function take arguments by their former names, too: `@arguments(phase="mode")`."""
 
-    none_among = frozenset(names).isdisjoint  # true of most calls, which cost little
+    def of_today(what: str, named: dict[str, Any]) -> dict[str, Any]:
+        for former in names.keys() & named.keys():
+            today = names[former]
+            if today in named:
+                raise TypeError(
+                    f"{what}: {former} is the former name of {today}, and both are given"
+                )
+            warn(f"{what}: {former}", today)
+            named[today] = named.pop(former)
+        return named
 
-    def decorate(function: Callable[..., T]) -> Callable[..., T]:
-        @wraps(function)
-        def with_former_names(*values: Any, **named: Any) -> T:
-            if none_among(named):
-                return function(*values, **named)
-            for former in names.keys() & named.keys():
-                today = names[former]
-                if today in named:
-                    raise TypeError(
-                        f"{function.__qualname__}: {former} is the former name of {today}, and "
-                        "both are given"
-                    )
-                warn(f"{function.__qualname__}: {former}", today)
-                named[today] = named.pop(former)
-            return function(*values, **named)
-
-        return with_former_names
-
-    return decorate
+    return _taking(names, of_today)
 
 
 def moved(
@@ -91,45 +82,44 @@ def moved(
 
     With `@moved("options", Options, "width")` f(width=3) is f(options=Options(width=3)).
     """
-    none_among = frozenset(formers).isdisjoint
 
-    def decorate(function: Callable[..., T]) -> Callable[..., T]:
-        @wraps(function)
-        def with_fields(*values: Any, **named: Any) -> T:
-            if none_among(named):
-                return function(*values, **named)
-            fields = {former: named.pop(former) for former in formers if former in named}
-            if named.get(today) is not None:
-                raise TypeError(
-                    f"{function.__qualname__}: {', '.join(fields)} belongs into {today}, which is "
-                    "given too"
-                )
-            for former in fields:
-                use = f"{today}=rk.{record.__name__}({former}=...)"
-                warn(f"{function.__qualname__}: {former}", use)
-            return function(*values, **named | {today: record(**fields)})
+    def of_today(what: str, named: dict[str, Any]) -> dict[str, Any]:
+        fields = {former: named.pop(former) for former in formers if former in named}
+        if named.get(today) is not None:
+            raise TypeError(f"{what}: {', '.join(fields)} belongs into {today}, which is given too")
+        for former in fields:
+            warn(f"{what}: {former}", f"{today}=rk.{record.__name__}({former}=...)")
+        return named | {today: record(**fields)}
 
-        return with_fields
-
-    return decorate
+    return _taking(formers, of_today)
 
 
 def needless(**remedies: str) -> Callable[[Callable[..., T]], Callable[..., T]]:
     """Let a function take arguments that have no effect any more, and say what to do instead."""
 
-    none_among = frozenset(remedies).isdisjoint
+    def of_today(what: str, named: dict[str, Any]) -> dict[str, Any]:
+        for former in remedies.keys() & named.keys():
+            del named[former]
+            say(f"{what}: {former} has no effect: {remedies[former]}")
+        return named
+
+    return _taking(remedies, of_today)
+
+
+def _taking(
+    formers: Iterable[str], of_today: Callable[[str, dict[str, Any]], dict[str, Any]]
+) -> Callable[[Callable[..., T]], Callable[..., T]]:
+    """Let a function take former names of arguments, of which others are made for it."""
+    none_among = frozenset(formers).isdisjoint  # true of most calls, which cost little
 
     def decorate(function: Callable[..., T]) -> Callable[..., T]:
         @wraps(function)
-        def without(*values: Any, **named: Any) -> T:
+        def with_former_names(*values: Any, **named: Any) -> T:
             if none_among(named):
                 return function(*values, **named)
-            for former in remedies.keys() & named.keys():
-                del named[former]
-                say(f"{function.__qualname__}: {former} has no effect: {remedies[former]}")
-            return function(*values, **named)
+            return function(*values, **of_today(function.__qualname__, named))
 
-        return without
+        return with_former_names
 
     return decorate
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -36,6 +37,21 @@ def side_of(function: str, theta: np.ndarray, side: ArrayLike | None) -> np.ndar
     rule = "it contradicts the sign of theta: leave it out, or give it for theta = 0 alone"
     require(number * theta >= 0, function, "side", number, rule)
     return number
+
+
+def measured_swings(
+    function: str, offered: Mapping[str, ArrayLike | None]
+) -> dict[str, np.ndarray]:
+    """Measured peaks, peak times and crossing times (n,), those that there are, by these names.
+
+    Raises ValueError where there are none.
+    """
+    given = {name: x for name, x in offered.items() if x is not None}
+    if not given:
+        raise ValueError(
+            f"{function}: nothing was measured: give peaks, peak_times, crossing_times"
+        )
+    return {name: np.atleast_1d(numbers(function, **{name: x})[0]) for name, x in given.items()}
 
 
 def dims_of_starts(function: str, sections: xr.Dataset, *names: str) -> tuple[str, ...]:

@@ -21,11 +21,7 @@ import numpy as np
 from rockeom.assessment.remedies import remedies
 from rockeom.assessment.result import Assessment
 from rockeom.assessment.statics import is_symmetric, statics_of
-from rockeom.assessment.trials import (
-    Conditions,
-    as_recorded,
-    scaled,
-)
+from rockeom.assessment.trials import Conditions, as_recorded, scaled
 from rockeom.motion import GroundMotion, MotionError
 from rockeom.motion.components import split
 from rockeom.motion.motion_set import MotionSet

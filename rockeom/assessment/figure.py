@@ -22,8 +22,7 @@ def draw(trials: Trials, remedies: Sequence[Remedy], threshold: float, level: fl
     threshold : acceleration that lifts a foot [m/s2]. level : of the intervals. The band ends at
     the intensities that were tried. One axes, for a telephone to show.
     """
-    figure = style.new_figure(5.6, 3.5)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.6, 3.5)
     rows = [row for row in trials.intensities if row.number]
     pga = np.array([row.pga for row in rows]) / STANDARD_GRAVITY
     fractions = np.array([row.overturned / row.number for row in rows])

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import csv
-import io
 import sys
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -16,6 +14,7 @@ from rockeom.analysis.sweeps import exceedances
 from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, accelerations, add_records, records
+from rockeom.cli.output import csv_of
 from rockeom.cli.simulate import check_folder, impact_law
 from rockeom.drawing.style import save_figure
 from rockeom.files import write
@@ -177,15 +176,13 @@ def _write(
 ) -> list[Path]:
     args.out.mkdir(parents=True, exist_ok=True)
     table, picture = args.out / "fragility.csv", args.out / "fragility.png"
-    text = io.StringIO(newline="")
-    writer = csv.writer(text)
-    writer.writerow(
-        [f"{intensity.name} [g]", "exceeded", "motions", "probability", "lower", "upper"]
-    )
+    heads = [f"{intensity.name} [g]", "exceeded", "motions", "probability", "lower", "upper"]
     curves = curve.probability(intensity.values), *curve.bounds(intensity.values)
-    for (x, hits, of), *rest in zip(rows, *curves, strict=True):
-        writer.writerow([f"{x:.9g}", hits, of, *(f"{p:.6g}" for p in rest)])
-    write(table, text.getvalue())
+    written = (
+        [f"{x:.9g}", hits, of, *(f"{p:.6g}" for p in rest)]
+        for (x, hits, of), *rest in zip(rows, *curves, strict=True)
+    )
+    write(table, csv_of([heads, *written]))
     figure = fragility_curve(curve, intensity=f"{intensity.meaning} [g]")
     if args.demand is None:
         figure.axes[0].set_ylabel("probability of overturning [-]")

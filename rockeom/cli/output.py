@@ -6,7 +6,7 @@ import csv
 import io
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -66,12 +66,18 @@ def write_csv(run: Response, path: Path) -> None:
         "mode",
         *(f"{name} [{unit[name]}]" for name in names),
     ]
+    rows = (
+        [f"{t:.12g}", mode, *(f"{value:.12g}" for value in values)]
+        for mode, (t, *values) in zip(run.mode, zip(*columns, strict=True), strict=True)
+    )
+    write(path, csv_of([header, *rows]))
+
+
+def csv_of(rows: Iterable[Iterable[Any]]) -> str:
+    """Rows as the text of a CSV."""
     text = io.StringIO(newline="")
-    writer = csv.writer(text)
-    writer.writerow(header)
-    for mode, (t, *values) in zip(run.mode, zip(*columns, strict=True), strict=True):
-        writer.writerow([f"{t:.12g}", mode, *(f"{value:.12g}" for value in values)])
-    write(path, text.getvalue())
+    csv.writer(text).writerows(rows)
+    return text.getvalue()
 
 
 def write_npz(run: Response, path: Path) -> None:

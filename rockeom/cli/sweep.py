@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import csv
-import io
 import math
 import sys
 from pathlib import Path
@@ -14,12 +12,14 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from rockeom.cli.errors import spread, words
+from rockeom.cli.output import csv_of
 from rockeom.cli.simulate import add_case, case, check_folder
 from rockeom.drawing.style import save_figure
 from rockeom.files import write
 from rockeom.plots.sweeps import overturning_map, rocking_spectrum as draw_spectrum
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
+from rockeom.structures.units import with_unit
 from rockeom.sweeps.case_numbers import OtherCase
 from rockeom.sweeps.run import simulate_many
 
@@ -148,21 +148,14 @@ def _csv(sweep: xr.Dataset) -> str:
     names = [str(name) for name in sweep["outcome"].dims]
     states = sweep["state"].values
     units = sweep["state_unit"].values
-    headings = [_heading(name, sweep[name].attrs.get("units", "")) for name in names]
-    headings += ["outcome", _heading("final_time", sweep["final_time"].attrs.get("units", ""))]
-    headings += ["impacts", *(_heading(f"peak {s}", u) for s, u in zip(states, units, strict=True))]
+    headings = [with_unit(name, sweep[name].attrs.get("units", "")) for name in names]
+    headings += ["outcome", with_unit("final_time", sweep["final_time"].attrs.get("units", ""))]
+    headings += ["impacts", *map(with_unit, [f"peak {s}" for s in states], units)]
     columns = [
         *(a.values.ravel() for a in xr.broadcast(*(sweep[name] for name in names))),
         *(sweep[name].values.ravel() for name in ("outcome", "final_time", "impacts")),
         *sweep["peak"].transpose("state", *names).values.reshape(len(states), -1),
     ]
-    text = io.StringIO(newline="")
-    writer = csv.writer(text)
-    writer.writerow(headings)
-    for row in zip(*columns, strict=True):
-        writer.writerow([f"{x:.12g}" if isinstance(x, float) else x for x in row])
-    return text.getvalue()
-
-
-def _heading(name: str, unit: str) -> str:
-    return f"{name} [{unit}]" if unit else name
+    rows = zip(*columns, strict=True)
+    written = ([f"{x:.12g}" if isinstance(x, float) else x for x in row] for row in rows)
+    return csv_of([headings, *written])

@@ -52,10 +52,12 @@ def plot_comparison(
     for ax, foot in zip(axes[2:], feet, strict=False):
         _lengths(ax, runs, f"{foot}_uplift", f"uplift of\n{foot} foot")
     _impact_lanes(axes[-1], runs)
-    axes[-1].set_xlabel(style.time_label(runs[0]))
-    axes[-1].set_xlim(
-        0.0 if start is None else start,
-        max(run.t[-1] for run in runs) if end is None else end,
+    axes[-1].set(
+        xlabel=style.time_label(runs[0]),
+        xlim=(
+            0.0 if start is None else start,
+            max(run.t[-1] for run in runs) if end is None else end,
+        ),
     )
     figure.align_ylabels(axes)
     named = [f"{label}: {_end(run)}" for label, run in zip(labels, runs, strict=True)]
@@ -115,8 +117,7 @@ def _impact_lanes(ax: Axes, runs: Sequence[Run]) -> None:
         ax.broken_barh(style.bars(style.full_contact(run)), (floor, 0.8), facecolor="0.9", lw=0)
         times, speeds = run.impacts.times, run.impacts.speeds
         ax.vlines(times, floor, floor + 0.8 * speeds / (fastest or 1.0), color=color, lw=0.9)
-    ax.set_ylim(-len(runs) + 0.95, 0.9)
-    ax.set_yticks([])
+    ax.set(ylim=(-len(runs) + 0.95, 0.9), yticks=[])
     ax.grid(visible=False, axis="y")
     ax.set_ylabel("impacts")
     counts, faster = (

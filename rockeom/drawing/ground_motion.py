@@ -56,8 +56,7 @@ def plot_motion(
         ax.plot(times, values, color=color, lw=0.8, label=said.format(peak))
         ax.set_ylabel(label)
         style.legend_above(ax)
-    axes[-1].set_xlabel("time [s]")
-    axes[-1].set_xlim(start, motion.duration if end is None else end)
+    axes[-1].set(xlabel="time [s]", xlim=(start, motion.duration if end is None else end))
     figure.align_ylabels(axes)
     figure.suptitle(style.wrapped(style.plain(motion.name) or "Ground motion"), fontsize=9.5)
     return figure
@@ -112,9 +111,7 @@ def plot_spectra(
         _draw(ax, first.periods, values, [style.plain(one.name) for one in spectra])
         if target is not None:
             _draw_target(ax, first.periods, target, of)
-        ax.set_xscale("log")
-        ax.set_xlabel("period [s]")
-        ax.set_ylabel(label)
+        ax.set(xscale="log", xlabel="period [s]", ylabel=label)
         ax.set_ylim(bottom=0.0)
     handles, labels = axes[0].get_legend_handles_labels()
     columns = 1 if rows > 1 else len(labels)

@@ -74,8 +74,7 @@ def page_of_sweep(shown: xr.Dataset) -> str:
 
 @style.styled
 def _history(motion: Motion) -> Figure:
-    figure = style.new_figure(5.2, 1.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.2, 1.6)
     t = np.union1d(motion.breakpoints, np.linspace(0.0, motion.duration, 1001))
     ax.plot(t, motion.acceleration(t), color=style.INK, lw=0.7)
     ax.set(xlabel="time [s]", ylabel="acceleration\n[m/s2]", xlim=(0.0, motion.duration))

@@ -56,8 +56,7 @@ def plot_response(
     else:
         figure, axes = _overview(run, figure)
         style.shade_full_contact(axes[:-1], run)
-    axes[-1].set_xlabel(style.time_label(run))
-    axes[-1].set_xlim(limits)
+    axes[-1].set(xlabel=style.time_label(run), xlim=limits)
     return figure
 
 

@@ -100,6 +100,12 @@ def new_figure(width: float, height: float) -> NotebookFigure:
     return NotebookFigure(figsize=(width, height), dpi=150, layout="constrained")
 
 
+def new_axes(width: float, height: float) -> tuple[NotebookFigure, Axes]:
+    """An empty figure of that size [in], and its only axes."""
+    figure = new_figure(width, height)
+    return figure, figure.add_subplot()
+
+
 def parent_figure(ax: Axes) -> Figure:
     """The figure in which `ax` stands."""
     found: Any = ax.figure

@@ -12,15 +12,7 @@ from typing import Any
 import numpy as np
 
 from rockeom.compiler.types import BOOL, FLOAT, INT, Array, Tuple, Type
-from rockeom.exports.closed import (
-    Function,
-    Functions,
-    Names,
-    base_of,
-    is_row,
-    names_of,
-    number_of,
-)
+from rockeom.exports.closed import Function, Functions, Names, base_of, is_row, names_of, number_of
 from rockeom.exports.writer import EITHER, ITEM, OR, POWER, PRODUCT, SIGNED, STEP, SUM, Writer
 
 _WORDS = """

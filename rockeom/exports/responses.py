@@ -29,14 +29,7 @@ from rockeom.simulation.extremes import Extremes
 from rockeom.simulation.outcome import Outcome
 from rockeom.simulation.recorder import Samples
 from rockeom.simulation.response import Response
-from rockeom.simulation.saved import (
-    DECLARED,
-    FORMAT,
-    NAMES,
-    WHOLE_NUMBERS,
-    check_engine,
-    checksum,
-)
+from rockeom.simulation.saved import DECLARED, FORMAT, NAMES, WHOLE_NUMBERS, check_engine, checksum
 from rockeom.simulation.steps import Steps
 from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.classes import SHIPPED

@@ -17,11 +17,7 @@ from rockeom.drawing.sketch import draw_structure
 from rockeom.drawing.style import use_style
 from rockeom.numbers import explained
 from rockeom.plots.design_report import DesignReport, design_report
-from rockeom.plots.dynamics import (
-    basins_of_attraction,
-    bifurcation_diagram,
-    poincare_section,
-)
+from rockeom.plots.dynamics import basins_of_attraction, bifurcation_diagram, poincare_section
 from rockeom.plots.sweeps import (
     fragility_curve,
     incremental_dynamic_analysis,

@@ -58,8 +58,7 @@ def different(values: xr.DataArray) -> list[Any]:
 
 def name_axes(ax: Axes, sweep: xr.Dataset, x: str, y: str) -> None:
     """Names and units of both axes, and the words along them."""
-    ax.set_xlabel(label(sweep, x))
-    ax.set_ylabel(label(sweep, y))
+    ax.set(xlabel=label(sweep, x), ylabel=label(sweep, y))
     for name, axis in ((x, ax.xaxis), (y, ax.yaxis)):
         if sweep[name].dtype.kind not in "iuf":
             words = [said(value) for value in different(sweep[name])]

@@ -402,9 +402,7 @@ def _draw_history(ax: Axes, one: UnderRecord) -> None:
         )  # fmt: skip
     ax.plot(one.run.t, 1e3 * one.run["displacement"], color=style.LINES[0], label="rocking")
     style.mark_overturning(ax, one.run, 1e3 * one.run["displacement"], color=style.LINES[0])
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel("displacement [mm]")
-    ax.set_xlim(0, one.run.t[-1])
+    ax.set(xlabel="time [s]", ylabel="displacement [mm]", xlim=(0, one.run.t[-1]))
     ax.set_title(
         f"largest displacement: {style.plain(_short(one.run.motion.name, 80))}",
         loc="left",
@@ -431,10 +429,7 @@ def _draw_demands(
                 color=color, label=label,
             )  # fmt: skip
             ax.plot(values, np.arange(1, len(values) + 1) / number, ".", ms=3.5, color=color)
-    ax.set_xlabel(what)
-    ax.set_ylabel("fraction of the records")
-    ax.set_xlim(0, None)
-    ax.set_ylim(0, 1.03)
+    ax.set(xlabel=what, ylabel="fraction of the records", xlim=(0, None), ylim=(0, 1.03))
     style.legend_above(ax)
 
 

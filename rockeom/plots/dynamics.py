@@ -142,8 +142,7 @@ def _looks_of_starts(sections: xr.Dataset, number: int) -> Iterator[dict[str, An
 
 
 def _name_axes(ax: Axes, sections: xr.Dataset, x: str, y: str, at: str) -> None:
-    ax.set_xlabel(_label_of(sections, x, at))
-    ax.set_ylabel(_label_of(sections, y, at))
+    ax.set(xlabel=_label_of(sections, x, at), ylabel=_label_of(sections, y, at))
     if ax.get_legend_handles_labels()[0]:
         legend = ax.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
         for line in legend.get_lines():
@@ -249,8 +248,7 @@ def basins_of_attraction(basins: xr.Dataset, *, x: str, y: str, ax: Axes | None 
         edges = [coordinates.edges(cells[name].values) for name in (x, y)]
         ax.pcolormesh(*edges, cells, cmap=ListedColormap(colours), vmin=-0.5,
                       vmax=len(colours) - 0.5, rasterized=True)  # fmt: skip
-        ax.set_xlim(edges[0][0], edges[0][-1])
-        ax.set_ylim(edges[1][0], edges[1][-1])
+        ax.set(xlim=(edges[0][0], edges[0][-1]), ylim=(edges[1][0], edges[1][-1]))
     ax.grid(visible=False)
     _draw_orbits(ax, basins, x, y)
     handles = [
@@ -258,8 +256,10 @@ def basins_of_attraction(basins: xr.Dataset, *, x: str, y: str, ax: Axes | None 
         for kind, colour in zip(present, colours, strict=True)
     ]
     ax.legend(handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
-    ax.set_xlabel(f"initial {_label_of(basins, x, 'period')}")
-    ax.set_ylabel(f"initial {_label_of(basins, y, 'period')}")
+    ax.set(
+        xlabel=f"initial {_label_of(basins, x, 'period')}",
+        ylabel=f"initial {_label_of(basins, y, 'period')}",
+    )
     return style.parent_figure(ax)
 
 

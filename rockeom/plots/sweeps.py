@@ -114,8 +114,7 @@ def _cells(ax: Axes, kinds: xr.DataArray, x: str, y: str) -> None:
         grey = ListedColormap([_CLASSES[_NO_ANSWER][1]])
         ax.pcolor(*edges, unknown, cmap=grey, hatch="xxx", edgecolor="0.3", lw=0)
     ax.grid(visible=False)
-    ax.set_xlim(edges[0][0], edges[0][-1])
-    ax.set_ylim(edges[1][0], edges[1][-1])
+    ax.set(xlim=(edges[0][0], edges[0][-1]), ylim=(edges[1][0], edges[1][-1]))
 
 
 def _draw_boundaries(ax: Axes, boundaries: xr.Dataset, sweep: xr.Dataset, x: str, y: str) -> Line2D:
@@ -245,10 +244,12 @@ def rocking_spectrum(
         ax.axhspan(top, 1.2 * top, facecolor="0.95", lw=0, zorder=0)
         ax.plot([], [], "^", color=style.INK, ms=3.5, mew=0, label="overturned")
         ax.set_yticks([tick for tick in ax.get_yticks() if tick <= top])
-    ax.set_ylim(0.0, 1.2 * top if down.any() else top)
-    ax.set_xlim(at[0], at[-1])
-    ax.set_xlabel(coordinates.label(sweep, x))
-    ax.set_ylabel(rf"largest $|${style.symbol(state)}$|/\alpha$ [-]")
+    ax.set(
+        ylim=(0.0, 1.2 * top if down.any() else top),
+        xlim=(at[0], at[-1]),
+        xlabel=coordinates.label(sweep, x),
+        ylabel=rf"largest $|${style.symbol(state)}$|/\alpha$ [-]",
+    )
     if ax.get_legend_handles_labels()[0]:
         title = None if by is None or lines.shape[1] > _NAMED else coordinates.label(sweep, by)
         ax.legend(title=title, loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
@@ -416,8 +417,7 @@ def incremental_dynamic_analysis(
         at, im = _fractile(demands, levels, part)
         ax.plot(np.where(np.isposinf(at), edge, at), im, ls=dashes, color=style.LINES[1], lw=1.8,
                 zorder=5, label=f"{100 * part:.0f} % of records")  # fmt: skip
-    ax.set_xlim(0.0, edge)
-    ax.set_ylim(0.0, 1.03 * max(im.max() for im, _ in curves))
+    ax.set(xlim=(0.0, edge), ylim=(0.0, 1.03 * max(im.max() for im, _ in curves)))
     if any(np.isposinf(d).any() for _, d in curves):
         ax.axvspan(last, edge, facecolor="0.93", lw=0, zorder=1)
         ax.text((last + edge) / 2, 0.02, "overturned", rotation=90, ha="center", va="bottom",
@@ -425,8 +425,7 @@ def incremental_dynamic_analysis(
         ax.set_xticks([tick for tick in ax.get_xticks() if tick <= last])
         if len(names) <= _FEW_NAMES:
             _name_fallen(ax, curves, names, edge)
-    ax.set_xlabel(_demand_label(sweep, demand))
-    ax.set_ylabel(coordinates.label(sweep, intensity))
+    ax.set(xlabel=_demand_label(sweep, demand), ylabel=coordinates.label(sweep, intensity))
     ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, borderaxespad=0.2)
     if lost := unanswered(outcome_labels(sweep)):
         ax.set_title(f"{lost}: in no fractile", fontsize=9, pad=24)

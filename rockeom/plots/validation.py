@@ -95,8 +95,7 @@ def reliability_diagram(calibration: Calibration, *, ax: Axes | None = None) -> 
     for x, y, n in zip(c.probability, c.frequency, c.number, strict=True):
         ax.annotate(f"{n}", (x, y), xytext=(6, 3), textcoords="offset points", fontsize=7.5)
     ax.set(xlim=(-0.04, 1.04), ylim=(-0.04, 1.04))
-    ax.set_xlabel("predicted probability of overturning [-]")
-    ax.set_ylabel("observed frequency [-]")
+    ax.set(xlabel="predicted probability of overturning [-]", ylabel="observed frequency [-]")
     ax.set_title(f"{c.number.sum()} tests, p = {c.p_value:.2g}\n{c.basis}", fontsize=9)
     ax.legend(loc="upper left", bbox_to_anchor=(0.0, -0.16), borderaxespad=0.0)
     return style.parent_figure(ax)

@@ -10,15 +10,7 @@ from typing import Any
 import numpy as np
 
 from rockeom import renamed
-from rockeom.codes import (
-    AT_THE_START,
-    EVENTS_KEPT,
-    FULL,
-    MODE,
-    OUTCOMES,
-    REFINED,
-    STEPS_KEPT,
-)
+from rockeom.codes import AT_THE_START, EVENTS_KEPT, FULL, MODE, OUTCOMES, REFINED, STEPS_KEPT
 from rockeom.integrator.program import Program, program
 from rockeom.motion import GroundMotion
 from rockeom.motion.recording import Recording
@@ -30,14 +22,7 @@ from rockeom.simulation.method_selection import chosen
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.outcome import Outcome
 from rockeom.simulation.quantities import Ground, Quantities
-from rockeom.simulation.recorder import (
-    ALL,
-    KEEP,
-    SAMPLES,
-    DenseRecorder,
-    Recorder,
-    SampleRecorder,
-)
+from rockeom.simulation.recorder import ALL, KEEP, SAMPLES, DenseRecorder, Recorder, SampleRecorder
 from rockeom.simulation.response import Response
 from rockeom.simulation.steps import Steps
 from rockeom.structures.base import Structure

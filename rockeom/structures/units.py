@@ -29,6 +29,11 @@ def time_unit(module: Any) -> str:
     return "-" if is_dimensionless(module) else "s"
 
 
+def with_unit(name: str, unit: str) -> str:
+    """A heading: the name and, where there is one, the unit."""
+    return f"{name} [{unit}]" if unit else name
+
+
 def in_udunits(unit: str) -> str:
     """The unit in tables with the CF conventions: 1 where there is none."""
     return "1" if unit == "-" else unit

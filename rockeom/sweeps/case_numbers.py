@@ -26,7 +26,7 @@ from rockeom.simulation.case import Case
 from rockeom.structures.base import Structure
 from rockeom.structures.declared import DeclaredStructure
 from rockeom.structures.impact_laws import AngularMomentum, EnergyRatio, Impulsive, VelocityRatio
-from rockeom.structures.units import dimensioned, time_unit
+from rockeom.structures.units import dimensioned, time_unit, with_unit
 
 _Path = tuple[Any, ...]
 
@@ -106,7 +106,7 @@ def _named(where: str, name: str, numbers: Mapping[str, Number], structure: Stru
         short if shorts.count(short) == 1 else full: number.unit
         for (full, number), short in zip(numbers.items(), shorts, strict=True)
     }
-    every = ", ".join(f"{name} [{unit}]" if unit else name for name, unit in known.items())
+    every = ", ".join(with_unit(name, unit) for name, unit in known.items())
     meant = _meant(name, known, structure)
     raise ValueError(f"{where}: {name!r} is unknown{meant}; there are {every}")
 

@@ -8,15 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rockeom.codes import (
-    AT_THE_START,
-    FULL,
-    IMPACTS,
-    MODE,
-    REFINED,
-    STEPS,
-    TIME,
-)
+from rockeom.codes import AT_THE_START, FULL, IMPACTS, MODE, REFINED, STEPS, TIME
 from rockeom.integrator import records
 from rockeom.integrator.program import Program
 from rockeom.simulation.case import Case, Problems

@@ -21,7 +21,7 @@ from rockeom.simulation.case import Case, check_case, ground_table, parted
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.structures.evaluation import OF_ELEMENT
-from rockeom.structures.units import time_unit
+from rockeom.structures.units import time_unit, with_unit
 from rockeom.sweeps.case_numbers import Number, numbers_named, numbers_of, with_numbers
 from rockeom.sweeps.tangents import Tangents, of_problem
 
@@ -66,12 +66,12 @@ class Sensitivity:
         return pd.DataFrame(self.derivatives, index=list(self.of), columns=list(self.to))
 
     def __repr__(self) -> str:
-        answers = map(_with_unit, self.of, self.units)
+        answers = map(with_unit, self.of, self.units)
         rows = [
             ["", "at", *answers],
             ["value", "", *map(_number, self.values)],
             *(
-                [_with_unit(name, unit), _number(at), *map(_number, along)]
+                [with_unit(name, unit), _number(at), *map(_number, along)]
                 for name, unit, at, along in zip(
                     self.to, self.parameter_units, self.parameters, self.derivatives.T, strict=True
                 )
@@ -84,10 +84,6 @@ class Sensitivity:
 
 def _number(x: float) -> str:
     return f"{x:.6g}"
-
-
-def _with_unit(name: str, unit: str) -> str:
-    return f"{name} [{unit}]" if unit else name
 
 
 def _line(row: Sequence[str], widths: Sequence[int]) -> str:

@@ -17,22 +17,9 @@ from rockeom.codes import CONTACT_LAWS
 from rockeom.numbers import explained
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
-from rockeom.symbolic.elements import (
-    Element,
-    Ending,
-    Spring,
-    Switching,
-    switch_of,
-)
+from rockeom.symbolic.elements import Element, Ending, Spring, Switching, switch_of
 from rockeom.symbolic.mode import Mode
-from rockeom.symbolic.model import (
-    Body,
-    Coordinate,
-    InternalVariable,
-    Member,
-    Parameter,
-    Point,
-)
+from rockeom.symbolic.model import Body, Coordinate, InternalVariable, Member, Parameter, Point
 
 
 @explained.attributes()

@@ -112,10 +112,6 @@ class Unilateral:
             self.compression, coordinates
         )
 
-    def shown(self, chi: sp.Expr) -> sp.Expr:
-        """The chi with which a page shows the force."""
-        return sp.S.One
-
     def force(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
         """The force of the state chi, with the rates of the coordinates."""
         return chi * self._press(coordinates)
@@ -272,10 +268,6 @@ class Yielding:
     def still_force(self, chi: sp.Expr) -> sp.Expr:
         """The force where nothing moves."""
         return self._carries(chi) * self._elastic
-
-    def shown(self, chi: sp.Expr) -> sp.Expr:
-        """The chi with which a page shows the force."""
-        return sp.S.One
 
     def force(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
         """The force of the state chi, with the rates of the coordinates."""

@@ -30,14 +30,7 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from rockeom.codes import (
-    FRICTIONLESS,
-    MOST_MODES,
-    OPEN,
-    SLIP_LEFT,
-    SLIP_RIGHT,
-    STICK,
-)
+from rockeom.codes import FRICTIONLESS, MOST_MODES, OPEN, SLIP_LEFT, SLIP_RIGHT, STICK
 from rockeom.symbolic.algebra import (
     SIDE,
     angles_in,

@@ -10,16 +10,8 @@ from rockeom.thesis.chapter_2 import CHAPTER_2
 from rockeom.thesis.chapter_3 import CHAPTER_3
 from rockeom.thesis.chapter_4 import CHAPTER_4
 from rockeom.thesis.chapter_5 import CHAPTER_5
-from rockeom.thesis.equation import Equation
+from rockeom.thesis.equation import Equation, place_of
 from rockeom.thesis.section_2_6 import SECTION_2_6
-
-
-def _place(one: Equation) -> tuple[str, int, str]:
-    """Where an equation stands: chapter, number, letter."""
-    chapter, _, place = one.number.partition("-")
-    digits = place.rstrip("abcd")
-    return chapter, int(digits), place[len(digits) :]
-
 
 _TYPED = (
     *CHAPTER_2,
@@ -30,7 +22,7 @@ _TYPED = (
     *APPENDIX_B,
     *APPENDIX_D,
 )
-EQUATIONS = MappingProxyType({e.number: e for e in sorted(_TYPED, key=_place)})
+EQUATIONS = MappingProxyType({e.number: e for e in sorted(_TYPED, key=place_of)})
 
 
 def equation(number: str) -> Equation:

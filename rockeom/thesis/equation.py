@@ -136,6 +136,13 @@ class Equation:
         return rf"$\displaystyle {self.latex()} \qquad \text{{({self.number})}}$"
 
 
+def place_of(one: Any) -> tuple[str, int, str]:
+    """Where an equation or a figure stands by its number: chapter, number, letter."""
+    chapter, _, place = one.number.partition("-")
+    digits = place.rstrip("abcd")
+    return chapter, int(digits), place[len(digits) :]
+
+
 def says(left: Any, *rights: Any) -> Relations:
     """left = right, and for a chain left = right_1 = right_2 = ... each with the same left."""
     return tuple(sp.Eq(left, right, evaluate=False) for right in rights)

@@ -24,6 +24,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom.analysis.arguments import measured_swings
 from rockeom.analysis.formulas.controlled_wall import RotationCentre
 from rockeom.analysis.identification.free_vibration import coefficient_of_determination
 from rockeom.analysis.identification.measured import rotation_centre
@@ -381,15 +382,7 @@ class _MeasuredSwings(NamedTuple):
         time_uncertainty: float | None,
     ) -> _MeasuredSwings:
         where = "fit_free_vibration"
-        values = {
-            name: np.atleast_1d(numbers(where, **{name: value})[0])
-            for name, value in offered.items()
-            if value is not None
-        }
-        if not values:
-            raise ValueError(
-                f"{where}: nothing was measured: give peaks, peak_times, crossing_times"
-            )
+        values = measured_swings(where, offered)
         errors = [uncertainty if name == "peaks" else time_uncertainty for name in values]
         if len({name == "peaks" for name in values}) == 2 and None in errors:
             raise ValueError(

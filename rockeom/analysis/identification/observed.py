@@ -20,6 +20,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom.analysis.arguments import measured_swings
 from rockeom.analysis.identification.swings_of_response import (
     quantity_tangents,
     swing_tangents,
@@ -150,15 +151,7 @@ class Observed:
         """
         where = "Observed.swings"
         offered = {"peaks": peaks, "peak_times": peak_times, "crossing_times": crossing_times}
-        values = {
-            name: np.atleast_1d(numbers(where, **{name: x})[0])
-            for name, x in offered.items()
-            if x is not None
-        }
-        if not values:
-            raise ValueError(
-                f"{where}: nothing was measured: give peaks, peak_times, crossing_times"
-            )
+        values = measured_swings(where, offered)
         pairs = [(noise if name == "peaks" else time_noise, len(x)) for name, x in values.items()]
         takes = _takes(case)
         if release_time is not None and takes is not None:

@@ -9,14 +9,7 @@ from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import dead_load
 from rockeom.symbolic.elements import Yielding
 from rockeom.symbolic.model import Body, coordinate, parameter, rectangle, turned
-from rockeom.symbolic.parts.superstructures import (
-    GRAVITY,
-    HALF_WIDTH,
-    HEIGHT,
-    INERTIA,
-    MASS,
-    Point,
-)
+from rockeom.symbolic.parts.superstructures import GRAVITY, HALF_WIDTH, HEIGHT, INERTIA, MASS, Point
 from rockeom.symbolic.parts.supports import FOUNDATION_STIFFNESS, FREE_ROTATION
 
 HEAVE = coordinate("v", "heave", "m", "rise of the base's centre above the unloaded bed")

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import sympy as sp
 
-from rockeom.symbolic.model import Body, Parameter, parameter, turned
+from rockeom.symbolic.model import Body, Parameter, turned
 from rockeom.symbolic.parts.superstructures import GRAVITY, ROTATION
 from rockeom.symbolic.registry import shipped
 from rockeom.symbolic.rocking import RockingModel, rocking_structure
+from rockeom.symbolic.structures.rigid_block import HALF_WIDTH, HEIGHT, INERTIA, MASS
 
 
 @shipped(
@@ -22,28 +23,24 @@ def offset_block() -> RockingModel:
     It lifts and overturns at different accelerations and angles to the right and to the left, and
     loses different parts of its angular velocity at impacts of its left and its right foot.
     """
-    mass = parameter("m", "mass", "kg", "mass")
-    half_width = parameter("B", "half_width", "m", "half of the width of the base")
-    height = parameter("H", "height", "m", "height of the centroid above the base")
     offset = Parameter(
         sp.Symbol("d", real=True),
         "offset",
         "m",
         "of the centroid, to the right of the middle of the base",
     )
-    inertia = parameter("I_g", "inertia", "kg m2", "moment of inertia about the centroid")
-    b, h, d = half_width.symbol, height.symbol, offset.symbol
+    b, h, d = HALF_WIDTH.symbol, HEIGHT.symbol, offset.symbol
     theta = ROTATION.position
     outline = tuple((x * b - d, y * h) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)))
 
     def bodies(pivot):
         centroid = turned((d, h), pivot, theta)
-        return [Body("block", mass.symbol, centroid, inertia.symbol, theta, outline=outline)]
+        return [Body("block", MASS.symbol, centroid, INERTIA.symbol, theta, outline=outline)]
 
     return rocking_structure(
         name="offset_block",
         title="Rigid block with its centroid off the middle",
-        parameters=(mass, half_width, height, offset, inertia, GRAVITY),
+        parameters=(MASS, HALF_WIDTH, HEIGHT, offset, INERTIA, GRAVITY),
         coordinates=(ROTATION,),
         bodies=bodies,
         half_width=b,

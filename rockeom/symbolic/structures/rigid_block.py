@@ -11,6 +11,10 @@ from rockeom.symbolic.parts.superstructures import GRAVITY, ROTATION
 from rockeom.symbolic.registry import shipped
 from rockeom.symbolic.rocking import RockingModel, rocking_structure
 
+MASS = parameter("m", "mass", "kg", "mass")
+HALF_WIDTH = parameter("B", "half_width", "m", "half of the width of the base")
+HEIGHT = parameter("H", "height", "m", "height of the centroid above the base")
+INERTIA = parameter("I_g", "inertia", "kg m2", "moment of inertia about the centroid")
 BLOCK: dict[str, Any] = {
     "may_vanish": ("inertia",),
     "defaults": {"mass": 1.0, "inertia": "that of a homogeneous rectangle"},
@@ -21,22 +25,18 @@ BLOCK: dict[str, Any] = {
 @shipped(place=1, **BLOCK, called={"height": "half_height"})
 def rigid_block() -> RockingModel:
     """Housner's rigid body, which rocks about its two edges; any size of rotation."""
-    mass = parameter("m", "mass", "kg", "mass")
-    half_width = parameter("B", "half_width", "m", "half of the width of the base")
-    height = parameter("H", "height", "m", "height of the centroid above the base")
-    inertia = parameter("I_g", "inertia", "kg m2", "moment of inertia about the centroid")
-    b, h = half_width.symbol, height.symbol
+    b, h = HALF_WIDTH.symbol, HEIGHT.symbol
     polar = (b, h, sp.Symbol("R", positive=True), sp.Symbol("alpha", positive=True))
     theta, outline = ROTATION.position, rectangle(b, h)
 
     def bodies(pivot):
         centroid = turned((0, h), pivot, theta)
-        return [Body("block", mass.symbol, centroid, inertia.symbol, theta, polar, outline)]
+        return [Body("block", MASS.symbol, centroid, INERTIA.symbol, theta, polar, outline)]
 
     return rocking_structure(
         name="rigid_block",
         title="Rigid block on rigid ground",
-        parameters=(mass, half_width, height, inertia, GRAVITY),
+        parameters=(MASS, HALF_WIDTH, HEIGHT, INERTIA, GRAVITY),
         coordinates=(ROTATION,),
         bodies=bodies,
         half_width=b,
@@ -52,10 +52,8 @@ def slender_block() -> RockingModel:
     Rotation, alpha and horizontal ground acceleration in g are small of first order. The
     restitution keeps the exact geometry (thesis 2-6), as Housner's does.
     """
-    mass = parameter("m", "mass", "kg", "mass")
     radius = parameter("R", "radius", "m", "distance of the centroid from either edge")
     alpha = parameter("alpha", "alpha", "rad", "angle of that line from the vertical")
-    inertia = parameter("I_g", "inertia", "kg m2", "moment of inertia about the centroid")
     r, a = radius.symbol, alpha.symbol
     theta = ROTATION.position
     half_width, height = r * sp.sin(a), r * sp.cos(a)
@@ -63,12 +61,12 @@ def slender_block() -> RockingModel:
 
     def bodies(pivot):
         centroid = turned((0, height), pivot, theta)
-        return [Body("block", mass.symbol, centroid, inertia.symbol, theta, outline=outline)]
+        return [Body("block", MASS.symbol, centroid, INERTIA.symbol, theta, outline=outline)]
 
     return rocking_structure(
         name="slender_block",
         title="Slender rigid block, linearised",
-        parameters=(mass, radius, alpha, inertia, GRAVITY),
+        parameters=(MASS, radius, alpha, INERTIA, GRAVITY),
         coordinates=(ROTATION,),
         bodies=bodies,
         half_width=half_width,

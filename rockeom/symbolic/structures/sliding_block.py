@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Rigid, feet
-from rockeom.symbolic.model import Body, parameter, rectangle, turned
+from rockeom.symbolic.model import Body, rectangle, turned
 from rockeom.symbolic.parts.superstructures import GRAVITY
 from rockeom.symbolic.parts.supports import FREE_ROTATION, FRICTION, RESTITUTION, X, Y
 from rockeom.symbolic.registry import shipped
-from rockeom.symbolic.structures.rigid_block import BLOCK
+from rockeom.symbolic.structures.rigid_block import BLOCK, HALF_WIDTH, HEIGHT, INERTIA, MASS
 
 
 @shipped(
@@ -24,12 +24,8 @@ def sliding_block(law: str = "newton") -> Model:
     rates. A restitution of 0 to 1 is the ratio of the rates of a foot's gap after and before it
     lands.
     """
-    mass = parameter("m", "mass", "kg", "mass")
-    half_width = parameter("B", "half_width", "m", "half of the width of the base")
-    height = parameter("H", "height", "m", "height of the centroid above the base")
-    inertia = parameter("I_g", "inertia", "kg m2", "moment of inertia about the centroid")
     x, y, theta = X.position, Y.position, FREE_ROTATION.position
-    b, h = half_width.symbol, height.symbol
+    b, h = HALF_WIDTH.symbol, HEIGHT.symbol
 
     def placed(point):
         """A point of the block, its base's centre at (x, y)."""
@@ -37,12 +33,12 @@ def sliding_block(law: str = "newton") -> Model:
         return x + across, y + up
 
     block = Body(
-        "block", mass.symbol, placed((0, h)), inertia.symbol, theta, outline=rectangle(b, h)
+        "block", MASS.symbol, placed((0, h)), INERTIA.symbol, theta, outline=rectangle(b, h)
     )
     return Model(
         name="sliding_block",
         title="Rigid block that slides, bounces and flies",
-        parameters=(mass, half_width, height, inertia, GRAVITY, FRICTION, RESTITUTION),
+        parameters=(MASS, HALF_WIDTH, HEIGHT, INERTIA, GRAVITY, FRICTION, RESTITUTION),
         coordinates=(X, Y, FREE_ROTATION),
         bodies=(block,),
         gravity=GRAVITY.symbol,

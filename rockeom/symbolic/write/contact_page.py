@@ -124,9 +124,9 @@ def _declared(of: ContactDeclaration, notation: Notation) -> list[Block]:
         blocks += [f"{law}; its gap $d$ and its place $u$ along the contact are", Display(lines)]
     if of.contacts and of.impact_law != "newton":
         blocks.append(f"Points that touch meet by {_LAWS[of.impact_law]}.")
-    for i, element in enumerate(of.switching):
+    for element in of.switching:
         force = _force(element.symbol_of_force, [element.name])
-        value = element.force(element.shown(switch_of(i)), of.coordinates)
+        value = element.force(sp.S.One, of.coordinates)  # while it acts
         blocks += [element.description(), Display((f"{force} = {notation.write(value)}",))]
     if of.forces:
         works = tuple(

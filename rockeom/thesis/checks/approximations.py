@@ -30,15 +30,7 @@ from rockeom.thesis.checks.engine import (
     residual,
     shipped,
 )
-from rockeom.thesis.comparison import (
-    ALPHA,
-    BLOCK,
-    PIER,
-    SCALED,
-    R,
-    in_engine_notation,
-    normal_form,
-)
+from rockeom.thesis.comparison import ALPHA, BLOCK, PIER, SCALED, R, in_engine_notation, normal_form
 from rockeom.thesis.equation import Equation, Relations
 
 s = sign(th.theta)

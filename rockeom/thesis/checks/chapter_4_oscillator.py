@@ -27,11 +27,7 @@ from rockeom.thesis.checks.wall import (
     turned,
 )
 from rockeom.thesis.equation import BOTH, Equation, Relations
-from rockeom.thesis.wall_tests import (
-    back_calculated_force,
-    energy_ratio_4_31,
-    harmonic_force,
-)
+from rockeom.thesis.wall_tests import back_calculated_force, energy_ratio_4_31, harmonic_force
 
 # --- 4-27 to 4-30: the equation of motion and its forces
 

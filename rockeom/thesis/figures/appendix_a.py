@@ -26,9 +26,7 @@ def draw_motion(run: str) -> Figure:
     top.plot(t, motion.acceleration(t), lw=0.6)
     top.set_ylabel(r"acceleration [m/s$^2$]")
     below.plot(t, 1e3 * motion.displacement(t), lw=0.9)
-    below.set_ylabel("displacement [mm]")
-    below.set_xlabel("time [s]")
-    below.set_xlim(0, t[-1])
+    below.set(ylabel="displacement [mm]", xlabel="time [s]", xlim=(0, t[-1]))
     figure.align_ylabels((top, below))
     return figure
 

@@ -63,8 +63,7 @@ def figure_2_6() -> Figure:
         bottom.axhline(level, color=style.INK, lw=0.8, ls=":")
     style.legend_above(top)
     top.set_ylabel(r"$\theta/\theta_{crit}$ [-]")
-    bottom.set_ylabel("$u/u_c$ [-]")
-    bottom.set_xlabel("time [s]")
+    bottom.set(ylabel="$u/u_c$ [-]", xlabel="time [s]")
     uplifted = uplifted_frequency(omega, half_width, height) / omega
     figure.suptitle(
         f"Free vibration of an uplifting oscillator; $u_c$ = {1e3 * u_c:.3f} mm, "
@@ -90,8 +89,7 @@ def figure_2_8() -> Figure:
     # the ground bears any moment up to that of the edge before the mat turns
     rigid = foundation.rigid_moment(rotation, weight, half_width)
     springs = foundation.two_spring_moment(rotation, weight, stiffness / 2, spacing)
-    figure = style.new_figure(6.0, 3.8)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.8)
     ax.set_prop_cycle(color=style.LINES)
     for moment, label in (
         (rigid, "rigid ground"),
@@ -106,10 +104,12 @@ def figure_2_8() -> Figure:
         "a spring is free", (first, 1 / math.sqrt(3)), xytext=(-6, 5), textcoords="offset points",
         ha="right",
     )  # fmt: skip
-    ax.set_xlabel(r"rotation $\theta/\theta_{up}$ [-]")
-    ax.set_ylabel("moment $M/(W b)$ [-]")
-    ax.set_xlim(0, 8)
-    ax.set_ylim(0, 1.1)
+    ax.set(
+        xlabel=r"rotation $\theta/\theta_{up}$ [-]",
+        ylabel="moment $M/(W b)$ [-]",
+        xlim=(0, 8),
+        ylim=(0, 1.1),
+    )
     ax.legend(loc="lower right")
     return figure
 
@@ -125,14 +125,12 @@ def gaussian(x, n):
 @thesis_figure(Source.COMPUTED)
 def figure_2_15() -> Figure:
     """The Gaussian that becomes Dirac's delta; the text does not say for which n it is drawn."""
-    figure = style.new_figure(5.6, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.6, 3.4)
     ax.set_prop_cycle(color=style.LINES)
     x = np.linspace(-2.0, 2.0, 2001)
     for n in (1.0, 0.5, 0.2, 0.1):
         ax.plot(x, gaussian(x, n), label=f"$n$ = {n:g}")
-    ax.set_xlabel("$x$ [-]")
-    ax.set_ylabel(r"$\delta_n(x)$ [-]")
+    ax.set(xlabel="$x$ [-]", ylabel=r"$\delta_n(x)$ [-]")
     ax.legend()
     return figure
 
@@ -192,8 +190,7 @@ def figure_2_16() -> Figure:
         ax.plot(
             spread.t, smooth, "--", label=r"Dirac-$\delta$, $n = 10^{-3}$", color=style.LINES[1]
         )
-        ax.set_ylabel(name)
-        ax.set_xlim(0, 8)
+        ax.set(ylabel=name, xlim=(0, 8))
     axes[2].set_yscale("symlog", linthresh=1.0)
     axes[2].set_yticks([-10, -1, 0, 1, 10], ["-10", "-1", "0", "1", "10"])
     axes[2].set_xlabel(r"scaled time $\tau$ [-]")
@@ -206,8 +203,7 @@ def figure_2_16() -> Figure:
     for i, error in enumerate(errors.T):
         ax.loglog(widths, error, "o-", ms=3.5, color=style.LINES[i], label=f"peak {i + 1}")
     ax.loglog(widths, widths, ":", color=style.INK, label="$n$")
-    ax.set_xlabel("$n$ [-]")
-    ax.set_ylabel("error of the peaks after an impact [-]")
+    ax.set(xlabel="$n$ [-]", ylabel="error of the peaks after an impact [-]")
     ax.legend()
     return figure
 
@@ -215,16 +211,13 @@ def figure_2_16() -> Figure:
 @thesis_figure(Source.COMPUTED)
 def figure_2_17() -> Figure:
     """The effect of n on the same motion; the text does not say for which three n it is drawn."""
-    figure = style.new_figure(7.2, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     for n in (1e-1, 1e-2, 1e-3):
         run = released(n)
         ax.plot(run.t, run["x"], label=f"$n$ = {n:g}")
     sudden = released_with_impacts()
     ax.plot(sudden.t, sudden["theta"] / math.atan(1 / 3), ":", color=style.INK, label="piecewise")
-    ax.set_xlim(0, 8)
-    ax.set_xlabel(r"scaled time $\tau$ [-]")
-    ax.set_ylabel("$x$ [-]")
+    ax.set(xlim=(0, 8), xlabel=r"scaled time $\tau$ [-]", ylabel="$x$ [-]")
     style.legend_above(ax)
     return figure

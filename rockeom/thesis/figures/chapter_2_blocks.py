@@ -40,8 +40,7 @@ def figure_2_2() -> Figure:
     """Restitution of blocks of different slenderness: 2-6 and the measured values of Table 2-1."""
     ratio, measured = (np.array(TABLE_2_1.numbers(name)) for name in ("H/B", "measured r"))
     slender = np.linspace(1.8, 9.0, 200)
-    figure = style.new_figure(5.6, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.6, 3.6)
     ax.plot(slender, energy_ratio_of_block(np.arctan(1 / slender)), color=style.INK, label="2-6")
     sources = (
         "Ogawa (1977)",
@@ -53,10 +52,12 @@ def figure_2_2() -> Figure:
         sources, ([0, 1, 2], [3, 6, 7], [4], [5]), "os^D", style.LINES, strict=False
     ):
         ax.plot(ratio[rows], measured[rows], mark, color=color, ms=5, label=source)
-    ax.set_xlabel("slenderness $H/B$ [-]")
-    ax.set_ylabel("energy ratio $r$ [-]")
-    ax.set_xlim(1.8, 9.0)
-    ax.set_ylim(0.35, 1.0)
+    ax.set(
+        xlabel="slenderness $H/B$ [-]",
+        ylabel="energy ratio $r$ [-]",
+        xlim=(1.8, 9.0),
+        ylim=(0.35, 1.0),
+    )
     ax.legend(loc="lower right")
     return figure
 
@@ -80,9 +81,9 @@ def free_portrait(start: float, law: rk.EnergyRatio, duration: float) -> rk.Resp
 def bare_portrait(ax: Axes, reach: float) -> None:
     ax.axhline(0, color=style.INK, lw=0.6)
     ax.axvline(0, color=style.INK, lw=0.6)
-    ax.set_xlabel(r"rotation $x=\theta/\alpha$ [-]")
-    ax.set_ylabel(r"rate $\dot x$ [-]")
-    ax.set_xlim(-reach, reach)
+    ax.set(
+        xlabel=r"rotation $x=\theta/\alpha$ [-]", ylabel=r"rate $\dot x$ [-]", xlim=(-reach, reach)
+    )
 
 
 def arrow(ax: Axes, x: np.ndarray, y: np.ndarray, at: int, color: str) -> None:
@@ -100,8 +101,7 @@ def figure_2_9() -> Figure:
     rotations of the thesis are not stated: here they are 0.2 to 0.95 of alpha, and the balance,
     which bounds them (dashed).
     """
-    figure = style.new_figure(5.0, 4.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.0, 4.2)
     for start, color in zip((0.2, 0.4, 0.6, 0.8, 0.95), style.LINES, strict=False):
         x = start * np.cos(np.linspace(0.0, np.pi, 801))  # closer together where it turns
         rate = -np.sqrt(np.maximum((1 - np.abs(x)) ** 2 - (1 - start) ** 2, 0.0))
@@ -128,8 +128,7 @@ def figure_2_10() -> Figure:
     """
     run = released_inside_balance()
     x, rate = run["theta"] / UNIT.alpha, run["theta_dot"] / UNIT.alpha
-    figure = style.new_figure(5.0, 4.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.0, 4.2)
     ax.plot(x, rate, color=style.LINES[0], lw=0.9)
     arrow(ax, x, rate, int(np.argmax(x < 0.5)), style.LINES[0])
     crossings = run.impacts[:6]
@@ -282,8 +281,7 @@ def figure_2_12() -> Figure:
     Where one leaves another a multiplier is -1. These beta are found to 1e-8; where they pile up
     follows from the last two and Feigenbaum's constant.
     """
-    figure = style.new_figure(6.6, 4.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.6, 4.4)
     for beta in AMPLITUDES:
         draw_settled(ax, float(beta))
     for branch in branches(doublings=3):
@@ -292,9 +290,9 @@ def figure_2_12() -> Figure:
         draw_branch(ax, branch, np.where(turned[:, None], -speeds, speeds))
     for one in cascade().bifurcations[1:]:
         ax.axvline(one.value, color=style.INK, lw=0.5, ls=":")
-    ax.set_xlabel(r"amplitude $\beta$ [-]")
-    ax.set_ylabel(r"rate when upright $\dot x$ [-]")
-    ax.set_xlim(3.0, 3.26)
+    ax.set(
+        xlabel=r"amplitude $\beta$ [-]", ylabel=r"rate when upright $\dot x$ [-]", xlim=(3.0, 3.26)
+    )
     ax.plot([], [], ".", color=style.INK, ms=4, label="settled")
     ax.plot([], [], **STABLE, label="stable orbit")
     ax.plot([], [], **UNSTABLE, label="unstable orbit")
@@ -326,10 +324,12 @@ def draw_rotations(
         fell = run.outcome == "overturned"
         ax.plot(run.t, ratio, color=color, ls="--" if fell else "-",
                 label=f"{label}{', overturns' if fell else ''}")  # fmt: skip
-    ax.set_xlim(0, until)
-    ax.set_ylim(-reach, reach)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel(r"rotation $\theta/\alpha$ [-]")
+    ax.set(
+        xlim=(0, until),
+        ylim=(-reach, reach),
+        xlabel="time [s]",
+        ylabel=r"rotation $\theta/\alpha$ [-]",
+    )
     ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
 
 

@@ -204,8 +204,7 @@ def figure_2_22() -> Figure:
     band is of 0.3 (upper edge) to 0.5, an unsourced range, with k_p/k_i = 0.05.
     """
     mu = np.linspace(1.0, 8.0, 281)
-    figure = style.new_figure(5.8, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.8, 3.6)
     for name, color in (("bilinear", style.LINES[0]), ("flag", style.LINES[2])):
         ax.plot(mu, 100 * RULES[name].damping(mu), color=color, label=name)
     edges = [design.TakedaRule(1.0, 1.0, HARDENING, exponent).damping(mu) for exponent in EXPONENTS]
@@ -213,10 +212,12 @@ def figure_2_22() -> Figure:
         mu, 100 * edges[0], 100 * edges[1], color=style.LINES[1], alpha=0.5, lw=0,
         label=rf"Takeda, $\alpha_T$ = {EXPONENTS[0]:g} to {EXPONENTS[1]:g}",
     )  # fmt: skip
-    ax.set_xlabel(r"ductility $\mu$ [-]")
-    ax.set_ylabel(r"damping ratio $\xi_{hyst}$ [%]")
-    ax.set_xlim(1, 8)
-    ax.set_ylim(0, 30)
+    ax.set(
+        xlabel=r"ductility $\mu$ [-]",
+        ylabel=r"damping ratio $\xi_{hyst}$ [%]",
+        xlim=(1, 8),
+        ylim=(0, 30),
+    )
     ax.legend(loc="upper left", ncols=2)
     return figure
 
@@ -232,15 +233,16 @@ def period_terms() -> tuple[np.ndarray, dict[str, np.ndarray]]:
 def figure_2_23() -> Figure:
     """How the damping of 2-33 depends on the period: its term 1 + (T_e + c)**-d, Table 2-4."""
     period, terms = period_terms()
-    figure = style.new_figure(6.4, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.4, 3.6)
     lines = ("-", "--", "-.", ":", "-", "--")
     for (name, term), color, line in zip(terms.items(), style.LINES, lines, strict=True):
         ax.plot(period, term, line, color=color, label=name.replace("_", " "))
     ax.axhline(1.1, color=style.INK, lw=0.6, ls=":")
-    ax.set_xlabel("effective period $T_e$ [s]")
-    ax.set_ylabel(r"$1 + (T_e + c)^{-d}$ [-]")
-    ax.set_xlim(0, 4)
-    ax.set_ylim(0.9, 3.0)
+    ax.set(
+        xlabel="effective period $T_e$ [s]",
+        ylabel=r"$1 + (T_e + c)^{-d}$ [-]",
+        xlim=(0, 4),
+        ylim=(0.9, 3.0),
+    )
     ax.legend(loc="upper right", ncols=2)
     return figure

@@ -162,16 +162,13 @@ def figure_3_3() -> Figure:
     _, rotation = points()
     run = rocking(BLOCK, float(rotation[0]), 3.2)
     late = release_delay()
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     left, right = (feet()[f] for f in ("left", "right"))
     label = f"simulated, r = {left:.2f} and {right:.2f} (left, right foot lands)"
     held = np.append(rotation[0], run["theta"])
     ax.plot(np.append(0.0, run.t + late), np.degrees(held), label=label)
     mark_points(ax)
-    ax.set_xlim(0, 3.2)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel(r"rotation $\theta$ [deg]")
+    ax.set(xlim=(0, 3.2), xlabel="time [s]", ylabel=r"rotation $\theta$ [deg]")
     style.legend_above(ax)
     return figure
 
@@ -209,9 +206,7 @@ def figure_3_4() -> Figure:
         "threshold", (1.0, 250), (4, 0), xycoords=("axes fraction", "data"),
         textcoords="offset points", va="center",
     )  # fmt: skip
-    score.set_ylabel("score [-]")
-    score.set_xlabel("time [s]")
-    score.set_xlim(0, 5)
+    score.set(ylabel="score [-]", xlabel="time [s]", xlim=(0, 5))
     return figure
 
 
@@ -227,8 +222,7 @@ def figure_3_5() -> Figure:
     peaks = np.abs(np.where(rotation[:-1] != 0, rotation[:-1], rotation[1:]))
     p, alpha = BLOCK.frequency_parameter, BLOCK.alpha
     x = np.linspace(0.0, 0.8, 200)
-    figure = style.new_figure(6.2, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.2, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     ax.plot(x, formulas.quarter_period(x, p), label="2-5, slender")
     ax.fill_between(
@@ -241,10 +235,12 @@ def figure_3_5() -> Figure:
             peaks[first::2] / alpha, quarters[first::2], mark, color=style.INK, mfc="white",
             mew=0.9, ms=4, label=f"Figure 3-3, {label}",
         )  # fmt: skip
-    ax.set_xlabel(r"peak rotation $|\theta_0|/\alpha$ [-]")
-    ax.set_ylabel("quarter period [s]")
-    ax.set_xlim(0, 0.8)
-    ax.set_ylim(0, 0.6)
+    ax.set(
+        xlabel=r"peak rotation $|\theta_0|/\alpha$ [-]",
+        ylabel="quarter period [s]",
+        xlim=(0, 0.8),
+        ylim=(0, 0.6),
+    )
     ax.legend(loc="upper left")
     return figure
 
@@ -259,8 +255,7 @@ def figure_3_6() -> Figure:
     """
     time, rotation = points()
     late = release_delay()
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     for ratio, line in ((PRINTED_HOUSNER, "-"), (0.88 * PRINTED_HOUSNER, "--")):
         run = housner(ratio, 14.0)
         label = f"simulated, r = {ratio:.3f}"
@@ -270,9 +265,7 @@ def figure_3_6() -> Figure:
         moved, np.degrees(rotation), "o", color=style.INK, mfc="white", mew=0.9, ms=4,
         label="Figure 3-3, measured",
     )  # fmt: skip
-    ax.set_xlim(0, 6)
-    ax.set_xlabel("time after the release [s]")
-    ax.set_ylabel(r"rotation $\theta$ [deg]")
+    ax.set(xlim=(0, 6), xlabel="time after the release [s]", ylabel=r"rotation $\theta$ [deg]")
     style.legend_above(ax)
     return figure
 
@@ -315,9 +308,7 @@ def draw_energies(
 ) -> None:
     for label, energy, line in curves:
         ax.plot(time, energy, label=label, **line)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel("energy [J]")
-    ax.set_ylim(0, None)
+    ax.set(xlabel="time [s]", ylabel="energy [J]", ylim=(0, None))
 
 
 POTENTIAL = {"color": style.LINES[0], "lw": 0.9}
@@ -335,8 +326,7 @@ def figure_3_8() -> Figure:
     upright = BLOCK.energies({}, mode="both")["gravitational_energy"]
     end = run.t <= run.impacts[1].time + 0.4
     potential, kinetic = run["gravitational_energy"] - upright, run["kinetic_energy"]
-    figure = style.new_figure(7.0, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.0, 3.2)
     draw_energies(
         ax,
         run.t[end],
@@ -377,8 +367,7 @@ def figure_3_9() -> Figure:
     """
     derived, energies = energies_in_kind()
     end = derived.time < 3
-    figure = style.new_figure(7.0, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.0, 3.4)
     draw_energies(
         ax,
         derived.time[end],
@@ -405,8 +394,7 @@ def figure_3_10() -> Figure:
     fit = identification.fitted_rotational_spring(derived, BLOCK, count=5)
     stored = formulas.spring_energy(derived["theta"], fit.stiffness)
     end = derived.time < 3
-    figure = style.new_figure(7.0, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.0, 3.4)
     draw_energies(
         ax,
         derived.time[end],

@@ -40,8 +40,7 @@ def draw_forces(
     weight = BLOCK.mass * BLOCK.gravity / 1e3
     axes[1].axhline(weight, color=style.INK, ls="--", lw=0.8, label="weight")
     axes[1].legend(loc="lower right")
-    axes[1].set_xlabel("time [s]")
-    axes[1].set_xlim(0, until)
+    axes[1].set(xlabel="time [s]", xlim=(0, until))
     figure.align_ylabels(axes)
     return figure
 
@@ -198,8 +197,7 @@ def figure_3_16() -> Figure:
                 forces.speed[one], y[one], mark, ms=4, color=style.FEET[foot],
                 label=f"{foot} foot lands",
             )  # fmt: skip
-    axes[0].set_ylabel("magnitude [kN]")
-    axes[0].set_ylim(0, None)
+    axes[0].set(ylabel="magnitude [kN]", ylim=(0, None))
     axes[1].set_ylabel("angle from the vertical [deg]")
     for ax in axes:
         ax.set_xlabel(r"speed $\dot\theta$ before the impact [rad/s]")

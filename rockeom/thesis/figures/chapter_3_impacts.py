@@ -63,9 +63,7 @@ def figure_3_17() -> Figure:
                         mfc="none" if line == "--" else style.FEET[foot],
                         label=f"{foot} foot lands" if line == "-" else None)  # fmt: skip
         ax.set_title(f"released at {release:g} degrees", fontsize=9)
-        ax.set_xlabel("time [s]")
-        ax.set_ylabel("total energy [J]")
-        ax.set_ylim(0, None)
+        ax.set(xlabel="time [s]", ylabel="total energy [J]", ylim=(0, None))
     handles, labels = figure.axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=4)
     return figure
@@ -112,8 +110,7 @@ def figure_3_18() -> Figure:
         mark_housner(ax)
         ax.set_title(title, fontsize=9)
         ax.set_xlabel(r"peak before the impact $\theta_{peak}$ [deg]")
-    figure.axes[0].set_ylabel("energy ratio $r$ [-]")
-    figure.axes[0].set_ylim(0.6, 1.1)
+    figure.axes[0].set(ylabel="energy ratio $r$ [-]", ylim=(0.6, 1.1))
     figure.axes[1].legend(loc="lower center")
     return figure
 
@@ -122,8 +119,7 @@ def figure_3_18() -> Figure:
 def figure_3_19() -> Figure:
     """Frequency of r in classes of 0.01, of the impacts above 6 J of the runs in kind."""
     impacts = filtered()
-    figure = style.new_figure(5.8, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.8, 3.2)
     edges, _ = impacts.histogram()
     counts = {
         foot: np.histogram(impacts.at_foot(foot).energy_ratio, edges)[0]
@@ -135,8 +131,7 @@ def figure_3_19() -> Figure:
                edgecolor="white", lw=0.5, label=f"{foot} foot lands")  # fmt: skip
         below += count
     mark_housner(ax, vertical=True)
-    ax.set_xlabel("energy ratio $r$ [-]")
-    ax.set_ylabel("number of impacts [-]")
+    ax.set(xlabel="energy ratio $r$ [-]", ylabel="number of impacts [-]")
     ax.legend()
     return figure
 
@@ -145,14 +140,11 @@ def figure_3_19() -> Figure:
 def figure_3_20() -> Figure:
     """Cumulative frequency of r of the impacts above 6 J of the runs in kind."""
     r, part = filtered().cumulative()
-    figure = style.new_figure(5.8, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.8, 3.2)
     ax.step(np.append(r[0], r), np.append(0.0, 100 * part), where="post", color=style.LINES[0])
     mark_housner(ax, vertical=True)
     ax.axvline(float(r.mean()), color=style.LINES[1], lw=0.8, ls=":", label=f"mean, {r.mean():.3f}")
-    ax.set_xlabel("energy ratio $r$ [-]")
-    ax.set_ylabel("impacts with no more [%]")
-    ax.set_ylim(0, 101)
+    ax.set(xlabel="energy ratio $r$ [-]", ylabel="impacts with no more [%]", ylim=(0, 101))
     ax.legend()
     return figure
 
@@ -167,15 +159,16 @@ def filtered() -> Impacts:
 def figure_3_21() -> Figure:
     """r against the speed at the impact: runs in kind, and the printed points of Figure 3-3."""
     impacts, printed = filtered(), measured_impacts()
-    figure = style.new_figure(5.8, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.8, 3.4)
     draw_by_foot(ax, impacts, impacts.speed, impacts.energy_ratio)
     ax.plot(printed.speed, printed.energy_ratio, "o", color=style.INK, mfc="white", mew=0.9, ms=5,
             label="Figure 3-3, measured")  # fmt: skip
     mark_housner(ax)
-    ax.set_xlabel(r"speed $\dot\theta$ at the impact [rad/s]")
-    ax.set_ylabel("energy ratio $r$ [-]")
-    ax.set_ylim(0.6, 1.05)
+    ax.set(
+        xlabel=r"speed $\dot\theta$ at the impact [rad/s]",
+        ylabel="energy ratio $r$ [-]",
+        ylim=(0.6, 1.05),
+    )
     ax.legend(loc="lower center", ncols=2)
     return figure
 
@@ -196,8 +189,7 @@ def figure_3_22() -> Figure:
     """
     speed = np.linspace(-1.0, 1.0, 401)
     impacts = measured_impacts()
-    figure = style.new_figure(6.4, 3.8)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.4, 3.8)
     ax.plot(speed, fitted_change("3-17", speed), label="3-17, all impacts")
     right = speed[speed > 0]
     ax.plot(right, fitted_change("3-18", right), "--", label="3-18, right edge")
@@ -207,9 +199,11 @@ def figure_3_22() -> Figure:
         impacts.speed, impacts.energy_change, "o", color=style.INK, mfc="white", mew=0.9, ms=4.5,
         label="Figure 3-3, measured",
     )  # fmt: skip
-    ax.set_xlabel(r"speed $\dot\theta$ at the impact [rad/s]")
-    ax.set_ylabel(r"change of energy $\Delta E$ [J]")
-    ax.set_ylim(-10, 0.5)
+    ax.set(
+        xlabel=r"speed $\dot\theta$ at the impact [rad/s]",
+        ylabel=r"change of energy $\Delta E$ [J]",
+        ylim=(-10, 0.5),
+    )
     ax.legend(loc="lower right")
     return figure
 
@@ -243,7 +237,6 @@ def figure_3_23() -> Figure:
         strict=True,
     ):
         draw_by_foot(ax, impacts, force / 1e3, values)
-        ax.set_xlabel("magnitude of the impact force [kN]")
-        ax.set_ylabel(label)
+        ax.set(xlabel="magnitude of the impact force [kN]", ylabel=label)
     figure.axes[1].legend(loc="center right")
     return figure

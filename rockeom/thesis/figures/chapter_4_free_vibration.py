@@ -16,12 +16,7 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
-from rockeom.thesis.figures.chapter_4_wall import (
-    GAUGE,
-    MM,
-    draw_measured,
-    legible,
-)
+from rockeom.thesis.figures.chapter_4_wall import GAUGE, MM, draw_measured, legible, quarters
 from rockeom.thesis.figures.drawn import Source, thesis_figure
 from rockeom.thesis.free_vibration_table import PEAKS, WALL
 from rockeom.thesis.printed import FIGURE_4_29
@@ -92,9 +87,7 @@ def figure_4_11() -> Figure:
     centre.plot(measured.time[peak], x[peak] * MM, "o", color=style.LINES[2], ms=3.5)
     centre.axhline((WALL.half_width + GAUGE) * MM, color=style.INK, lw=0.6, ls=":")
     centre.annotate("centreline", (0.02, (WALL.half_width + GAUGE) * MM - 45), fontsize=7.5)
-    centre.set_ylabel("centre from\nthe gauge [mm]")
-    centre.set_ylim(0, 620)
-    centre.set_xlabel("time [s]")
+    centre.set(ylabel="centre from\nthe gauge [mm]", ylim=(0, 620), xlabel="time [s]")
     figure.align_ylabels((top, uplifts, centre))
     return figure
 
@@ -107,12 +100,10 @@ def figure_4_12() -> Figure:
     wall slid. Crosses are rows of which a number had to be guessed.
     """
     measured, chosen = identification.FreeVibration.table_a1(), legible()
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     ax.axhline(0.0, color=style.INK, lw=0.6)
     draw_marked(ax, measured.time, measured.displacement * MM, measured.at_peak, chosen)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel(r"displacement $\Delta$ [mm]")
+    ax.set(xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     ax.legend()
     return figure
 
@@ -127,15 +118,6 @@ def draw_marked(
         (~chosen, "x", style.INK, "guessed"),
     ):
         ax.plot(x[rows], y[rows], mark, color=style.INK, mfc=face, ms=4, mew=0.8, label=label)
-
-
-@cache
-def quarters() -> tuple[np.ndarray, np.ndarray]:
-    """Peaks [m] and the quarter periods after them [s], (19,), of the legible rows."""
-    measured = identification.FreeVibration.table_a1()
-    starts = np.flatnonzero(measured.at_peak[:-1])
-    starts = starts[legible()[starts] & legible()[starts + 1]]
-    return measured.displacement[starts], np.diff(measured.time)[starts]
 
 
 @cache
@@ -163,17 +145,18 @@ def figure_4_13() -> Figure:
     spread = np.sqrt(np.einsum("ni,ij,nj->n", slopes, fit.covariance, slopes))
     reach = (fit.interval("c")[1] - fit.values["c"]) / fit.standard_error["c"]
 
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     band: dict[str, Any] = {"color": style.LINES[1], "alpha": 0.15, "lw": 0}
     ax.fill_between(d * MM, fitted - reach * spread, fitted + reach * spread, **band)
     ax.plot(d * MM, quarter_period_fit(d), color=style.LINES[0], label="4-5")
     ax.plot(d * MM, fitted, "--", color=style.LINES[1], label="fitted again, 95 % band")
     draw_sides(ax, peak, time)
-    ax.set_xlabel(r"peak displacement $|\Delta_0|$ [mm]")
-    ax.set_ylabel("quarter period [s]")
-    ax.set_xlim(0, 33)
-    ax.set_ylim(0, 0.08)
+    ax.set(
+        xlabel=r"peak displacement $|\Delta_0|$ [mm]",
+        ylabel="quarter period [s]",
+        xlim=(0, 33),
+        ylim=(0, 0.08),
+    )
     ax.legend(loc="lower right")
     return figure
 
@@ -211,8 +194,7 @@ def draw_uplifts_and_force(close: bool) -> Figure:
     if close:
         right.set_ylim(74.5, 86)
     for ax in (left, right):
-        ax.set_xlim(-far * MM, far * MM)
-        ax.set_xlabel(r"displacement $\Delta$ [mm]")
+        ax.set(xlim=(-far * MM, far * MM), xlabel=r"displacement $\Delta$ [mm]")
     left.axhline(0.0, color=style.INK, lw=0.6)
     left.set_ylabel("uplift $u'$ [mm]")
     right.set_ylabel("tendon force $P$ [kN]")
@@ -253,13 +235,14 @@ def figure_4_22b() -> Figure:
     I_o is B-9 with the added masses where they are, (d - B)^2; R from the centre to the centroid.
     """
     b, ratio = inertia_over_radius()
-    figure = style.new_figure(5.0, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.0, 3.2)
     ax.plot(b * MM, ratio, color=style.LINES[0])
     ax.axhline(ratio[-1], color=style.INK, lw=0.6, ls=":")
-    ax.set_xlabel("rotation centre from the centreline $b$ [mm]")
-    ax.set_ylabel("$I_o/R$ [kg m]")
-    ax.set_ylim(0.95 * ratio.min(), 1.05 * ratio.max())
+    ax.set(
+        xlabel="rotation centre from the centreline $b$ [mm]",
+        ylabel="$I_o/R$ [kg m]",
+        ylim=(0.95 * ratio.min(), 1.05 * ratio.max()),
+    )
     return figure
 
 
@@ -270,9 +253,9 @@ def draw_speeds(ax: Axes) -> None:
     """Speed against displacement at the rows of Table A-1."""
     measured, chosen = identification.FreeVibration.table_a1(), legible()
     draw_marked(ax, measured.displacement * MM, np.abs(measured.velocity), measured.at_peak, chosen)
-    ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    ax.set_ylabel(r"speed $|\dot\Delta|$ [m/s]")
-    ax.set_ylim(0, None)
+    ax.set(
+        xlabel=r"displacement $\Delta$ [mm]", ylabel=r"speed $|\dot\Delta|$ [m/s]", ylim=(0, None)
+    )
 
 
 @thesis_figure(Source.PRINTED)
@@ -283,13 +266,11 @@ def figure_4_25() -> Figure:
     has no steps of speed, as the thesis says, its peaks and crossings cannot show.
     """
     measured, chosen = identification.FreeVibration.table_a1(), legible()
-    figure = style.new_figure(5.4, 4.0)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.4, 4.0)
     ax.axhline(0.0, color=style.INK, lw=0.6)
     ax.axvline(0.0, color=style.INK, lw=0.6)
     draw_marked(ax, measured.displacement * MM, measured.velocity, measured.at_peak, chosen)
-    ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    ax.set_ylabel(r"velocity $\dot\Delta$ [m/s]")
+    ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel=r"velocity $\dot\Delta$ [m/s]")
     for n, (d, speed) in enumerate(paths_without_losses()):
         label = "without losses, 4-23" if n == 0 else None
         ax.plot(d * MM, -np.sign(d[0]) * speed, ":", color=style.LINES[1], lw=0.9, label=label)
@@ -315,8 +296,7 @@ def figure_4_26() -> Figure:
     Dotted is the motion without losses from each of the first five peaks to upright, 4-23, above
     which no point can lie.
     """
-    figure = style.new_figure(6.4, 3.8)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.4, 3.8)
     draw_speeds(ax)
     for n, (d, speed) in enumerate(paths_without_losses()):
         label = "without losses, 4-23" if n == 0 else None
@@ -350,8 +330,7 @@ def figure_4_27() -> Figure:
     quarter of each peak with the speed that the wall has there without losses; both equations are
     missing from the text and follow its words. Dotted are the 4 mm of the text.
     """
-    figure = style.new_figure(6.4, 3.8)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.4, 3.8)
     draw_boundary(ax)
     draw_speeds(ax)
     for side in (-4, 4):
@@ -370,8 +349,7 @@ def figure_4_28() -> Figure:
     measured = identification.FreeVibration.table_a1()
     energies = measured.energies(WALL)
     n = 13
-    figure = style.new_figure(6.6, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.6, 3.6)
     for values, label, color in (
         (energies.total, "total", style.INK),
         (energies.elastic, "tendon $U_E$", style.LINES[0]),
@@ -379,9 +357,7 @@ def figure_4_28() -> Figure:
         (energies.gravity, "gravity $U$", style.LINES[2]),
     ):
         ax.plot(measured.time[:n], values[:n], "o-", ms=3.5, lw=0.9, color=color, label=label)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel("energy [J]")
-    ax.set_ylim(0, 700)
+    ax.set(xlabel="time [s]", ylabel="energy [J]", ylim=(0, 700))
     ax.legend(loc="upper right", ncols=4)
     return figure
 
@@ -408,9 +384,7 @@ def figure_4_29() -> Figure:
         ms=6,
         label="printed",
     )
-    bottom.set_xlabel("time [s]")
-    bottom.set_ylabel("total energy [J]")
-    bottom.set_ylim(0, None)
+    bottom.set(xlabel="time [s]", ylabel="total energy [J]", ylim=(0, None))
     bottom.legend()
     return figure
 
@@ -449,9 +423,7 @@ def draw_ratios(low: float, high: float) -> Figure:
         ax.set_xlim(0, None)
     left.plot([], [], color=style.INK, lw=0.8, ls=":", label=f"2-6: {HOUSNER:.3f}")
     left.legend(loc="lower right", fontsize=7.5)
-    left.set_ylim(low, high)
-    left.set_ylabel("energy ratio $r$ [-]")
-    left.set_xlabel(r"peak before $|\Delta|$ [mm]")
+    left.set(ylim=(low, high), ylabel="energy ratio $r$ [-]", xlabel=r"peak before $|\Delta|$ [mm]")
     right.set_xlabel(r"speed at the crossing $|\dot\Delta|$ [m/s]")
     style.legend_above(right)
     return figure
@@ -482,13 +454,12 @@ def figure_4_34() -> Figure:
     """
     measured, chosen = identification.FreeVibration.table_a1(), legible()
     rows = ~measured.at_peak & chosen
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     draw_boundary(ax)
     size, speed = measured.displacement[rows], np.abs(measured.velocity[rows])
     ax.plot(size * MM, speed, "o", color=style.INK, mfc="white", ms=4, label="crossings, Table A-1")
-    ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    ax.set_ylabel(r"speed $|\dot\Delta|$ [m/s]")
-    ax.set_ylim(0, 1.0)
+    ax.set(
+        xlabel=r"displacement $\Delta$ [mm]", ylabel=r"speed $|\dot\Delta|$ [m/s]", ylim=(0, 1.0)
+    )
     ax.legend(loc="lower right", fontsize=7.5)
     return figure

@@ -52,9 +52,7 @@ def draw_run(ax: Axes, run: str, start: float, end: float) -> None:
     ax.plot(t, displacement(oscillator_run(run), t) * MM, lw=0.9, label="SDOF, 4-27")
     ax.plot(t, displacement(substitute_run(run), t) * MM, lw=0.9, label="MHSG, 4-40")
     ax.axhline(peak, color=style.INK, lw=0.9, ls=":", label="measured peak")
-    ax.set_xlim(start, end)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel(r"displacement $\Delta$ [mm]")
+    ax.set(xlim=(start, end), xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     style.legend_above(ax)
 
 
@@ -105,16 +103,13 @@ def figure_4_79() -> Figure:
     in place of the caption's 0.852. The measured trace is lost; its largest displacement is the
     dotted line.
     """
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     t = np.arange(0.0, 15.0, 2e-3)
     run = shaken.oscillator_run("9", 0.852)
     ax.plot(t, displacement(run, t) * MM, lw=0.9, label="SDOF, 4-27")
     measured = measured_peak("9") * MM
     ax.axhline(measured, color=style.INK, lw=0.9, ls=":", label="measured peak")
-    ax.set_xlim(0, 15)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel(r"displacement $\Delta$ [mm]")
+    ax.set(xlim=(0, 15), xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     style.legend_above(ax)
     return figure
 
@@ -150,8 +145,7 @@ def draw_history(run: str, response: Response) -> Figure:
         ax.plot(t, y * unit, lw=0.8, color=style.LINES[0], label="simulated")
         ax.axhline(peak * unit, color=style.INK, lw=0.9, ls=":", label="measured peak")
         ax.set_ylabel(name)
-    axes[-1].set_xlabel("time [s]")
-    axes[-1].set_xlim(0, t[-1])
+    axes[-1].set(xlabel="time [s]", xlim=(0, t[-1]))
     style.legend_above(axes[0])
     figure.align_ylabels(axes)
     return figure

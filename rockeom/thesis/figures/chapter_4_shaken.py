@@ -21,11 +21,7 @@ import rockeom as rk
 from rockeom.analysis import design, dynamics, formulas
 from rockeom.plots import style
 from rockeom.thesis.figures.chapter_2_blocks import draw_branch
-from rockeom.thesis.figures.chapter_4_wall import (
-    MM,
-    overview_and_origin,
-    symmetric,
-)
+from rockeom.thesis.figures.chapter_4_wall import MM, overview_and_origin, symmetric
 from rockeom.thesis.figures.drawn import Source, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.shaken import oscillator_of, wall_motion
@@ -151,9 +147,7 @@ def figure_4_70() -> Figure:
         run = responses[name]
         left.plot(run.time, run.displacement * MM, color=color, lw=width, label=name)
     left.axhline(MEASURED_PEAK * MM, color=style.INK, lw=0.8, ls=":", label="measured peak")
-    left.set_xlim(0, SHAKEN)
-    left.set_xlabel("time [s]")
-    left.set_ylabel(r"displacement $\Delta$ [mm]")
+    left.set(xlim=(0, SHAKEN), xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     style.legend_above(left)
     peaks = {name: float(run.peak) * MM for name, run in responses.items()}
     places = np.arange(len(peaks))[::-1]
@@ -198,15 +192,15 @@ def figure_4_71() -> Figure:
     left.annotate(
         "r = 0.852", (0.852, reference * MM), (-20, 14), textcoords="offset points", fontsize=8
     )
-    left.set_xlabel("energy ratio $r$ [-]")
-    left.set_ylabel(r"largest $|\Delta|$ [mm]")
-    left.set_ylim(0, None)
+    left.set(xlabel="energy ratio $r$ [-]", ylabel=r"largest $|\Delta|$ [mm]", ylim=(0, None))
     over = np.sort(peaks) / reference
     right.step(over, 1 - np.arange(len(over)) / len(over), color=style.LINES[0], where="pre")
     right.axvline(1.0, color=style.LINES[1], lw=0.9)
-    right.set_xlabel("ratio to the peak at r = 0.852 [-]")
-    right.set_ylabel("part of the analyses at or above [-]")
-    right.set_ylim(0, 1.02)
+    right.set(
+        xlabel="ratio to the peak at r = 0.852 [-]",
+        ylabel="part of the analyses at or above [-]",
+        ylim=(0, 1.02),
+    )
     return figure
 
 
@@ -315,7 +309,6 @@ def figure_4_73() -> Figure:
     sought.set_title("4.553 Hz, sought", fontsize=9)
     for ax, reach in ((stated, 0.6), (sought, 0.3)):
         ax.axvline(6.03, color=style.INK, lw=0.6, ls=":")
-        ax.set_xlabel("amplitude $Z$ [m/s$^2$]")
-        ax.set_ylim(-reach, reach)
+        ax.set(xlabel="amplitude $Z$ [m/s$^2$]", ylim=(-reach, reach))
     stated.set_ylabel(r"velocity when upright $\dot\Delta$ [m/s]")
     return figure

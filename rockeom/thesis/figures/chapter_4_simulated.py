@@ -78,8 +78,7 @@ def draw_histories(curves: list[tuple[str, History, dict[str, Any]]]) -> Figure:
     names = (r"$\Delta$ [mm]", r"$\dot\Delta$ [m/s]", r"$\ddot\Delta$ [m/s$^2$]")
     for ax, name in zip(axes, names, strict=True):
         ax.set_ylabel(name)
-    axes[2].set_xlabel("time [s]")
-    axes[2].set_xlim(0, 2)
+    axes[2].set(xlabel="time [s]", xlim=(0, 2))
     style.legend_above(axes[0])
     figure.align_ylabels(axes)
     return figure
@@ -260,9 +259,7 @@ def figure_4_40() -> Figure:
     draw_sides(by_peak, peak, r)
     by_speed.set_xlabel(r"speed at the impact $|\dot\Delta|$ [m/s]")
     by_peak.set_xlabel(r"peak before $|\Delta_0|$ [mm]")
-    by_speed.set_ylabel("energy ratio $r$ [-]")
-    by_speed.set_ylim(0.6, 1.0)
-    by_speed.set_xlim(0, None)
+    by_speed.set(ylabel="energy ratio $r$ [-]", ylim=(0.6, 1.0), xlim=(0, None))
     by_peak.set_xlim(0, None)
     style.legend_above(by_peak)
     return figure
@@ -294,17 +291,18 @@ def figure_4_41() -> Figure:
     law = rk.EnergyRatioAtSpeed.equation_4_31()
     limits = [limit for limit, _, _ in law.pieces[:-1] if np.sum(speed < limit) >= 1]
     fitted = rk.EnergyRatioAtSpeed.from_data(speed, r, limits=limits, slopes=False)
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     v = np.linspace(0.01, 0.9, 800)
     ax.plot(v, [law.at(x) for x in v], color=style.LINES[0], label="4-31")
     ax.plot(v, [fitted.at(x) for x in v], "--", color=style.LINES[1], label="fitted in its bands")
     ax.plot(speed, r, ".", color="0.6", ms=5, label="by release")
     ax.plot(at, mean, "o", color=style.INK, mfc="white", ms=4.5, label="mean of two")
-    ax.set_xlabel(r"speed at the impact $|\dot\Delta|$ [m/s]")
-    ax.set_ylabel("energy ratio $r$ [-]")
-    ax.set_xlim(0, 0.9)
-    ax.set_ylim(0.7, 1.0)
+    ax.set(
+        xlabel=r"speed at the impact $|\dot\Delta|$ [m/s]",
+        ylabel="energy ratio $r$ [-]",
+        xlim=(0, 0.9),
+        ylim=(0.7, 1.0),
+    )
     style.legend_above(ax)
     return figure
 
@@ -386,8 +384,7 @@ def figure_4_44() -> Figure:
     path.set_prop_cycle(color=style.LINES)
     path.plot(d * MM, CORNER.distance(d) * MM, label="4-37: 508 mm")
     path.plot(d * MM, WALL.rotation_centre.distance(d) * MM, "--", label="as 4-7: 412 mm")
-    path.set_xlabel(r"displacement $\Delta$ [mm]")
-    path.set_ylabel("$b'$ [mm]")
+    path.set(xlabel=r"displacement $\Delta$ [mm]", ylabel="$b'$ [mm]")
     path.legend(loc="lower right")
     return figure
 
@@ -410,8 +407,7 @@ def figure_4_46() -> Figure:
         left.plot(d * MM, corner.distance(d) * MM, **kind)
         right.plot(d * MM, wall.tendon_force(d) / 1e3, **kind)
     for ax, name in ((left, "$b'$ [mm]"), (right, "tendon force $P$ [kN]")):
-        ax.set_xlabel(r"displacement $\Delta$ [mm]")
-        ax.set_ylabel(name)
+        ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel=name)
         ax.legend(loc="lower right" if ax is left else "upper center", fontsize=7.5)
     return figure
 

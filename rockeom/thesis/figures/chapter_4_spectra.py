@@ -77,8 +77,7 @@ def draw_spectrogram(ax: Axes, windows: identification.MovingWindow) -> None:
         windows.time, windows.frequency, windows.amplitude.T, cmap="Greys", rasterized=True
     )
     ax.plot(windows.time, windows.dominant, color=style.LINES[1], lw=1.0, label="largest")
-    ax.set_xlabel("time, middle of the window [s]")
-    ax.set_ylabel("frequency [Hz]")
+    ax.set(xlabel="time, middle of the window [s]", ylabel="frequency [Hz]")
     ax.grid(visible=False)
 
 
@@ -86,9 +85,7 @@ def draw_records(ax: Axes, record: analysis.MeasuredRecord, window: tuple[float,
     ax.plot(record.time, record["displacement"] * MM, lw=0.8, label="displacement [mm]")
     ax.plot(record.time, record["table"], lw=0.6, color="0.6", label=r"table [m/s$^2$]")
     ax.axvspan(*window, color=style.LINES[4], alpha=0.35, lw=0)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel("1. records [mm], [m/s$^2$]")
-    ax.set_xlim(0, 6)
+    ax.set(xlabel="time [s]", ylabel="1. records [mm], [m/s$^2$]", xlim=(0, 6))
     style.legend_above(ax)
 
 
@@ -99,16 +96,14 @@ def draw_spectra(ax: Axes, inside: analysis.MeasuredRecord) -> None:
             inside, channel, window=len(inside.time) * inside.step, frequencies=(1.0, 25.0)
         )
         ax.plot(one.frequency, one.amplitude[0], color=color, label=channel)
-    ax.set_ylabel("2. spectra over their largest [-]")
-    ax.set_xlabel("frequency [Hz]")
+    ax.set(ylabel="2. spectra over their largest [-]", xlabel="frequency [Hz]")
     style.legend_above(ax)
 
 
 def draw_transfer(ax: Axes, windows: identification.MovingWindow, which: int) -> None:
     ax.plot(windows.frequency, windows.amplitude[which] * windows.largest[which] * MM)
     ax.axvline(windows.dominant[which], color=style.LINES[1], ls="--", lw=0.9)
-    ax.set_ylabel("3. transfer [mm/(m/s$^2$)]")
-    ax.set_xlabel("frequency [Hz]")
+    ax.set(ylabel="3. transfer [mm/(m/s$^2$)]", xlabel="frequency [Hz]")
 
 
 def draw_stack(ax: Axes, windows: identification.MovingWindow) -> None:
@@ -118,8 +113,7 @@ def draw_stack(ax: Axes, windows: identification.MovingWindow) -> None:
         ax.fill_between(windows.frequency, level, line, color="white", lw=0, zorder=order)
         ax.plot(windows.frequency, line, lw=0.6, color=style.INK, zorder=order)
     ax.plot(windows.dominant[::20], windows.time[::20] + 0.9, color=style.LINES[1], lw=1, zorder=20)
-    ax.set_xlabel("frequency [Hz]")
-    ax.set_ylabel("4. time, middle of the window [s]")
+    ax.set(xlabel="frequency [Hz]", ylabel="4. time, middle of the window [s]")
     ax.grid(visible=False)
 
 

@@ -23,12 +23,7 @@ from rockeom.thesis import shaken
 from rockeom.thesis.figures.chapter_4_runs import displacement, oscillator_run
 from rockeom.thesis.figures.chapter_4_shaken import CYCLES, forces_when_still
 from rockeom.thesis.figures.chapter_4_spectra import NOISE, RATE
-from rockeom.thesis.figures.chapter_4_wall import (
-    MM,
-    draw_measured,
-    overview_and_origin,
-    symmetric,
-)
+from rockeom.thesis.figures.chapter_4_wall import MM, draw_measured, overview_and_origin, symmetric
 from rockeom.thesis.figures.drawn import Source, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.printed import TABLE_4_2
@@ -71,14 +66,12 @@ def draw_spectrum(ax: Axes, run: str, label: str, factor: float = 1.0, **look: o
 def draw_meant_and_reached(run: str) -> Figure:
     """Spectrum of a run as intended, and the same with the peak that the table reached."""
     factor = shaken.wall_motion(run).peak / shaken.intended_motion(run).peak
-    figure = style.new_figure(5.6, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.6, 3.4)
     draw_spectrum(ax, run, f"intended: {shaken.MOTION_NAMES[run]}")
     draw_spectrum(ax, run, "intended, at the peak of the table", factor, ls="--")
-    ax.set_xlim(0, 3)
-    ax.set_ylim(0, None)
-    ax.set_xlabel("period [s]")
-    ax.set_ylabel(r"spectral acceleration [m/s$^2$]")
+    ax.set(
+        xlim=(0, 3), ylim=(0, None), xlabel="period [s]", ylabel=r"spectral acceleration [m/s$^2$]"
+    )
     ax.legend()
     return figure
 
@@ -104,20 +97,16 @@ def figure_4_7() -> Figure:
     very soft soil is class E, and Z R is at most 0.7. It is second-hand, by a public program for
     the standard. The band holds the rocking periods.
     """
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     runs = {"1": "run 1", "2": "runs 2, 7", "4": "runs 4, 9"}
     for run, label in runs.items():
         draw_spectrum(ax, run, f"{label}: {shaken.MOTION_NAMES[run]}")
     t = spectrum("2").periods
     ax.plot(t, nzs_1170_5(t), color=style.INK, lw=1.5, label="NZS 1170.5, class E, Z R = 0.7")
     ax.axvspan(*ROCKING_PERIODS, color=style.LINES[4], alpha=0.25, lw=0)
-    ax.set_xscale("log")
-    ax.set_xlim(t[0], t[-1])
-    ax.set_ylim(0, 32)
+    ax.set(xscale="log", xlim=(t[0], t[-1]), ylim=(0, 32))
     ax.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2], ["0.05", "0.1", "0.2", "0.5", "1", "2"])
-    ax.set_xlabel("period [s]")
-    ax.set_ylabel(r"spectral acceleration [m/s$^2$]")
+    ax.set(xlabel="period [s]", ylabel=r"spectral acceleration [m/s$^2$]")
     ax.legend(loc="upper right", fontsize=7.5)
     return figure
 
@@ -148,8 +137,7 @@ def draw_windows(run: str, until: float) -> tuple[Figure, np.ndarray]:
     trace.set_ylabel(r"displacement $\Delta$ [mm]")
     ax.pcolormesh(moving.time, moving.frequency, moving.amplitude.T, cmap="Greys", rasterized=True)
     ax.plot(moving.time, moving.dominant, ".", ms=2, color=style.LINES[1], label="largest")
-    ax.set_xlabel("time, middle of the window [s]")
-    ax.set_ylabel("frequency [Hz]")
+    ax.set(xlabel="time, middle of the window [s]", ylabel="frequency [Hz]")
     ax.grid(visible=False)
     ax.set_xlim(0, until)
     style.legend_above(ax, markerscale=4)
@@ -237,13 +225,11 @@ def figure_4_72() -> Figure:
     of mass. Dots are passages through upright, the points of Figure 4-73.
     """
     u, v, speeds = settled()
-    figure = style.new_figure(4.6, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(4.6, 3.6)
     ax.plot(u * MM, v, lw=1.0)
     ax.plot(np.zeros_like(speeds), speeds, "o", ms=4, color=style.LINES[1])
     ax.axvline(0.0, color=style.INK, lw=0.5)
-    ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    ax.set_ylabel(r"velocity $\dot\Delta$ [m/s]")
+    ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel=r"velocity $\dot\Delta$ [m/s]")
     return figure
 
 
@@ -263,13 +249,10 @@ def figure_4_74() -> Figure:
     again = rk.simulate(first.structure, first.motion, initial={"u": BESIDE})
     t = np.arange(0.0, 15.0, 2e-3)
     one, other = displacement(first, t), displacement(again, t)
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     ax.plot(t, one * MM, lw=0.9, label="from upright")
     ax.plot(t, other * MM, lw=0.9, label="from 0.1 mm next to it")
-    ax.set_xlim(0, 15)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel(r"displacement $\Delta$ [mm]")
+    ax.set(xlim=(0, 15), xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     style.legend_above(ax)
     return figure
 
@@ -389,8 +372,7 @@ def figure_4_58() -> Figure:
         ax.plot(tests["displacement"] * MM, tests["largest"] / 1e3, "D", color=style.LINES[1],
                 ms=5, label="Table 4-2, largest of a test", zorder=6)  # fmt: skip
         ax.set_xlim(-far * MM, far * MM)
-    axes[0].set_ylabel("tendon force $P$ [kN]")
-    axes[0].set_ylim(70, 165)
+    axes[0].set(ylabel="tendon force $P$ [kN]", ylim=(70, 165))
     axes[1].set_ylim(72, 115)
     axes[0].legend(loc="upper center", fontsize=7)
     return figure
@@ -406,8 +388,7 @@ def figure_4_75() -> Figure:
     sliding is part of it the centre comes out too near the middle. 4-7 is drawn as seen from the
     edge, 442 and 66 mm, and as printed, from the gauge.
     """
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     d = np.linspace(0.0, 0.03, 600)
     edge, gauge = formulas.RotationCentre.thesis_edge(), formulas.RotationCentre.thesis_gauge()
     ax.plot(d * MM, edge.distance_from_edge(d) * MM, label="4-7 from the edge")
@@ -426,8 +407,7 @@ def figure_4_76() -> Figure:
     As Figure 4-75: the uplift of the edge follows from the tendon's extension and the rotation,
     without the bending of the wall.
     """
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     d = np.linspace(0.0, 0.03, 600)
     ax.plot(d * MM, MORE.uplift(d) * MM, label="4-9")
     draw_read(ax, "uplift", 1e-3)
@@ -442,8 +422,7 @@ def figure_4_77() -> Figure:
 
     The traces are lost; Table 4-2 has the largest displacement and tendon force of each test.
     """
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     d = symmetric(0.012)
     for wall, label, color in (
         (MORE, "4-16, 111 kN", style.LINES[1]), (WALL, "4-16, 75.6 kN", style.INK),
@@ -454,9 +433,7 @@ def figure_4_77() -> Figure:
         near = np.abs(values["displacement"]) < 0.012
         ax.plot(values["displacement"][near] * MM, values["force"][near] / 1e3, mark, color=color,
                 mfc="white", label=f"tests with {label}")  # fmt: skip
-    ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    ax.set_ylabel("tendon force $P$ [kN]")
-    ax.set_ylim(70, 150)
+    ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel="tendon force $P$ [kN]", ylim=(70, 150))
     ax.legend(loc="upper center", ncols=2, fontsize=7.5)
     return figure
 

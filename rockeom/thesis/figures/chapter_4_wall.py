@@ -31,6 +31,14 @@ def legible() -> np.ndarray:
     return np.asarray(identification.FreeVibration.table_a1().reading) != "guessed"
 
 
+def quarters() -> tuple[np.ndarray, np.ndarray]:
+    """Peaks [m] and the quarter periods after them [s], (19,), of the legible rows."""
+    measured = identification.FreeVibration.table_a1()
+    starts = np.flatnonzero(measured.at_peak[:-1])
+    starts = starts[legible()[starts] & legible()[starts + 1]]
+    return measured.displacement[starts], np.diff(measured.time)[starts]
+
+
 def draw_measured(ax: Axes, column: str, unit: float, label: str = "") -> None:
     """Draw a column of Table A-1, over its unit, against the displacement in mm.
 
@@ -77,8 +85,7 @@ def figure_4_17() -> Figure:
     measured = identification.FreeVibration.table_a1()
     d = symmetric(0.032)
     printed, edge = formulas.RotationCentre.thesis_gauge(), formulas.RotationCentre.thesis_edge()
-    figure = style.new_figure(6.6, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.6, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     ax.plot(d * MM, printed.distance_from_edge(d) * MM, label="4-7 as printed: 412, 96 mm")
     ax.plot(d * MM, (edge.distance_from_edge(d) + GAUGE) * MM, "--", label="442, 66 mm, plus 30 mm")
@@ -89,9 +96,9 @@ def figure_4_17() -> Figure:
         measured.displacement[rows] * MM, from_uplifts * MM, "+", ms=9, mew=1.0,
         color=style.LINES[2], zorder=4, label="its uplifts, plus 30 mm",
     )  # fmt: skip
-    ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    ax.set_ylabel("distance from the gauge [mm]")
-    ax.set_ylim(0, 600)
+    ax.set(
+        xlabel=r"displacement $\Delta$ [mm]", ylabel="distance from the gauge [mm]", ylim=(0, 600)
+    )
     ax.legend(loc="upper left", fontsize=7.5)
     return figure
 
@@ -243,11 +250,9 @@ def figure_4_20() -> Figure:
         ax.plot(d * MM, edge.tendon_force(d) / 1e3, "--", label="4-16 with 4-7 from the edge")
         ax.plot(d * MM, line / 1e3, ":", label="stiffness fitted to peaks")
         draw_measured(ax, "tendon_force", 1e3)
-    axes[0].set_ylabel("tendon force $P$ [kN]")
-    axes[0].set_ylim(70, 175)
+    axes[0].set(ylabel="tendon force $P$ [kN]", ylim=(70, 175))
     axes[0].legend(loc="upper center", fontsize=7.5)
-    axes[1].set_xlim(-5, 5)
-    axes[1].set_ylim(74, 88)
+    axes[1].set(xlim=(-5, 5), ylim=(74, 88))
     return figure
 
 
@@ -261,13 +266,9 @@ def figure_4_24() -> Figure:
     The thesis does not have the time of a conservative motion to upright, 4-24. It ends at D = 0,
     the measured one at the instant without acceleration, a millimetre or two before.
     """
-    measured = identification.FreeVibration.table_a1()
-    starts = np.flatnonzero(measured.at_peak[:-1])
-    starts = starts[legible()[starts] & legible()[starts + 1]]
-    peak, time = measured.displacement[starts], np.diff(measured.time)[starts]
+    peak, time = quarters()
     d = np.linspace(1e-3, 0.032, 200)
-    figure = style.new_figure(6.0, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     heavier = replace(WALL, inertia=13215.0)
     printed = r"4-17, $I_o$ = 13 215 kg m$^2$ (B-9 as printed)"
@@ -283,10 +284,12 @@ def figure_4_24() -> Figure:
             np.abs(peak[rows]) * MM, time[rows], mark, color=style.INK, ms=4, mfc="white", mew=0.9,
             label=f"Table A-1, from peaks {name}",
         )  # fmt: skip
-    ax.set_xlabel(r"peak displacement $|\Delta_0|$ [mm]")
-    ax.set_ylabel("quarter period [s]")
-    ax.set_xlim(0, 33)
-    ax.set_ylim(0, 0.085)
+    ax.set(
+        xlabel=r"peak displacement $|\Delta_0|$ [mm]",
+        ylabel="quarter period [s]",
+        xlim=(0, 33),
+        ylim=(0, 0.085),
+    )
     ax.legend(loc="lower right", fontsize=7.5)
     return figure
 
@@ -299,8 +302,7 @@ def figure_4_32() -> Figure:
     curves at the zero crossing is the energy lost by then: about half of r.
     """
     measured = identification.FreeVibration.table_a1()
-    figure = style.new_figure(6.4, 4.0)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.4, 4.0)
     for color, row in zip(style.LINES, (0, 4, 8, 12, 16, 20), strict=True):
         for start, line in ((row, "-"), (row + 2, "--")):
             d0 = measured.displacement[start]
@@ -315,8 +317,7 @@ def figure_4_32() -> Figure:
             )  # fmt: skip
     ax.axhline(0.0, color=style.INK, lw=0.6)
     ax.axvline(0.0, color=style.INK, lw=0.6)
-    ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    ax.set_ylabel(r"velocity $\dot\Delta$ [m/s]")
+    ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel=r"velocity $\dot\Delta$ [m/s]")
     ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=7.5)
     return figure
 
@@ -330,8 +331,7 @@ def figure_4_33() -> Figure:
     ahead of the curve, which the 6 % more of F_k in 4.8.1 make up for in part.
     """
     measured = identification.FreeVibration.table_a1()
-    figure = style.new_figure(6.4, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.4, 3.6)
     for color, start in zip(style.LINES, (0, 8, 16, 24, 32), strict=False):
         d0 = measured.displacement[start]
         d = np.abs(d0) * np.cos(np.linspace(0.1, np.pi / 2, 40))
@@ -344,10 +344,12 @@ def figure_4_33() -> Figure:
             np.sign(d0) * measured.displacement[ends] * MM,
             "o", ms=4, color=color, mfc="white", mew=0.9, zorder=5, clip_on=False,
         )  # fmt: skip
-    ax.set_xlabel("time after the peak [s]")
-    ax.set_ylabel(r"displacement $|\Delta|$ [mm]")
-    ax.set_xlim(0, None)
-    ax.set_ylim(0, None)
+    ax.set(
+        xlabel="time after the peak [s]",
+        ylabel=r"displacement $|\Delta|$ [mm]",
+        xlim=(0, None),
+        ylim=(0, None),
+    )
     ax.legend()
     return figure
 

@@ -18,13 +18,7 @@ from rockeom.analysis import design
 from rockeom.plots import style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
-from rockeom.thesis.figures.chapter_5_rigid import (
-    MM,
-    RUN_3,
-    draw_decay,
-    draw_shaken,
-    released,
-)
+from rockeom.thesis.figures.chapter_5_rigid import MM, RUN_3, draw_decay, draw_shaken, released
 from rockeom.thesis.figures.drawn import Source, thesis_figure
 
 MODEL_C = shaken.model_c()
@@ -50,9 +44,7 @@ def draw_apart(run: Response, end: float) -> Figure:
     top.plot(run.t, MM * run["theta"], color=style.LINES[0])
     top.set_ylabel(r"rotation $\theta$ [mrad]")
     below.plot(run.t, MM * run["u"], color=style.LINES[2])
-    below.set_ylabel("deformation $u$ [mm]")
-    below.set_xlabel("time [s]")
-    below.set_xlim(0, end)
+    below.set(ylabel="deformation $u$ [mm]", xlabel="time [s]", xlim=(0, end))
     return figure
 
 
@@ -101,8 +93,7 @@ def figure_5_42() -> Figure:
     for ax, label in zip(axes, ("displacement [mm]", r"$\theta$ [mrad]", "$u$ [mm]"), strict=True):
         ax.set_ylabel(label)
     style.legend_above(axes[0])
-    axes[-1].set_xlabel("time [s]")
-    axes[-1].set_xlim(0, 2.2)
+    axes[-1].set(xlabel="time [s]", xlim=(0, 2.2))
     return figure
 
 
@@ -169,17 +160,16 @@ def figure_5_45() -> Figure:
     force.set_ylabel("base shear [kN]")
     drift.set_ylabel("displacement [mm]")
     for ax in (force, drift):
-        ax.set_xlabel("time [s]")
-        ax.set_xlim(0, 3.0)
+        ax.set(xlabel="time [s]", xlim=(0, 3.0))
     style.legend_above(force)
     ratios = [beside(scale).ratios for scale in SCALES]
     for name, color in zip(ratios[0], style.LINES[2:5], strict=True):
         ratio.plot(SCALES, [r[name] for r in ratios], ".-", color=color,
                    label=name.replace("_", " "))  # fmt: skip
     ratio.axhline(1.0, color=style.INK, lw=0.7, ls=":")
-    ratio.set_xlabel("scale of the record [-]")
-    ratio.set_ylabel("rocking over fixed base [-]")
-    ratio.set_ylim(0, None)
+    ratio.set(
+        xlabel="scale of the record [-]", ylabel="rocking over fixed base [-]", ylim=(0, None)
+    )
     style.legend_above(ratio)
     return figure
 
@@ -190,8 +180,7 @@ def draw_range(ax: Axes, curves: dict[str, Response]) -> None:
         curves.items(), style.LINES, ("-", "--", "-."), strict=False
     ):
         ax.plot(run.t, MM * run["displacement"], line, color=color, label=label, lw=0.9)
-    ax.set_ylabel("displacement [mm]")
-    ax.set_xlim(0, 3.0)
+    ax.set(ylabel="displacement [mm]", xlim=(0, 3.0))
     style.legend_above(ax)
 
 

@@ -117,8 +117,7 @@ def draw_decay(
     style.legend_above(top)
     if uplift is not None:
         draw_uplifts(axes[1], uplift, shift(uplift, number))
-    axes[-1].set_xlabel("time [s]")
-    axes[-1].set_xlim(0, 2.2)
+    axes[-1].set(xlabel="time [s]", xlim=(0, 2.2))
     return figure
 
 
@@ -202,8 +201,7 @@ def draw_shaken(*curves: tuple[str, Response], peak: float, uplift: Response, en
     top.set_ylabel("displacement [mm]")
     style.legend_above(top)
     draw_uplifts(below, uplift)
-    below.set_xlabel("time [s]")
-    below.set_xlim(0, end)
+    below.set(xlabel="time [s]", xlim=(0, end))
     return figure
 
 
@@ -352,10 +350,12 @@ def figure_5_29() -> Figure:
         f"$u_{{overturn}}$ = {MM * a['u_overturn']:.0f} mm", (a["u_overturn"] * MM, 0.0), (215, 35),
         fontsize=8.5, arrowprops={"arrowstyle": "-", "lw": 0.6, "color": style.INK},
     )  # fmt: skip
-    ax.set_xlabel("displacement $u$ [mm]")
-    ax.set_ylabel("restoring force $P$ [N]")
-    ax.set_xlim(0, None)
-    ax.set_ylim(0, None)
+    ax.set(
+        xlabel="displacement $u$ [mm]",
+        ylabel="restoring force $P$ [N]",
+        xlim=(0, None),
+        ylim=(0, None),
+    )
     style.legend_above(ax)
     return figure
 
@@ -391,9 +391,7 @@ def figure_5_31() -> Figure:
         ax.plot(u * MM, force, color=style.LINES[0], lw=2.4, alpha=0.45, label="exact pushover")
         ax.plot(u * MM, approximate_force(550e3, u), "--", color=style.LINES[1],
                 label="5-25 and 5-33")  # fmt: skip
-        ax.set_xlabel("displacement $u$ [mm]")
-        ax.set_xlim(0, far)
-        ax.set_ylim(0, None)
+        ax.set(xlabel="displacement $u$ [mm]", xlim=(0, far), ylim=(0, None))
     whole.set_ylabel("restoring force $P$ [N]")
     style.legend_above(whole)
     return figure

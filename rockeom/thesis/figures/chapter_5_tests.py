@@ -71,8 +71,7 @@ def figure_5_6() -> Figure:
     Dashed: a curve through them that is level at the peaks, no measurement. The uplifts of the
     thesis's figure are not printed. Above each impact is its r, by 5-4 of the peaks on both sides.
     """
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     t, trace = smooth_trace(1)
     ax.plot(t, trace * MM, "--", lw=0.8, label="curve through the points")
     mark_points(ax, 1)
@@ -81,9 +80,7 @@ def figure_5_6() -> Figure:
         text = f"$r$ = {r:.3f}" if i == 0 else f"{r:.3f}"
         ax.annotate(text, (time, 31), ha="center", fontsize=7.5, color=style.INK)
         ax.axvline(time, 0.0, 0.93, color="0.85", lw=0.6, zorder=0)
-    ax.set_ylim(-30, 36)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel(r"displacement $\Delta$ [mm]")
+    ax.set(ylim=(-30, 36), xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     style.legend_above(ax)
     return figure
 
@@ -101,18 +98,19 @@ def draw_quarters(run: int, peaks: np.ndarray, label: str) -> Figure:
     centroid = (RIGID.mass * RIGID.height + RIGID.base_mass * RIGID.base_height) / total
     alpha = float(np.arctan2(RIGID.half_width, centroid))
     p = np.sqrt(-RIGID.accelerations({"theta": alpha / 2})["theta"] / np.sin(alpha / 2))
-    figure = style.new_figure(6.2, 3.6)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.2, 3.6)
     ax.plot(own / ALPHA, formulas.exact_quarter_period(own, alpha, p), label=label)
     for first, mark, name in ((0, "o", "from a peak"), (1, "s", "to a peak")):
         ax.plot(
             size[first::2] / ALPHA, quarters[first::2], mark, color=style.INK, mfc="white",
             mew=0.9, ms=4, label=f"printed points, {name}",
         )  # fmt: skip
-    ax.set_xlabel(r"peak rotation $|\theta_0|/\alpha_e$ [-]")
-    ax.set_ylabel("quarter period [s]")
-    ax.set_xlim(0, 0.12)
-    ax.set_ylim(0, None)
+    ax.set(
+        xlabel=r"peak rotation $|\theta_0|/\alpha_e$ [-]",
+        ylabel="quarter period [s]",
+        xlim=(0, 0.12),
+        ylim=(0, None),
+    )
     ax.legend(loc="upper left")
     return figure
 
@@ -140,8 +138,7 @@ def figure_5_9() -> Figure:
     """
     rocking = impacts()
     r, peak = rocking.energy_ratio, np.abs(rocking.peak_before) / ALPHA
-    figure = style.new_figure(6.0, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(6.0, 3.4)
     for foot, mark in (("left", "<"), ("right", ">")):
         one = rocking.foot == foot
         ax.errorbar(
@@ -150,10 +147,12 @@ def figure_5_9() -> Figure:
         )  # fmt: skip
     ax.axhline(0.74, color=style.INK, ls="--", lw=0.8)
     ax.annotate("5-14: 0.74", (0.118, 0.74), (0, 3), textcoords="offset points", ha="right")
-    ax.set_xlabel(r"peak rotation before the impact $|\theta|/\alpha_e$ [-]")
-    ax.set_ylabel("r [-]")
-    ax.set_xlim(0, 0.12)
-    ax.set_ylim(0.7, 1.0)
+    ax.set(
+        xlabel=r"peak rotation before the impact $|\theta|/\alpha_e$ [-]",
+        ylabel="r [-]",
+        xlim=(0, 0.12),
+        ylim=(0.7, 1.0),
+    )
     ax.legend(loc="upper right")
     return figure
 
@@ -168,13 +167,11 @@ def figure_5_10() -> Figure:
     Dashed: a curve through them that is level at the peaks, no measurement. The uplifts of the
     thesis's figure are not printed.
     """
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     t, trace = smooth_trace(2)
     ax.plot(t, trace * MM, "--", lw=0.8, label="curve through the points")
     mark_points(ax, 2)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel(r"displacement $\Delta$ [mm]")
+    ax.set(xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     style.legend_above(ax)
     return figure
 
@@ -188,15 +185,12 @@ def figure_5_12() -> Figure:
     """
     t, trace = smooth_trace(2)
     centre = identification.rotation_centre(trace)
-    figure = style.new_figure(7.2, 3.2)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(7.2, 3.2)
     ax.plot(t, centre * MM, label="5-5 of the curve through the points")
     for edge, name in ((0, "left edge"), (600, "right edge")):
         ax.axhline(edge, color=style.INK, lw=0.8, ls="--")
         ax.annotate(name, (1.79, edge), (0, 3), textcoords="offset points", ha="right", fontsize=8)
-    ax.set_xlabel("time [s]")
-    ax.set_ylabel("from the left edge $x$ [mm]")
-    ax.set_ylim(-20, 640)
+    ax.set(xlabel="time [s]", ylabel="from the left edge $x$ [mm]", ylim=(-20, 640))
     style.legend_above(ax)
     return figure
 
@@ -208,15 +202,16 @@ def figure_5_13() -> Figure:
     The measured values, by direction of motion, are not printed.
     """
     d = np.linspace(-0.03, 0.03, 301)
-    figure = style.new_figure(5.6, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.6, 3.4)
     ax.plot(d * MM, identification.rotation_centre(d) * MM, label="5-5")
     for edge in (0, 600):
         ax.axhline(edge, color=style.INK, lw=0.8, ls="--")
-    ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    ax.set_ylabel("from the left edge $x$ [mm]")
-    ax.set_xlim(-30, 30)
-    ax.set_ylim(-20, 620)
+    ax.set(
+        xlabel=r"displacement $\Delta$ [mm]",
+        ylabel="from the left edge $x$ [mm]",
+        xlim=(-30, 30),
+        ylim=(-20, 620),
+    )
     ax.legend(loc="upper left", bbox_to_anchor=(0.0, 0.9))
     return figure
 
@@ -275,8 +270,7 @@ def figure_5_15() -> Figure:
     figure = style.new_figure(7.2, 4.6)
     trace, spectrum = figure.subplots(2, 1)
     trace.plot(t, record["x_ddot"], lw=0.7, color=style.LINES[0])
-    trace.set_xlabel("time [s]")
-    trace.set_ylabel(r"acceleration [m/s$^2$]")
+    trace.set(xlabel="time [s]", ylabel=r"acceleration [m/s$^2$]")
     rest = run.events.rest_time or 1.2
     for part, span, color, label in (
         (record.between(0.0, rest), rest, style.LINES[0], "while it rocks"),
@@ -293,10 +287,12 @@ def figure_5_15() -> Figure:
     for mode, name in ((both, f"{both:.1f} Hz"), (foot, f"{foot:.1f} Hz"),
                        (56, "56 Hz, measured")):  # fmt: skip
         spectrum.annotate(name, (mode, 1.07), (3, 0), textcoords="offset points", fontsize=8)
-    spectrum.set_ylim(0, 1.18)
-    spectrum.set_xlim(0, 80)
-    spectrum.set_xlabel("frequency [Hz]")
-    spectrum.set_ylabel("amplitude over its largest [-]")
+    spectrum.set(
+        ylim=(0, 1.18),
+        xlim=(0, 80),
+        xlabel="frequency [Hz]",
+        ylabel="amplitude over its largest [-]",
+    )
     spectrum.legend(loc="center right")
     return figure
 
@@ -312,17 +308,18 @@ def figure_5_16() -> Figure:
     peaks = displacement[::2]
     ratio = formulas.damping_from_decrement(peaks[:-2], peaks[2:])
     size = np.abs(peaks[:-2])
-    figure = style.new_figure(5.6, 3.4)
-    ax = figure.add_subplot()
+    figure, ax = style.new_axes(5.6, 3.4)
     for side, mark, name in ((1, ">", "to the right"), (-1, "<", "to the left")):
         one = np.sign(peaks[:-2]) == side
         ax.plot(size[one] * MM, ratio[one], mark, ms=5, label=f"peaks {name}")
     ax.axhline(0.104, color=style.INK, ls="--", lw=0.8)
     ax.annotate("0.104, all of the record", (29.5, 0.104), (0, 3), textcoords="offset points",
                 ha="right", fontsize=8)  # fmt: skip
-    ax.set_xlabel(r"peak displacement $|\Delta|$ [mm]")
-    ax.set_ylabel(r"damping ratio $\xi$ [-]")
-    ax.set_xlim(0, 30)
-    ax.set_ylim(0, 0.12)
+    ax.set(
+        xlabel=r"peak displacement $|\Delta|$ [mm]",
+        ylabel=r"damping ratio $\xi$ [-]",
+        xlim=(0, 30),
+        ylim=(0, 0.12),
+    )
     ax.legend(loc="lower left")
     return figure

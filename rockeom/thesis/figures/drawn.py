@@ -10,6 +10,7 @@ from types import ModuleType
 from matplotlib.figure import Figure
 
 from rockeom.plots import style
+from rockeom.thesis.equation import place_of
 
 
 class Source(Enum):
@@ -38,13 +39,6 @@ class ThesisFigure:
         """The first line of its text."""
         return self.text.partition("\n")[0].rstrip(".")
 
-    @property
-    def sort_key(self) -> tuple[str, int, str]:
-        """Its place among the others: chapter, number, letter."""
-        chapter, _, place = self.number.partition("-")
-        digits = place.rstrip("abcd")
-        return chapter, int(digits), place[len(digits) :]
-
     def __call__(self) -> Figure:
         return self.draw()
 
@@ -68,4 +62,4 @@ def figures_of(modules: tuple[ModuleType, ...]) -> dict[str, ThesisFigure]:
         for value in vars(module).values()
         if isinstance(value, ThesisFigure)
     ]
-    return {one.number: one for one in sorted(set(figures), key=lambda one: one.sort_key)}
+    return {one.number: one for one in sorted(set(figures), key=place_of)}

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from rockeom.analysis import identification
 from rockeom.thesis.figures import FIGURES, NOT_DRAWN
 from rockeom.thesis.figures.chapter_4_simulated import (
     BY_4_31,
@@ -32,6 +31,7 @@ from rockeom.thesis.statements.statement import (
     printed,
     rounded,
     simulation,
+    slope_of,
 )
 
 statement = Register()
@@ -96,12 +96,7 @@ def ratios_of_large_and_small_cycles() -> Found:
     figure="4-40",
 )  # fmt: skip
 def restitution_by_release_against_speed() -> Found:
-    r, speed = ratios_by_release()
-    line = identification.fit(lambda r, slope: r + slope * speed, r, {"r": 0.88, "slope": 0.0})
-    low, high = line.interval("slope")
-    return found(
-        abs(low + high) / (high - low), f"slope {low:+.2f} to {high:+.2f} s/m with 95 % confidence"
-    )
+    return slope_of(*ratios_by_release(), 0.88)
 
 
 @statement(

@@ -47,6 +47,14 @@ def _said(peaks: np.ndarray) -> str:
     return f"{peaks[0]:.1f} mm as meant, {peaks.min():.1f} to {peaks.max():.1f} mm over the range"
 
 
+def _changed(ratio: np.ndarray) -> Found:
+    """How far ratios of largest displacements are from 1."""
+    change = 100 * np.abs(ratio - 1)
+    return ranging(
+        change, f"by {change.min():.0f} to {change.max():.0f} % of the largest displacement"
+    )
+
+
 # --- 5.3.1 Model A
 
 
@@ -254,10 +262,7 @@ def compression_of_stiff_rubber() -> Found:
 )  # fmt: skip
 def effect_of_the_stiffness_in_run_4() -> Found:
     stiff, soft = (rigid.band("4", shaken.model_b(k)) for k in (10e6, 550e3))
-    change = 100 * np.abs(stiff / soft - 1)
-    return ranging(
-        change, f"by {change.min():.0f} to {change.max():.0f} % of the largest displacement"
-    )
+    return _changed(stiff / soft)
 
 
 @statement(
@@ -339,10 +344,7 @@ def run_3_by_model_c() -> Found:
 )  # fmt: skip
 def effect_of_flexibility_in_run_3() -> Found:
     bending, stiff = (rigid.band("3", one) for one in (flexible.MODEL_C, shaken.MODEL_A))
-    change = 100 * np.abs(bending / stiff - 1)
-    return ranging(
-        change, f"by {change.min():.0f} to {change.max():.0f} % of the largest displacement"
-    )
+    return _changed(bending / stiff)
 
 
 @statement(

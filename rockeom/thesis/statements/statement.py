@@ -23,6 +23,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom.analysis.identification import fit
 from rockeom.motion import MotionError
 
 
@@ -185,6 +186,18 @@ def ranging(values: ArrayLike, words: str) -> Found:
     """
     every = np.asarray(values, float)
     return _checked(np.atleast_1d(every.min(axis=0)), np.atleast_1d(every.max(axis=0)), words)
+
+
+def slope_of(r: np.ndarray, speed: np.ndarray, first: float) -> Found:
+    """The slope of ratios r (n,) against speeds (n,) [m/s] over half the width of its interval.
+
+    first : a ratio to begin the fit with.
+    """
+    line = fit(lambda r, slope: r + slope * speed, r, {"r": first, "slope": 0.0})
+    low, high = line.interval("slope")
+    return found(
+        abs(low + high) / (high - low), f"slope {low:+.2f} to {high:+.2f} s/m with 95 % confidence"
+    )
 
 
 def unknown(words: str) -> Found:
