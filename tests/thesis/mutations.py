@@ -99,7 +99,7 @@ DERIVATIONS = {
 STRUCTURES = {
     "symbolic/structures/rigid_block.py": (
         ("2-9", "turned((0, h), pivot, theta)", "turned((0, 2 * h), pivot, theta)"),
-        ("2-2", "inertia.symbol, theta, polar", "2 * inertia.symbol, theta, polar"),
+        ("2-2", "INERTIA.symbol, theta, polar", "2 * INERTIA.symbol, theta, polar"),
         ("2-3", "r * sp.sin(a), r * sp.cos(a)", "r * sp.cos(a), r * sp.sin(a)"),
         ("2-14", "r * sp.sin(a), r * sp.cos(a)", "r * sp.sin(a), 2 * r * sp.cos(a)"),
         ("2-13", "a * x.position, rho * sp.cos(a)", "2 * a * x.position, rho * sp.cos(a)"),
