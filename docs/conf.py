@@ -37,6 +37,7 @@ extensions = [
 ]
 exclude_patterns = ["_build", "*.py"]
 nitpicky = True
+nitpick_ignore = [("py:class", "rockeom.motion.floor.Shaking")]  # a motion, or a recording
 suppress_warnings = ["myst.header"]  # benchmarks.md is written by a program, one level deep
 
 # --- Markdown and notebooks

@@ -16,6 +16,7 @@ import numpy as np
 import sympy as sp
 
 import rockeom as rk
+from rockeom.codes import LEAST_RESTITUTION
 from rockeom.structures.base import Structure
 from rockeom.symbolic import Contact, Rigid, Unilateral, Yielding, dead_load
 from rockeom.symbolic.model import Parameter, parameter
@@ -176,7 +177,10 @@ def _other_law(law: str) -> Callable[[Dice], Drawn]:
         numbers = dict(block.structure.parameters())
         if dice.chance(0.2):
             numbers["half_width"] *= dice.over(1e-5, 1.0)
-            block = replace(block, initial={"theta": numbers["half_width"] * dice.over(1e-6, 0.5)})
+            # tilted by less they turn as slowly as a rest may be
+            block = replace(block, initial={"theta": numbers["half_width"] * dice.over(1e-2, 0.5)})
+        if law == "lzb" and numbers["restitution"]:
+            numbers["restitution"] = max(numbers["restitution"], LEAST_RESTITUTION)
         feet = tuple(
             Foot(n, s * numbers["half_width"], 0.0, numbers["friction"], numbers["restitution"])
             for n, s in (("left", -1), ("right", 1))
