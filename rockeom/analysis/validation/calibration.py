@@ -118,7 +118,9 @@ def calibration_of(
         require((p >= least) & (p <= most), where, "probability", p, _OF_ONE_MODEL)
         place = math.floor(tail * len(every) + 1e-9)
         ranges = np.sort(member @ every[1:].T, axis=1)[:, [place - 1, -place]]
-        excess = _excess(every, (every.sum(axis=0) - every + 0.5) / len(every), member)
+        # bins by all campaigns alike, the measured one too: each could be any of them
+        alike = _members(where, np.clip(every.mean(axis=0), p.min(), p.max()), bins)
+        excess = _excess(every, (every.sum(axis=0) - every + 0.5) / len(every), alike)
     (lower, upper), (low, high) = proportion_interval(hits, number, level), ranges.T / number
     return Calibration(
         number, member @ p / number, hits / number, lower, upper, low, high,
