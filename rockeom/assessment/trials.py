@@ -69,7 +69,7 @@ class UnderRecord(NamedTuple):
     """The effect of a record, as it was recorded or scaled, by a sweep that was finished.
 
     peak : PGA [m/s2]. rotation : the largest of any body [rad]. part : of the overturning angle,
-    nan where it is not known. room : beside the place before that its base, sliding, and its top,
+    nan where it is not known. room : outside the place before that its base, sliding, and its top,
     leaning, take up at most; displacement : from that place, in the end [m]; nan where it
     overturned or feet do not slide. body : that turned furthest in the end.
     """

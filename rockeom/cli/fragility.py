@@ -11,6 +11,7 @@ import xarray as xr
 
 from rockeom.analysis.risk.fragility import Fragility, fragility_of
 from rockeom.analysis.sweeps import exceedances
+from rockeom.assessment.words import plural
 from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, accelerations, add_records, records
@@ -154,7 +155,7 @@ def _table(rows: Rows, args: argparse.Namespace, intensity: Intensity, number: i
     """How many records exceed the limit at each intensity."""
     what = "overturned" if args.demand is None else f"reached {args.demand} = {args.limit:g}"
     lines = [
-        f"{args.name} under {number} records, each scaled to {len(rows)} values of "
+        f"{args.name} under {plural(number, 'record')}, each scaled to {len(rows)} values of "
         f"{intensity.meaning}:"
     ]
     lines += [f"  {x:6.3g} g: {hits:3d} of {of} {what}" for x, hits, of in rows]

@@ -101,7 +101,7 @@ ANSWERS = QUICK | {
     "branches": lambda: chapter_2_blocks.branches.__wrapped__(1),
     "branches by energy": lambda: chapter_2_blocks.branches_by_energy.__wrapped__(),
     "branches of the wall": lambda: chapter_4_shaken.branches_of(4.553, chapter_4_shaken.DOUBLING),
-    "figure 4-71": chapter_4_shaken.figure_4_71,
+    "peaks by ratio": lambda: chapter_4_shaken.peaks_by_ratio.__wrapped__(),
 }
 QUICK["sample"] = lambda: FORMULA.sample(60, chains=1, warm_up=10)  # no sweep
 
