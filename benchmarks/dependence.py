@@ -11,7 +11,7 @@ less two standard errors is 0.940, the size with two of them 0.060.
 
 The guide to fragility has the table of curves. Of three recordings there is no curve in 18, 37 and
 369 replicates with none, half or all of the variance shared. Counted as independent, 22 recordings
-with half of it hold the median in 0.63. How often bands hold the whole distribution, and their mean
+with half of it hold the median in 0.62. How often bands hold the whole distribution, and their mean
 width at the middle with 20 % shared:
 
     tests x campaigns    20 x 2  20 x 5  60 x 5  20 x 20  60 x 20  60 x 100  60 x 1
