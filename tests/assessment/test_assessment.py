@@ -402,6 +402,7 @@ def test_questions_stand_above_the_verdict_and_doubtful_units_take_its_place(
     html = answer.html().replace("&nbsp;", " ")
     assert html.index('class="question"') < html.index('class="verdict"')
     if said == "No verdict":
+        assert "strap" not in text
         assert not rk.assess(structure, **arguments, units_checked=True).verdict.startswith(said)
     assert not rk.assess(BLOCK, RECORDS[:1], pga=["0.4 g"]).questions
 
@@ -416,6 +417,9 @@ def test_stack_counts_the_fall_of_any_block_and_says_which():
     assert not answer.helps
     for row in answer.trials.intensities:
         assert row.overturned == sum(fallen(stack(), motion, row.pga) for motion in RECORDS[:4])
+    slides = dataclasses.replace(stack(), support=rk.Sliding(friction=0.2, restitution=0.0))
+    with pytest.raises(ValueError, match="corners that slide are not judged"):
+        rk.assess(slides, RECORDS[:4], pga=["0.3 g"])
 
 
 def test_floors_of_a_recording_are_those_of_its_components():

@@ -379,6 +379,7 @@ FAILURES = {
     "cancels as asyncio does": (asyncio.CancelledError,),
     "raises oddly": (ValueError, "too many values to unpack (expected 3)"),
     "refuses": (RuntimeError, "cannot schedule new futures"),
+    "answers nothing": (),
 }
 
 
@@ -397,6 +398,9 @@ class Failing(ThreadPoolExecutor):
         if way == "cancels":
             future.cancel()
             future.set_running_or_notify_cancel()
+            return future
+        if way == "answers nothing":
+            future.set_result(None)
             return future
         kind, *text = FAILURES[way]
         if way == "refuses":
