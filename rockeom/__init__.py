@@ -14,7 +14,7 @@ SymPy.
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from rockeom.renamed import VERSION
+from rockeom.version import VERSION
 
 __version__ = VERSION
 

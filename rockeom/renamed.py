@@ -1,4 +1,4 @@
-"""The release, and former names of functions, classes, arguments and attributes.
+"""Former names of functions, classes, arguments and attributes.
 
 For one release a former name works, and gives one DeprecationWarning with the name of today. All of
 them are made here, so that the release after removes them by the uses of this file. CHANGELOG lists
@@ -12,11 +12,9 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping
 from functools import wraps
 from operator import attrgetter
-from types import FrameType
 from typing import Any, TypeVar
 
-VERSION = "0.1.0"
-"""The release whose names are those of today; the package gives it as `__version__`."""
+from rockeom.numbers.callers import is_of_package
 
 T = TypeVar("T")
 C = TypeVar("C", bound=type)
@@ -33,11 +31,6 @@ def say(message: str, category: type[Warning] = DeprecationWarning) -> None:
     while frame.f_back and is_of_package(frame):
         level, frame = level + 1, frame.f_back
     warnings.warn(message, category, stacklevel=level)
-
-
-def is_of_package(frame: FrameType) -> bool:
-    """Whether the code that a frame runs is the package's own."""
-    return bool(frame.f_globals.get("__name__", "").partition(".")[0] == "rockeom")
 
 
 def names(

@@ -12,6 +12,7 @@ from typing import Any
 from rockeom import renamed
 from rockeom.cli.commands import GROUPS, HELP, OF_THESIS, command
 from rockeom.cli.errors import UsageError, in_options
+from rockeom.version import VERSION
 
 
 def _listed(commands: Mapping[str, str]) -> str:
@@ -117,7 +118,7 @@ def _parser(words: Sequence[str] = ("completion",)) -> argparse.ArgumentParser:
         description=_DESCRIPTION,
         formatter_class=_PLAIN,
     )
-    parser.add_argument("--version", action="version", version=f"rockeom {renamed.VERSION}")
+    parser.add_argument("--version", action="version", version=f"rockeom {VERSION}")
     if first is not None and first not in HELP:
         parser.error(f"no command {_meant(first, HELP)}; rockeom --help lists them")
     commands = parser.add_subparsers(metavar="COMMAND", help=argparse.SUPPRESS, prog="rockeom")

@@ -16,14 +16,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from rockeom import renamed
 from rockeom.files import check_path
 from rockeom.modelling.declared import class_of_model
 from rockeom.modelling.named import FAMILIES, SUPPORTS
 from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
+from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import described, is_number
-from rockeom.renamed import VERSION
 from rockeom.simulation.events import KINDS, EventColumns, Events
 from rockeom.simulation.extremes import Extremes
 from rockeom.simulation.outcome import Outcome
@@ -35,6 +34,7 @@ from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.classes import SHIPPED
 from rockeom.structures.declared import DeclaredStructure
 from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.version import VERSION
 
 if TYPE_CHECKING:
     from rockeom.symbolic import Model, RockingModel
@@ -209,11 +209,10 @@ class _File:
                 f"it has in this one, {VERSION}"
             )
         if definition["source_hash"] != module.SOURCE_HASH:
-            renamed.say(
+            warn_caller(
                 f"{self.path}: the equations of {made.model} were written by rockeom "
                 f"{self.version}, and differ in this one, {VERSION}: what is not in the file "
                 "follows from those of now",
-                UserWarning,
             )
         return made
 

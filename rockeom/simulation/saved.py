@@ -18,16 +18,16 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from rockeom import renamed
 from rockeom.files import check_target, write
+from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import described, installed_by, is_number
-from rockeom.renamed import VERSION
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.steps import Steps
 from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.classes import SHIPPED
 from rockeom.structures.declared import DeclaredStructure
 from rockeom.structures.impact_laws import LAWS, ImpactLaw
+from rockeom.version import VERSION
 
 FORMAT = 1
 """Format of the files: a higher one is refused. A change of it must still read the lower ones."""
@@ -86,10 +86,9 @@ def _encode_law(law: ImpactLaw | None) -> Any:
     if law is None or type(law) in LAWS.values():
         return encode("impact", law)
     name = type(law).__qualname__
-    renamed.say(
+    warn_caller(
         f"the impact law, a {name}, is of your own: the file has its name, and all of the "
         "response; to go on from it give the law again",
-        UserWarning,
     )
     return {"not_saved": name}
 

@@ -26,9 +26,9 @@ from typing import Any, BinaryIO
 import numpy as np
 import xarray as xr
 
-from rockeom import renamed
 from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.integrator.schema import GeneratedModule
+from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import installed_by, is_number
 from rockeom.sweeps.cases import Cases, Source, labels as labels_of
 from rockeom.sweeps.dataset import FLAGS, PENDING, Labels, Sweep, dataset, flags_of, outcomes_of
@@ -350,10 +350,9 @@ def _alone(path: Path) -> Iterator[None]:
             except (BlockingIOError, PermissionError):
                 raise busy from None
             except OSError as error:
-                renamed.say(
+                warn_caller(
                     f"{str(path)!r} cannot be locked ({error}): see to it that no other process "
                     "writes to it",
-                    UserWarning,
                 )
             yield
     finally:
