@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rockeom import renamed
 from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
 from rockeom.numbers.checks import numbers
@@ -64,30 +63,6 @@ def _listed(names: Sequence[str]) -> Sequence[str]:
     return names
 
 
-@renamed.attributes(
-    phase="mode",
-    program="structure.module",
-    final_phase="final_mode",
-    rest_time="events.rest_time",
-    passages="events.columns",
-    impacts_above="impacts.above",
-    impacts_in_words="impacts.describe",
-    impulses="impacts.impulses",
-    impact_energy_gains="impacts.energy_gains",
-    impact_energy_loss="impacts.energy_loss",
-    base_moment="support.base_moment",
-    friction_demand="support.friction_demand",
-    impact_friction_demand="support.impact_friction_demand",
-    friction_demands="support.friction_demands",
-    sliding="support.sliding",
-    lost_contact="support.lost_contact",
-    never_lifted="support.never_lifted",
-    assumptions="support.describe",
-    positions="places.positions",
-    velocities="places.velocities",
-    accelerations="places.accelerations",
-    rotations="places.rotations",
-)
 @explained.attributes()
 @explained.calls()
 @dataclass(frozen=True, eq=False)
