@@ -55,6 +55,18 @@ _SYNONYMS = {
 }
 """Names that people try first, and what to write for each."""
 
+_PARTS = {"support": Support, "impacts": Impacts, "events": Events, "places": Places}
+
+
+def _offers() -> dict[str, str]:
+    """Names that a response lacks, those of its parts too, and what to write for each."""
+    of_parts = {
+        name: f"{part}.{name}"
+        for part, kind in _PARTS.items()
+        for name in explained.public_names(kind)
+    }
+    return of_parts | _SYNONYMS
+
 
 def _listed(names: Sequence[str]) -> Sequence[str]:
     """Names of quantities; raises ValueError for one word, which is a sequence of letters."""
@@ -205,7 +217,7 @@ class Response:
                     return self[name]
                 if name == "time":
                     return self.t
-            return explained.missing(self, name, lambda: _SYNONYMS)
+            return explained.missing(self, name, _offers)
 
     def __dir__(self) -> list[str]:
         """The attributes, and the quantities that are no attributes of the class."""
