@@ -61,14 +61,14 @@ def examples() -> dict[str, str]:
 
 
 def skip(app, what, name, obj, skipped, options) -> bool | None:
-    """Leave out former names, the package's own members, and fields of a named tuple.
+    """Leave out the package's own members, and fields of a named tuple.
 
     The docstring of a named tuple describes its fields.
     """
     docstring = getattr(obj, "__doc__", "") or ""
     home = getattr(getattr(obj, "fget", obj), "__module__", "")
     internal = what == "class" and (name in INTERNAL or home in INTERNAL_HOMES)
-    hidden = docstring.startswith(("Alias for field", "The former name of"))
+    hidden = docstring.startswith("Alias for field")
     return True if internal or hidden else None
 
 

@@ -14,7 +14,7 @@ SymPy.
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from rockeom.renamed import VERSION
+from rockeom.version import VERSION
 
 __version__ = VERSION
 
@@ -58,7 +58,6 @@ _NAMES_OF = {
     "rockeom.exports.responses": ("load",),
     "rockeom.symbolic": ("Body", "Parameter", "Mode", "RockingModel", "derive", "models"),
 }
-_FORMER_CLASSES = ("Mechanism",)
 _NAMESPACES = ("analysis", "plots")
 """Packages whose many names are no top-level ones."""
 _HOME_OF = {name: home for home, names in _NAMES_OF.items() for name in names}
@@ -185,11 +184,6 @@ def __getattr__(name: str) -> Any:
     home = _HOME_OF.get(name)
     if home is None and name[:1].isupper():
         home = _classes().get(name)
-    if name in _FORMER_CLASSES:
-        return getattr(import_module("rockeom.symbolic"), name)
-    if name == "Impact":
-        import_module("rockeom.renamed").warn("rockeom.Impact", "rockeom.Event")
-        return __getattr__("Event")
     if home is None:
         message = f"module {__name__!r} has no attribute {name!r}"
         if name.startswith("_"):

@@ -1,6 +1,7 @@
 """A keyboard interrupt in the midst of long work."""
 
 import functools
+import inspect
 import itertools
 import math
 import sys
@@ -27,7 +28,8 @@ class Interrupting:
     """A block in which the n-th call of any function of the package is interrupted.
 
     In the thread of the caller, as by a signal: between any two calls, but not at a moment that the
-    clock decides. calls : how many there were. called : file and name of each function.
+    clock decides. Generators do not count: what one raises as it is thrown away, Python ignores.
+    calls : how many there were. called : file and name of each function.
     """
 
     def __init__(self, at: float = math.inf) -> None:
@@ -43,7 +45,9 @@ class Interrupting:
 
     def _look(self, frame: FrameType, event: str, _: object) -> None:
         if event == "call" and frame.f_globals.get("__name__", "").startswith("rockeom"):
-            self.calls += 1
             self.called.add((Path(frame.f_code.co_filename).name, frame.f_code.co_name))
+            if frame.f_code.co_flags & inspect.CO_GENERATOR:
+                return
+            self.calls += 1
             if self.calls == self.at:
                 raise KeyboardInterrupt

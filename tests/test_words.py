@@ -137,10 +137,10 @@ def public_names(path: str, value: object) -> Iterator[str]:
             return
         yield from (f"{path}: {name}" for name in getattr(value, "__dataclass_fields__", ()))
         for name in dir(value):
+            if name.startswith("_"):
+                continue
             member = inspect.getattr_static(value, name)
             member = getattr(member, "__func__", member)
-            if name.startswith("_") or (member.__doc__ or "").startswith("The former name of"):
-                continue
             yield f"{path}.{name}"
             if inspect.isfunction(member):
                 yield from (f"{path}.{name}: {a}" for a in inspect.signature(member).parameters)

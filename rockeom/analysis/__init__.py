@@ -12,12 +12,10 @@ Quantities are in SI units and radians. "Thesis" numbers are the equations of Ma
 `rockeom.thesis` checks.
 """
 
-import sys
-from functools import reduce
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from rockeom import renamed
+from rockeom.numbers import explained
 
 if TYPE_CHECKING:  # for type checkers and editors, which cannot follow __getattr__
     from rockeom.analysis import (
@@ -60,29 +58,6 @@ _HOME_OF = {
 """The module of each name that is an attribute of the package itself."""
 __all__ = [*_HOME_OF]
 
-_FORMER = {
-    "beside_fixed_base": "compare_with_fixed_base",
-    "held_states": "equilibrium_states",
-    "TwoSprings": "FoundationSprings",
-}
-_CONSTANTS = {
-    "DESIGN_FACTORS": "formulas.damping.DESIGN_FACTORS",
-    "FEIGENBAUM": "dynamics.branches.FEIGENBAUM",
-    "GRANT_FACTORS": "formulas.damping.GRANT_FACTORS",
-    "PULSE_MODELS": "identification.pulses.PULSE_MODELS",
-}
-_ELSEWHERE = {
-    "rockeom.simulation.quantities": ("EnergyBalance",),
-    "rockeom.thesis.points_of_interest": (
-        "PointsOfInterest", "importance_scores", "points_by_prominence", "points_by_score",
-    ),
-    "rockeom.thesis.wall_tests": (
-        "EdgeUplifts", "back_calculated_force", "corrected_uplifts", "energy_ratio_4_31",
-        "energy_ratio_4_36", "energy_ratio_4_38", "harmonic_force", "quarter_period_fit",
-    ),
-}  # fmt: skip
-"""Former names by the module that has them now, of packages that this one cannot import."""
-
 
 def __getattr__(name: str) -> Any:
     if name in _GROUPS:
@@ -93,25 +68,13 @@ def __getattr__(name: str) -> Any:
     message = f"module {__name__!r} has no attribute {name!r}"
     if name.startswith("_"):
         raise AttributeError(message)
-    for module, names in _ELSEWHERE.items():
-        if name in names:
-            raise AttributeError(f"{message}: import it from {module}")
-    return _former(name, message)
+    raise explained.UnknownAttributeError(message, name, _offers)
 
 
-def _former(name: str, message: str) -> Any:
-    """A name of a group as an attribute of this package, for one release."""
-    groups = {one: f"{group}.{one}" for group in _GROUPS for one in dir(__getattr__(group))}
-    places = groups | _CONSTANTS | {one: one for one in _HOME_OF}
-    today = _FORMER.get(name, name)
-    if today in places:
-        renamed.warn(f"{__name__}.{name}", f"{__name__}.{places[today]}")
-        return reduce(getattr, places[today].split("."), sys.modules[__name__])
-    from difflib import get_close_matches  # only where there is an error
-
-    for meant in get_close_matches(name, places, n=1):
-        message += f" (did you mean {places[meant]}?)"
-    raise AttributeError(message, name=name, obj=None)  # Python would add a suggestion of its own
+def _offers() -> dict[str, str]:
+    """The names of the package and of its groups, each with what to write."""
+    of_groups = {one: f"{group}.{one}" for group in _GROUPS for one in dir(__getattr__(group))}
+    return of_groups | {one: one for one in _HOME_OF}
 
 
 def __dir__() -> list[str]:

@@ -6,12 +6,12 @@ import argparse
 import os
 import sys
 import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
-from rockeom import renamed
 from rockeom.cli.commands import GROUPS, HELP, OF_THESIS, command
 from rockeom.cli.errors import UsageError, in_options
+from rockeom.version import VERSION
 
 
 def _listed(commands: Mapping[str, str]) -> str:
@@ -53,26 +53,14 @@ def main(argv: Sequence[str] | None = None) -> int:
 def _run(argv: Sequence[str]) -> int:
     with warnings.catch_warnings():
         warnings.showwarning = _show_warning
-        words = _of_today(argv)
-        parser = _parser(words)
-        args, unknown = parser.parse_known_args(words)
+        parser = _parser(argv)
+        args, unknown = parser.parse_known_args(argv)
         if unknown:  # an error of the command itself, with its own usage
             getattr(args, "parser", parser).error(_unknown(unknown))
         if getattr(args, "run", None) is None:  # `rockeom` or `rockeom thesis` alone
             getattr(args, "group", parser).print_help()
             return 2
         return _answer(args)
-
-
-def _of_today(argv: Sequence[str]) -> list[str]:
-    """The words, with "thesis" before a command that was called without it."""
-    words = list(argv)
-    first = next((i for i, word in enumerate(words) if not word.startswith("-")), len(words))
-    if words[first:] and words[first] in OF_THESIS:
-        warnings.filterwarnings("always", "rockeom .* is now called", DeprecationWarning)
-        renamed.warn(f"rockeom {words[first]}", f"rockeom thesis {words[first]}")
-        words.insert(first, "thesis")
-    return words
 
 
 def _answer(args: argparse.Namespace) -> int:
@@ -117,9 +105,10 @@ def _parser(words: Sequence[str] = ("completion",)) -> argparse.ArgumentParser:
         description=_DESCRIPTION,
         formatter_class=_PLAIN,
     )
-    parser.add_argument("--version", action="version", version=f"rockeom {renamed.VERSION}")
+    parser.add_argument("--version", action="version", version=f"rockeom {VERSION}")
     if first is not None and first not in HELP:
-        parser.error(f"no command {_meant(first, HELP)}; rockeom --help lists them")
+        names = {name: f"thesis {name}" for name in OF_THESIS} | {name: name for name in HELP}
+        parser.error(f"no command {_meant(first, names)}; rockeom --help lists them")
     commands = parser.add_subparsers(metavar="COMMAND", help=argparse.SUPPRESS, prog="rockeom")
     for name in HELP:
         if name == "thesis":
@@ -140,7 +129,8 @@ def _add_thesis(commands: Any, asked: Sequence[str], program: argparse.ArgumentP
     group.set_defaults(group=group)
     name = asked[1] if asked[0:1] == ["thesis"] and len(asked) > 1 else None
     if name is not None and name not in OF_THESIS:
-        group.error(f"no command {_meant(name, OF_THESIS)}; there are {', '.join(OF_THESIS)}")
+        names = {name: name for name in OF_THESIS}
+        group.error(f"no command {_meant(name, names)}; there are {', '.join(OF_THESIS)}")
     of_group = group.add_subparsers(
         metavar="COMMAND", help=argparse.SUPPRESS, prog="rockeom thesis"
     )
@@ -168,11 +158,11 @@ def _add(
     parser.set_defaults(run=home.run, parser=parser, program=program)
 
 
-def _meant(name: str, known: Iterable[str]) -> str:
-    """An unknown command, and the known one that is most like it."""
+def _meant(name: str, known: Mapping[str, str]) -> str:
+    """An unknown command, and what to type for the known one that is most like it."""
     from rockeom.numbers.checks import near
 
-    return f"{name!r}{near(name, known)}"
+    return f"{name!r}{near(name, known, known)}"
 
 
 def _write_any_letter() -> None:

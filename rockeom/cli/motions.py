@@ -120,7 +120,7 @@ def add_scale(group) -> None:
         "--acceleration-scale", type=float, metavar="X", help="multiply accelerations by X"
     )
     size.add_argument(
-        "--pga", "--peak", metavar="A", help="scale to this largest acceleration: 0.4g, or in m/s2"
+        "--pga", metavar="A", help="scale to this largest acceleration: 0.4g, or in m/s2"
     )
     size.add_argument(
         "--sa", metavar="A", help="scale to this spectral acceleration at --period, 5 %% damped"

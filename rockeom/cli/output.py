@@ -15,7 +15,6 @@ import numpy as np
 from rockeom.cli.errors import in_options
 from rockeom.files import write
 from rockeom.motion import GroundMotion
-from rockeom.renamed import VERSION
 from rockeom.simulation.events import MEASURABLE
 from rockeom.simulation.plausible import forces
 from rockeom.simulation.reserve import reserve_of
@@ -23,6 +22,7 @@ from rockeom.simulation.response import Response
 from rockeom.simulation.tables import units_with_time
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.structures.units import main_units
+from rockeom.version import VERSION
 
 
 def in_words(run: Response) -> str:

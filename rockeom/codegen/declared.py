@@ -277,7 +277,7 @@ def _jump(text: Text) -> None:
             if t.kind == "impact":
                 body += _impact(text, t, impulses, " " * 8)
             else:
-                body += _passage(text, t, " " * 8)
+                body += _without_impact(text, t, " " * 8)
     body.append("    return mode")
     text.function(
         "jump(mode, guard, law, ratio, y, p, out)",
@@ -290,7 +290,7 @@ def _jump(text: Text) -> None:
     )
 
 
-def _passage(text: Text, t: Transition, indent: str) -> list[str]:
+def _without_impact(text: Text, t: Transition, indent: str) -> list[str]:
     """Lines of a transition without an impact: the states that it sets."""
     sets = {f"out[{text.index(x)}]": text.model.written_out(e) for x, e in t.sets.items()}
     lines = []

@@ -30,7 +30,7 @@ from rockeom.integrator.schema import (
 from rockeom.integrator.texts import source, text_of
 from rockeom.modelling.declared import class_of_model
 from rockeom.numbers.checks import described, near
-from rockeom.renamed import VERSION
+from rockeom.version import VERSION
 
 WHOLE = ("mode", "guard", "law", "number")
 ARRAYS = ("y", "p", "parameters", "out", "dy", "g", "matrix", "forces")

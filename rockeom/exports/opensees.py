@@ -15,9 +15,9 @@ import numpy as np
 
 from rockeom.motion import GroundMotion
 from rockeom.numbers.checks import number
-from rockeom.renamed import VERSION
 from rockeom.structures.base import Structure
 from rockeom.structures.parameters import named_states
+from rockeom.version import VERSION
 
 _BODY = Template('''
 # Nodes: 1 the middle of the base, 2 and 3 its feet, 4 and 5 the masses, 6 and 7 the ground

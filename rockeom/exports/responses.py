@@ -16,14 +16,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from rockeom import renamed
 from rockeom.files import check_path
 from rockeom.modelling.declared import class_of_model
 from rockeom.modelling.named import FAMILIES, SUPPORTS
 from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
+from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import described, is_number
-from rockeom.renamed import VERSION
 from rockeom.simulation.events import KINDS, EventColumns, Events
 from rockeom.simulation.extremes import Extremes
 from rockeom.simulation.outcome import Outcome
@@ -35,6 +34,7 @@ from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.classes import SHIPPED
 from rockeom.structures.declared import DeclaredStructure
 from rockeom.structures.impact_laws import ImpactLaw
+from rockeom.version import VERSION
 
 if TYPE_CHECKING:
     from rockeom.symbolic import Model, RockingModel
@@ -104,7 +104,7 @@ def load(
     has other equations for a shipped structure than that which wrote the file, a warning says so.
 
     Raises FileNotFoundError where there is no file; ValueError, with its name, for a file that is
-    no response, is damaged or of a newer format, and for a declaration that is missing or another;
+    no response, is damaged or of another format, and for a declaration that is missing or another;
     and ModuleNotFoundError without the extra `files`.
 
         run = rk.load("block.nc")
@@ -147,10 +147,11 @@ class _File:
         if not (is_number(format_) and format_ > 0):
             raise self.error("it was not written by `run.save(path)`")
         self.version = str(attrs.get("rockeom_version"))
-        if format_ > FORMAT:
+        if format_ != FORMAT:
             raise self.error(
-                f"its format is {format_}, of rockeom {self.version}; this rockeom, {VERSION}, "
-                f"reads formats up to {FORMAT}: install a newer one"
+                f"it is a response in format {format_}, which another version of rockeom wrote "
+                f"({self.version}), and this one, {VERSION}, reads format {FORMAT}: simulate "
+                "again and save that response"
             )
         if attrs.get("checksum") != checksum(self.definition_text, self.arrays):
             raise self.error("it is damaged: its checksum is not that of what it holds")
@@ -202,18 +203,17 @@ class _File:
         if self.given is not None and not self.asked and made != self.given:
             raise self.error(f"its structure is {made!r}, and {described(self.given)} is given")
         module = made.module
-        names = (definition["states"], definition["contacts"])
+        names = (definition["states"], definition["modes"])
         if names != (list(module.STATES), list(module.MODES)):
             raise self.error(
                 f"{made.model} of rockeom {self.version} had other states or modes than "
                 f"it has in this one, {VERSION}"
             )
         if definition["source_hash"] != module.SOURCE_HASH:
-            renamed.say(
+            warn_caller(
                 f"{self.path}: the equations of {made.model} were written by rockeom "
                 f"{self.version}, and differ in this one, {VERSION}: what is not in the file "
                 "follows from those of now",
-                UserWarning,
             )
         return made
 
@@ -222,20 +222,19 @@ class _File:
             return None
         samples = self.array(f"{name}_samples", None) if about["dt"] is not None else None
         segments = self.array(f"{name}_segments", None, 7)
-        is_vertical = bool(about.get("is_vertical", False))  # files before it was known
         return GroundMotion(
-            segments, about["name"], about["source"], about["dt"], samples, is_vertical
+            segments, about["name"], about["source"], about["dt"], samples, about["is_vertical"]
         )
 
     def record(self, n: int, n_modes: int, quantities: list[str] | None) -> Steps | Samples:
         if quantities is None:
             span = self.array("step_span", None, 2)
-            modes = self.array("step_contact", len(span))
-            self.check_below("step_contact", modes, n_modes)
+            modes = self.array("step_mode", len(span))
+            self.check_below("step_mode", modes, n_modes)
             return Steps(span, modes, self.array("step_powers", len(span), 8, n))
         t = self.array("sample_time", None)
-        modes = self.array("sample_contact", len(t))
-        self.check_below("sample_contact", modes, n_modes)
+        modes = self.array("sample_mode", len(t))
+        self.check_below("sample_mode", modes, n_modes)
         rows = self.array("extremes", len(quantities), 4).tolist()
         extremes = {name: Extremes(*row) for name, row in zip(quantities, rows, strict=True)}
         return Samples(t, self.array("sample_state", len(t), n), modes, extremes)
@@ -244,11 +243,11 @@ class _File:
         definition = json.loads(self.definition_text)
         structure = self.structure(definition)
         n, n_modes = len(structure.states), len(structure.module.MODES)
-        times = self.array("passage_time", None)
-        kinds = self.array("passage_kind", len(times), 4)
-        self.check_below("passage_kind", kinds[:, 0], len(KINDS))
-        self.check_below("passage_kind", kinds[:, 1:3], n_modes)
-        states = self.array("passage_state", len(times), 2, n)
+        times = self.array("event_time", None)
+        kinds = self.array("event_kind", len(times), 4)
+        self.check_below("event_kind", kinds[:, 0], len(KINDS))
+        self.check_below("event_kind", kinds[:, 1:3], n_modes)
+        states = self.array("event_state", len(times), 2, n)
         motion = self.motion("motion", definition["motion"])
         if motion is None:
             raise self.error("it has no ground motion")

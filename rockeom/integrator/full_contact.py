@@ -38,7 +38,7 @@ def cannot_move(mode, rate, y, p):
 
 @inlined
 def stands_until(mode, t, end, y, p, gx, gy, g):
-    """Whether a structure that cannot move stays on both its feet while straight laws last.
+    """Whether a structure that cannot move stays on both its feet while linear segments last.
 
     The accelerations with which its feet would lift are linear in those of the ground, so that
     both ends decide.

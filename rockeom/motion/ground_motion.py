@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom import renamed
 from rockeom.motion.arguments import (
     accelerations as _accelerations,
     array as _array,
@@ -47,6 +46,7 @@ from rockeom.motion.segments import (
 from rockeom.motion.units import STANDARD_GRAVITY, factor
 from rockeom.numbers import explained
 from rockeom.numbers.batch import one_of
+from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import described, number
 from rockeom.numbers.dual import nominal
 
@@ -882,10 +882,9 @@ def _from_record(
         raise MotionError(f"{source}: {len(a)} sample(s), where a record needs two or more")
     largest = np.abs(a).max()
     if largest > _ABSURD_PEAK:
-        renamed.say(
+        warn_caller(
             f"{source}: the peak of {largest:.4g} m/s2 ({largest / STANDARD_GRAVITY:.4g} g) "
             "is above the largest recorded one: check the units",
-            UserWarning,
         )
     t = dt * np.arange(len(a))
     segments = np.zeros((len(a) - 1, COLUMNS), np.result_type(a, t))

@@ -6,13 +6,13 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
-from rockeom import renamed
 from rockeom.motion.arguments import COMPONENTS
 from rockeom.motion.components import channel, split
 from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.recording import Recording
 from rockeom.motion.scaling import SCALE_IN_NAME
+from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import described
 
 _RIGHT_ANGLE = 10.0  # degrees by which the angle between two azimuths may differ from a right one
@@ -81,11 +81,10 @@ def chosen(
             f'components="{other}" for them'
         )
     if not wanted and len(kept) < len(motions):
-        renamed.say(
+        warn_caller(
             f"{len(motions) - len(kept)} of {len(motions)} records of {where} are vertical "
             f"components and left out: {_shortened(motions.keys() - kept.keys())}; "
             'components="vertical" or "all" takes them',
-            UserWarning,
         )
     return kept
 

@@ -17,7 +17,6 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from rockeom import renamed
 from rockeom.analysis.dynamics.overturning import impacts_before_overturning
 from rockeom.analysis.risk.fragility import Fragility, fragility_of
 from rockeom.analysis.sweeps import FALLS, STANDS, coordinate, outcome_labels, peaks_of, unanswered
@@ -297,7 +296,6 @@ def _looks(ax: Axes, sweep: xr.Dataset, by: str | None, n: int) -> list[dict[str
 # --- how likely it is
 
 
-@renamed.arguments(found="result")
 @style.styled
 def fragility_curve(
     result: xr.Dataset | Fragility,

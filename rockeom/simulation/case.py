@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rockeom import renamed
 from rockeom.motion import GroundMotion
 from rockeom.motion.recording import Recording
 from rockeom.motion.segments import LINEAR, within
@@ -206,7 +205,6 @@ AT_THE_END = 1e-9
 """So far beyond the bound of overturning, relative to it, may be the last state of a motion."""
 
 
-@renamed.fields(phase="mode")
 @explained.attributes(simulate="rk.simulate(case)", run="rk.simulate(case)")
 @explained.calls(
     restitution="impact=rk.VelocityRatio(e)",

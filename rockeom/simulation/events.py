@@ -9,7 +9,6 @@ from typing import ClassVar, NamedTuple, overload
 
 import numpy as np
 
-from rockeom import renamed
 from rockeom.codes import ENERGY_ROUNDING, IMPACT, KIND_OF, LANDING, REST
 from rockeom.integrator.schema import has_landings
 from rockeom.numbers import explained
@@ -27,7 +26,6 @@ MEASURABLE = 1e-3
 """Angular velocity above which an impact is counted by itself [rad/s, or the rotation's unit/s]."""
 
 
-@renamed.fields(phase_before="mode_before", phase_after="mode_after")
 @dataclass(frozen=True)
 class Event:
     """The transition from one mode to another.

@@ -8,7 +8,6 @@ from typing import Protocol
 
 import numpy as np
 
-from rockeom import renamed
 from rockeom.integrator.program import say
 from rockeom.simulation.events import EventColumns
 from rockeom.simulation.extremes import Extremes, Running
@@ -21,7 +20,6 @@ _MANY = 100_000  # steps from which a line on stderr says how far it is, at each
 _DOUBLED = 4096  # steps up to which a full record doubles; then it grows by so many, or an eighth
 
 
-@renamed.fields(contact="mode")
 @dataclass(frozen=True, eq=False)
 class Samples:
     """A motion at some times: t (n,) [s], states y (n, N), mode (n,), and its extremes by name."""

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rockeom import renamed
 from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
 from rockeom.numbers.checks import numbers
@@ -56,6 +55,18 @@ _SYNONYMS = {
 }
 """Names that people try first, and what to write for each."""
 
+_PARTS = {"support": Support, "impacts": Impacts, "events": Events, "places": Places}
+
+
+def _offers() -> dict[str, str]:
+    """Names that a response lacks, those of its parts too, and what to write for each."""
+    of_parts = {
+        name: f"{part}.{name}"
+        for part, kind in _PARTS.items()
+        for name in explained.public_names(kind)
+    }
+    return of_parts | _SYNONYMS
+
 
 def _listed(names: Sequence[str]) -> Sequence[str]:
     """Names of quantities; raises ValueError for one word, which is a sequence of letters."""
@@ -64,30 +75,6 @@ def _listed(names: Sequence[str]) -> Sequence[str]:
     return names
 
 
-@renamed.attributes(
-    phase="mode",
-    program="structure.module",
-    final_phase="final_mode",
-    rest_time="events.rest_time",
-    passages="events.columns",
-    impacts_above="impacts.above",
-    impacts_in_words="impacts.describe",
-    impulses="impacts.impulses",
-    impact_energy_gains="impacts.energy_gains",
-    impact_energy_loss="impacts.energy_loss",
-    base_moment="support.base_moment",
-    friction_demand="support.friction_demand",
-    impact_friction_demand="support.impact_friction_demand",
-    friction_demands="support.friction_demands",
-    sliding="support.sliding",
-    lost_contact="support.lost_contact",
-    never_lifted="support.never_lifted",
-    assumptions="support.describe",
-    positions="places.positions",
-    velocities="places.velocities",
-    accelerations="places.accelerations",
-    rotations="places.rotations",
-)
 @explained.attributes()
 @explained.calls()
 @dataclass(frozen=True, eq=False)
@@ -230,7 +217,7 @@ class Response:
                     return self[name]
                 if name == "time":
                     return self.t
-            return explained.missing(self, name, lambda: _SYNONYMS)
+            return explained.missing(self, name, _offers)
 
     def __dir__(self) -> list[str]:
         """The attributes, and the quantities that are no attributes of the class."""

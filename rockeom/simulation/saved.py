@@ -18,19 +18,19 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from rockeom import renamed
 from rockeom.files import check_target, write
+from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import described, installed_by, is_number
-from rockeom.renamed import VERSION
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.steps import Steps
 from rockeom.structures.base import FixedBase, Structure
 from rockeom.structures.classes import SHIPPED
 from rockeom.structures.declared import DeclaredStructure
 from rockeom.structures.impact_laws import LAWS, ImpactLaw
+from rockeom.version import VERSION
 
-FORMAT = 1
-"""Format of the files: a higher one is refused. A change of it must still read the lower ones."""
+FORMAT = 2
+"""Format of the files; another one is refused."""
 
 NAMES = {FixedBase: "fixed_base", SolverOptions: "options"} | {law: n for n, law in LAWS.items()}
 """Names of classes in files; a structure goes by its `model`, a support by its `kind`."""
@@ -86,10 +86,9 @@ def _encode_law(law: ImpactLaw | None) -> Any:
     if law is None or type(law) in LAWS.values():
         return encode("impact", law)
     name = type(law).__qualname__
-    renamed.say(
+    warn_caller(
         f"the impact law, a {name}, is of your own: the file has its name, and all of the "
         "response; to go on from it give the law again",
-        UserWarning,
     )
     return {"not_saved": name}
 
@@ -98,15 +97,15 @@ def _encode_law(law: ImpactLaw | None) -> Any:
 
 _DIMS: Mapping[str, tuple[str, ...]] = {
     "step_span": ("step", "start_and_length"),
-    "step_contact": ("step",),
+    "step_mode": ("step",),
     "step_powers": ("step", "power", "state"),
     "sample_time": ("sample",),
     "sample_state": ("sample", "state"),
-    "sample_contact": ("sample",),
+    "sample_mode": ("sample",),
     "extremes": ("quantity", "extreme"),
-    "passage_time": ("passage",),
-    "passage_kind": ("passage", "kind_before_after_guard"),
-    "passage_state": ("passage", "side", "state"),
+    "event_time": ("event",),
+    "event_kind": ("event", "kind_before_after_guard"),
+    "event_state": ("event", "side", "state"),
     "end": ("state",),
     **{
         f"{motion}_{what}": (f"{motion}_{what}", "column")[: 2 - (what == "samples")]
@@ -114,18 +113,18 @@ _DIMS: Mapping[str, tuple[str, ...]] = {
         for what in ("segments", "samples")
     },
 }
-WHOLE_NUMBERS = {"step_contact", "sample_contact", "passage_kind"}
+WHOLE_NUMBERS = {"step_mode", "sample_mode", "event_kind"}
 _ABOUT = {
     "step_span": ("start and length of each step of integration", "s"),
-    "step_contact": ("number of the mode in each step", ""),
+    "step_mode": ("number of the mode in each step", ""),
     "step_powers": ("coefficients of the states' polynomials of the part of a step gone", ""),
     "sample_time": ("times of the samples", "s"),
     "sample_state": ("states at the samples", ""),
-    "sample_contact": ("number of the mode at the samples", ""),
+    "sample_mode": ("number of the mode at the samples", ""),
     "extremes": ("minimum, maximum and their times, of each quantity", ""),
-    "passage_time": ("times of impacts, uplifts and other events", "s"),
-    "passage_kind": ("kind, modes before and after, number of the guard", ""),
-    "passage_state": ("states before and after each event", ""),
+    "event_time": ("times of impacts, uplifts and other events", "s"),
+    "event_kind": ("kind, modes before and after, number of the guard", ""),
+    "event_state": ("states before and after each event", ""),
     "end": ("last state", ""),
 }
 
@@ -134,13 +133,13 @@ def _arrays(made: Mapping[str, Any]) -> dict[str, np.ndarray]:
     record = made["record"]
     if isinstance(record, Steps):
         fields: tuple[Any, ...] = record.span, record.mode, record.powers
-        arrays = dict(zip(("step_span", "step_contact", "step_powers"), fields, strict=True))
+        arrays = dict(zip(("step_span", "step_mode", "step_powers"), fields, strict=True))
     else:
         fields = record.t, record.y, record.mode
-        arrays = dict(zip(("sample_time", "sample_state", "sample_contact"), fields, strict=True))
+        arrays = dict(zip(("sample_time", "sample_state", "sample_mode"), fields, strict=True))
         rows = [dataclasses.astuple(one) for one in record.extremes.values()]
         arrays["extremes"] = np.array(rows)
-    names = ("passage_time", "passage_kind", "passage_state")
+    names = ("event_time", "event_kind", "event_state")
     arrays |= zip(names, made["events"].columns, strict=True)
     arrays["end"] = made["end"]
     for name in ("motion", "vertical"):
@@ -210,7 +209,7 @@ def _definition(made: Mapping[str, Any]) -> dict[str, Any]:
         "structure": encode("structure", made["structure"]),
         "source_hash": module.SOURCE_HASH,
         "states": module.STATES,
-        "contacts": module.MODES,
+        "modes": module.MODES,
         "impact": _encode_law(made["impact"]),
         "options": encode("options", made["options"]),
         "outcome": str(made["outcome"]),

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from rockeom import renamed
 from rockeom.codes import AT_THE_START, EVENTS_KEPT, FULL, MODE, OUTCOMES, REFINED, STEPS_KEPT
 from rockeom.integrator.program import Program, program
 from rockeom.motion import GroundMotion
@@ -29,7 +28,6 @@ from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 
 
-@renamed.arguments(phase="mode")
 @explained.calls(
     restitution="impact=rk.VelocityRatio(e)",
     e="impact=rk.VelocityRatio(e)",

@@ -8,8 +8,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rockeom import renamed
-
 _TOGETHER = 4096  # steps that are evaluated at a time, so that memory is bounded
 
 
@@ -25,7 +23,6 @@ Evaluate = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 """(n, m) values of m quantities at times (n,), states (n, N) and modes (n,)."""
 
 
-@renamed.fields(contact="mode")
 @dataclass(frozen=True, eq=False)
 class Steps:
     """The dense record: steps (n, 2) start and length [s], mode (n,), powers (n, 8, N)."""

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, cast
 
 import numpy as np
 
-from rockeom import renamed
 from rockeom.codes import IMPACT
 from rockeom.drawing.positions import Shapes, places, positions_of, rotations_of, shapes
 from rockeom.integrator.schema import GeneratedModule, has_landings, name_of_law
@@ -32,7 +31,6 @@ def generated_module(name: str) -> GeneratedModule:
     return cast(GeneratedModule, importlib.import_module(f"rockeom.generated.{name}"))
 
 
-@renamed.attributes(stands_on_points="has_landings", contact="mode_number")
 class Structure(metaclass=explained.Constructors):
     """A rocking structure with its parameters.
 
@@ -188,7 +186,6 @@ class Structure(metaclass=explained.Constructors):
                 raise ValueError(f"state {name} is {value}: give a finite number")
         return modes_of(self.module).completed(self.module, np.array(y), self.vector, values)
 
-    @renamed.arguments(phase="mode")
     def mode_number(
         self, y: np.ndarray, mode: str | None = None, towards: Callable[[], float] = float
     ) -> int:
@@ -210,7 +207,6 @@ class Structure(metaclass=explained.Constructors):
             return number
         return modes_of(m).mode_under_forces(m, number, y, self.vector, ground)
 
-    @renamed.arguments(phase="mode")
     def accelerations(
         self,
         state: Mapping[str, Any],
@@ -234,7 +230,6 @@ class Structure(metaclass=explained.Constructors):
         n = len(self.states) // 2
         return at.shaped(dict(zip(self.states[:n], rates[n:], strict=True)))
 
-    @renamed.arguments(phase="mode")
     def absolute_accelerations(
         self,
         state: Mapping[str, Any],
@@ -250,7 +245,6 @@ class Structure(metaclass=explained.Constructors):
         values = evaluation.accelerations(self.module, self.vector, at.modes, at.y, *at.ground)
         return {name: value.reshape(*at.shape, 2) for name, value in values.items()}
 
-    @renamed.arguments(phase="mode")
     def velocities(
         self, state: Mapping[str, Any], mode: str | None = None
     ) -> dict[str, np.ndarray]:
@@ -262,7 +256,6 @@ class Structure(metaclass=explained.Constructors):
         values = evaluation.velocities(self.module, self.vector, at.modes, at.y)
         return {name: value.reshape(*at.shape, 2) for name, value in values.items()}
 
-    @renamed.arguments(phase="mode")
     def after_impact(
         self,
         state: Mapping[str, float],
@@ -370,7 +363,6 @@ class Structure(metaclass=explained.Constructors):
         m.energies(next(c for c, side in enumerate(m.SIDES) if side > 0), y, p, out)
         return 2.0 * out[m.ENERGIES.index("kinetic_energy")]
 
-    @renamed.arguments(phase="mode")
     def energies(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, Any]:
         """Kinetic, gravitational and elastic energy [J]; heights count from the ground.
 
@@ -379,7 +371,6 @@ class Structure(metaclass=explained.Constructors):
         at = self._at(state, mode)
         return at.shaped(self._values("energies", at))
 
-    @renamed.arguments(phase="mode")
     def reactions(
         self,
         state: Mapping[str, Any],
@@ -395,7 +386,6 @@ class Structure(metaclass=explained.Constructors):
         at = self._at(state, mode, ground_acceleration, vertical_ground_acceleration)
         return at.shaped(self._values("reactions", at))
 
-    @renamed.arguments(phase="mode")
     def elements(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, Any]:
         """Deformation [m], force [N] and stored energy [J] of each spring, damper and tendon.
 
@@ -405,7 +395,6 @@ class Structure(metaclass=explained.Constructors):
         at = self._at(state, mode)
         return at.shaped(evaluation.elements(self.module, self.vector, at.modes, at.y))
 
-    @renamed.arguments(phase="mode")
     def positions(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, np.ndarray]:
         """Places (..., 2) of bodies, feet and the load point, by name [m].
 
@@ -415,7 +404,6 @@ class Structure(metaclass=explained.Constructors):
         """
         return positions_of(self.module, self._places(state, mode))
 
-    @renamed.arguments(phase="mode")
     def rotations(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, np.ndarray]:
         """Angles (...) through which the bodies have turned, by name, clockwise [rad]."""
         return rotations_of(self.module, self._places(state, mode))
@@ -621,7 +609,6 @@ class FixedBase(Structure):
         """Itself."""
         return self
 
-    @renamed.arguments(phase="mode")
     def mode_number(
         self, y: np.ndarray, mode: str | None = None, towards: Callable[[], float] = float
     ) -> int:

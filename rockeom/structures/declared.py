@@ -125,8 +125,8 @@ class StructureWithFields(Structure):
         return {name: getattr(self, named.get(name, name)) for name in self.module.PARAMETERS}
 
     def parameter_at(self, path: tuple[Any, ...]) -> str:
-        renamed = {argument: name for name, argument in self.arguments.items()}
-        return super().parameter_at((renamed.get(path[0], path[0]), *path[1:]))
+        names = {argument: name for name, argument in self.arguments.items()}
+        return super().parameter_at((names.get(path[0], path[0]), *path[1:]))
 
 
 class DeclaredStructure(Structure):

@@ -13,7 +13,6 @@ from typing import Any
 
 import numpy as np
 
-from rockeom import renamed
 from rockeom.codes import IMPACT
 from rockeom.integrator.program import program, revision
 from rockeom.integrator.schema import GeneratedModule
@@ -35,16 +34,14 @@ MOST_KEPT, CHUNKS = 4096, 64
 """Cases in a chunk of a store or of an executor, at most; and chunks of a smaller sweep."""
 
 
-ARRAYS = "leave it out, functions are called for many cases at once wherever that is the same"
-"""The remedy of a former argument."""
-
-
 @part_for_users
-@renamed.needless(arrays=ARRAYS)
-@renamed.moved(
-    "sweep_options", SweepOptions, "threads", "chunk", "progress", "lanes", "store", "executor"
+@explained.calls(
+    vary="over=",
+    parameters="over=",
+    rtol="options=rk.SolverOptions(rtol=...)",
+    threads="sweep_options=rk.SweepOptions(threads=...)",
+    store="sweep_options=rk.SweepOptions(store=...)",
 )
-@explained.calls(vary="over=", parameters="over=", rtol="options=rk.SolverOptions(rtol=...)")
 def simulate_many(
     case: Case | Callable[..., Case],
     over: Any,

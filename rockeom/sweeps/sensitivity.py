@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rockeom import renamed
 from rockeom.codes import IMPACT, LANDING, REST
 from rockeom.motion.segments import KIND, scaled
 from rockeom.numbers import explained
@@ -167,9 +166,6 @@ def _names(what: str, names: Sequence[str]) -> tuple[str, ...]:
 def _numbers(case: Case, names: Sequence[str]) -> list[Number]:
     """The numbers of these names, of those that have a value and a derivative."""
     known = {name: n for name, n in numbers_of(case).items() if n.smooth and n.value is not None}
-    if "amplitude" in names and not any(name.endswith(".amplitude") for name in known):
-        renamed.warn("sensitivity: amplitude, a factor of the motion,", "scale")
-        names = ["scale" if name == "amplitude" else name for name in names]
     return numbers_named("to", names, known, case.structure)
 
 

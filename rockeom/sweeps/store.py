@@ -26,9 +26,9 @@ from typing import Any, BinaryIO
 import numpy as np
 import xarray as xr
 
-from rockeom import renamed
 from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.integrator.schema import GeneratedModule
+from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import installed_by, is_number
 from rockeom.sweeps.cases import Cases, Source, labels as labels_of
 from rockeom.sweeps.dataset import FLAGS, PENDING, Labels, Sweep, dataset, flags_of, outcomes_of
@@ -167,15 +167,20 @@ def _zarr() -> Any:
 
 
 def _group(path: Path, mode: str) -> Any:
-    """The group of a store; raises ValueError for anything else."""
+    """The group of a store; raises ValueError for anything else, and for another format."""
     zarr = _zarr()
     try:
         group = zarr.open_group(str(path), mode=mode)
-        group.attrs["rockeom_sweep"], group.attrs["labels"]
+        form = dict(group.attrs["rockeom_sweep"])["format"]
     except Exception as error:
+        raise ValueError(f"{str(path)!r} is no store of a sweep: give another path") from error
+    if form != str(FORMAT):
         raise ValueError(
-            f"{str(path)!r} is no store of a sweep, or that of a former release: give another path"
-        ) from error
+            f"{str(path)!r} is a sweep in format {form}, which another version of rockeom wrote, "
+            f"and this one reads format {FORMAT}: remove it, or give another path, and sweep again"
+        )
+    if "labels" not in group.attrs:
+        raise ValueError(f"{str(path)!r} lacks its labels: the store is damaged, give another one")
     return group
 
 
@@ -350,10 +355,9 @@ def _alone(path: Path) -> Iterator[None]:
             except (BlockingIOError, PermissionError):
                 raise busy from None
             except OSError as error:
-                renamed.say(
+                warn_caller(
                     f"{str(path)!r} cannot be locked ({error}): see to it that no other process "
                     "writes to it",
-                    UserWarning,
                 )
             yield
     finally:

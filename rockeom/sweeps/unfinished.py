@@ -7,7 +7,7 @@ from collections.abc import Callable
 from functools import wraps
 from typing import Any, ParamSpec, TypeVar, cast
 
-from rockeom import renamed
+from rockeom.numbers.callers import is_of_package
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -39,7 +39,7 @@ def part_for_users(function: Callable[P, R]) -> Callable[P, R]:
             return function(*args, **kwargs)
         except Unfinished as interrupt:
             frame = sys._getframe().f_back
-            while frame is not None and not renamed.is_of_package(frame):
+            while frame is not None and not is_of_package(frame):
                 frame = frame.f_back
             if frame is not None or not interrupt.returnable:
                 interrupt.returnable = False

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from rockeom import renamed
 from rockeom.numbers import explained
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.contact_model import Model
@@ -29,19 +28,14 @@ from rockeom.symbolic.model import (
 from rockeom.symbolic.registry import SHIPPED, derive, models
 from rockeom.symbolic.rocking import RockingModel, rocking_structure
 
-FORMER = {"Mechanism": "Mode"}
-"""Former names of classes."""
-
-_former = renamed.names(__name__, FORMER, lambda name: globals()[name])
-
 
 def __getattr__(name: str) -> Any:
     """The function that declares a shipped structure, such as `controlled_wall`."""
     if name in SHIPPED:
         return SHIPPED[name]
-    if name in FORMER or name.startswith("_"):
-        return _former(name)
     message = f"module {__name__!r} has no attribute {name!r}"
+    if name.startswith("_"):
+        raise AttributeError(message)
     offers = {one: one for one in (*__all__, *SHIPPED)}
     raise explained.UnknownAttributeError(message, name, lambda: offers)
 

@@ -14,7 +14,6 @@ from typing import ClassVar, NamedTuple, Self
 
 import sympy as sp
 
-from rockeom import renamed
 from rockeom.numbers import explained
 from rockeom.symbolic import valid
 from rockeom.symbolic.lagrange import rate
@@ -38,7 +37,6 @@ class Ending(NamedTuple):
     back: int | None = None
 
 
-@renamed.attributes(told_displacement="output_displacement")
 @explained.attributes()
 @explained.calls()
 @dataclass(frozen=True)
@@ -147,7 +145,6 @@ class Unilateral:
         }
 
 
-@renamed.attributes(told_displacement="output_displacement")
 @explained.attributes()
 @explained.calls()
 @dataclass(frozen=True)
@@ -317,7 +314,6 @@ class Yielding:
         }
 
 
-@renamed.attributes(told_displacement="output_displacement")
 @explained.attributes()
 @explained.calls()
 @dataclass(frozen=True)

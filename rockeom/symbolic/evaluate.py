@@ -8,7 +8,6 @@ from functools import cached_property
 import numpy as np
 import sympy as sp
 
-from rockeom import renamed
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Transition
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
@@ -19,7 +18,6 @@ Table = tuple[tuple[str, ...], Function]
 """Names, and the function that gives their values."""
 
 
-@renamed.attributes(contact="name")
 class NumpyMode:
     """One mode of a model as functions of arrays.
 

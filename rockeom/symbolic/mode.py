@@ -12,7 +12,6 @@ from functools import cached_property
 
 import sympy as sp
 
-from rockeom import renamed
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import truncated
 from rockeom.symbolic.elements import Spring
@@ -20,7 +19,6 @@ from rockeom.symbolic.lagrange import Equations, derive_equations
 from rockeom.symbolic.model import Body, Coordinate, Foot
 
 
-@renamed.fields(contacts="sides")
 @dataclass(frozen=True)
 class Mode:
     """Bodies, springs and dampers while the same contacts stay closed.

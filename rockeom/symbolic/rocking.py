@@ -8,7 +8,6 @@ from typing import Any, TypedDict, Unpack
 
 import sympy as sp
 
-from rockeom import renamed
 from rockeom.numbers import explained
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
@@ -49,8 +48,6 @@ class Declared:
         return markdown_page(self.hybrid)
 
 
-@renamed.attributes(mechanism="mode", contacts="mode_names", in_contact="in_mode")
-@renamed.fields(mechanisms="modes")
 @explained.attributes()
 @explained.calls()
 @dataclass(frozen=True)

@@ -8,7 +8,6 @@ import sympy as sp
 from sympy.simplify.fu import TR10i
 from sympy.solvers.solveset import NonlinearError
 
-from rockeom import renamed
 from rockeom.symbolic.algebra import at_side, tidy
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode
@@ -54,7 +53,6 @@ def small_rotations(mode: Mode) -> SmallRotations:
     )
 
 
-@renamed.arguments(contact="name")
 def pushover(model: HybridModel, name: str) -> sp.Expr:
     """The force P that holds the structure at a rotation, as a quotient in lowest terms.
 
@@ -70,7 +68,6 @@ def pushover(model: HybridModel, name: str) -> sp.Expr:
     return above / below
 
 
-@renamed.arguments(contact="name")
 def holding_force(model: HybridModel, name: str) -> sp.Expr:
     """The force P that holds the structure at a rotation, the other coordinates condensed.
 

@@ -1,4 +1,4 @@
-"""What all formulas share: documented, in one group each; former names say where."""
+"""What all formulas share: documented, in one group each, by which an unknown name is answered."""
 
 import importlib
 import inspect
@@ -64,35 +64,12 @@ def test_formulas_are_in_the_package_and_not_at_the_top():
     assert not set(analysis.__all__) & set(rockeom.__all__)
 
 
-FORMER = {
-    "quarter_period": "formulas.quarter_period",
-    "StroboscopicMap": "dynamics.StroboscopicMap",
-    "beside_fixed_base": "compare_with_fixed_base",
-    "held_states": "identification.equilibrium_states",
-    "TwoSprings": "formulas.FoundationSprings",
-    "GRANT_FACTORS": "formulas.damping.GRANT_FACTORS",
-}
-
-
-@pytest.mark.parametrize("former", FORMER)
-def test_a_former_name_works_and_says_where_it_is(former):
-    place = FORMER[former]
-    message = f"rockeom.analysis.{former} is now called rockeom.analysis.{place}$"
-    with pytest.warns(DeprecationWarning, match=message) as warned:
-        value = getattr(analysis, former)
-    assert [warning.filename for warning in warned] == [__file__]
-    *homes, name = place.split(".")
-    home = importlib.import_module(".".join(("rockeom.analysis", *homes)))
-    assert value is getattr(home, name)
-
-
 @pytest.mark.parametrize(
     ("name", "remedy"),
     [
         ("respons_spectrum", r"did you mean response_spectrum\?"),
         ("poincare_section", r"did you mean dynamics.poincare_sections\?"),
-        ("quarter_period_fit", "import it from rockeom.thesis.wall_tests"),
-        ("EnergyBalance", "import it from rockeom.simulation.quantities"),
+        ("quarter_period", r"did you mean formulas.quarter_period\?"),
     ],
 )
 def test_an_unknown_name_comes_with_a_remedy(name, remedy):

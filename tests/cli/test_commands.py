@@ -54,14 +54,10 @@ def test_the_group_of_the_thesis_lists_its_commands(capsys):
         assert f"\n  {name} " in text
 
 
-@pytest.mark.parametrize("name", OF_THESIS)
-def test_former_names_of_the_commands_on_the_thesis_answer_with_the_new_one(name, capsys):
-    with pytest.raises(SystemExit) as stopped:
-        main([name, "--help"])
-    assert stopped.value.code == 0
-    said = capsys.readouterr()
-    assert said.out.startswith(f"usage: rockeom thesis {name}")
-    assert said.err == f"warning: rockeom {name} is now called rockeom thesis {name}\n"
+def test_a_command_on_the_thesis_without_its_group_is_named_with_it(capsys):
+    with pytest.raises(SystemExit):
+        main(["equations"])
+    assert "no command 'equations' (did you mean thesis equations?)" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("name", COMMANDS)

@@ -127,7 +127,7 @@ def test_record_is_scaled_in_acceleration_and_time_and_vertical_alike(tmp_path):
     (tmp_path / "v.AT2").write_text(AT2.replace("0.3", "0.1").replace("-0.4", "-0.2"))
     arguments = ["--motion", str(tmp_path / "h.AT2"), "--vertical", str(tmp_path / "v.AT2")]
     assert (
-        main([*BLOCK, *arguments, "--peak", "2", "--time-scale", "3", "--out", str(tmp_path)]) == 0
+        main([*BLOCK, *arguments, "--pga", "2", "--time-scale", "3", "--out", str(tmp_path)]) == 0
     )
     summary = strict_json(tmp_path / "summary.json")
     assert summary["motion"]["peak"] == pytest.approx(2.0)

@@ -397,6 +397,10 @@ SWEEPS = [
         TYPE, lambda: rk.simulate_many(pulse, {"amplitude": [1.0]}, sweep_options={"threads": 2}),
         TypeError, "sweep_options is a dict", "rk.SweepOptions(threads=4)",
     ),
+    mistake(
+        NAME, lambda: rk.simulate_many(pulse, {"amplitude": [1.0]}, threads=2),
+        TypeError, "unknown threads", "give sweep_options=rk.SweepOptions(threads=",
+    ),
     mistake(NAME, lambda: rk.SweepOptions(thread=2), TypeError, "did you mean threads?"),
     mistake(VALUE, lambda: rk.SweepOptions(threads=0), ValueError, "threads is 0", "at least 1"),
     mistake(NAME, lambda: sweep().theta, AttributeError, 'peak.sel(state="theta")'),

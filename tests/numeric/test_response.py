@@ -281,6 +281,8 @@ def test_a_response_is_copied_and_pickled_with_its_attributes(decay):
         ("to_csv", "to_dataframe().to_csv(path)"),
         ("max", "extremes(name)"),
         ("summery", "summary"),
+        ("friction_demand", "support.friction_demand"),
+        ("positions", "places.positions"),
     ],
 )
 def test_unknown_attribute_of_a_response_offers_the_one_that_was_meant(decay, name, meant):

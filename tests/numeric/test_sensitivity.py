@@ -246,14 +246,6 @@ def test_arguments_of_another_kind_are_refused():
         )
 
 
-def test_the_factor_of_a_record_was_called_amplitude():
-    record = rk.GroundMotion.from_array(4.0 * np.sin(0.3 * np.arange(100.0)), dt=0.02)
-    case = rk.Case(BLOCK, record)
-    with pytest.warns(DeprecationWarning, match="amplitude.* is now called scale"):
-        former = rk.sensitivity(case, ["end theta"], ["amplitude"])
-    assert former.derivatives == rk.sensitivity(case, ["end theta"], ["scale"]).derivatives
-
-
 def test_the_amplitude_of_a_pulse_and_a_factor_of_it():
     """Each by itself and together: neither takes the other's derivative away."""
     case = rk.Case(BLOCK, rk.GroundMotion.single_sine(3.0, 0.8), duration=1.0)

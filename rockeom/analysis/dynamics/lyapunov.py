@@ -29,7 +29,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom import renamed
 from rockeom.analysis.dynamics.orbits import StroboscopicMap
 from rockeom.analysis.sweeps import STANDS
 from rockeom.numbers.arguments import require
@@ -47,7 +46,6 @@ _NOISE = 1e-13
 """Growth in a cycle, in parts of that of the fastest direction, that is rounding alone."""
 
 
-@renamed.fields(phase="mode")
 @dataclass(frozen=True, eq=False)
 class LyapunovSpectrum:
     """The Lyapunov exponents of a motion under periodic shaking, and their errors.

@@ -29,7 +29,6 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
-from rockeom import renamed
 from rockeom.analysis.arguments import slenderness
 from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
 from rockeom.analysis.unfinished import check_finished
@@ -42,7 +41,7 @@ from rockeom.structures.base import Structure
 from rockeom.structures.classes import RigidBlock
 from rockeom.structures.impact_laws import ImpactLaw
 from rockeom.sweeps.options import SweepOptions
-from rockeom.sweeps.run import ARRAYS, simulate_many
+from rockeom.sweeps.run import simulate_many
 from rockeom.sweeps.unfinished import Unfinished, part_for_users
 from rockeom.sweeps.workers import Progress
 
@@ -113,7 +112,6 @@ def _unit(function: str, structure: Structure, name: str, value: float | None) -
 
 
 @part_for_users
-@renamed.needless(arrays=ARRAYS)
 @explained.calls()
 def overturning_boundaries(
     case: Case | Callable[..., Case],

@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom import renamed
 from rockeom.numbers.arguments import numbers
 from rockeom.numbers.checks import near
 from rockeom.structures.evaluation import at_states
@@ -77,7 +76,6 @@ def energies_of_states(
     return Energies(gravity, elastic, kinetic)
 
 
-@renamed.arguments(given="values")
 def equilibrium_states(
     structure: Structure, values: ArrayLike, quantity: str | None = None
 ) -> np.ndarray:

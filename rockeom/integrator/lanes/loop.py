@@ -98,7 +98,7 @@ if TYPE_CHECKING:  # joined before this text
 (
     Z_T, Z_H, Z_T_NEW,  # start, length and end of the step
     Z_LAST,  # end of the present segments of the ground
-    Z_START_X, Z_END_X, Z_KIND_X, Z_X0, Z_X1, Z_X2, Z_X3,  # the ground's horizontal law
+    Z_START_X, Z_END_X, Z_KIND_X, Z_X0, Z_X1, Z_X2, Z_X3,  # the ground's horizontal segment
     Z_START_Y, Z_END_Y, Z_KIND_Y, Z_Y0, Z_Y1, Z_Y2, Z_Y3,
     Z_LONGEST,  # step in full contact
     Z_EQUAL,  # length of equal steps, 0 where the error is controlled
@@ -601,7 +601,7 @@ def pass_rest(lane, z, w, case, batch):
     """Pass a structure that cannot move on both its feet over the segments in which it stays there.
 
     The accelerations with which its feet would lift are linear in those of the ground, so that
-    both ends of a linear law decide; it ends where a curved one begins.
+    both ends of a linear segment decide; it ends where a curved one begins.
     """
     y, p = batch.states[case], batch.p[case]
     up = down = (0.0, 0.0, 0.0)

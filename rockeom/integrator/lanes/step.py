@@ -28,13 +28,13 @@ def _padded(times: list[float], places: int) -> list[float]:
 
 
 def _shaken(places: int) -> str:
-    """Functions that find the ground at all places, by linear laws and by sines."""
+    """Functions that find the ground at all places, by linear segments and by sines."""
     known = "".join(f"    c{j} = times[{j}]\n" for j in range(places))
     text = f"""
 
 @entry
 def shake_lanes(z: Floats, times: Floats):
-    \"\"\"The ground at some times of a step, by linear laws.\"\"\"
+    \"\"\"The ground at some times of a step, by linear segments.\"\"\"
 {known}    for lane in range(LANES):
         t, h = z[Z_T + lane], z[Z_H + lane]
         start_x, x0, x1 = z[Z_START_X + lane], z[Z_X0 + lane], z[Z_X1 + lane]
@@ -49,7 +49,7 @@ def shake_lanes(z: Floats, times: Floats):
 
 @entry
 def bend_{name}_lanes(z: Floats, times: Floats):
-    \"\"\"The same of lanes whose law is a sine; others keep what they have.\"\"\"
+    \"\"\"The same of lanes whose segment is a sine; others keep what they have.\"\"\"
 {known}    for lane in range(LANES):
         t, h, start = z[Z_T + lane], z[Z_H + lane], z[Z_START_{axis} + lane]
         size, rate = z[Z_{axis}0 + lane], z[Z_{axis}1 + lane]

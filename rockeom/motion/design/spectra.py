@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -11,7 +10,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom import renamed
 from rockeom.motion.arguments import array, positive, whole
 from rockeom.motion.design import matching
 from rockeom.motion.design.checks import BAND, DAMPING, SpectrumCheck
@@ -22,6 +20,7 @@ from rockeom.motion.scaling import Acceleration
 from rockeom.motion.synthetic import JenningsEnvelope, factors
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration, factor
 from rockeom.numbers import explained
+from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import described
 
 _STRONG_PART = JenningsEnvelope(rise=3.0, until=13.0, decay=0.3)
@@ -291,11 +290,10 @@ class DesignSpectrum(metaclass=explained.Constructors):
             )
         largest = float(self.displacement(periods).max())
         if motion.peak_displacement > largest:
-            renamed.say(
+            warn_caller(
                 f"{motion.name}: the ground moves by {motion.peak_displacement:.2g} m, and no "
                 f"oscillator of the match by more than {largest:.2g} m: take another record or "
                 "seed, or filter it and match it again",
-                UserWarning,
             )
         within = f"within {100.0 * at:.0f} % at {len(periods)} periods, {100.0 * anywhere:.0f} % "
         within += f"between, from {periods[0]:.3g} to {periods[-1]:.3g} s"
@@ -365,9 +363,8 @@ class DesignSpectrum(metaclass=explained.Constructors):
 def _question(given: Acceleration, name: str, least: float, rule: str) -> None:
     """Warn of a number that is small in m/s2 and usual in g."""
     if not isinstance(given, str) and given < least:
-        warnings.warn(
-            f'{name} is {given:g} m/s2, {rule}: was it meant in g? Then write "{given:g} g"',
-            stacklevel=4,
+        warn_caller(
+            f'{name} is {given:g} m/s2, {rule}: was it meant in g? Then write "{given:g} g"'
         )
 
 

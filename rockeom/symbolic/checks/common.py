@@ -8,7 +8,7 @@ from typing import Any, NamedTuple, NoReturn
 from rockeom.symbolic.model import Body
 
 _OUTPUTS = """
-t mode phase kinetic_energy gravitational_energy elastic_energy total_energy
+t mode kinetic_energy gravitational_energy elastic_energy total_energy
 ground_acceleration vertical_ground_acceleration
 horizontal_reaction left_reaction right_reaction displacement left_uplift right_uplift
 """
