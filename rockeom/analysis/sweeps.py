@@ -67,6 +67,18 @@ def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
     return outcome.copy(data=labels)
 
 
+def check_finished(function: str, sweep: xr.Dataset) -> None:
+    """Raises ValueError, with the remedy, for a sweep of which some cases were not run."""
+    labels = outcome_labels(sweep).values
+    missing = int((labels == NOT_RUN).sum())
+    if missing:
+        raise ValueError(
+            f"{function}: {missing} of {labels.size} cases were not run, and no answer follows "
+            "from the others alone: run them all again, with the same store if there is one, or "
+            "select the cases that were run"
+        )
+
+
 def unanswered(labels: ArrayLike) -> str:
     """How many of some cases gave no answer and how they ended; nothing where all gave one.
 

@@ -14,7 +14,7 @@ from rockeom.analysis.risk.fragility import (
     fit_fragility,
     proportion_interval_by_group,
 )
-from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
+from rockeom.analysis.sweeps import ANSWERS, FALLS, outcome_labels
 from rockeom.motion.recording import Recording
 from rockeom.simulation.case import Case
 from rockeom.simulation.reserve import rotation_ratio
@@ -93,7 +93,7 @@ class UnderRecord(NamedTuple):
 
     @property
     def answered(self) -> bool:
-        return self.fell or self.outcome in STANDS
+        return self.outcome in ANSWERS
 
 
 class AtIntensity(NamedTuple):

@@ -15,8 +15,7 @@ from matplotlib.patches import Patch
 
 from rockeom.analysis.arguments import dims_of_starts
 from rockeom.analysis.dynamics.sections import FALLEN, NOT_PERIODIC, UNKNOWN
-from rockeom.analysis.sweeps import coordinate
-from rockeom.analysis.unfinished import check_finished
+from rockeom.analysis.sweeps import check_finished, coordinate
 from rockeom.drawing import style
 from rockeom.plots import coordinates
 

@@ -19,8 +19,15 @@ from matplotlib.patches import Patch
 
 from rockeom.analysis.dynamics.overturning import impacts_before_overturning
 from rockeom.analysis.risk.fragility import Fragility, fragility_of
-from rockeom.analysis.sweeps import FALLS, STANDS, coordinate, outcome_labels, peaks_of, unanswered
-from rockeom.analysis.unfinished import check_finished
+from rockeom.analysis.sweeps import (
+    FALLS,
+    STANDS,
+    check_finished,
+    coordinate,
+    outcome_labels,
+    peaks_of,
+    unanswered,
+)
 from rockeom.drawing import style
 from rockeom.numbers.arguments import positive
 from rockeom.plots import coordinates

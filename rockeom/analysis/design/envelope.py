@@ -20,7 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.analysis.sweeps import FALLS, STANDS
+from rockeom.analysis.sweeps import ANSWERS, FALLS
 from rockeom.motion import GroundMotion
 from rockeom.numbers.arguments import positive, require
 from rockeom.simulation.case import Case
@@ -92,7 +92,7 @@ def restitution_envelope(
     if state not in names:
         raise ValueError(f"{where}: state is {state!r}: choose among {', '.join(names)}")
     outcome = sweep.outcome.values
-    lost = np.argwhere(~np.isin(outcome, (FALLS, *STANDS)))
+    lost = np.argwhere(~np.isin(outcome, ANSWERS))
     if len(lost):
         i, j = lost[0]
         raise ValueError(

@@ -30,8 +30,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import slenderness
-from rockeom.analysis.sweeps import FALLS, STANDS, outcome_labels
-from rockeom.analysis.unfinished import check_finished
+from rockeom.analysis.sweeps import ANSWERS, FALLS, check_finished, outcome_labels
 from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
 from rockeom.numbers.arguments import positive
@@ -60,7 +59,7 @@ def impacts_before_overturning(sweep: xr.Dataset, most: int | None = None) -> xr
     """
     labels = outcome_labels(sweep)
     impacts = sweep["impacts"].astype(float)
-    answered = labels.isin((FALLS, *STANDS))
+    answered = labels.isin(ANSWERS)
     return impacts.clip(max=most).where(labels == FALLS, np.inf).where(answered)
 
 

@@ -32,8 +32,7 @@ import xarray as xr
 
 from rockeom.analysis.arguments import dims_of_starts
 from rockeom.analysis.dynamics.orbits import StroboscopicMap
-from rockeom.analysis.sweeps import FALLS, NOT_RUN, STANDS
-from rockeom.analysis.unfinished import check_finished
+from rockeom.analysis.sweeps import FALLS, NOT_RUN, STANDS, check_finished
 from rockeom.numbers.arguments import numbers, positive, require
 from rockeom.numbers.checks import described, whole_number
 from rockeom.simulation.case import Case

@@ -14,8 +14,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 from scipy.special import betaincinv, log_ndtr, ndtr, ndtri, stdtrit
 
-from rockeom.analysis.sweeps import check_sweep, coordinate, exceedances, unanswered
-from rockeom.analysis.unfinished import check_finished
+from rockeom.analysis.sweeps import check_finished, check_sweep, coordinate, exceedances, unanswered
 from rockeom.motion.recordings import recording_of
 from rockeom.numbers import explained
 from rockeom.numbers.arguments import numbers, positive, require
@@ -86,7 +85,7 @@ class Fragility:
     median : intensity at which half exceed the limit [unit of the intensity]; dispersion :
         standard deviation of its logarithm [-].
     covariance (2, 2) : of median and dispersion, the inverse of the expected Fisher information,
-        or of `fit_fragility` by `group`; nan where that has none.
+        or that of `fit_fragility` by `group`.
     intensity (n,), exceeded (n,), number (n,) : the observations.
     left_out : cases without an answer, which are not counted.
     groups : number of groups of motions that depend on one another; 0 where all are independent.

@@ -9,8 +9,7 @@ import xarray as xr
 from numpy.typing import ArrayLike
 from scipy.special import ndtri, stdtrit
 
-from rockeom.analysis.sweeps import FALLS, outcome_labels, peaks_of, unanswered
-from rockeom.analysis.unfinished import check_finished
+from rockeom.analysis.sweeps import FALLS, check_finished, outcome_labels, peaks_of, unanswered
 from rockeom.numbers import explained
 from rockeom.numbers.arguments import numbers, positive, require
 from rockeom.numbers.checks import described
