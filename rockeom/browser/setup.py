@@ -16,7 +16,7 @@ import numpy as np
 
 from rockeom.browser.controls import Controls
 from rockeom.browser.program import functions
-from rockeom.browser.questions import (
+from rockeom.browser.places import (
     NUMBERS,
     OF_END,
     OF_FALLEN,
@@ -40,7 +40,7 @@ from rockeom.browser.traced import (
     plain,
     skeleton,
 )
-from rockeom.compiler.parsed import Text
+from rockeom.compiler.modules import Text
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.simulation.case import Case, Problem
 
@@ -66,8 +66,8 @@ class Way:
 
         Each is compiled by itself: the next one adds nothing to the time of those before.
         """
-        called = Text("the way as it is called", _CALLED.format(self.name))
-        way = functions((Text(self.name, _HEAD + self.text), called))["way_at"]
+        text = Text(self.name, _HEAD + self.text + _CALLED.format(self.name))
+        way = functions((text,))["way_at"]
         size, horizontal, vertical = self.sizes
         made = Numbers(
             np.zeros(states), np.zeros(size), np.zeros((horizontal, 7)), np.zeros((vertical, 7)),
@@ -134,10 +134,11 @@ _HEAD = """import math
 
 import numpy as np
 
+from rockeom.compiler.decorators import Floats, Floats2, entry
+
 
 """
-_CALLED = """from rockeom.compiler.decorators import Floats, Floats2, entry
-
+_CALLED = """
 
 @entry
 def way_at(

@@ -6,15 +6,11 @@ but for small terms: Newton's method from rest. This text is joined to others, s
 `rockeom.browser.page`.
 """
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from rockeom.browser.written import BOTH_MODE, LEFT_FOOT, N_REACTIONS, RIGHT_FOOT
 from rockeom.compiler.decorators import Floats, entry
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.browser.written import BOTH_MODE, LEFT_FOOT, N_REACTIONS, RIGHT_FOOT
-    from rockeom.integrator.interface import N_STATES, ROTATION, rates, reactions
+from rockeom.integrator.provided import N_STATES, ROTATION, rates, reactions
 
 N = N_STATES // 2
 TURNS = 8

@@ -14,7 +14,7 @@ import numpy as np
 from rockeom.codes import IMPACT
 from rockeom.drawing.positions import Shapes, places, positions_of, rotations_of, shapes
 from rockeom.integrator.schema import GeneratedModule, has_landings, name_of_law
-from rockeom.integrator.transitions.declared import velocity_ratio_at
+from rockeom.integrator.transitions.restitution import velocity_ratio_at
 from rockeom.numbers import explained
 from rockeom.numbers.checks import near, number, numbers
 from rockeom.numbers.dual import value_of

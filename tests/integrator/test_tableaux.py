@@ -83,11 +83,10 @@ from rockeom.integrator.methods import coefficients
 coefficients.PAIRS["Prince"] = coefficients.RK45
 import rockeom as rk
 import rockeom.generated.rigid_block as module
-from rockeom.compiler.printer import Program
-from rockeom.integrator.program import texts
+from rockeom.integrator.program import GLUE, LOOP, printed
 assert rk.SolverOptions(method="Prince").method == "Prince"
-for lanes in (False, True):
-    one, other = (Program(texts(module, m, lanes)).ir() for m in ("Prince", "RK45"))
+for part in (LOOP, GLUE):
+    one, other = (printed(module, m, part).ir() for m in ("Prince", "RK45"))
     assert one == other
 try:
     rk.SolverOptions(method="Dormand")

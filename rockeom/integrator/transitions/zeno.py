@@ -6,52 +6,52 @@ Joined behind contacts.py, whose transitions the impacts are, see `rockeom.integ
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.codes import IMPOSSIBLE, LANDING, NEVER_SLIPS, OPEN, STICK, STICKING
 from rockeom.compiler.decorators import Floats, Ints
+from rockeom.integrator.provided import (
+    GUARDS,
+    KINDS,
+    N_POINTS,
+    N_STATES,
+    POINT_STATES,
+    SUBJECTS,
+    free_motion,
+    points,
+    rates,
+)
+from rockeom.integrator.transitions.candidates import (
+    FITS,
+    SIGN_OF,
+    collide,
+    is_smooth,
+    meet,
+    radius_of,
+    same_ground,
+    select_by_forces,
+    squared,
+    without_forces,
+)
+from rockeom.integrator.transitions.points import (
+    COUPLING,
+    GRAIN,
+    LAWS,
+    MATRIX,
+    N_COORDINATES,
+    POINT,
+    ROWS,
+    acceleration_of,
+    all_known,
+    gap_rounding,
+    put_on,
+    rate_of,
+    through_mass,
+)
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import (
-        GUARDS,
-        KINDS,
-        N_POINTS,
-        N_STATES,
-        POINT_STATES,
-        SUBJECTS,
-        free_motion,
-        points,
-        rates,
-    )
-    from rockeom.integrator.transitions.candidates import (
-        FITS,
-        SIGN_OF,
-        collide,
-        is_smooth,
-        meet,
-        radius_of,
-        same_ground,
-        select_by_forces,
-        squared,
-        without_forces,
-    )
-    from rockeom.integrator.transitions.points import (
-        COUPLING,
-        GRAIN,
-        LAWS,
-        MATRIX,
-        N_COORDINATES,
-        POINT,
-        ROWS,
-        acceleration_of,
-        all_known,
-        gap_rounding,
-        put_on,
-        rate_of,
-        through_mass,
-    )
+__fused__ = False
 
 LOST_HOP = 1e-13  # relative to the terms of a gap: lower flights are lost among rounding errors
 NO_HOP = 1e-18  # relative to the radius of gyration: so low a flight ends in no time
