@@ -8,6 +8,7 @@ from rockeom.compiler.machine import Loaded, compiled
 from rockeom.compiler.parsed import Text
 from rockeom.compiler.printer import Program
 from rockeom.integrator.program import texts
+from rockeom.integrator.texts import text_of
 
 HEAD = """
 import math
@@ -15,6 +16,7 @@ import numpy as np
 from rockeom.compiler.decorators import *
 """
 """What a text needs that stands alone."""
+PRELUDE = Text("generated/prelude.py", text_of("generated/prelude.py"))
 
 
 def functions(
@@ -25,6 +27,6 @@ def functions(
     bounds: bool = False,
 ) -> dict[str, Callable[..., Any]]:
     """The entries of a text, which may call all that the program of a generated module has."""
-    parts = [] if of is None else texts(of, method)
+    parts = [PRELUDE] if of is None else texts(of, method)
     printed = Program([*parts, Text("the test's text", text, fused=True)], contract, bounds=bounds)
     return Loaded(compiled(printed.ir()), printed.entries, bounds=bounds).functions

@@ -20,6 +20,7 @@ from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
+from rockeom.integrator.program import texts_of
 from rockeom.integrator.schema import (
     GeneratedModule,
     has_points,
@@ -27,7 +28,7 @@ from rockeom.integrator.schema import (
     name_of_law,
     point_texts,
 )
-from rockeom.integrator.texts import source, text_of
+from rockeom.integrator.texts import text_of
 from rockeom.modelling.declared import class_of_model
 from rockeom.numbers.checks import described, near
 from rockeom.version import VERSION
@@ -234,7 +235,7 @@ def code(module: GeneratedModule, language: str) -> str:
 
 @lru_cache(maxsize=1)  # of a structure that is written in both languages
 def _described(module: GeneratedModule) -> Described:
-    texts = [Text(f"{module.NAME}.py", source(module))]
+    texts = texts_of(module)
     if has_points(module):
         texts += [Text(path, text_of(path)) for path in point_texts(module)]
         texts.append(Text("impact", _OF_POINTS))
@@ -256,7 +257,7 @@ def _entries(texts: Sequence[Text], names: Sequence[str]) -> dict[str, list[Type
         f.name: f
         for i, text in enumerate(texts)
         for f in ast.parse(text.source).body
-        if isinstance(f, ast.FunctionDef) and (i == 0 or f.name in names)
+        if isinstance(f, ast.FunctionDef) and (i < 2 or f.name in names)
     }
     inner = {name for name, f in trees.items() if f.decorator_list}
     inner |= {name for name in trees if name.startswith("impulse_") or name in _LEFT_OUT}

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
+    from rockeom.generated.prelude import sine_cosine
     from rockeom.integrator.ground import sine
-    from rockeom.integrator.interface import sine_cosine, value
+    from rockeom.integrator.interface import value
     from rockeom.integrator.transitions.points import but_for_rounding
 
 

@@ -13,7 +13,8 @@ import numpy as np
 from rockeom.compiler.decorators import inlined
 
 if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import ROUNDER, STAGE_TIMES
+    from rockeom.generated.prelude import ROUNDER
+    from rockeom.integrator.interface import STAGE_TIMES
 
 
 @inlined

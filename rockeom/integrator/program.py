@@ -59,8 +59,9 @@ JOINED = (
     _DERIVATIVES, _VARIATIONAL,
 )  # fmt: skip
 """Files that are joined to programs, and not imported."""
+_PRELUDE = "generated/prelude.py"
 _OF_ALL = (
-    *_OF_STEPS, *_LOOPS, *_OF_POINTS, _TABLE, _SEARCH, "integrator/methods/tableau.py",
+    _PRELUDE, *_OF_STEPS, *_LOOPS, *_OF_POINTS, _TABLE, _SEARCH, "integrator/methods/tableau.py",
     "integrator/methods/coefficients.py", "integrator/methods/radau.py",
     "integrator/methods/radau_step.py", "compiler/printer.py", "compiler/frontend.py",
     "compiler/parsed.py", "compiler/machine.py", "compiler/lines.py", "compiler/types.py",
@@ -181,7 +182,7 @@ def _halves(made: Printed) -> tuple[str, str]:
     Most of a loop is in the second, and it follows from a few numbers: how many states there are,
     which modes follow which. All blocks have the same.
     """
-    return made.halves(made.texts[:2])
+    return made.halves(made.texts[:3])
 
 
 LOOP, VECTORS, GLUE, TANGENTS = "loop", "vectors", "lanes", "derivatives"
@@ -322,7 +323,7 @@ def texts(generated: GeneratedModule, method: str, lanes: bool = False) -> list[
         step = step_text(tableau(method), n, generated.ROTATION, quick)
     contract = _SEARCH if _bounces(generated) else _TABLE
     parts = [
-        Text(f"{generated.NAME}.py", source(generated)),
+        *texts_of(generated),
         Text(f"the step of {method}", step, fused=True),
         *_of_points(generated),
         *(_joined(name, fused=True) for name in (*_OF_STEPS, contract, *_LOOPS)),
@@ -334,6 +335,11 @@ def texts(generated: GeneratedModule, method: str, lanes: bool = False) -> list[
         parts.append(Text(VECTORS, step, fused=True))
         parts.append(_joined(_LANES, fused=True))
     return parts
+
+
+def texts_of(generated: GeneratedModule) -> list[Text]:
+    """The text of a generated module, behind that of what it may import."""
+    return [Text(_PRELUDE, text_of(_PRELUDE)), Text(f"{generated.NAME}.py", source(generated))]
 
 
 def _of_points(generated: GeneratedModule) -> list[Text]:
