@@ -65,9 +65,7 @@ def portable(
     questions : modules that are printed with it. written : what they ask for of a page.
     """
     more = map(module_text, (_ELEMENTARY, *questions))
-    made = printed(
-        generated, method, LOOP, contract=False, more=more, provided={_WRITTEN: written}
-    )
+    made = printed(generated, method, LOOP, contract=False, more=more, provided={_WRITTEN: written})
     return Portable(_own_functions(made), made.entries, sizes_of(made))
 
 
@@ -91,6 +89,6 @@ def _own_functions(printed: Printed) -> str:
 
 def _symbol(printed: Printed, name: str) -> str:
     """The symbol of a function of floats, which is printed if it is not yet."""
-    definition = printed.definitions[name]
+    definition = printed.definitions[module_text(_ELEMENTARY).name, name]
     types = (FLOAT,) * _ARGUMENTS.get(name.removeprefix("own_"), 1)
     return printed.function(definition, types, None, definition)[0]

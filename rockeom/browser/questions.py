@@ -7,7 +7,18 @@ import math
 
 import numpy as np
 
-from rockeom.browser.places import NUMBERS, OF_END, OF_FALLEN, OF_LAW, OF_MODE, OF_QUIET, OF_RATIO, OF_ROWS_X, OF_ROWS_Y, OF_SIZE
+from rockeom.browser.places import (
+    NUMBERS,
+    OF_END,
+    OF_FALLEN,
+    OF_LAW,
+    OF_MODE,
+    OF_QUIET,
+    OF_RATIO,
+    OF_ROWS_X,
+    OF_ROWS_Y,
+    OF_SIZE,
+)
 from rockeom.browser.written import MOST_P, ROWS_X, ROWS_Y, set_up
 from rockeom.codes import (
     AT_THE_START,
@@ -43,6 +54,7 @@ RTOL, ATOL = 1e-8, 1e-10
 MOST_IMPACTS, MOST_STEPS = 100000, 200000
 KEPT = 256
 """Steps in a record before it is emptied."""
+
 
 def case_of_page(numbers, end, p, horizontal, vertical, atol):
     """The case that a set-up has written, which lasts until `end` at least."""

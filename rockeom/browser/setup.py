@@ -15,7 +15,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rockeom.browser.controls import Controls
-from rockeom.browser.program import functions
 from rockeom.browser.places import (
     NUMBERS,
     OF_END,
@@ -28,6 +27,7 @@ from rockeom.browser.places import (
     OF_ROWS_Y,
     OF_SIZE,
 )
+from rockeom.browser.program import functions
 from rockeom.browser.traced import (
     COMPARISONS,
     Condition,

@@ -14,7 +14,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache, lru_cache
 from importlib.resources import files
 from types import CodeType
@@ -124,14 +124,18 @@ class Parsed(NamedTuple):
 
 def _imports_text(node: ast.stmt) -> bool:
     """Whether a statement imports names from a text."""
-    return isinstance(node, ast.ImportFrom) and bool(imported_modules(f"from {node.module} import "))
+    of = getattr(node, "module", None)
+    return isinstance(node, ast.ImportFrom) and bool(imported_modules(f"from {of} import "))
 
 
 @lru_cache(maxsize=256)  # the loop and the steps are those of many structures
 def parsed(source: str, name: str) -> Parsed:
     """The parts of a text; raises Refused for a name that is imported under another one."""
     tree = ast.parse(source, name)
-    functions, imported, constants, rest = {}, {}, {}, []
+    functions: dict[str, ast.FunctionDef] = {}
+    imported: dict[str, str] = {}
+    constants: dict[str, int] = {}
+    rest: list[CodeType] = []
     for node in tree.body:
         if isinstance(node, ast.FunctionDef):
             functions[node.name] = node
@@ -144,6 +148,13 @@ def parsed(source: str, name: str) -> Parsed:
             rest.append(compile(ast.Module([node], []), name, "exec", _FUTURE))
             constants |= dict.fromkeys(_names_bound(node), node.lineno)
     return Parsed(functions, imported, constants, tuple(rest))
+
+
+def without(text: Text, name: str) -> Text:
+    """A text without one of its functions."""
+    tree = ast.parse(text.source)
+    tree.body = [node for node in tree.body if getattr(node, "name", "") != name]
+    return replace(text, source=ast.unparse(tree))
 
 
 def as_python(texts: Iterable[Text], names: dict[str, Any]) -> dict[str, Any]:

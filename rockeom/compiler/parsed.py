@@ -10,7 +10,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 from rockeom.compiler.modules import Modules, Refused, Text, parsed
-from rockeom.compiler.types import BOOL, DUAL, FLOAT, INT, Array, Tuple, Type
+from rockeom.compiler.types import BOOL, DUAL, FLOAT, INT, NOTHING, Array, Tuple, Type
 
 if TYPE_CHECKING:  # machine code that is cached is loaded without what prints it
     from rockeom.compiler.lines import Value
@@ -43,9 +43,9 @@ class Definition(NamedTuple):
             annotation = argument.annotation
             name = annotation.id if isinstance(annotation, ast.Name) else ""
             fields = fields_of(names.get(name)) or {}
-            record = None not in fields.values() and Tuple(tuple(fields.values()), tuple(fields))
-            type_ = ANNOTATIONS.get(name, record if fields else None)
-            if not type_:
+            items = tuple(item for item in fields.values() if item is not None)
+            type_ = ANNOTATIONS.get(name, Tuple(items, tuple(fields)))
+            if type_ == NOTHING or len(items) < len(fields):
                 self.refuse(argument, f"{argument.arg} has no annotation that is known")
             arguments.append((argument.arg, type_))
         return tuple(arguments)
@@ -74,7 +74,7 @@ class Texts(ABC):
     ) -> None:
         self.texts, self.modules = modules.closure(roots), modules
         self.contract, self.growth = contract, growth
-        self.definitions: dict[str, Definition] = {}
+        self.definitions: dict[tuple[str, str], Definition] = {}  # by text and name
         self.rules: dict[str, Definition] = {}  # of derivatives, by the function that has them
         self.sizes: dict[str, int] = {}  # lines of each function that is marked @inlined
         self.written_out: set[str] = set()  # those of them that are written out at every call
@@ -85,7 +85,7 @@ class Texts(ABC):
         for text in self.texts:
             parts = self._parsed[text.name]
             lines = {name: tree.lineno for name, tree in parts.functions.items()}
-            for name, line in ((parts.constants if text.alone else {}) | lines).items():
+            for name, line in (parts.constants | lines).items() if text.alone else ():
                 home = f"{text.name}, line {line}"
                 if homes.setdefault(name, home) != home and not name.startswith("__"):
                     raise Refused(f"{name} has two homes in one program: {homes[name]}, and {home}")
@@ -96,10 +96,11 @@ class Texts(ABC):
 
     def _define(self, name: str, tree: ast.FunctionDef, text: Text) -> None:
         marks = frozenset(d.id for d in tree.decorator_list if isinstance(d, ast.Name))
-        self.definitions[name] = Definition(tree, text, marks)
+        definition = Definition(tree, text, marks)
+        self.definitions[text.name, name] = definition
         for mark in tree.decorator_list:
             if isinstance(mark, ast.Call) and ast.unparse(mark.func) in RULES:
-                self.rules[ast.unparse(mark.args[0])] = self.definitions[name]
+                self.rules[ast.unparse(mark.args[0])] = definition
 
     @property
     def names(self) -> dict[str, Any]:
@@ -128,7 +129,7 @@ class Texts(ABC):
     def defined(self, name: str, text: Text) -> Definition | None:
         """The function that a name in a text means, its own or one that it imports, if any."""
         if name in self._parsed[text.name].functions:
-            return self.definitions[name]
+            return self.definitions[text.name, name]
         for home in self._homes(name, text):
             return self.defined(name, home)
         return None
@@ -197,7 +198,7 @@ class Constants:
                 if any(self.known(part) is False for part in node.values):
                     return False
             case ast.Attribute(value=ast.Name(id="math" | "np" as library)):
-                value = getattr(self.names[library], node.attr, None)
+                value = getattr(self.names.get(library), node.attr, None)
                 if isinstance(value, float):
                     return value
             case ast.Tuple():

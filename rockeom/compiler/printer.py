@@ -47,13 +47,13 @@ class Program(Texts):
     ) -> None:
         super().__init__(roots, modules, contract, growth)
         self.bounds, self.own = bounds, own
-        self.printed: dict[tuple[str, tuple[Type, ...]], tuple[str, Type] | None] = {}
-        self.functions: dict[tuple[str, tuple[Type, ...]], Function] = {}
+        self.printed: dict[tuple[str, str, tuple[Type, ...]], tuple[str, Type] | None] = {}
+        self.functions: dict[tuple[str, str, tuple[Type, ...]], Function] = {}
         self.bodies: dict[str, str] = {}  # of each function, by its symbol
         self.of_text: dict[str, Text] = {}  # in which it stands
         self.constants: dict[tuple[str, tuple[int, ...], bytes], str] = {}
         self.entries: dict[str, Entry] = {}
-        for name, definition in self.definitions.items():
+        for (_, name), definition in self.definitions.items():
             if "entry" in definition.marks and not definition.text.elsewhere:
                 self.entry(name, definition)
 
@@ -148,10 +148,10 @@ class Program(Texts):
         if any(map(has_duals, types)):
             definition = self.rules.get(definition.tree.name, definition)
         name = definition.tree.name
-        key = name, types
+        key = definition.text.name, name, types
         if key not in self.printed:
             self.printed[key] = None
-            symbol = f"{name}.{sum(of == name for of, _ in self.printed)}"
+            symbol = f"{name}.{sum(of == name for _, of, _ in self.printed)}"
             if "entry" in definition.marks and definition.text.elsewhere:
                 annotated = definition.arguments(self.names_in(definition.text))
                 if tuple(type_ for _, type_ in annotated) != types:

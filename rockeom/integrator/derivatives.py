@@ -7,8 +7,9 @@ on its way, or is a series that was cut. `rockeom.numbers.derivatives` has those
 import math
 
 from rockeom.compiler.decorators import inlined, rule_of
+from rockeom.generated.prelude import sine_cosine
 from rockeom.integrator.ground import sine
-from rockeom.integrator.provided import sine_cosine, value
+from rockeom.integrator.provided import value
 from rockeom.integrator.transitions.points import but_for_rounding
 
 

@@ -8,7 +8,8 @@ import math
 import numpy as np
 
 from rockeom.compiler.decorators import inlined
-from rockeom.integrator.provided import ROUNDER, STAGE_TIMES
+from rockeom.generated.prelude import ROUNDER
+from rockeom.integrator.provided import STAGE_TIMES
 
 
 @inlined

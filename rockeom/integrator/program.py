@@ -26,9 +26,16 @@ from rockeom.codes import NEWTON
 from rockeom.compiler.cache import kept
 from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.compiler.machine import Function, Loaded, compiled, target
-from rockeom.compiler.modules import Modules, Text, module_text
+from rockeom.compiler.modules import Modules, Text, module_text, without
 from rockeom.compiler.types import NOTHING, Array, Entry
-from rockeom.integrator.schema import PROVIDED, GeneratedModule, angles, has_points, impact_law
+from rockeom.integrator.schema import (
+    PRELUDE,
+    PROVIDED,
+    GeneratedModule,
+    angles,
+    has_points,
+    impact_law,
+)
 from rockeom.integrator.texts import digest, source
 
 if TYPE_CHECKING:
@@ -128,7 +135,7 @@ def _of_parts(
         for key, part in zip(keys, parts, strict=True)
     ]
     if (shared := json.loads(codes[0].partition(b"\n")[0]).get("shared")) is not None:
-        codes.append(_shared(shared, lambda: _halves(printed(generated, method, LOOP, bounds))[1]))
+        codes.append(_shared(shared, lambda: printed(generated, method, LOOP, bounds).halves()[1]))
     return Program("_".join(keys[-1]), generated, *codes, bounds=bounds)
 
 
@@ -136,20 +143,15 @@ _SHARED: dict[str, bytes] = {}
 
 
 def _shared(digest: str, ir: Callable[[], str]) -> bytes:
-    """The half of a loop that structures have in common, made and kept once for all of them."""
+    """The half of a loop that structures have in common, made and kept once for all of them.
+
+    It is most of a loop, and follows from a few numbers: how many states there are, which modes
+    follow which. All blocks have the same.
+    """
     if digest not in _SHARED:
         made = json.dumps({"entries": {}, "sizes": {}}).encode() + b"\n"
         _SHARED[digest] = kept("loop", digest, lambda: made + compiled(ir(), False))
     return _SHARED[digest]
-
-
-def _halves(made: Printed) -> tuple[str, str]:
-    """A loop in two: what is the structure's own, with its step, and what others have, too.
-
-    Most of a loop is in the second, and it follows from a few numbers: how many states there are,
-    which modes follow which. All blocks have the same.
-    """
-    return made.halves()
 
 
 LOOP, VECTORS, GLUE, TANGENTS = "loop", "vectors", "lanes", "derivatives"
@@ -162,8 +164,9 @@ _ENTRIES = {
 """The modules of a part whose entries Python calls; those of vectors are in a text of its own."""
 _DECLARED, _SEARCHED = ("table",), ("search", "landings")
 """The modules that say which mode follows an event."""
-_RULES = "rockeom.numbers.derivatives", f"{_HERE}.derivatives"
-"""Modules by which numbers carry derivatives along."""
+_OF_TANGENTS = "rockeom.numbers.derivatives", f"{_HERE}.derivatives", f"{_HERE}.batches"
+"""Modules by which numbers carry derivatives along, and the loop: its calls of a function count
+where it is decided whether that is written out."""
 
 _SAID = {VECTORS: " in lanes", GLUE: " in lanes", TANGENTS: " for derivatives"}
 
@@ -194,8 +197,9 @@ def _sources(generated: GeneratedModule, method: str, part: str, bounds: bool) -
 def _compiler() -> tuple[str, ...]:
     """The sources of this module with all that it imports, and of the language."""
     sources = (text.source for text in Modules().closure([module_text(__name__)]))
-    language = sorted(f.name.removesuffix(".py") for f in files("rockeom.compiler").iterdir())
-    return (*sources, *(module_text(f"rockeom.compiler.{name}").source for name in language))
+    language = sorted(f.name for f in files("rockeom.compiler").iterdir() if f.is_file())
+    stems = (name.removesuffix(".py") for name in language if name.endswith(".py"))
+    return (*sources, *(module_text(f"rockeom.compiler.{stem}").source for stem in stems))
 
 
 def _made(generated: GeneratedModule, method: str, part: str, bounds: bool = False) -> bytes:
@@ -204,7 +208,7 @@ def _made(generated: GeneratedModule, method: str, part: str, bounds: bool = Fal
     made = printed(generated, method, part, bounds)
     described: dict[str, Any] = {"entries": made.entries, "sizes": sizes_of(made)}
     if part == LOOP:
-        own, rest = _halves(made)
+        own, rest = made.halves()
         described["shared"] = digest(rest, target(), module_text("rockeom.compiler.machine").source)
         _shared(described["shared"], lambda: rest)
         code = compiled(own, False)
@@ -301,10 +305,19 @@ def linked(generated: GeneratedModule, method: str, part: str = LOOP, steps: boo
 
     step = _step(generated, method, part, read) if steps else ()
     own = (Text(f"{generated.NAME}.py", source(generated), fused=part == VECTORS), *step)
-    modules = Modules({PROVIDED: (*own, *_transitions(generated, read))}, read)
-    roots = [*step[1:]] if part == VECTORS else []
-    roots += map(read, [*entries, *((*_RULES, f"{_HERE}.batches") if part == TANGENTS else ())])
-    return Linked(tuple(roots), modules, frozenset(text.name for text in own))
+    prelude = _prelude_of_lanes(read(PRELUDE)) if part == VECTORS and steps else (read(PRELUDE),)
+    provided = {PROVIDED: (*own, *_transitions(generated, read)), PRELUDE: prelude}
+    roots = [*step[-1:]] if part == VECTORS else []
+    roots += map(read, [*entries, *(_OF_TANGENTS if part == TANGENTS else ())])
+    names = frozenset(text.name for text in (*prelude, *own))
+    return Linked(tuple(roots), Modules(provided, read), names)
+
+
+def _prelude_of_lanes(prelude: Text) -> tuple[Text, Text]:
+    """What generated modules have in common, with a sine and a cosine that have no branches."""
+    from rockeom.integrator.lanes.step import SINES
+
+    return without(prelude, "sine_cosine"), Text("sines of lanes", SINES, fused=True)
 
 
 def _transitions(generated: GeneratedModule, read: Callable[[str], Text]) -> list[Text]:
@@ -335,8 +348,9 @@ def _step(
     step = step_text(tableau(method), n, generated.ROTATION, quick)
     texts = [Text(f"the step of {method}", step, fused=True)]
     if part in (VECTORS, GLUE):
-        from rockeom.integrator.lanes.step import lanes_text
+        from rockeom.integrator.lanes.step import lanes_text, numbers_text
 
+        texts.append(Text("the numbers of lanes", numbers_text(tableau(method), generated)))
         step = lanes_text(tableau(method), generated)
         texts.append(Text(VECTORS, step, fused=True, elsewhere=part != VECTORS))
     return tuple(texts)

@@ -43,7 +43,6 @@ IMPACT_LAW: int
 LOCALISED: bool
 FULL_CONTACT: int
 
-ROUNDER: float
 EQUATIONS: tuple[int, ...]
 
 
@@ -73,7 +72,6 @@ def free_motion(
 def points(y: Floats, p: Floats, out: Floats) -> None: ...
 def point_laws(p: Floats, out: Floats) -> None: ...
 def point_numbers(p: Floats, out: Floats) -> None: ...
-def sine_cosine(x: Float) -> tuple[float, float]: ...
 
 
 # -- of the printer: numbers with derivatives

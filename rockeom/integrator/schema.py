@@ -6,6 +6,7 @@ from typing import Any, Protocol, TypeGuard
 
 from rockeom.codes import CONTACT_LAWS, LANDING, NEWTON
 
+PRELUDE = "rockeom.generated.prelude"
 PROVIDED = "rockeom.integrator.provided"
 """The module that declares the names which are different ones in each program."""
 

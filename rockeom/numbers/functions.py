@@ -80,7 +80,9 @@ def of_compounds(module: Any) -> Any:
     }
     for name, function in vars(module).items():
         if isinstance(function, FunctionType):
-            names[name] = FunctionType(function.__code__, names)
+            own = function.__globals__ is vars(module)  # or it is imported, with its constants
+            around = names if own else {**function.__globals__, **names}
+            names[name] = FunctionType(function.__code__, around)
     return SimpleNamespace(**names)
 
 

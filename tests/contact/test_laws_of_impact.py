@@ -1,10 +1,9 @@
 """Impact laws of points that touch at once: closed forms, springs in time, energy, errors."""
 
-import ast
 import math
 import re
-from collections import defaultdict
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest

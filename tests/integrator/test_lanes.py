@@ -17,6 +17,7 @@ from rockeom.simulation.case import Problems
 from rockeom.sweeps.cases import Batch
 from rockeom.sweeps.results import Results
 from rockeom.sweeps.run import lanes_pay
+from tests.machine_code import plain as plain_functions
 from tests.numeric.structures import S1, column, on_springs
 from tests.oracle.ways import flat
 from tests.sweeping import simulate_many
@@ -444,7 +445,7 @@ def test_vectors_have_the_bits_of_plain_python(which):
         printed = Printed(roots, modules, contract=False)
         codes.append(compiled(printed.ir(), part == VECTORS))
         entries |= printed.entries
-        spaces[part] = plain_program(module, "RK45", part)
+        spaces[part] = plain_functions(module, "RK45", part)
         if part == GLUE:  # each part calls the others' entries
             of_vectors = [name for name in entries if name.endswith("_lanes")]
             spaces[GLUE] |= {n: spaces[VECTORS][n] for n in of_vectors if n != "integrate_lanes"}
