@@ -32,6 +32,7 @@ from rockeom.integrator.provided import (
     standing,
 )
 from rockeom.integrator.records import Batch, Case, Recorder
+from rockeom.integrator.tolerances import AT_REST
 
 
 @entry
@@ -41,7 +42,7 @@ def at_rest(mode: int, y: Floats, p: Floats) -> bool:
         return False
     energy = np.empty(3)
     energies(mode, y, p, energy)
-    return energy[0] <= 1e-9 * abs(energy[1])
+    return energy[0] <= AT_REST * abs(energy[1])
 
 
 @entry
