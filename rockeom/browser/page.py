@@ -22,8 +22,8 @@ from rockeom import files as whole
 from rockeom.browser.code import script
 from rockeom.browser.controls import Controls, Menu, Slider, check_mapping, controls_of
 from rockeom.browser.lesson import COMPARED, FATES, OBJECTS, Motions, Question, ends_of, readings_of
+from rockeom.browser.places import NUMBERS
 from rockeom.browser.program import METHOD, Portable, portable
-from rockeom.browser.questions import NUMBERS
 from rockeom.browser.setup import Setup, setup_of
 from rockeom.browser.sizes import Sized, can_be_enlarged
 from rockeom.browser.texts import with_texts

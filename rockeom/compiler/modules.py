@@ -177,4 +177,6 @@ def _names_bound(statement: ast.stmt) -> list[str]:
         case ast.Assign(targets=targets):
             nodes = [node for target in targets for node in ast.walk(target)]
             return [node.id for node in nodes if isinstance(node, ast.Name)]
+        case ast.AnnAssign(target=ast.Name(id=name), value=ast.expr()):
+            return [name]
     return []

@@ -94,7 +94,6 @@ def landed(
 
 # -- the contract of transitions: transitions/table.py, or transitions/search.py
 
-MOST_IDLE: int
 QUIET_STEPS: bool
 EXTRAPOLATES: bool
 
