@@ -7,7 +7,7 @@ Source: as Housner (1963), the centroid off the middle.
     parameters  mass [kg]: mass
                 half_width [m]: half of the width of the base
                 height [m]: height of the centroid above the base
-                offset [m]: of the centroid, to the right of the middle of the base
+                offset [m]: distance of the centroid to the right of the middle of the base
                 inertia [kg m2]: moment of inertia about the centroid
                 gravity [m/s2]: acceleration of gravity
     modes       left, both, right
@@ -36,7 +36,7 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import fused, inlined
 
-SOURCE_HASH = "abfeebce6418e5f6"
+SOURCE_HASH = "3fc1fad14725e32b"
 
 NAME = "offset_block"
 CLASS = "OffsetBlock"
@@ -48,7 +48,7 @@ PARAMETER_MEANINGS = (
     "mass",
     "half of the width of the base",
     "height of the centroid above the base",
-    "of the centroid, to the right of the middle of the base",
+    "distance of the centroid to the right of the middle of the base",
     "moment of inertia about the centroid",
     "acceleration of gravity",
 )

@@ -194,7 +194,7 @@ def displacement_based_design(
         Yield displacement of the substitute structure [m].
     mass : float
         Effective mass [kg].
-    spectrum : Spectrum or DesignSpectrum
+    spectrum : callable or DesignSpectrum
         Displacement [m] of period [s] and damping ratio, such as ``MeanSpectrum(motions)`` or
         `modified_spectrum` of one for 5 %; or a `DesignSpectrum`, for which `modified_spectrum` is
         called.

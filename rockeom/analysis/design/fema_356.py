@@ -108,7 +108,7 @@ def fema_356_rocking(
     ----------
     block : RigidBlock
         Block on rigid ground.
-    motion : GroundMotion or Spectrum or DesignSpectrum
+    motion : GroundMotion or callable or DesignSpectrum
         Ground motion, whose spectrum replaces the design spectrum; or a function of period [s] and
         damping ratio that gives the displacement [m], such as `modified_spectrum` of one for 5 %;
         or a `DesignSpectrum`, for which `modified_spectrum` is called. Both spectra need a

@@ -59,7 +59,7 @@ def linear_start(force: Force, displacement: float) -> Force:
 
     Parameters
     ----------
-    force : Force
+    force : callable
         Force F_k [N] of displacements (n,) [m].
     displacement : float
         Displacement up to which the line goes, from the origin to the force there, on either side
@@ -91,7 +91,7 @@ def tabulated(force: Force, largest: float, points: int = 4001) -> Force:
 
     Parameters
     ----------
-    force : Force
+    force : callable
         Force F_k [N] of displacements (n,) [m].
     largest : float
         Displacement up to which it is tabulated on either side [m]; beyond it the force stays.
@@ -120,7 +120,7 @@ def bilinear_fit(force: Force, largest: float, points: int = 400) -> FlagRule:
 
     Parameters
     ----------
-    force : Force
+    force : callable
         Force F_k [N] of displacements (n,) [m].
     largest : float
         Displacement up to which the two agree [m].
@@ -425,7 +425,7 @@ class EquivalentOscillator:
     ----------
     mass : float
         Mass M [kg].
-    force : Force or HysteresisRule
+    force : callable or HysteresisRule
         Restoring force F_k [N]: a function of displacements (n,) [m], such as
         `Wall.restoring_force`, or a `HysteresisRule`.
     damping : tuple of Damping, optional

@@ -123,7 +123,7 @@ class OrbitBranch:
         Bifurcations in the order in which they were passed; they are among the motions.
     ended : str
         Why the branch was not followed further.
-    family : Family
+    family : callable
         Function that makes the map of a value.
     between : tuple of (float, float)
         Values of the parameter between which the branch was followed.
@@ -276,7 +276,7 @@ def orbit_branch(
 
     Parameters
     ----------
-    stroboscope : Family
+    stroboscope : callable
         Function that makes the map of a value; it is called with a float for the first motion, then
         with a `Dual`.
     between : tuple of (float, float)
@@ -595,7 +595,7 @@ def period_doublings(
 
     Parameters
     ----------
-    stroboscope : Family
+    stroboscope : callable
         Function that makes the map of a value.
     between : tuple of (float, float)
         First value of the parameter and the one to go to.
@@ -640,7 +640,7 @@ def bifurcation_value(
 
     Parameters
     ----------
-    stroboscope : Family
+    stroboscope : callable
         Function that makes the map of a value.
     between : tuple of (float, float)
         The two values.
