@@ -112,6 +112,8 @@ def _letter(c: str) -> str:
 
 def docstring(text: str, indent: str = "") -> str:
     """A docstring that says `text`, whatever letters that has."""
+    # A lone surrogate is shown by its escape: Python 3.13 compiles no docstring that has one.
+    text = text.encode("utf-8", "backslashreplace").decode("utf-8")
     written = "".join(_LETTERS.get(c) or _letter(c) for c in text).replace('"""', r"\"\"\"")
     if written.endswith('"'):
         written = f'{written[:-1]}\\"'
