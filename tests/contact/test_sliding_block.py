@@ -5,11 +5,11 @@ import math
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings, strategies as st
-from numeric.exact import FreeBlock
 from scipy.optimize import brentq
 
 import rockeom as rk
 from rockeom.simulation.events import Event
+from tests.exact import FreeBlock
 
 from . import closed_forms as exact
 from .cases import ALPHA, LEANING, SHAKEN, P, leaning, leaning_motion

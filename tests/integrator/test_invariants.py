@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given, settings, strategies as st
 
 import rockeom as rk
-from tests.numeric.structures import S1, column, on_springs
+from tests.typical import S1, column, on_springs
 
 STRUCTURES = {
     s.model: s

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-from tests.numeric.structures import DAMPING, S1, STIFFNESS
+from tests.typical import DAMPING, S1, STIFFNESS
 
 GRAVITY = 9.81
 
