@@ -79,7 +79,7 @@ def rest_time(block, peak, energy_ratio):
 
 
 class ShakenSlenderBlock:
-    """Slender block from rest under a ground acceleration that is linear between its samples.
+    """Slender block under a ground acceleration that is linear between its samples.
 
     theta'' = p^2 (theta - s alpha - a/g), thesis 2-14 with time in seconds. As a is linear,
     w = theta - s alpha - a/g obeys w'' = p^2 w in each piece: cosh and sinh, exactly.
@@ -104,13 +104,17 @@ class ShakenSlenderBlock:
 
         return at, (i + 1) * self.dt
 
-    def follow(self, end):
-        """From full contact: uplift time, impact times (n,), state at `end`."""
+    def lifts(self):
+        """From full contact: the time of the uplift, and the side about which it turns."""
         sample = next(i for i, a in enumerate(np.abs(self.a)) if a > self.alpha)
         before, after = self.a[sample - 1 : sample + 1]
         side = -int(np.sign(after))
         uplift = self.dt * (sample - 1 + (-side * self.alpha - before) / (after - before))
-        t, theta, speed, impacts = uplift, 0.0, 0.0, []
+        return uplift, side
+
+    def follow(self, end, t, side, theta=0.0):
+        """From rest at a time on a side: impact times (n,), state at `end`."""
+        speed, impacts = 0.0, []
         while t < end:
             at, stop = self.piece(t, side, theta, speed)
             stop = min(stop, end)
@@ -124,7 +128,7 @@ class ShakenSlenderBlock:
             t = brentq(lambda x, at=at: at(x)[0], low, grid[k], xtol=1e-15)
             impacts.append(t)
             theta, speed, side = 0.0, self.e * at(t)[1], -side
-        return uplift, np.array(impacts), (theta, speed)
+        return np.array(impacts), (theta, speed)
 
 
 def first(n, series):

@@ -28,7 +28,8 @@ def test_uplift_impacts_and_motion(seed):
 
     # up to the first rest, from which both would start anew
     end = next((e.time for e in run.events if e.mode_after == "both"), 8.0) - 1e-3
-    uplift, impacts, state = exact.follow(end)
+    uplift, side = exact.lifts()
+    impacts, state = exact.follow(end, uplift, side)
     assert len(impacts) >= 3
     assert run.events[0].kind == "uplift"
     assert run.events[0].time == pytest.approx(uplift, rel=1e-12)
@@ -36,6 +37,21 @@ def test_uplift_impacts_and_motion(seed):
     np.testing.assert_allclose(found, impacts, rtol=1e-9)
     at = run.at(end)
     np.testing.assert_allclose([at["theta"], at["theta_dot"]], state, atol=1e-9)
+
+
+def test_released_block_meets_the_impacts_at_the_tightest_tolerances():
+    p, e, dt = 2.0, 0.9, 0.125
+    samples = 0.1 * GRAVITY * np.sin(np.arange(25) ** 1.3)
+    run = rk.simulate(
+        rk.SlenderBlock.from_frequency(p=p, alpha=ALPHA),
+        rk.GroundMotion.from_array(samples, dt),
+        impact=rk.VelocityRatio(e),
+        initial={"theta": 0.05},
+        options=rk.SolverOptions(rtol=1e-14, atol=1e-17),
+    )
+    impacts, _ = ShakenSlenderBlock(p, ALPHA, e, samples, dt).follow(3.0, 0.0, 1, 0.05)
+    assert len(run.impacts) == len(impacts) >= 4
+    np.testing.assert_allclose([i.time for i in run.impacts], impacts, rtol=0.0, atol=1e-12)
 
 
 def test_forced_quarter_by_a_constant_acceleration():

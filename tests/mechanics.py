@@ -2,7 +2,8 @@
 
 It shares nothing with the package but the names of the states: positions of mass centres and of
 contact points, their Jacobians and the accelerations that velocities alone cause, are written from
-the geometry of each structure; forces and impulses follow by NumPy's dense algebra.
+the geometry of each structure; forces and impulses follow by NumPy's dense algebra. Which state of
+the contacts follows is found by trying every pattern of them.
 
 Rotations are clockwise: a body's axes are along = (cos, -sin) and across = (sin, cos). Arrays have
 k states in their first direction, n coordinates and m points.
@@ -11,8 +12,9 @@ k states in their first direction, n coordinates and m points.
 from __future__ import annotations
 
 import copy
+import itertools
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -20,6 +22,10 @@ import numpy as np
 OPEN, STICK, SLIP_RIGHT, SLIP_LEFT, FRICTIONLESS = range(5)
 """States of a point, as programs number them."""
 SENSE = np.array([0.0, 0.0, 1.0, -1.0, 0.0])
+ZERO = 1e-9
+"""Gaps [m] and velocities [m/s] below it are zero in a state without errors of integration."""
+DISTINCT = 1e-5
+"""Motions that differ by less are one, in parts of the larger, or of 1 m/s or m/s2."""
 
 
 @dataclass(frozen=True)
@@ -182,6 +188,11 @@ class Mechanics:
         states = States(self.coordinates, q, v, internal or {})
         return At(self, states, self.parts(states))
 
+    def in_state(self, state: Mapping[str, float]) -> At:
+        """Mechanics in one state, whose coordinates and rates have the names of the package."""
+        q = np.array([[state[name] for name in self.coordinates]])
+        return self.at(q, np.array([[state[f"{name}_dot"] for name in self.coordinates]]))
+
 
 class At:
     """Masses, forces and points of a structure in k states.
@@ -252,10 +263,10 @@ class At:
         rate = np.einsum("kn,kn->k", strut.place.jacobian[:, 1], self.states.v)
         return -strut.stiffness * strut.place.value[:, 1] - strut.damping * rate
 
-    def kinetic(self) -> np.ndarray:
-        return 0.5 * np.einsum(
-            "ka,ka->k", self.states.v, (self.mass @ self.states.v[..., None])[..., 0]
-        )
+    def kinetic(self, v: np.ndarray | None = None) -> np.ndarray:
+        """(k,) with these velocities, or others (n,) in the same places."""
+        v = self.states.v if v is None else np.broadcast_to(v, self.states.v.shape)
+        return 0.5 * np.einsum("ka,ka->k", v, (self.mass @ v[..., None])[..., 0])
 
     def held(self, pattern: Sequence[int]) -> tuple[list[int], list[int]]:
         """The points that carry normal forces in a pattern, and those that carry friction.
@@ -276,8 +287,16 @@ class At:
             along.append(members[0])
         return normal, along
 
-    def solve(self, pattern: Sequence[int], force: np.ndarray) -> Solved:
-        """Accelerations and contact forces in a pattern of point states, by its constraints."""
+    def solve(
+        self, pattern: Sequence[int], force: np.ndarray, wanted: np.ndarray | None = None
+    ) -> Solved:
+        """Accelerations and contact forces in a pattern of point states, by its constraints.
+
+        wanted (k, m, 2) : what rows . z are where the pattern holds them, for M z = force + pushes.
+        They are -biases for accelerations. With force = M v they are the rates after an impact, and
+        z is the velocity after it. One state alone may leave forces undetermined: the least follow.
+        """
+        wanted = -self.biases if wanted is None else wanted
         normal, along = self.held(pattern)
         stuck = [i for i in along if pattern[i] == STICK]
         k = len(self.bias)
@@ -285,14 +304,16 @@ class At:
         free = np.linalg.solve(self.mass, force[:, :, None])[:, :, 0]
         if not rows:
             return Solved(free, np.zeros((k, 0)), np.zeros((k, 0)), normal, along)
-        right = [-self.biases[:, i, 1] for i in normal] + [-self.biases[:, i, 0] for i in stuck]
+        right = [wanted[:, i, 1] for i in normal] + [wanted[:, i, 0] for i in stuck]
         pushes = [self.push_of(i, pattern[i]) for i in normal]
         pushes += [self.rows[:, i, 0] for i in stuck]
         r, p = np.stack(rows, axis=1), np.stack(pushes, axis=2)
         spread = np.linalg.solve(self.mass, p)
         system = r @ spread
         lacks = np.stack(right, axis=1) - np.einsum("krn,kn->kr", r, free)
-        with np.errstate(all="ignore"):
+        if k == 1:
+            forces = np.linalg.lstsq(system[0], lacks[0], rcond=1e-12)[0][None]
+        else:
             forces = np.linalg.solve(system, lacks[:, :, None])[:, :, 0]
         motion = free + np.einsum("knr,kr->kn", spread, forces)
         pressed = forces[:, : len(normal)]
@@ -319,9 +340,13 @@ class At:
         total = 0.0
         for j, other in enumerate(solved.normal):
             if self.parts.points[other].pair == self.parts.points[point].pair:
-                mu = self.parts.points[other].friction
-                total = total + mu * np.maximum(solved.pressed[:, j], 0.0)
+                mu, pressed = self.parts.points[other].friction, solved.pressed[:, j]
+                total = total + (mu if math.isinf(mu) else mu * np.maximum(pressed, 0.0))
         return total + np.zeros(len(solved.pressed))
+
+    def load(self, ax: np.ndarray | float, ay: np.ndarray | float) -> np.ndarray | float:
+        """A force of the structure, to judge others by: its masses times accelerations."""
+        return self.whole * (self.of.gravity + np.abs(ax) + np.abs(ay))
 
 
 @dataclass(frozen=True)
@@ -333,6 +358,149 @@ class Solved:
     friction: np.ndarray
     normal: Sequence[int]
     along: Sequence[int]
+
+
+# -- what follows from one state
+
+
+@dataclass(frozen=True)
+class Fit:
+    """A pattern that meets every condition of contact, and what follows from it in a state.
+
+    motion (n,) : accelerations, or the velocities after an impact; normal, friction (m,) : forces
+    or impulses of the points. The friction of a pair is that of its first closed point.
+    """
+
+    at: At
+    pattern: tuple[int, ...]
+    solved: Solved
+
+    @property
+    def motion(self) -> np.ndarray:
+        return self.solved.motion[0]
+
+    @property
+    def normal(self) -> np.ndarray:
+        return self._of_points(self.solved.normal, self.solved.pressed)
+
+    @property
+    def friction(self) -> np.ndarray:
+        return self._of_points(self.solved.along, self.solved.friction)
+
+    def _of_points(self, points: Sequence[int], forces: np.ndarray) -> np.ndarray:
+        every = np.zeros(len(self.pattern))
+        every[list(points)] = forces[0]
+        return every
+
+
+def patterns(at: At, near: np.ndarray) -> Iterator[tuple[int, ...]]:
+    """All in which points of a pair that are closed do the same."""
+    points = at.parts.points
+    choices: list[tuple[int, ...]] = []
+    for i, point in enumerate(points):
+        if not near[i]:
+            choices.append((OPEN,))
+        elif math.isinf(point.friction):
+            choices.append((OPEN, STICK))
+        elif not point.friction:
+            choices.append((OPEN, SLIP_RIGHT))
+        else:
+            choices.append((OPEN, STICK, SLIP_RIGHT, SLIP_LEFT))
+    for pattern in itertools.product(*choices):
+        pairs: dict[int, set[int]] = {}
+        for i, state in enumerate(pattern):
+            if state != OPEN:
+                pairs.setdefault(points[i].pair, set()).add(state)
+        if all(len(states) == 1 for states in pairs.values()):
+            yield pattern
+
+
+def motions(
+    at: At, near: np.ndarray, ground: Sequence[float], small: float = ZERO, margin: float = ZERO
+) -> list[Fit]:
+    """Patterns of one state whose accelerations and contact forces fit.
+
+    near : of each point, whether it may stay closed. small : slip rates below it are zero [m/s].
+    margin : of forces and accelerations, by which a pattern may miss, in parts of them.
+    """
+    slips, force, fits = at.rates[0, :, 0], at.forces(*ground), []
+    for pattern in patterns(at, near):
+        if not all(
+            _agrees(state, slip, small) or not point.friction
+            for state, slip, point in zip(pattern, slips, at.parts.points, strict=True)
+        ):
+            continue
+        solved = at.solve(pattern, force)
+        room = margin * (at.load(*ground) + np.abs(solved.pressed).max(initial=0.0))
+        tiny = margin * (at.of.gravity + np.abs(solved.motion).max())
+        follows = at.rows[0] @ solved.motion[0] + at.biases[0]
+        decided = np.abs(slips) > small
+        if _bears(at, solved, room) and _goes_on(at, pattern, near, solved, follows, tiny, decided):
+            fits.append(Fit(at, pattern, solved))
+    return fits
+
+
+def _agrees(state: int, slip: float, small: float) -> bool:
+    """Whether a point that slips at a rate can be in a state."""
+    if state == STICK:
+        return abs(slip) <= small
+    return state == OPEN or SENSE[state] * slip >= -small
+
+
+def impulses(at: At, touching: np.ndarray, small: float = ZERO, bounces: float = 1.0) -> list[Fit]:
+    """Patterns that may follow where touching points meet, by Newton's law of restitution.
+
+    bounces : factor of the restitutions.
+    """
+    fits: list[Fit] = []
+    restitution = np.array([point.restitution for point in at.parts.points])
+    least = bounces * restitution * np.maximum(-at.rates[0, :, 1], 0.0)
+    wanted = np.stack([np.zeros(len(least)), least], axis=1)
+    momentum = (at.mass @ at.states.v[..., None])[..., 0]
+    none = np.zeros(len(least), bool)
+    for pattern in patterns(at, touching):
+        solved = at.solve(pattern, momentum, wanted[None])
+        follows = at.rows[0] @ solved.motion[0] - wanted
+        room = 1e-7 * np.abs(solved.pressed).max(initial=0.0)
+        if _bears(at, solved, room) and _goes_on(
+            at, pattern, touching, solved, follows, small, none
+        ):
+            fits.append(Fit(at, pattern, solved))
+    return fits
+
+
+def _bears(at: At, solved: Solved, room: float) -> bool:
+    """Whether no point pulls, and no pair needs more friction than there is."""
+    if not np.isfinite(solved.motion).all() or (solved.pressed < -room).any():
+        return False
+    bounds = [float(at.bound(i, solved)[0]) for i in solved.along]
+    return bool((np.abs(solved.friction[0]) <= np.array(bounds) + room).all())
+
+
+def _goes_on(
+    at: At, pattern: Sequence[int], near: np.ndarray, solved: Solved, follows: np.ndarray,
+    small: float, decided: np.ndarray,
+) -> bool:  # fmt: skip
+    """Whether what follows (m, 2), along and across, is what each state of a near point needs.
+
+    follows : less what is wanted. decided (m,) : whether the slip has a sense already.
+    """
+    stuck = [i for i in solved.along if pattern[i] == STICK]
+    lacks = *follows[solved.normal, 1], *follows[stuck, 0]
+    rubs = np.array([point.friction > 0.0 for point in at.parts.points])
+    turns = near & rubs & ~decided & (SENSE[list(pattern)] * follows[:, 0] < -small)
+    sinks = near & (follows[:, 1] < -small)
+    return not (turns.any() or sinks.any() or (np.abs(lacks) > small).any())
+
+
+def distinct(fits: Sequence[Fit]) -> list[Fit]:
+    """Those with different motions, the first of each."""
+    kept: list[Fit] = []
+    for fit in fits:
+        near = DISTINCT * (1.0 + np.abs(fit.motion).max())
+        if all(np.abs(fit.motion - other.motion).max() > near for other in kept):
+            kept.append(fit)
+    return kept
 
 
 # -- structures
