@@ -11,8 +11,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.drawing import free_body, style
-from rockeom.drawing.drawn import Structure, check_structure
-from rockeom.drawing.positions import BODIES, Member, legs, places, positions_of, rotations_of
+from rockeom.drawing.checks import check_drawn
+from rockeom.structures.base import Structure
+from rockeom.structures.positions import BODIES, Member, legs, places, positions_of, rotations_of
 
 
 @style.styled
@@ -34,7 +35,7 @@ def draw_structure(
 
     Raises ValueError for a state that cannot be, TypeError for anything but a structure.
     """
-    check_structure("structure", structure)
+    check_drawn("structure", structure, Structure)
     m = structure.module
     named = {m.STATES[m.ROTATION]: rotation} if rotation else {}
     if ax is None:

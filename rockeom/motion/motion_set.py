@@ -25,6 +25,7 @@ from rockeom.motion.spectra import ResponseSpectrum
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration
 from rockeom.numbers import explained
 from rockeom.numbers.checks import described, near
+from rockeom.numbers.pictures import picture
 
 Intensity = str | Callable[[GroundMotion], float]
 
@@ -344,11 +345,9 @@ class MotionSet(Sequence[GroundMotion]):
         self, periods: ArrayLike | None = None, damping_ratio: float = 0.05, **kwargs: Any
     ) -> Any:
         """A figure of the response spectra with their median; see `plots.plot_spectra`."""
-        from rockeom.drawing.ground_motion import plot_spectra  # matplotlib
-
         spectra = [*self.response_spectra(periods, damping_ratio).values()]
         title = self.name and f"Response spectra, {self.name}"
-        return plot_spectra(spectra, **{"title": title} | kwargs)
+        return picture("plot_spectra", spectra, **{"title": title} | kwargs)
 
 
 def _asked(

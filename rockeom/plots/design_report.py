@@ -22,7 +22,7 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis.design.isolation import Demands, demands, energy_balance
 from rockeom.drawing import page, style
-from rockeom.drawing.drawn import check_structure
+from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.style import digits
 from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
@@ -363,7 +363,7 @@ def design_report(
 
     Raises ValueError for no motions and for a structure without feet on rigid ground.
     """
-    check_structure("structure", structure)
+    check_drawn("structure", structure, Structure)
     if isinstance(motions, GroundMotion):
         raise TypeError("motions is one motion: give a list of motions, [motion]")
     if not motions:

@@ -10,7 +10,7 @@ from hypothesis import given, settings, strategies as st
 from scipy import linalg, signal
 
 import rockeom as rk
-from rockeom.drawing.positions import places
+from rockeom.structures.positions import places
 from rockeom.numbers.functions import FUNCTIONS, mathematics
 from rockeom.numbers.jet import Jet
 from rockeom.simulation.quantities import _word, families, main_units

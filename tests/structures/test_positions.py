@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
-from rockeom.drawing.positions import places
+from rockeom.structures.positions import places
 from rockeom.structures.classes import SHIPPED as CLASSES
 from rockeom.symbolic import SHIPPED
 from tests.contact import declared
