@@ -10,11 +10,11 @@ from hypothesis import given, settings, strategies as st
 from scipy import linalg, signal
 
 import rockeom as rk
-from rockeom.structures.positions import places
 from rockeom.numbers.functions import FUNCTIONS, mathematics
 from rockeom.numbers.jet import Jet
 from rockeom.simulation.quantities import _word, families, main_units
 from rockeom.structures.classes import SHIPPED
+from rockeom.structures.positions import places
 from tests.shipped import plain
 from tests.typical import DAMPING, S1, STIFFNESS, TOTAL_MASS, column
 

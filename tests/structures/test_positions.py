@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
-from rockeom.structures.positions import places
 from rockeom.structures.classes import SHIPPED as CLASSES
+from rockeom.structures.positions import places
 from rockeom.symbolic import SHIPPED
 from tests.contact import declared
 from tests.shipped import plain
