@@ -60,7 +60,7 @@ def module_text(declaration: Lowers) -> str:
     functions_of_parameters(text)
     head = tables(text, columns, guards)
     of_tables = [line for line in head if not line.startswith(" ")]  # their rows hold no names
-    check_names("\n".join(of_tables + text.lines), text.given)
+    check_names("\n".join(of_tables + text.lines), text.user_names)
     lines = [*head, *ROUNDING.splitlines(), *SINE_COSINE.splitlines(), *text.lines]
     body = "\n".join(lines) + "\n"
     return _header(text, body) + body

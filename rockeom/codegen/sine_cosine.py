@@ -47,9 +47,9 @@ def sine_cosine(x):
 
 def named_angles(exprs: Mapping[str, sp.Expr]) -> tuple[dict[str, sp.Expr], dict[sp.Expr, str]]:
     """The expressions with names for sines and cosines, and the name of each angle."""
-    found = {a for e in exprs.values() for a in angles_in(e)}
+    angles = {a for e in exprs.values() for a in angles_in(e)}
     names: dict[sp.Expr, str] = {}
-    for angle in sorted(found, key=sp.default_sort_key):
+    for angle in sorted(angles, key=sp.default_sort_key):
         plain = angle.is_Symbol and not str(angle).endswith("_")
         names[angle] = str(angle) if plain else f"angle_{len(names)}"
     named = {sp.sin(a): sp.Symbol(f"sin_{n}") for a, n in names.items()}

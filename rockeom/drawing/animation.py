@@ -205,8 +205,8 @@ class Animation:
     def limits(self) -> np.ndarray:
         """(2, 2) least and largest x and y of all that is drawn, where the ground stood at rest."""
         structure = self.run.structure
-        found = places(structure.module, self.modes, self.states, structure.vector)
-        points = all_points(structure, found) + self.ground[:, None]
+        poses = places(structure.module, self.modes, self.states, structure.vector)
+        points = all_points(structure, poses) + self.ground[:, None]
         low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
         size = float((high - low).max()) or 1.0
         beside = np.array([0.2 * size, 0.08 * size])
@@ -232,15 +232,15 @@ class Animation:
         figure.text(0.5, 1 - 0.12 / height, name, ha="center", va="top", fontsize=9.5)
         clock = figure.text(0.5, 1 - 0.34 / height, "", ha="center", va="top", fontsize=9)
         figure.legend(handles=_signs(self), loc="lower center", ncols=3, fontsize=8)
-        found = []
+        pictures = []
         for i in range(len(self)):
             for artist in (*ax.lines, *ax.patches, *ax.collections, *ax.texts):
                 artist.remove()  # to clear the axes takes as long as to draw them
             self.draw(i, ax)
             clock.set_text(self.title(i))
             canvas.draw()
-            found.append(_png(canvas))
-        return tuple(found)
+            pictures.append(_png(canvas))
+        return tuple(pictures)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a .gif, a .html page or a .mp4; raises ValueError for any other name."""

@@ -239,11 +239,11 @@ class Sketch:
         free_body.ground(ax, left, feet[-1][0] + beyond, feet[-1][1], depth)
 
 
-def all_points(structure: Structure, found: np.ndarray) -> np.ndarray:
+def all_points(structure: Structure, poses: np.ndarray) -> np.ndarray:
     """(n, k, 2) places and corners of bodies and feet, of what `places` has found (n, m, 3)."""
     m, shapes = structure.module, structure.shapes
-    at, angles = positions_of(m, found), rotations_of(m, found)
-    points = [found[..., :2]]
+    at, angles = positions_of(m, poses), rotations_of(m, poses)
+    points = [poses[..., :2]]
     for name, angle in angles.items():
         x, y = shapes.outlines.get(name, np.zeros((1, 2))).T
         cos, sin = np.cos(angle)[:, None], np.sin(angle)[:, None]
@@ -256,15 +256,15 @@ def all_points(structure: Structure, found: np.ndarray) -> np.ndarray:
 
 def _pose(structure: Structure, mode: int, y: np.ndarray) -> _Pose:
     m = structure.module
-    (found,) = places(m, np.array([mode]), y[None], structure.vector)
-    angles = {name: float(angle) for name, angle in rotations_of(m, found).items()}
-    return _Pose(positions_of(m, found), angles)
+    (pose,) = places(m, np.array([mode]), y[None], structure.vector)
+    angles = {name: float(angle) for name, angle in rotations_of(m, pose).items()}
+    return _Pose(positions_of(m, pose), angles)
 
 
 def _gaps(structure: Structure, mode: int, y: np.ndarray) -> dict[str, float]:
     """Distances of feet from what they touch, by name [m]."""
     m = structure.module
-    found = np.zeros(len(m.KINEMATICS))
-    m.kinematics(mode, y, structure.vector, found)
-    told = dict(zip(m.KINEMATICS, found.tolist(), strict=True))
+    values = np.zeros(len(m.KINEMATICS))
+    m.kinematics(mode, y, structure.vector, values)
+    told = dict(zip(m.KINEMATICS, values.tolist(), strict=True))
     return {name: told[f"{name}_uplift"] for name in m.POSITIONS if f"{name}_uplift" in told}

@@ -108,10 +108,10 @@ def new_axes(width: float, height: float) -> tuple[NotebookFigure, Axes]:
 
 def parent_figure(ax: Axes) -> Figure:
     """The figure in which `ax` stands."""
-    found: Any = ax.figure
-    while isinstance(found, SubFigure):
-        found = found.figure
-    return found
+    figure: Any = ax.figure
+    while isinstance(figure, SubFigure):
+        figure = figure.figure
+    return figure
 
 
 # --- units
