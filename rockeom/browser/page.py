@@ -33,12 +33,12 @@ from rockeom.browser.widget import widget_of
 from rockeom.codes import OUTCOMES
 from rockeom.compiler.modules import Text
 from rockeom.compiler.types import Array
-from rockeom.drawing.positions import legs
 from rockeom.numbers.checks import described
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
 from rockeom.structures.base import Structure
+from rockeom.structures.positions import legs
 from rockeom.structures.units import main_units
 from rockeom.sweeps.case_numbers import OtherCase
 

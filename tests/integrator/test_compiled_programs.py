@@ -114,7 +114,7 @@ def twice_as_heavy(model):
 def test_processes_share_programs_race_for_them_and_see_every_change(tmp_path):
     """One is killed as it compiles; two start at once; another loads; then the equations change.
 
-    A file that was cut off is made again, as in `numeric/test_store` all are that something is
+    A file that was cut off is made again, as in `compiler/test_store` all are that something is
     wrong with.
     """
     cache, package = tmp_path / "cache", copy_of_the_package(tmp_path / "package")
