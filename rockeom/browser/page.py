@@ -330,7 +330,7 @@ class Explorer:
         return ("rockeom.browser.questions", *(["rockeom.browser.verdict"] if feet else []))
 
     def _written(self) -> tuple[Text, ...]:
-        """What the questions ask of the set-up and of the structure."""
+        """The texts that questions take from the set-up and from the structure."""
         p, horizontal, vertical = self.setup.sizes
         sizes = f"MOST_P, ROWS_X, ROWS_Y = {p}, {horizontal}, {vertical}\n"
         if self._structure.rocks_on_rigid_ground:

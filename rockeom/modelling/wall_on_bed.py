@@ -233,7 +233,7 @@ class WallOnBed:
         >>> import rockeom as rk
         >>> from rockeom import analysis
         >>> walls = rk.WallOnBed.of_tests(analysis.identification.wall_tests())
-        >>> walls["WS2.100"].bed_modulus == walls["WS1.100"].bed_modulus  # of the first of this level
+        >>> walls["WS2.100"].bed_modulus == walls["WS1.100"].bed_modulus  # the first one's
         True
         """
         of_level: dict[tuple[float, ...], WallOnBed] = {}

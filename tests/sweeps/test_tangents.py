@@ -159,9 +159,9 @@ def test_saltation_matrix_of_a_block():
 ROUNDINGS = 50
 """Bound on the error of a determinant: so many roundings of the largest of its two products.
 
-Each step rounds the products a d and b c of the tangents [[a, b], [c, d]] and keeps their difference.
-Where these have grown, the error is that of the products, and what later impacts take they take of
-both. Of 4,200 random motions the largest error was 6 roundings."""
+Each step rounds the products a d and b c of the tangents [[a, b], [c, d]] and keeps their
+difference. Where these have grown, the error is that of the products, and what later impacts take
+they take of both. Of 4,200 random motions the largest error was 6 roundings."""
 
 
 @settings(max_examples=20)
