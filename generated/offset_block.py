@@ -7,7 +7,7 @@ Source: as Housner (1963), the centroid off the middle.
     parameters  mass [kg]: mass
                 half_width [m]: half of the width of the base
                 height [m]: height of the centroid above the base
-                offset [m]: of the centroid, to the right of the middle of the base
+                offset [m]: distance of the centroid to the right of the middle of the base
                 inertia [kg m2]: moment of inertia about the centroid
                 gravity [m/s2]: acceleration of gravity
     modes       left, both, right
@@ -40,7 +40,7 @@ from rockeom.generated.prelude import (
     LOCALISED, FULL_CONTACT, full_contact_guards, elements, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "307561b03bc7425b"
+SOURCE_HASH = "057e9f2618b4b953"
 
 NAME = "offset_block"
 CLASS = "OffsetBlock"
@@ -52,7 +52,7 @@ PARAMETER_MEANINGS = (
     "mass",
     "half of the width of the base",
     "height of the centroid above the base",
-    "of the centroid, to the right of the middle of the base",
+    "distance of the centroid to the right of the middle of the base",
     "moment of inertia about the centroid",
     "acceleration of gravity",
 )

@@ -30,6 +30,7 @@ from rockeom.browser.places import (
 from rockeom.browser.program import functions
 from rockeom.browser.traced import (
     COMPARISONS,
+    OWN,
     Condition,
     Lines,
     Node,
@@ -130,10 +131,12 @@ class Setup:
 
 
 _ARGUMENTS = "sliders, y, p, horizontal, vertical, numbers"
-_HEAD = """import math
+_OWN = ", ".join(f"own_{name}" for name in OWN)
+_HEAD = f"""import math
 
 import numpy as np
 
+from rockeom.browser.elementary import {_OWN}
 from rockeom.compiler.decorators import Floats, Floats2, entry
 
 

@@ -13,7 +13,7 @@ from rockeom.compiler.decorators import Floats, entry
 from rockeom.integrator.provided import N_STATES, ROTATION, rates, reactions
 
 N = N_STATES // 2
-TURNS = 8
+NEWTON_STEPS = 8
 """Steps of Newton's method: the first one solves what is linear."""
 
 
@@ -36,7 +36,7 @@ def lifting(foot, p):
     """The size of the ground acceleration under which the force on a foot vanishes; inf if none."""
     unknown, value, moved = np.zeros(N), np.zeros(N), np.zeros(N)
     slopes = np.zeros((N, N))
-    for _ in range(TURNS):
+    for _ in range(NEWTON_STEPS):
         lacking(unknown, foot, p, value)
         for j in range(N):
             h = 1.0 if j == 0 else 1e-3

@@ -1,11 +1,11 @@
 """Texts as modules: where each is, what it imports from others, and what it defines.
 
-A text imports as any module of Python does, by `from rockeom.x import name`. Nothing is imported by
-Python for it: the text of that module becomes part of the program, its constants are worked out in
-a namespace of its own, and its functions are printed where they are called. What a text imports
-from `rockeom.compiler`, whose language it is written in, and from other packages, Python imports.
+A text imports as any module of Python does, by `from rockeom.x import name`. Python itself imports
+nothing for it: the text of that module becomes part of the program, its constants are worked out
+in a namespace of its own, and its functions are printed where they are called. Only imports from
+`rockeom.compiler`, the language of texts, and from other packages are those of Python.
 
-Some names are different ones in each program, such as the equations of motion. A module that only
+Some names differ from program to program, such as the equations of motion. A module that only
 declares them stands for the texts that a program is built with, see `Modules.provided`.
 """
 
@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 
 _IMPORTED = re.compile(r"^ *from (rockeom\.[\w.]+) import ", re.MULTILINE)
 _LANGUAGE = "rockeom.compiler"
-"""What texts are written in: it is no part of their programs."""
+"""The language of texts, which is no part of their programs."""
 _FUTURE = annotations.compiler_flag
 """Annotations of records are read by their names in all texts."""
 _ROUNDED = "\n__fused__ = False"
@@ -177,4 +177,6 @@ def _names_bound(statement: ast.stmt) -> list[str]:
         case ast.Assign(targets=targets):
             nodes = [node for target in targets for node in ast.walk(target)]
             return [node.id for node in nodes if isinstance(node, ast.Name)]
+        case ast.AnnAssign(target=ast.Name(id=name), value=ast.expr()):
+            return [name]
     return []

@@ -115,20 +115,20 @@ class Described:
     @property
     def mode_constants(self) -> dict[str, str]:
         """The name of the constant that is the number of each mode."""
-        found = {}
+        constants = {}
         for i, mode in enumerate(self.module.MODES):
             name = unicodedata.normalize("NFKC", mode.upper())
             while self.functions.constants.get(name) is not i:
                 name += "_"
                 if len(name) > 2 * len(mode) + 40:
                     raise AssertionError(f"no constant is the number of {mode}")
-            found[mode] = name
-        return found
+            constants[mode] = name
+        return constants
 
     def size(self, function: Function, argument: str) -> int:
         """How many numbers a function puts into an argument."""
         m = self.module
-        known = {
+        of_argument = {
             "dy": m.N_STATES,
             "g": m.N_GUARDS + m.N_PARTS,
             "matrix": (m.N_STATES // 2) ** 2,
@@ -142,15 +142,15 @@ class Described:
             "kinematics": len(m.KINEMATICS),
             "positions": 3 * len(m.POSITIONS),
         }
-        if argument in known:
-            return known[argument]
+        if argument in of_argument:
+            return of_argument[argument]
         if function.name in of_function:
             return of_function[function.name]
         return 1 + max(_places(function, argument), default=-1)
 
     def prepared(self) -> int:
         """How many numbers `prepare` gives."""
-        return self.functions.known["prepare"].lengths["p"]
+        return self.functions.by_name["prepare"].lengths["p"]
 
     def head(self) -> list[str]:
         """Title, states, parameters and modes of the file, and how it is used."""
@@ -189,13 +189,13 @@ class Described:
             f"the first of them falls to zero, `{self.transition}` gives the state after it.",
         ]
 
-    def arguments(self, function: Function, given: Sequence[str]) -> list[tuple[str, str]]:
+    def arguments(self, function: Function, names: Sequence[str]) -> list[tuple[str, str]]:
         """Name and meaning of each; of arrays that are filled, their contents."""
         m = self.module
         sizes = {"y": m.N_STATES, "parameters": len(m.PARAMETERS)}
         sizes |= dict.fromkeys(("p", "result"), self.prepared())
         rows = []
-        for name in given:
+        for name in names:
             if name in FILLED:
                 size = self.size(function, name)
                 columns: Any = getattr(m, function.name.upper(), None)
@@ -252,7 +252,7 @@ def _described(module: GeneratedModule) -> Described:
     entries = _entries(texts, ("impact",))
     functions = Functions(texts, modules, entries)
     for name in entries:
-        function = functions.known[name]
+        function = functions.by_name[name]
         function.fills |= {a for a in FILLED if a in function.arguments}
     return Described(module, in_plain_letters(module.NAME), functions, tuple(entries))
 
@@ -307,19 +307,19 @@ def _are_words(columns: Any) -> bool:
 
 def _rows(rows: Iterable[tuple[str, ...]]) -> list[str]:
     """Aligned columns."""
-    given = list(rows)
-    if not given:
+    table = list(rows)
+    if not table:
         return ["  none"]
-    widths = [max(map(len, column)) for column in zip(*given, strict=True)]
+    widths = [max(map(len, column)) for column in zip(*table, strict=True)]
     return [
         "  " + "  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip()
-        for row in given
+        for row in table
     ]
 
 
-def _explained(described: Described, function: Function, given: Sequence[str]) -> list[str]:
+def _explained(described: Described, function: Function, names: Sequence[str]) -> list[str]:
     """Description of a function and of its arguments."""
-    rows = described.arguments(function, given)
+    rows = described.arguments(function, names)
     width = max((len(name) for name, _ in rows), default=0)
     lines = [printable(line) for line in function.doc.splitlines()]
     for name, meaning in rows:
@@ -355,8 +355,8 @@ def _c(described: Described) -> str:
         entry = function.name in described.entries
         writer = c.CWriter(described.functions, function, names, prefix)
         if entry:
-            given = [*function.arguments, *(["result"] if function.name == "prepare" else [])]
-            description = _explained(described, function, given)
+            arguments = [*function.arguments, *(["result"] if function.name == "prepare" else [])]
+            description = _explained(described, function, arguments)
         else:
             description = [printable(line) for line in function.doc.splitlines()]
         bodies += ["", *_comment(description), *writer.write("" if entry else "static ")]
@@ -411,13 +411,13 @@ def _matlab(described: Described) -> str:
         lines = writer.write()
         entry = function.name in described.entries
         if entry:
-            given = [a for a in function.arguments if a not in FILLED]
+            inputs = [a for a in function.arguments if a not in FILLED]
             filled = [a for a in function.arguments if a in FILLED]
-            description = _explained(described, function, [*given, *filled])
+            description = _explained(described, function, [*inputs, *filled])
             sizes = {a: f"zeros({described.size(function, a)}, 1)" for a in filled}
             call = ", ".join(sizes.get(a, names.of(a)) for a in function.arguments)
             handles.append(
-                f"    m.{names.of(function.name)} = @({', '.join(map(names.of, given))}) ..."
+                f"    m.{names.of(function.name)} = @({', '.join(map(names.of, inputs))}) ..."
             )
             handles.append(f"        {names.of(function.name)}({call});")
         else:

@@ -195,11 +195,13 @@ def _sources(generated: GeneratedModule, method: str, part: str, bounds: bool) -
 
 @cache
 def _compiler() -> tuple[str, ...]:
-    """The sources of this module with all that it imports, and of the language."""
-    sources = (text.source for text in Modules().closure([module_text(__name__)]))
-    language = sorted(f.name for f in files("rockeom.compiler").iterdir() if f.is_file())
-    stems = (name.removesuffix(".py") for name in language if name.endswith(".py"))
-    return (*sources, *(module_text(f"rockeom.compiler.{stem}").source for stem in stems))
+    """The sources of this module with all that it imports, of the language and of all methods."""
+    sources = [text.source for text in Modules().closure([module_text(__name__)])]
+    for package in ("rockeom.compiler", f"{_HERE}.methods"):
+        names = sorted(file.name for file in files(package).iterdir() if file.is_file())
+        stems = [name.removesuffix(".py") for name in names if name.endswith(".py")]
+        sources += [module_text(f"{package}.{stem}").source for stem in stems]
+    return tuple(sources)
 
 
 def _made(generated: GeneratedModule, method: str, part: str, bounds: bool = False) -> bytes:
@@ -314,7 +316,7 @@ def linked(generated: GeneratedModule, method: str, part: str = LOOP, steps: boo
 
 
 def _prelude_of_lanes(prelude: Text) -> tuple[Text, Text]:
-    """What generated modules have in common, with a sine and a cosine that have no branches."""
+    """The prelude of generated modules with a sine and a cosine that have no branches."""
     from rockeom.integrator.lanes.step import SINES
 
     return without(prelude, "sine_cosine"), Text("sines of lanes", SINES, fused=True)

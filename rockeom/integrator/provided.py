@@ -1,8 +1,7 @@
 """The names that are bound when a program is built: each program has others behind them.
 
-The compiler takes this module for the texts that a program is built with, in the order below. What
-none of them defines is an error only where a function uses it. Python itself never runs the
-functions of this file.
+The compiler takes this module for the texts that a program is built with. A name that none of them
+defines is an error only where a function uses it. Python itself runs no function of this file.
 """
 
 import numpy as np
@@ -94,7 +93,6 @@ def landed(
 
 # -- the contract of transitions: transitions/table.py, or transitions/search.py
 
-MOST_IDLE: int
 QUIET_STEPS: bool
 EXTRAPOLATES: bool
 

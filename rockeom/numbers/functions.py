@@ -33,12 +33,36 @@ class Compound:
         raise NotImplementedError
 
     def floats(self) -> Any:
-        """The same in floats; raises OverflowError for a whole number that none can hold."""
+        """The same in floats.
+
+        Returns
+        -------
+        Compound
+            Number in floats.
+
+        Raises
+        ------
+        OverflowError
+            For a whole number that no float can hold.
+        """
         return self
 
     @classmethod
     def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
-        """A function of `math` where one of what is given is of this class."""
+        """Function of `math` where one of the arguments is of this class.
+
+        Parameters
+        ----------
+        name : str
+            Name of the function.
+        given : tuple of object
+            Arguments.
+
+        Returns
+        -------
+        object
+            Value of the function.
+        """
         raise NotImplementedError
 
 

@@ -18,9 +18,9 @@ from rockeom.sweeps.cases import Batch
 from rockeom.sweeps.results import Results
 from rockeom.sweeps.run import lanes_pay
 from tests.machine_code import plain as plain_functions
-from tests.numeric.structures import S1, column, on_springs
 from tests.oracle.ways import flat
 from tests.sweeping import simulate_many
+from tests.typical import S1, column, on_springs
 
 STEP = rk.SolverOptions(steps_per_segment=1)
 

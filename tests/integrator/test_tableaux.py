@@ -11,6 +11,7 @@ import pytest
 from scipy import integrate
 
 import rockeom as rk
+from rockeom.compiler.modules import Text, as_python
 from rockeom.integrator.methods import coefficients
 from rockeom.integrator.methods.tableau import step_text, tableau
 
@@ -186,7 +187,7 @@ def test_no_decay_or_vibration_is_wrong_unseen(name, angle):
         "np": np, "math": math, "N_STATES": 4, "accelerations": accelerations,
         "ground_at_stages": lambda *ground: None, "FULL_CONTACT": -1,
     }  # fmt: skip
-    exec(step_text(tableau(name), 2), step)
+    as_python([Text("step", step_text(tableau(name), 2))], step)
     k, y = np.zeros(4 * step["N_ALL_STAGES"] + 99), np.array([0.0, 0.0, 1.0, 0.0])
     new, still, atol = np.zeros(4), np.zeros(7), np.full(4, tolerance)
     for size in np.linspace(1.0, 6.5, 1101):

@@ -65,7 +65,9 @@ from rockeom.integrator.transitions.points import (
 __fused__ = False
 
 SLOWEST = 5.0  # changes of velocity that are stepped over, in accelerations times the time
-TURNS = 4000  # landings and ends of slips that are followed, until few and slow ones are left
+MOST_FLIGHTS = (
+    4000  # landings and ends of slips that are followed, until few and slow ones are left
+)
 FAST = 100.0  # rates of landings that no rest takes, in accelerations times its longest time
 SHORTER = 4  # times of a step over events that are tried, each a tenth of the one before
 LONGEST_LOST = 0.00001  # the time of lost flights that is summed, in units of sqrt(l/a)
@@ -164,7 +166,7 @@ def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
     w, here, landed = state.y, state.mode, np.zeros(N_POINTS, np.int64)
     total = last = last_ratio = 0.0
     series, w_then = Series(-1, -1, 0.0, 0.0, 0, 2), np.empty(N_STATES)
-    for turn in range(TURNS + 1):
+    for turn in range(MOST_FLIGHTS + 1):
         if turn > 0:
             rates(here, w, state.p, state.ax, state.ay, dy)
         flight, which = next_landing(here, bounces, w, known, dy)
@@ -174,7 +176,7 @@ def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
             flight = slips
         if have_ended(here, bounces, start, known, w, dy):
             break
-        if turn == TURNS:
+        if turn == MOST_FLIGHTS:
             if fast_fly_on(here, bounces, start, known, dy):
                 return np.inf, state.mode
             break
