@@ -16,20 +16,19 @@ EXACT = 8.0 * EPS
 """Of the Bernstein coefficients of a coordinate: sums of eight terms of its dense output, see
 `polynomial_of`. They count as zero below it, relative to the largest."""
 SAMPLED = 64.0 * EPS
-"""Of those of a guard that is sampled: the sums of eight samples have weights of up to 8 in size,
-which enlarge the error of a sample by no more."""
+"""Of those of a guard that is sampled: sums of eight samples whose weights are 86 in all at most, and
+each sample is off by half a unit: 43 units."""
 GRAIN = 4e-15
-"""Of a gap, relative to the terms whose difference it is: 18 units of rounding, for a chain of
-bodies with as many operations from one term to the next."""
+"""Of a gap, relative to the terms whose difference it is: 18 units of rounding."""
 NONE_OF_SUM = 1e-14
 """Of a sum of terms of the size of a velocity or of a place: what is left below it is rounding, and
 becomes zero, so that a point which is put on the ground does not leave it at once."""
 SAME_INSTANT = 1e3 * EPS
-"""Of the time: events closer to one another are at one instant. A time is a sum of up to a million
-steps, whose rounding errors add up as a random walk does."""
+"""Of the time: closer events are at one instant. A time is a sum of steps, whose rounding errors
+add up."""
 GAP_AT_REST = 1e-11
 """Of a gap at the end of a step: a coefficient below it says that the gap opens from rest. It is
-zero but for rounding errors of the accelerations on both feet, which cancel to four digits."""
+zero but for rounding errors of the accelerations of both sides, which cancel."""
 ACCELERATION_AT_REST = 1e-10
 """Of the accelerations that open a gap on either side: where they cancel, as beside uplift, so much
 is left of them by rounding, and moves a gap that opens from rest."""
@@ -44,6 +43,8 @@ PUSH, LEAST_PUSH = 1e-13, 1e-15
 points that other contacts hold together."""
 FORCE_OF_LARGEST = 1e-13
 """Of the largest force of a mode: rounding errors of the others, by the sums that all come from."""
+NOTHING_LEFT = 1e-12
+"""Of velocities and forces in an impact: smaller ones are none."""
 SPRING_ROUNDING = 1e-13
 """Of velocities and forces of springs in an impact, which are sums over some thousand steps."""
 DIFFERENCE = 1e-6
@@ -80,7 +81,7 @@ NEARLY = 1e-9
 MORE_THAN_HELD = 1e-11
 """Of a force that holds a gap: it must be exceeded by so much before the gap closes instead."""
 BEYOND_MOST = 1e-9
-"""Of the largest force that may hold a gap: forces up to it are those of NEARLY the same instant."""
+"""Of the largest force that may hold a gap: forces beyond it by less are as large."""
 SLIP_WITH_HOP = 1e-3
 """Of a slip: a point whose gap moves as fast as that is in a hop, and does not slide."""
 INDEPENDENT = 1e-6
@@ -129,33 +130,37 @@ NO_TURN = 1e-14
 """Rate of a rotation that points hold [rad/s]: rounding errors of the last impacts."""
 SLOW = 1e-6
 """Of sqrt(a l): the speed of landings between whose outcomes nothing decides."""
+LONGEST_LOST = 1e-5
+"""Of sqrt(l/a): the time of lost flights that is summed."""
 LOST_HOP = 1e-13
 """Of the terms of a gap: lower flights are lost among rounding errors."""
 NO_HOP = 1e-18
-"""Of the radius of gyration: so low a flight ends in no time, sqrt(8 NO_HOP) = 3e-9 of sqrt(l/a)."""
+"""Of the radius of gyration l: so low a flight ends in no time, 3e-9 of sqrt(l/a)."""
 ENDED, ENDED_OF_ALL = 1e-7, 1e-8
 """Of the rate of bounces at their start, and of the fastest point: slower bounces have ended, since
 the time of those to come is in proportion to their rates."""
 ENDED_FLIGHT = 1e-6
-"""Of the time of the flights so far: the last one of points whose bounces have come to their end."""
+"""Of the time of the flights so far: the last one of points whose bounces have ended."""
 STEADY = 1e-9
 """Of the loss in a period of bounces: periods that differ by less are a geometric series, whose sum
 is then as exact."""
 FADED = 1e-13
 """Of the velocity at the first of infinitely many impacts: what changes by less from one flight to
 the next changes the sum of all to come by as little."""
+REST_AFTER_MOTION = 1e-6
+"""Of sqrt(l/a): the rest tolerance where a motion is followed to its fall after the ground rests."""
 AT_REST = 1e-9
 """Of the weight's potential energy: a structure at rest has less kinetic energy."""
 NARROWEST = 1e-13
 """Of a step: parts of a polynomial are halved down to it, 43 times."""
 SMALL_STATE = 1e-5
-"""Of the tolerances: where a state or its rate is smaller, it does not say how long a step may be."""
+"""Of the tolerances: a smaller state, or rate, does not say how long a step may be."""
 
 # -- moves after which an iteration has ended ----------------------------------------------------
 
 # Newton's method: the error left is about the square of its last move
 SETTLED_CLOSING = 1e-7  # of the closing of a gap: 1e-14 of a step
-SETTLED_FALL = 1e-10  # of the fall of any guard, whose bend may be a million times that of a gap
+SETTLED_FALL = 1e-10  # of the fall of any guard, which may bend more than a gap does
 SETTLED_EXTREME = 1e-9  # of an extreme, whose value has an error of the square of that of its place
 SETTLED_IN_LANES = 1e-4  # of the closing of a gap in lanes, after which the step is repeated
 SETTLED_SPRINGS = 1e-15  # of an instant in the step of springs, by the last digits
@@ -168,15 +173,14 @@ PLACED_BY_QUINTIC, LEAST_OF_QUINTIC = 1e-6, 1e-13
 """Of a step, squared: the end may be moved on the quintic by the square root of rtol, within these
 bounds: the error of that is of the square of the move."""
 PLACED_IN_LANES = 1e-8
-"""Of a step in lanes: a landing may miss the impact by it, which a Taylor series of the second order
-then passes, with an error of the third power."""
+"""Of a step in lanes: a landing may miss the impact by it. A Taylor series of the second order
+passes the rest, with an error of the third power."""
 SHORTEST_PART = 1e-6
 """Of the step as planned: it is shortened down to that where a guard is not where it was put."""
 SHORTEST_FIRST = 1e-6
 """[s] a first step where the state does not say how long it may be."""
 LEAST_ERROR = 1e-10
-"""Of the tolerance of a step: smaller errors do not lengthen the next one any more, since its growth
-is bounded by 5 = (1e-10)^(-0.07)."""
+"""Of the tolerance of a step: smaller errors do not lengthen the next step any more."""
 TURN_MISS = 1e-5
 """Of the rates in a step: by so much a coordinate that turns at an end of it may miss its extreme,
 which is off by the square of that."""
@@ -200,5 +204,5 @@ SOON_AT_REST, SOON_AT_START = 1e-6, 1e-9
 BEND_OF_GUARD = 1e-3
 """Of a step: by which it is seen how the rate of a guard changes, for `DIGITS`."""
 JACOBIAN_STEP, LEAST_JACOBIAN_STEP = 1e-6, 1e-7
-"""Of a state, and of one of size one: in central differences for the Jacobian of Radau: their errors
-are the square of that, and EPS over it."""
+"""Of a state, and of a small one: the steps of central differences for the Jacobian of Radau, whose
+errors are of the square of a step, and of EPS over it."""

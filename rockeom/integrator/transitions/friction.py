@@ -14,13 +14,12 @@ from rockeom.integrator.tolerances import (
     CLEAR_FIT,
     FITS,
     LEAST_SIZE,
+    NOTHING_LEFT,
     SAME_ROWS,
 )
 from rockeom.integrator.transitions.points import COUPLING, LAWS, ROWS, eliminate
 
 __fused__ = False
-
-NOTHING_LEFT = 1e-12  # of velocities and forces: what is smaller is none
 
 
 class Meeting(NamedTuple):

@@ -28,14 +28,18 @@ from rockeom.integrator.provided import (
     POINT_STATES,
     point_numbers,
 )
-from rockeom.integrator.tolerances import FITS, SAME_LANDING_RATE, SAME_VELOCITIES
+from rockeom.integrator.tolerances import (
+    FITS,
+    NOTHING_LEFT,
+    SAME_LANDING_RATE,
+    SAME_VELOCITIES,
+)
 from rockeom.integrator.transitions.candidates import (
     fitting_states,
     sizes_of,
     squared,
 )
 from rockeom.integrator.transitions.friction import (
-    NOTHING_LEFT,
     Meeting,
     choose,
     grip,

@@ -13,12 +13,12 @@ from rockeom.integrator.provided import N_POINTS
 from rockeom.integrator.tolerances import (
     LEAST_SIZE,
     MORE_THAN_HELD,
+    NOTHING_LEFT,
     SETTLED_SPRINGS,
     SOON,
     SPRING_ROUNDING,
 )
 from rockeom.integrator.transitions.friction import (
-    NOTHING_LEFT,
     choose,
     forces_with,
     friction_on_line,
@@ -31,7 +31,7 @@ __fused__ = False
 
 ORDER = 14  # of the power series of springs
 TERMS = ORDER + 1
-PART = 0.5  # length of a step of springs, times their highest frequency: the error is 1e-17
+PART = 0.5  # length of a step of springs, times their highest frequency: the error of the series is below rounding
 SAMPLES = 4  # in a step, between which a change of sign is looked for
 MOST_STEPS = 200000  # of springs
 # Curves that may fall through zero as springs move, of each point

@@ -29,6 +29,7 @@ from rockeom.integrator.tolerances import (
     ENDED_OF_ALL,
     FITS,
     GRAIN,
+    LONGEST_LOST,
     LOST_HOP,
     NO_DROP,
     NO_HOP,
@@ -70,7 +71,6 @@ MOST_FLIGHTS = (
 )
 FAST = 100.0  # rates of landings that no rest takes, in accelerations times its longest time
 SHORTER = 4  # times of a step over events that are tried, each a tenth of the one before
-LONGEST_LOST = 0.00001  # the time of lost flights that is summed, in units of sqrt(l/a)
 
 
 class Bounces(NamedTuple):
