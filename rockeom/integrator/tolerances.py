@@ -16,8 +16,8 @@ EXACT = 8.0 * EPS
 """Of the Bernstein coefficients of a coordinate: sums of eight terms of its dense output, see
 `polynomial_of`. They count as zero below it, relative to the largest."""
 SAMPLED = 64.0 * EPS
-"""Of those of a guard that is sampled: sums of eight samples whose weights are 86 in all at most, and
-each sample is off by half a unit: 43 units."""
+"""Of those of a guard that is sampled: sums of eight samples, each off by half a unit, with weights
+of 86 in all at most: 43 units."""
 GRAIN = 4e-15
 """Of a gap, relative to the terms whose difference it is: 18 units of rounding."""
 NONE_OF_SUM = 1e-14
@@ -148,7 +148,7 @@ FADED = 1e-13
 """Of the velocity at the first of infinitely many impacts: what changes by less from one flight to
 the next changes the sum of all to come by as little."""
 REST_AFTER_MOTION = 1e-6
-"""Of sqrt(l/a): the rest tolerance where a motion is followed to its fall after the ground rests."""
+"""Of sqrt(l/a): the rest tolerance of a motion that is followed on after the ground rests."""
 AT_REST = 1e-9
 """Of the weight's potential energy: a structure at rest has less kinetic energy."""
 NARROWEST = 1e-13

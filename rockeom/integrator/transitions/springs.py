@@ -31,7 +31,7 @@ __fused__ = False
 
 ORDER = 14  # of the power series of springs
 TERMS = ORDER + 1
-PART = 0.5  # length of a step of springs, times their highest frequency: the error of the series is below rounding
+PART = 0.5  # of a step of springs, times their highest frequency: 0.5**15 / 15! is no error
 SAMPLES = 4  # in a step, between which a change of sign is looked for
 MOST_STEPS = 200000  # of springs
 # Curves that may fall through zero as springs move, of each point
