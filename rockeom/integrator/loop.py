@@ -600,27 +600,27 @@ def first_event_within(motion, ground, step, case, a):
     mode, t = motion.mode, motion.t
     instant = 4.0 * EPS * max(t, step.h)
     guard_polynomials(mode, t, step.h, ground, case, a)
-    place, target, slope, from_closed, unclear = first_event(
-        mode, t, step.h, instant, step.landed, motion.closed, ground, case, a
-    )
-    if place == NEVER:
-        return DONE, step._replace(target=target, slope=slope)
+    fall = first_event(mode, t, step.h, instant, step.landed, motion.closed, ground, case, a)
+    seen = step._replace(target=fall.guard, slope=fall.slope)
+    if fall.place == NEVER:
+        return DONE, seen
     h = step.h
-    if place * h <= instant:
+    if fall.place * h <= instant:
         if rocking(mode):
             # it does not fall where both its rate and its acceleration open it
             slow = a.y[ROTATION_RATE] == 0.0 or SIDES[mode] * a.k[ROTATION_RATE] > 0.0
         else:
-            noise = noise_of(mode, target, case.p, case.fallen, a.noises, a.w, a.g)
-            slow = unclear or opens_soon(mode, target, t, h, ground, case, a, noise)
-        if from_closed and slow and h > max(SHORTEST_PART * step.longest, SAME_INSTANT * t):
+            noise = noise_of(mode, fall.guard, case.p, case.fallen, a.noises, a.w, a.g)
+            slow = fall.unclear or opens_soon(mode, fall.guard, t, h, ground, case, a, noise)
+        shortest = max(SHORTEST_PART * step.longest, SAME_INSTANT * t)
+        if fall.from_closed and slow and h > shortest:
             # an opening so short that rounding, or the error of a dense output of low order,
             # hides it in a step of this length
-            return AGAIN, step._replace(h=h * 0.1, cut=False, target=-1, slope=slope, landed=-1)
+            return AGAIN, seen._replace(h=h * 0.1, cut=False, target=-1, landed=-1)
         h = 0.0  # it falls here and now
-    if place >= 1.0 or h == 0.0:
-        return DONE, step._replace(h=h, target=target, slope=slope, landed=target)
-    return AGAIN, step._replace(h=h * place, cut=False, target=target, slope=slope, landed=-1)
+    if fall.place >= 1.0 or h == 0.0:
+        return DONE, seen._replace(h=h, landed=fall.guard)
+    return AGAIN, seen._replace(h=h * fall.place, cut=False, landed=-1)
 
 
 @inlined

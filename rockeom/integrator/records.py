@@ -193,6 +193,20 @@ class Step(NamedTuple):
     outcome: int
 
 
+class Fall(NamedTuple):
+    """The first fall of a guard through zero in a step.
+
+    place : in the step, NEVER if no guard falls. slope : of its polynomial in time. from_closed :
+    it was closed at the start. unclear : nothing but rounding errors says that it falls.
+    """
+
+    place: float
+    guard: int
+    slope: float
+    from_closed: bool
+    unclear: bool
+
+
 class State(NamedTuple):
     """A state y (N,) in a mode, the parameters p, and the accelerations of the ground there."""
 

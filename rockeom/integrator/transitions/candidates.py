@@ -6,7 +6,10 @@ whose forces fit the accelerations. An event that none fits, or several that mov
 the motion.
 """
 
+from __future__ import annotations
+
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,7 +26,7 @@ from rockeom.codes import (
     STICKING,
     SWITCH,
 )
-from rockeom.compiler.decorators import inlined, rolled
+from rockeom.compiler.decorators import Floats, Ints, inlined, rolled
 from rockeom.integrator.provided import (
     ELEMENT_STATES,
     FEET_OF,
@@ -299,13 +302,30 @@ def exceeds(row, wanted, known, impulse):
     return total
 
 
-def margin_of(candidate, near, sliding, wanted, known, sizes, impulse, least_of_all):
+class Demand(NamedTuple):
+    """The points at an instant of an event, and what is wanted of them.
+
+    near (N_POINTS,) : 1 where a point touches. sliding (N_POINTS,) : the sign of its slip, 0 where
+    it does not move. wanted (ROWS,) : the changes of velocities, or accelerations, that hold the
+    points which touch. known : of `all_known`. sizes (ROWS + N_POINTS,) : of `sizes_of`.
+    """
+
+    near: Ints
+    sliding: Floats
+    wanted: Floats
+    known: Floats
+    sizes: Floats
+
+
+def margin_of(candidate, demand, impulse, least_of_all):
     """The least margin by which impulses, or forces, fit; negative where they do not.
 
     They press, friction is within its bound and opposes the slip, and open points leave as they
     may. A margin is relative to sizes, see `sizes_of`. Once it is below `least_of_all` no
     other one is computed.
     """
+    near, sliding, wanted = demand.near, demand.sliding, demand.wanted
+    known, sizes = demand.known, demand.sizes
     least = np.inf
     for i in range(N_POINTS):
         if near[i] == 0:
@@ -336,23 +356,24 @@ def margin_of(candidate, near, sliding, wanted, known, sizes, impulse, least_of_
     return least
 
 
-def fitting_states(mode, near, sliding, wanted, known, sizes, tolerance, alike, fitting, change):
+def fitting_states(mode, left_out, demand, tolerance, alike, fitting, change):
     """(best, several): of all modes but one those whose impulses, or forces, fit.
 
-    They fit by `tolerance`, and what they change of the velocities, or accelerations,
-    differs by no more than `alike`, squared in the measure of the mass: AMBIGUOUS if it does,
-    IMPOSSIBLE if none fits. fitting : its first number is the mode to leave out, or -1; on return
-    its first `several` numbers are those that fit. change (n,) : of the best, by its margin.
+    They fit by `tolerance`, and what they change of the velocities, or accelerations, differs by no
+    more than `alike`, squared in the measure of the mass: the best is AMBIGUOUS if it does, and
+    IMPOSSIBLE if none fits. left_out : a mode that is none of them, or -1. fitting : on return its
+    first `several` numbers are the modes that fit. change (n,) : by the best, that with the largest
+    margin.
     """
-    left_out = fitting[0]
+    known = demand.known
     impulse, first = np.empty(ROWS), np.empty(N_COORDINATES)
     this, apart = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
     best, several, most = IMPOSSIBLE, 0, -np.inf
     for candidate in range(len(POINT_STATES)):
-        if candidate == left_out or not may_follow(candidate, mode, near, sliding):
+        if candidate == left_out or not may_follow(candidate, mode, demand.near, demand.sliding):
             continue
-        impulses_of(candidate, wanted, known, impulse)
-        margin = margin_of(candidate, near, sliding, wanted, known, sizes, impulse, -tolerance)
+        impulses_of(candidate, demand.wanted, known, impulse)
+        margin = margin_of(candidate, demand, impulse, -tolerance)
         if not margin >= -tolerance:
             continue
         for i in range(N_COORDINATES):
@@ -426,14 +447,12 @@ def collide(mode, near, slowest, known, y):
         if 2 * int(r * 0.5) == r:
             wanted[r] -= known[LAWS + r] * min(arriving, 0.0)
     alike = max(SAME_VELOCITIES * whole, slowest)
-    fitting[0] = -1
-    found, _ = fitting_states(
-        mode, near, sliding, wanted, known, sizes, FITS, alike, fitting, change
-    )
-    if found >= 0:
+    demand = Demand(near, sliding, wanted, known, sizes)
+    follows, _ = fitting_states(mode, -1, demand, FITS, alike, fitting, change)
+    if follows >= 0:
         for i in range(n):
             y[n + i] += change[i]
-    return found
+    return follows
 
 
 @rolled
@@ -550,54 +569,61 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, known, sizes
     rtol : the relative tolerance of the motion, by whose error a mode must fit where none fits
     nearly. sizes (ROWS + N_POINTS,) : of `without_forces`, found here.
     """
-    wanted, change = np.empty(ROWS), np.empty(N_COORDINATES)
-    fitting = np.empty(len(POINT_STATES), np.int64)
+    wanted = np.empty(ROWS)
     whole = without_forces(y, p, ground[AX], ground[AY], mode, known, wanted, sizes)
-    follows = IMPOSSIBLE
-    for turn in range(2):
-        nearly = NEARLY if turn == 0 else STEPS_ERROR * rtol
-        if follows != IMPOSSIBLE or nearly < NEARLY:
-            break
-        alike = ALIKE * ALIKE * nearly * nearly * whole
-        fitting[0] = -1
-        follows, several = fitting_states(
-            mode, near, sliding, wanted, known, sizes, nearly, alike, fitting, change
-        )
-        apart = ends and follows == AMBIGUOUS
-        if apart:  # what has come to its end and another: only one of them lasts
-            fitting[0], several = mode, 1
-        if apart or (follows >= 0 and (several > 1 or (ends and follows == mode))):
-            follows = best_later(mode, ends, near, sliding, fitting, several, y, p, ground, sizes)
-        if apart and follows == IMPOSSIBLE:
-            fitting[0] = mode
-            follows, several = fitting_states(
-                mode, near, sliding, wanted, known, sizes, nearly, alike, fitting, change
-            )
-            if follows >= 0 and several > 1:
-                follows = best_later(
-                    mode, ends, near, sliding, fitting, several, y, p, ground, sizes
-                )
+    demand = Demand(near, sliding, wanted, known, sizes)
+    follows = fits_within(NEARLY, whole, mode, ends, demand, y, p, ground)
+    # the state after many steps is off by more than an event's time
+    if follows == IMPOSSIBLE and STEPS_ERROR * rtol >= NEARLY:
+        follows = fits_within(STEPS_ERROR * rtol, whole, mode, ends, demand, y, p, ground)
     return follows
 
 
+def fits_within(error, whole, mode, ends, demand, y, p, ground):
+    """The mode whose forces fit but for a relative error, or IMPOSSIBLE, or AMBIGUOUS.
+
+    whole : of `without_forces`, the accelerations squared.
+    """
+    fitting, change = np.empty(len(POINT_STATES), np.int64), np.empty(N_COORDINATES)
+    alike = ALIKE * ALIKE * error * error * whole
+    follows, several = fitting_states(mode, -1, demand, error, alike, fitting, change)
+    if ends and follows == AMBIGUOUS:
+        # the mode that has come to its end and another one move apart: only one of them lasts
+        fitting[0] = mode
+        follows = best_later(mode, ends, demand, fitting, 1, y, p, ground)
+        if follows != IMPOSSIBLE:
+            return follows
+        follows, several = fitting_states(mode, mode, demand, error, alike, fitting, change)
+        decided = several <= 1
+    else:
+        decided = several <= 1 and not (ends and follows == mode)
+    if follows < 0 or decided:
+        return follows
+    return best_later(mode, ends, demand, fitting, several, y, p, ground)
+
+
 @rolled
-def best_later(mode, ends, near, sliding, fitting, several, y, p, ground, sizes):
-    """The mode that fits best a little later, of those that move alike now."""
+def best_later(mode, ends, demand, fitting, several, y, p, ground):
+    """The mode that fits best a little later, of those that move alike now.
+
+    fitting : its first `several` numbers are these modes. demand : of now; the sizes, too.
+    """
     n, tau = N_COORDINATES, ground[LATER]
     dy, w = np.empty(N_STATES), np.empty(N_STATES)
-    known, of_then = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
+    known, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
     impulse, wanted = np.empty(ROWS), np.empty(ROWS)
     rates(fitting[0], y, p, ground[AX], ground[AY], dy)
     for i in range(n):
         w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * dy[n + i])
         w[n + i] = y[n + i] + tau * dy[n + i]
     all_known(w, p, mode, known)
-    without_forces(w, p, ground[LATER_AX], ground[LATER_AY], mode, known, wanted, of_then)
-    found, best = IMPOSSIBLE, -np.inf
+    without_forces(w, p, ground[LATER_AX], ground[LATER_AY], mode, known, wanted, sizes)
+    later = demand._replace(wanted=wanted, known=known)
+    follows, best = IMPOSSIBLE, -np.inf
     for i in range(several):
         candidate = fitting[i]
         impulses_of(candidate, wanted, known, impulse)
-        margin = margin_of(candidate, near, sliding, wanted, known, sizes, impulse, -np.inf)
+        margin = margin_of(candidate, later, impulse, -np.inf)
         if candidate == mode and ends:
             # what has come to its end goes on only where nothing but rounding errors ended it
             if several == 1 and margin < -FITS:
@@ -605,8 +631,8 @@ def best_later(mode, ends, near, sliding, fitting, several, y, p, ground, sizes)
             margin = np.inf if margin >= -FITS else -LARGEST
         # of those that fit as well, the one that keeps more points closed, which stands first
         if margin > best + FITS:
-            found, best = candidate, margin
-    return found
+            follows, best = candidate, margin
+    return follows
 
 
 # -- transitions ---------------------------------------------------------------------------------

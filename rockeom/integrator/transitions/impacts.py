@@ -35,6 +35,7 @@ from rockeom.integrator.tolerances import (
     SAME_VELOCITIES,
 )
 from rockeom.integrator.transitions.candidates import (
+    Demand,
     fitting_states,
     sizes_of,
     squared,
@@ -137,11 +138,9 @@ def by_moreau(mode, near, whole, along, known, sizes, rate, change):
         e_t = along[i] if along[i] >= 0.0 else e
         wanted[2 * i] = -rate[2 * i] - e * min(rate[2 * i], 0.0)
         wanted[2 * i + 1] = -(1.0 + e_t) * rate[2 * i + 1]
-    fitting[0] = -1
-    found, _ = fitting_states(
-        mode, near, sliding, wanted, known, sizes, FITS, SAME_VELOCITIES * whole, fitting, change
-    )
-    return found
+    demand = Demand(near, sliding, wanted, known, sizes)
+    follows, _ = fitting_states(mode, -1, demand, FITS, SAME_VELOCITIES * whole, fitting, change)
+    return follows
 
 
 # -- Poisson -------------------------------------------------------------------------------------
