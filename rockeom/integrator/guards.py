@@ -46,7 +46,7 @@ from rockeom.integrator.provided import (
     full_contact_guards,
     grain_of,
     guards,
-    is_known,
+    just_closed,
     rates,
 )
 from rockeom.integrator.records import Fall
@@ -258,17 +258,17 @@ def first_event(mode, t, h, instant, landed, closed, ground, case, a):
     b = a.b
     ax, ay = ground_accelerations(ground, t)
     for i in range(GUARDS[mode]):
-        known = is_known(closed, i)
-        if i == landed or (landed >= 0 and known):
+        at_event = just_closed(closed, i)
+        if i == landed or (landed >= 0 and at_event):
             continue
-        starts_closed = known or closed_but_for_rounding(mode, i, ax, ay, h, case, a)
+        starts_closed = at_event or closed_but_for_rounding(mode, i, ax, ay, h, case, a)
         noise = 0.0
         if starts_closed:
             noise = rounding(mode, i, h, a.y, case.p, ax, ay, b)
             noise = max(noise, grain_of(mode, i, ax, ay, h, b, 8, case, a))
         place, row = fall_of_guard(mode, i, starts_closed, noise, a)
         # a guard that is closed by the same event, and opens, falls later if at all
-        beside = starts_closed and not known and place * h <= instant
+        beside = starts_closed and not at_event and place * h <= instant
         if not place < first.place or (beside and rises_first(b, 8 * row, noise)):
             continue
         largest = size(b, 8 * row)
@@ -280,7 +280,7 @@ def first_event(mode, t, h, instant, landed, closed, ground, case, a):
             guard=i,
             slope=bernstein_at(b, 8 * row, place)[1] / h,
             from_closed=(starts_closed or touches) and not beside,
-            unclear=known and abs(b[8 * row + 1]) <= noise,
+            unclear=at_event and abs(b[8 * row + 1]) <= noise,
         )
     return first
 
@@ -327,9 +327,9 @@ def settle(mode, t, h, closed, ground, case, a):
     ax, ay = ground_accelerations(ground, t)
     guards(mode, a.y, case.p, ax, ay, g)
     for i in range(GUARDS[mode]):
-        known = is_known(closed, i)
+        at_event = just_closed(closed, i)
         kind = KINDS[mode][i]
-        if known or kind in (IMPACT, LANDING) or not g[i] < 0.0:
+        if at_event or kind in (IMPACT, LANDING) or not g[i] < 0.0:
             continue
         if not moved:
             # look ahead, by some of the errors that the time of an event may have
@@ -385,7 +385,7 @@ def fell_before(mode, target, closed, h, y, g, b):
         if KINDS[mode][i] == IMPACT:
             fell = -g[i] > PASSED * h * abs(y[ROTATION_RATE])
         else:
-            fell = -g[i] > PASSED * size(b, 8 * i) and b[8 * i] > 0.0 and not is_known(closed, i)
+            fell = -g[i] > PASSED * size(b, 8 * i) and b[8 * i] > 0.0 and not just_closed(closed, i)
         if fell:
             return True
     return False

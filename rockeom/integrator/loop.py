@@ -236,7 +236,7 @@ def arrays_of(y, rate, scratch):
         b=scratch[_BERNSTEIN:_STACK],
         stack=scratch[_STACK:_NOISE],
         noises=scratch[_NOISE:_KNOWN],
-        known=scratch[_KNOWN:SCRATCH],
+        contact=scratch[_KNOWN:SCRATCH],
     )
 
 
@@ -703,8 +703,8 @@ def leave_mode(motion, ground, guard, h, case, a, recorder):
 def come_to_rest(motion, ground, rest, end, case, a, recorder):
     """Record the rest of infinitely many impacts, and go on in the mode that follows them."""
     t = motion.t
-    mode, known = through_rest(motion, ground, rest, case, a, recorder)
-    if not known:
+    mode, rests = through_rest(motion, ground, rest, case, a, recorder)
+    if not rests:
         return motion
     rested = motion
     if records_steps(recorder) and t + rest.time > t:

@@ -218,8 +218,8 @@ def judge_gap(t, h, left, side, closed, landing, upright, within, ends):
         slope = e1 + x * (2.0 * e2 + x * (3.0 * e3 + x * (4.0 * e4 + x * (5.0 * e5))))
         move = value / slope
         x = x - move
-    found = (abs(move) < SETTLED_IN_LANES) & (x * h > 8.0 * EPS * max(t, h))
-    closes &= found & (x < 1.0)
+    converged = (abs(move) < SETTLED_IN_LANES) & (x * h > 8.0 * EPS * max(t, h))
+    closes &= converged & (x < 1.0)
 
     # by what a step that is to end at the impact misses it
     first, hop = landing <= 0.0, landing == HOP
@@ -227,7 +227,7 @@ def judge_gap(t, h, left, side, closed, landing, upright, within, ends):
     falls = (v1 < 0.0) & (miss < (0.1 if hop else 0.01) * h * speed)
     falls &= ~closed | ((b1 > doubt) & (b2 > doubt) & (b3 > doubt) & (b4 > doubt))
     landed = falls & (miss <= max(PLACED_IN_LANES * h, 2.0 * EPS * (t + h)) * speed) & upright
-    again = falls & (landing < 4.0) & found & (x * h < left)
+    again = falls & (landing < 4.0) & converged & (x * h < left)
 
     repeated = closes & ~open_ if first else again & ~landed
     stands = (open_ & upright) if first else landed
@@ -261,8 +261,8 @@ def turns_within(h, ends, least_known, most_known, slowest, fastest):
     rate &= most + margin <= max(h * fastest, max(v0, v1))
     least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
     margin = CLEAR * (most - least)
-    known = (least - margin >= least_known) & (most + margin <= most_known)
-    return (rate | faster | slower) & (up | down | known)
+    inside = (least - margin >= least_known) & (most + margin <= most_known)
+    return (rate | faster | slower) & (up | down | inside)
 
 
 def plan_lanes(z, h_max):

@@ -115,13 +115,13 @@ def guard_noise(mode, index, y, p, ax, ay, h, b, stride):
     kind = KINDS[mode][index]
     if kind != LANDING and kind != LIFTING and kind != SLIPPING:
         return 0.0
-    known, sizes, wanted = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS), np.empty(ROWS)
+    contact, sizes, wanted = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS), np.empty(ROWS)
     point = SUBJECTS[mode][index]
-    all_known(y, p, mode, known)
-    without_forces(y, p, ax, ay, mode, known, wanted, sizes)
+    all_known(y, p, mode, contact)
+    without_forces(y, p, ax, ay, mode, contact, wanted, sizes)
     if kind == LANDING:
-        _, size = rate_of(known, 2 * point, y, 0)
-        push = max(PUSH * freedom_of(point, mode, known), LEAST_PUSH) * sizes[2 * point]
+        _, size = rate_of(contact, 2 * point, y, 0)
+        push = max(PUSH * freedom_of(point, mode, contact), LEAST_PUSH) * sizes[2 * point]
         return GRAIN * size + push * h * h
     largest = 0.0
     for i in range(GUARDS[mode]):
@@ -131,19 +131,19 @@ def guard_noise(mode, index, y, p, ax, ay, h, b, stride):
     return max(FORCE_OF_LARGEST * largest, FITS * sizes[ROWS + point])
 
 
-def freedom_of(point, mode, known):
+def freedom_of(point, mode, contact):
     """How freely a gap opens while others are closed, at most 1: as their points move apart.
 
     Square root of J M^-1 J' of the difference of their rows, over that of the point alone.
     """
     alone = COUPLING + 2 * point * (ROWS + 1)
-    least = known[alone]
+    least = contact[alone]
     for i in range(N_POINTS):
         if POINT_STATES[mode][i] != OPEN:
-            between_ = known[COUPLING + 2 * point * ROWS + 2 * i]
-            apart = known[alone] - 2.0 * between_ + known[COUPLING + 2 * i * (ROWS + 1)]
+            between_ = contact[COUPLING + 2 * point * ROWS + 2 * i]
+            apart = contact[alone] - 2.0 * between_ + contact[COUPLING + 2 * i * (ROWS + 1)]
             least = min(least, max(apart, 0.0))
-    return math.sqrt(least / known[alone])
+    return math.sqrt(least / contact[alone])
 
 
 def is_smooth(point):
@@ -175,7 +175,7 @@ def may_follow(candidate, mode, near, sliding):
     return True
 
 
-def impulses_of(candidate, wanted, known, impulse):
+def impulses_of(candidate, wanted, contact, impulse):
     """The impulses, or forces, with which points come to be as a mode says, (ROWS,).
 
     wanted (ROWS,) : changes of the velocities, or accelerations, where points are closed.
@@ -185,27 +185,27 @@ def impulses_of(candidate, wanted, known, impulse):
         impulse[2 * i] = impulse[2 * i + 1] = 0.0
         if POINT_STATES[candidate][i] != OPEN:
             closed, point = closed + 1, i
-    if closed == 0 or (closed == 1 and held_alone(candidate, point, wanted, known, impulse)):
+    if closed == 0 or (closed == 1 and held_alone(candidate, point, wanted, contact, impulse)):
         return
     fractions = np.empty(N_POINTS)
     for i in range(N_POINTS):
         fractions[i] = np.nan
-    held_by(candidate, wanted, known, fractions, impulse)
-    if share(candidate, known, impulse, fractions):
-        held_by(candidate, wanted, known, fractions, impulse)
+    held_by(candidate, wanted, contact, fractions, impulse)
+    if share(candidate, contact, impulse, fractions):
+        held_by(candidate, wanted, contact, fractions, impulse)
 
 
 @inlined
-def held_alone(candidate, point, wanted, known, impulse):
+def held_alone(candidate, point, wanted, contact, impulse):
     """`impulses_of` where one point is closed: whether its equations are far from saying the same.
 
     Most of those at an event are such ones.
     """
     normal, state = 2 * point, POINT_STATES[candidate][point]
     at = COUPLING + normal * ROWS + normal
-    across, between_, along_ = known[at], known[at + 1], known[at + ROWS + 1]
+    across, between_, along_ = contact[at], contact[at + 1], contact[at + ROWS + 1]
     if state != STICK:
-        tie = -known[LAWS + normal + 1] * SIGN_OF[state]
+        tie = -contact[LAWS + normal + 1] * SIGN_OF[state]
         presses = across + tie * between_
         impulse[normal] = wanted[normal] / presses if presses != 0.0 else 0.0
         impulse[normal + 1] = tie * impulse[normal]
@@ -221,7 +221,7 @@ def held_alone(candidate, point, wanted, known, impulse):
 
 
 @rolled
-def held_by(candidate, wanted, known, fractions, impulse):
+def held_by(candidate, wanted, contact, fractions, impulse):
     """`impulses_of` where sticking points that share their friction have fractions (N_POINTS,).
 
     These are the parts of the normal impulse that it is; not a number where it is to be found.
@@ -237,7 +237,7 @@ def held_by(candidate, wanted, known, fractions, impulse):
         unknown[order], friction[order], ties[order] = normal, normal + 1, 0.0
         order += 1
         if state != STICK:
-            ties[order - 1] = -known[LAWS + normal + 1] * SIGN_OF[state]
+            ties[order - 1] = -contact[LAWS + normal + 1] * SIGN_OF[state]
         elif fractions[i] == fractions[i]:
             ties[order - 1] = fractions[i]
         elif SHARED[candidate][i] == i:
@@ -247,8 +247,8 @@ def held_by(candidate, wanted, known, fractions, impulse):
     for m in range(order):
         row = COUPLING + unknown[m] * ROWS
         for s in range(order):
-            value = known[row + unknown[s]]
-            value += ties[s] * known[row + friction[s]]
+            value = contact[row + unknown[s]]
+            value += ties[s] * contact[row + friction[s]]
             a[m * width + s] = value
         a[m * width + order] = wanted[unknown[m]]
     eliminate(a, order, width)
@@ -259,13 +259,13 @@ def held_by(candidate, wanted, known, fractions, impulse):
 
 
 @rolled
-def share(candidate, known, force, fractions):
+def share(candidate, contact, force, fractions):
     """The fraction of friction of sticking points at different heights, which share their sum.
 
     Rigid bodies do not determine the share of each; all mobilise the same fraction of their bounds,
     as they do when they slip. Returns whether there are such points.
     """
-    found = False
+    several = False
     for i in range(N_POINTS):
         if POINT_STATES[candidate][i] != STICK or SHARED[candidate][i] == i:
             continue
@@ -273,10 +273,10 @@ def share(candidate, known, force, fractions):
         apart = 0.0
         for j in range(N_COORDINATES):
             one, other = row_of_point(2 * i + 1) + j, row_of_point(2 * first + 1) + j
-            apart = max(apart, abs(known[one] - known[other]))
+            apart = max(apart, abs(contact[one] - contact[other]))
         if apart > APART:
-            found = True
-    if not found:
+            several = True
+    if not several:
         return False
     for i in range(N_POINTS):
         if POINT_STATES[candidate][i] != STICK:
@@ -294,11 +294,11 @@ def share(candidate, known, force, fractions):
 
 
 @inlined
-def exceeds(row, wanted, known, impulse):
+def exceeds(row, wanted, contact, impulse):
     """The excess of the change of velocity of a row by impulses over the one wanted."""
     total = -wanted[row]
     for s in range(ROWS):
-        total += known[COUPLING + row * ROWS + s] * impulse[s]
+        total += contact[COUPLING + row * ROWS + s] * impulse[s]
     return total
 
 
@@ -307,13 +307,13 @@ class Demand(NamedTuple):
 
     near (N_POINTS,) : 1 where a point touches. sliding (N_POINTS,) : the sign of its slip, 0 where
     it does not move. wanted (ROWS,) : the changes of velocities, or accelerations, that hold the
-    points which touch. known : of `all_known`. sizes (ROWS + N_POINTS,) : of `sizes_of`.
+    points which touch. contact : of `all_known`. sizes (ROWS + N_POINTS,) : of `sizes_of`.
     """
 
     near: Ints
     sliding: Floats
     wanted: Floats
-    known: Floats
+    contact: Floats
     sizes: Floats
 
 
@@ -325,14 +325,14 @@ def margin_of(candidate, demand, impulse, least_of_all):
     other one is computed.
     """
     near, sliding, wanted = demand.near, demand.sliding, demand.wanted
-    known, sizes = demand.known, demand.sizes
+    contact, sizes = demand.contact, demand.sizes
     least = np.inf
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
         state, normal = POINT_STATES[candidate][i], 2 * i
         if state == OPEN:
-            least = min(least, exceeds(normal, wanted, known, impulse) / sizes[normal])
+            least = min(least, exceeds(normal, wanted, contact, impulse) / sizes[normal])
         else:
             least = min(least, impulse[normal] / sizes[ROWS + i])
         if not least >= least_of_all:
@@ -344,14 +344,14 @@ def margin_of(candidate, demand, impulse, least_of_all):
                     SHARED[candidate][j] == SHARED[candidate][i]
                 ):
                     sum_ += impulse[2 * j + 1]
-                    most = known[LAWS + 2 * j + 1] * max(impulse[2 * j], 0.0)
-                    bound += most if known[LAWS + 2 * j + 1] < NEVER_SLIPS else np.inf
+                    most = contact[LAWS + 2 * j + 1] * max(impulse[2 * j], 0.0)
+                    bound += most if contact[LAWS + 2 * j + 1] < NEVER_SLIPS else np.inf
             least = min(least, (bound - abs(sum_)) / sizes[ROWS + i])
         elif SIGN_OF[state] != 0.0 and sliding[i] == 0.0:
-            slips = SIGN_OF[state] * exceeds(normal + 1, wanted, known, impulse)
+            slips = SIGN_OF[state] * exceeds(normal + 1, wanted, contact, impulse)
             least = min(least, slips / sizes[normal + 1])
         elif state == FRICTIONLESS and not is_smooth(i):  # it has friction, and must not slip
-            slips = abs(exceeds(normal + 1, wanted, known, impulse))
+            slips = abs(exceeds(normal + 1, wanted, contact, impulse))
             least = min(least, -slips / sizes[normal + 1])
     return least
 
@@ -365,25 +365,25 @@ def fitting_states(mode, left_out, demand, tolerance, alike, fitting, change):
     first `several` numbers are the modes that fit. change (n,) : by the best, that with the largest
     margin.
     """
-    known = demand.known
+    contact = demand.contact
     impulse, first = np.empty(ROWS), np.empty(N_COORDINATES)
     this, apart = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
     best, several, most = IMPOSSIBLE, 0, -np.inf
     for candidate in range(len(POINT_STATES)):
         if candidate == left_out or not may_follow(candidate, mode, demand.near, demand.sliding):
             continue
-        impulses_of(candidate, demand.wanted, known, impulse)
+        impulses_of(candidate, demand.wanted, contact, impulse)
         margin = margin_of(candidate, demand, impulse, -tolerance)
         if not margin >= -tolerance:
             continue
         for i in range(N_COORDINATES):
             this[i] = 0.0
             for r in range(ROWS):
-                this[i] += known[SPREAD + i * ROWS + r] * impulse[r]
+                this[i] += contact[SPREAD + i * ROWS + r] * impulse[r]
             if several == 0:
                 first[i] = this[i]
             apart[i] = this[i] - first[i]
-        if several > 0 and squared(known, apart) > alike:
+        if several > 0 and squared(contact, apart) > alike:
             return AMBIGUOUS, several
         fitting[several] = candidate
         several += 1
@@ -394,37 +394,37 @@ def fitting_states(mode, left_out, demand, tolerance, alike, fitting, change):
     return best, several
 
 
-def sizes_of(whole, known, sizes):
+def sizes_of(whole, contact, sizes):
     """How large what points do is, relative to the whole motion, into sizes (ROWS + N_POINTS,).
 
     whole : the velocities, or accelerations, squared in the measure of the mass. Sizes of those of
     the points come first, then those of normal impulses, or forces.
     """
     for r in range(ROWS):
-        sizes[r] = math.sqrt(known[COUPLING + r * ROWS + r] * whole) + LEAST_SIZE
+        sizes[r] = math.sqrt(contact[COUPLING + r * ROWS + r] * whole) + LEAST_SIZE
     for i in range(N_POINTS):
-        sizes[ROWS + i] = math.sqrt(whole / known[COUPLING + 2 * i * ROWS + 2 * i]) + LEAST_SIZE
+        sizes[ROWS + i] = math.sqrt(whole / contact[COUPLING + 2 * i * ROWS + 2 * i]) + LEAST_SIZE
 
 
-def radius_of(known, point):
+def radius_of(contact, point):
     """The radius of gyration of what a point moves: the length with which its gap is compared.
 
     It is that of a rotation with all other coordinates held; 1 where nothing turns.
     """
-    inertia = known[MATRIX + ROTATION * N_COORDINATES + ROTATION]
-    return math.sqrt(inertia * known[COUPLING + 2 * point * ROWS + 2 * point])
+    inertia = contact[MATRIX + ROTATION * N_COORDINATES + ROTATION]
+    return math.sqrt(inertia * contact[COUPLING + 2 * point * ROWS + 2 * point])
 
 
-def squared(known, x):
+def squared(contact, x):
     """The square in the measure of the mass."""
     total = 0.0
     for i in range(N_COORDINATES):
         for j in range(N_COORDINATES):
-            total += x[i] * known[MATRIX + i * N_COORDINATES + j] * x[j]
+            total += x[i] * contact[MATRIX + i * N_COORDINATES + j] * x[j]
     return total
 
 
-def collide(mode, near, slowest, known, y):
+def collide(mode, near, slowest, contact, y):
     """Velocities y[n:] after all closed points have met.
 
     The law is the algebraic one: each closing gap opens at the rate e times that at which it
@@ -439,15 +439,15 @@ def collide(mode, near, slowest, known, y):
     fitting = np.empty(len(POINT_STATES), np.int64)
     for i in range(n):
         change[i] = y[n + i]
-    whole = squared(known, change)
-    sizes_of(whole, known, sizes)
+    whole = squared(contact, change)
+    sizes_of(whole, contact, sizes)
     for r in range(ROWS):
-        arriving, _ = rate_of(known, r, y, n)
+        arriving, _ = rate_of(contact, r, y, n)
         wanted[r] = -arriving
         if 2 * int(r * 0.5) == r:
-            wanted[r] -= known[LAWS + r] * min(arriving, 0.0)
+            wanted[r] -= contact[LAWS + r] * min(arriving, 0.0)
     alike = max(SAME_VELOCITIES * whole, slowest)
-    demand = Demand(near, sliding, wanted, known, sizes)
+    demand = Demand(near, sliding, wanted, contact, sizes)
     follows, _ = fitting_states(mode, -1, demand, FITS, alike, fitting, change)
     if follows >= 0:
         for i in range(n):
@@ -456,10 +456,10 @@ def collide(mode, near, slowest, known, y):
 
 
 @rolled
-def closed_points(y, p, mode, known, near, sliding):
+def closed_points(y, p, mode, contact, near, sliding):
     """Which points touch in a given state, and the signs of their slips, into near and sliding.
 
-    known : of `all_known`. near, sliding (N_POINTS,) : a point touches whose gap is closed, and
+    contact : of `all_known`. near, sliding (N_POINTS,) : a point touches whose gap is closed, and
     does not open. A gap is compared with the error of its own terms, GIVEN, and with the size of
     the structure, see `radius_of`: so a slender block that leans stands on one foot. A velocity is
     compared with the most that the kinetic energy can give the point, or, where nothing but
@@ -467,22 +467,22 @@ def closed_points(y, p, mode, known, near, sliding):
     """
     free, speeds = np.empty(ROWS + N_POINTS), np.empty(ROWS + N_POINTS)
     wanted = np.empty(ROWS)
-    without_forces(y, p, 0.0, 0.0, mode, known, wanted, free)
-    sizes_of(squared(known, y[N_COORDINATES:]), known, speeds)
+    without_forces(y, p, 0.0, 0.0, mode, contact, wanted, free)
+    sizes_of(squared(contact, y[N_COORDINATES:]), contact, speeds)
     for i in range(N_POINTS):
-        length = radius_of(known, i)
-        _, size = rate_of(known, 2 * i, y, 0)
-        closed = known[i * POINT] <= min(NO_GAP * max(size, length), GIVEN * size)
+        length = radius_of(contact, i)
+        _, size = rate_of(contact, 2 * i, y, 0)
+        closed = contact[i * POINT] <= min(NO_GAP * max(size, length), GIVEN * size)
         least = max(GIVEN * speeds[2 * i], NO_MOTION * math.sqrt(free[2 * i] * length))
-        rate = abs(known[i * POINT + 1])
+        rate = abs(contact[i * POINT + 1])
         near[i] = 1 if closed and rate <= least else 0
-        slip, _ = rate_of(known, 2 * i + 1, y, N_COORDINATES)
+        slip, _ = rate_of(contact, 2 * i + 1, y, N_COORDINATES)
         least = max(GIVEN * speeds[2 * i + 1], NO_MOTION * math.sqrt(free[2 * i + 1] * length))
         sliding[i] = 0.0 if abs(slip) <= least else 1.0 if slip > 0.0 else -1.0
         # in a hop of a point that never slips both velocities are of one size, small as they are
         if (
             sliding[i] != 0.0
-            and known[LAWS + 2 * i + 1] >= NEVER_SLIPS
+            and contact[LAWS + 2 * i + 1] >= NEVER_SLIPS
             and rate > SLIP_WITH_HOP * abs(slip)
         ):
             near[i] = 0
@@ -493,31 +493,31 @@ def fits_by_forces(mode, y, p, ax, ay):
 
     mode : that which the state's gaps and velocities tell of, with its elements.
     """
-    known, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
+    contact, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
     near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
-    all_known(y, p, mode, known)
-    if hardly_apart(known):
+    all_known(y, p, mode, contact)
+    if hardly_apart(contact):
         return AMBIGUOUS
-    closed_points(y, p, mode, known, near, sliding)
+    closed_points(y, p, mode, contact, near, sliding)
     for i in range(N_POINTS):
         if POINT_STATES[mode][i] != OPEN:
             near[i] = 1
     ground = np.empty(5)
     same_ground(ax, ay, SOON_AT_START, ground)
-    return select_by_forces(mode, False, near, sliding, y, p, ground, 0.0, known, sizes)
+    return select_by_forces(mode, False, near, sliding, y, p, ground, 0.0, contact, sizes)
 
 
-def hardly_apart(known):
+def hardly_apart(contact):
     """Whether two points are so close that rounding errors hide which of them carries."""
     for i in range(N_POINTS):
         for j in range(i):
             apart = 0.0
             for m in range(N_COORDINATES):
-                lever, other = known[row_of_point(2 * i) + m], known[row_of_point(2 * j) + m]
+                lever, other = contact[row_of_point(2 * i) + m], contact[row_of_point(2 * j) + m]
                 difference = abs(lever - other)
                 if difference > GRAIN * max(abs(lever), abs(other)):
                     apart = max(apart, difference)
-            if 0.0 < apart < CLOSEST * radius_of(known, i):
+            if 0.0 < apart < CLOSEST * radius_of(contact, i):
                 return True
     return False
 
@@ -535,7 +535,7 @@ def same_ground(ax, ay, later, ground):
     ground_now_and_later(ax, ay, ax, ay, later, ground)
 
 
-def without_forces(y, p, ax, ay, mode, known, wanted, sizes):
+def without_forces(y, p, ax, ay, mode, contact, wanted, sizes):
     """The accelerations that points lack where nothing touches, into wanted (ROWS,), and sizes.
 
     sizes (ROWS + N_POINTS,) : of `sizes_of`, for accelerations with the ground at rest, too, so
@@ -543,7 +543,7 @@ def without_forces(y, p, ax, ay, mode, known, wanted, sizes):
     """
     n = N_COORDINATES
     forces, at_rest = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
-    both, matrix = np.empty(2 * N_COORDINATES), known[MATRIX:]
+    both, matrix = np.empty(2 * N_COORDINATES), contact[MATRIX:]
     free_motion(y, p, ax, ay, mode, matrix, forces)
     free_motion(y, p, 0.0, 0.0, mode, matrix, at_rest)
     for i in range(n):
@@ -555,13 +555,13 @@ def without_forces(y, p, ax, ay, mode, known, wanted, sizes):
         quiet += at_rest[i] * both[2 * i + 1]
     for i in range(N_POINTS):
         for m in range(2):
-            wanted[2 * i + m] = -along(known, 2 * i + m, both, 0, 2) - known[i * POINT + 3 + m]
+            wanted[2 * i + m] = -along(contact, 2 * i + m, both, 0, 2) - contact[i * POINT + 3 + m]
     whole = max(moved, quiet)
-    sizes_of(whole, known, sizes)
+    sizes_of(whole, contact, sizes)
     return whole
 
 
-def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, known, sizes):
+def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, contact, sizes):
     """The mode whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
 
     ends : whether `mode` has come to its end, so that it follows only where nothing else does.
@@ -570,8 +570,8 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, known, sizes
     nearly. sizes (ROWS + N_POINTS,) : of `without_forces`, found here.
     """
     wanted = np.empty(ROWS)
-    whole = without_forces(y, p, ground[AX], ground[AY], mode, known, wanted, sizes)
-    demand = Demand(near, sliding, wanted, known, sizes)
+    whole = without_forces(y, p, ground[AX], ground[AY], mode, contact, wanted, sizes)
+    demand = Demand(near, sliding, wanted, contact, sizes)
     follows = fits_within(NEARLY, whole, mode, ends, demand, y, p, ground)
     # the state after many steps is off by more than an event's time
     if follows == IMPOSSIBLE and STEPS_ERROR * rtol >= NEARLY:
@@ -610,19 +610,19 @@ def best_later(mode, ends, demand, fitting, several, y, p, ground):
     """
     n, tau = N_COORDINATES, ground[LATER]
     dy, w = np.empty(N_STATES), np.empty(N_STATES)
-    known, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
+    contact, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
     impulse, wanted = np.empty(ROWS), np.empty(ROWS)
     rates(fitting[0], y, p, ground[AX], ground[AY], dy)
     for i in range(n):
         w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * dy[n + i])
         w[n + i] = y[n + i] + tau * dy[n + i]
-    all_known(w, p, mode, known)
-    without_forces(w, p, ground[LATER_AX], ground[LATER_AY], mode, known, wanted, sizes)
-    later = demand._replace(wanted=wanted, known=known)
+    all_known(w, p, mode, contact)
+    without_forces(w, p, ground[LATER_AX], ground[LATER_AY], mode, contact, wanted, sizes)
+    later = demand._replace(wanted=wanted, contact=contact)
     follows, best = IMPOSSIBLE, -np.inf
     for i in range(several):
         candidate = fitting[i]
-        impulses_of(candidate, wanted, known, impulse)
+        impulses_of(candidate, wanted, contact, impulse)
         margin = margin_of(candidate, later, impulse, -np.inf)
         if candidate == mode and ends:
             # what has come to its end goes on only where nothing but rounding errors ended it
@@ -638,7 +638,7 @@ def best_later(mode, ends, demand, fitting, several, y, p, ground):
 # -- transitions ---------------------------------------------------------------------------------
 
 
-def pass_on(mode, guard, h, y, p, ground, rtol, known, out):
+def pass_on(mode, guard, h, y, p, ground, rtol, contact, out):
     """The end of a mode by a guard: state after into out (N,).
 
     Returns the mode that follows, or IMPOSSIBLE, or AMBIGUOUS, and which of its guards are
@@ -656,33 +656,33 @@ def pass_on(mode, guard, h, y, p, ground, rtol, known, out):
         return follows, closed
     near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
     wanted = np.zeros(ROWS)
-    all_known(out, p, mode, known)
+    all_known(out, p, mode, contact)
     # -- which points touch: they are put on what they touch
     for i in range(N_POINTS):
         touches = POINT_STATES[mode][i] != OPEN or (kind == LANDING and i == subject)
         if not touches and kind == LANDING:
-            gap, rate = known[i * POINT], known[i * POINT + 1]
-            _, size = rate_of(known, 2 * i, out, 0)
+            gap, rate = contact[i * POINT], contact[i * POINT + 1]
+            _, size = rate_of(contact, 2 * i, out, 0)
             touches = rate <= 0.0 and gap <= NO_GAP_IN_STEP * h * abs(rate) + NO_GAP_OF_TERMS * size
         if touches:
             near[i] = 1
-            rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
-    put_on(rows, wanted, 0, known, out)
-    return meet(mode, guard, near, y, p, ground, rtol, known, out)
+            rows[2 * i], wanted[2 * i] = 1, -contact[i * POINT]
+    put_on(rows, wanted, 0, contact, out)
+    return meet(mode, guard, near, y, p, ground, rtol, contact, out)
 
 
-def slow_landing(mode, near, y, p, ax, ay, known):
+def slow_landing(mode, near, y, p, ax, ay, contact):
     """How slow a landing is at which it does not matter what follows, see `collide`.
 
     The speed is SLOW times sqrt(a l), a the acceleration of a point in free motion and l the radius
     of gyration, as of bounces that end at once.
     """
     sizes, wanted = np.empty(ROWS + N_POINTS), np.empty(ROWS)
-    without_forces(y, p, ax, ay, mode, known, wanted, sizes)
+    without_forces(y, p, ax, ay, mode, contact, wanted, sizes)
     slowest = np.inf
     for i in range(N_POINTS):
         if near[i] == 1:  # the force that holds a point, times the length
-            slowest = min(slowest, sizes[ROWS + i] * radius_of(known, i))
+            slowest = min(slowest, sizes[ROWS + i] * radius_of(contact, i))
     return SLOW * SLOW * slowest
 
 
@@ -701,7 +701,7 @@ def still_closed(before, follows, guard, closed_before, closed):
     return closed
 
 
-def meet(mode, guard, near, y, p, ground, rtol, known, out):
+def meet(mode, guard, near, y, p, ground, rtol, contact, out):
     """The velocities and the mode that follow where the points of near (N_POINTS,) touch.
 
     out (N,) : the state, at first that before, of whose places all is known. Returns as `pass_on`.
@@ -710,25 +710,25 @@ def meet(mode, guard, near, y, p, ground, rtol, known, out):
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     as_said = mode  # by the velocities of this mode
     if kind == LANDING:
-        as_said = landed(mode, near, y, p, ground, known, out)
+        as_said = landed(mode, near, y, p, ground, contact, out)
         if as_said < 0:
             return as_said, -1
     # -- which of them stay, and move along, or leave
     leaving, sizes = np.zeros(N_POINTS, np.int64), np.empty(ROWS + N_POINTS)
-    sizes_of(squared(known, y[n:]), known, sizes)
+    sizes_of(squared(contact, y[n:]), contact, sizes)
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
         state = POINT_STATES[as_said][i]
-        rate, size = rate_of(known, 2 * i, out, n)
+        rate, size = rate_of(contact, 2 * i, out, n)
         leaves = rate > FITS * max(size, sizes[2 * i])
-        if leaves and (state == OPEN or known[LAWS + 2 * i] > 0.0) and kind == LANDING:
+        if leaves and (state == OPEN or contact[LAWS + 2 * i] > 0.0) and kind == LANDING:
             leaving[i], near[i] = 1, 0
             continue
         rows[2 * i], wanted[2 * i] = 1, -rate
         if is_smooth(i):
             continue
-        slip, size = rate_of(known, 2 * i + 1, out, n)
+        slip, size = rate_of(contact, 2 * i + 1, out, n)
         still = state == STICK or abs(slip) <= FITS * max(size, sizes[2 * i + 1])
         if kind == STICKING and SHARED[mode][i] == SHARED[mode][subject]:
             still = True
@@ -736,10 +736,10 @@ def meet(mode, guard, near, y, p, ground, rtol, known, out):
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
         else:
             sliding[i] = 1.0 if slip > 0.0 else -1.0
-    put_on(rows, wanted, n, known, out)
-    points(out, p, known)
+    put_on(rows, wanted, n, contact, out)
+    points(out, p, contact)
     ends = kind in (LIFTING, SLIPPING)
-    follows = select_by_forces(mode, ends, near, sliding, out, p, ground, rtol, known, sizes)
+    follows = select_by_forces(mode, ends, near, sliding, out, p, ground, rtol, contact, sizes)
     if follows < 0:
         return follows, -1
     g = np.empty(N_GUARDS + N_PARTS)
@@ -796,21 +796,23 @@ def tips_over(y, p):
     Relative to what bears it: the sine of that angle is the difference of the gaps of its feet over
     their distance.
     """
-    known, places = np.empty(POINT * N_POINTS), np.empty(3 * len(POSITIONS))
-    points(y, p, known)
+    contact, places = np.empty(POINT * N_POINTS), np.empty(3 * len(POSITIONS))
+    points(y, p, contact)
     positions(0, y, p, places)  # of bodies first, then of points
     for body in range(len(FEET_OF)):
         low = high = -1
         for i in range(N_POINTS):
             if FEET_OF[body][i] == 1:
-                low = i if low < 0 or known[POINT * i] < known[POINT * low] else low
-                high = i if high < 0 or known[POINT * i] > known[POINT * high] else high
+                low = i if low < 0 or contact[POINT * i] < contact[POINT * low] else low
+                high = i if high < 0 or contact[POINT * i] > contact[POINT * high] else high
         centre, foot, other = 3 * body, 3 * (len(FEET_OF) + low), 3 * (len(FEET_OF) + high)
         across, up = places[centre] - places[foot], places[centre + 1] - places[foot + 1]
         base, tilt = places[other] - places[foot], places[other + 1] - places[foot + 1]
         lever, height = base * across + tilt * up, abs(base * up - tilt * across)
-        if height > 0.0 and known[POINT * high + 1] > known[POINT * low + 1]:
-            sine = (known[POINT * high] - known[POINT * low]) / math.sqrt(base * base + tilt * tilt)
+        if height > 0.0 and contact[POINT * high + 1] > contact[POINT * low + 1]:
+            sine = (contact[POINT * high] - contact[POINT * low]) / math.sqrt(
+                base * base + tilt * tilt
+            )
             if math.asin(min(1.0, sine)) > TIPPED * math.atan(lever / height):
                 return True
     return False
