@@ -76,30 +76,36 @@ def stays_open(gap, closed):
 
     gap : as of `gap_at_ends`. Where all coefficients are positive by a margin far above its error,
     there is no root; what leaves from rest is zero for long, but for rounding, see `rounding`.
+    closed : at the start. Without branches, so that lanes ask it of vectors.
     """
     b0, b1, b2, b3, b4, b5 = gap
     least, grain = CLEAR * max(b0, b5), GAP_AT_REST * b5
-    leaves = b1 > least and b2 > least and (b0 > least or closed == 0)
-    leaves = leaves or (closed == 0 and abs(b1) <= grain and b2 >= -grain)
-    return leaves and b3 > least and b4 > least and b5 > least
+    leaves = (b1 > least) & (b2 > least) & ((b0 > least) | closed)
+    leaves |= closed & (abs(b1) <= grain) & (b2 >= -grain)
+    return leaves & (b3 > least) & (b4 > least) & (b5 > least)
 
 
-def closes_once(gap, closed):
-    """Place in a step at which the gap of a rocking mode clearly closes, once, or NEVER.
+@inlined
+def changes_sign_once(gap, closed, least):
+    """Whether a gap clearly closes once in a step: its coefficients are positive, then negative.
 
-    Where the coefficients change their sign once, by a margin as in `stays_open`, there is one
-    root.
+    By a margin as in `stays_open`. Behind the first that is not clearly positive none is, and
+    behind a negative one all are: then there is one root. least : of what the gap is at the start,
+    or of how it opens there from closed, in units of the margin.
     """
     b0, b1, b2, b3, b4, b5 = gap
     doubt = CLEAR * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
-    if (closed != 0 and b0 <= doubt) or (closed == 0 and b1 <= doubt) or b5 >= -doubt:
+    once = ((b0 > least * doubt) | (closed & (b1 > least * doubt))) & (b5 < -doubt)
+    once &= ((b2 > doubt) | (b3 <= doubt)) & ((b3 > doubt) | (b4 <= doubt))
+    once &= ((b2 >= -doubt) | (b3 < -doubt)) & ((b3 >= -doubt) | (b4 < -doubt))
+    return once & ((b2 > doubt) | (b4 <= doubt)) & ((b1 > doubt) | ((b2 < -doubt) & (b3 < -doubt)))
+
+
+def closes_once(gap, closed):
+    """Place in a step at which the gap of a rocking mode clearly closes, once, or NEVER."""
+    if not changes_sign_once(gap, closed, 1.0):
         return NEVER
-    # behind the first that is not clearly positive, none is; behind a negative one, all are
-    falls = (b2 > doubt or b3 <= doubt) and (b3 > doubt or b4 <= doubt)
-    falls = falls and (b2 >= -doubt or b3 < -doubt) and (b3 >= -doubt or b4 < -doubt)
-    falls = falls and (b2 > doubt or b4 <= doubt)
-    if not (falls and (b1 > doubt or (b2 < -doubt and b3 < -doubt))):
-        return NEVER
+    b0, b1, b2, b3, b4, b5 = gap
     # Newton's method within a bracket, from the parabola with the same ends and slope
     low, high = 0.0, 1.0
     rise = 5.0 * (b1 - b0)

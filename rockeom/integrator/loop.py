@@ -340,7 +340,7 @@ def quiet_steps(motion, ground, turn, case, a, recorder):
         taken += 1
         error = take_step(mode, t, h, y, p, now.x, now.y, case.rtol, case.atol, k, y_new)
         gap = gap_at_ends(SIDES[mode], h, y, y_new, k)
-        open_ = stays_open(gap, -1)
+        open_ = stays_open(gap, False)
         if FULL_CONTACT >= 0 and mode == FULL_CONTACT:
             open_ = stays_on_both_feet(t, h, y, y_new, k, p, now.x)
         ordinary = error <= (most_error(case.rtol) if equal else 1.0) and finite_end(k) and open_

@@ -17,7 +17,6 @@ bit for any order and number of motions.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
@@ -49,6 +48,7 @@ from rockeom.integrator.ground import (
     sampling_step,
     segment_at,
 )
+from rockeom.integrator.guards import changes_sign_once, stays_open
 from rockeom.integrator.loop import (
     _AFTER,
     _GUARDS,
@@ -60,6 +60,7 @@ from rockeom.integrator.loop import (
     TURN,
     integrate,
 )
+from rockeom.integrator.polynomials import Ends
 from rockeom.integrator.provided import (
     DAMPING,
     GAP_SIDES,
@@ -165,45 +166,62 @@ def ground_of(z, lane):
     return Ground(0, ground_x(z, lane), 0, ground_y(z, lane))
 
 
-class Ends(NamedTuple):
-    """A coordinate, its rate and its acceleration at both ends of a step."""
+@inlined
+def scaled(side, h, ends):
+    """A coordinate to a side with its derivatives in units of the step."""
+    return Ends(
+        side * ends.q0, side * h * ends.v0, side * h * h * ends.a0,
+        side * ends.q1, side * h * ends.v1, side * h * h * ends.a1,
+    )  # fmt: skip
 
-    q0: float
-    v0: float
-    a0: float
-    q1: float
-    v1: float
-    a1: float
+
+@inlined
+def quintic_of_scaled(ends):
+    """`quintic_through` of a coordinate that is scaled already, for several uses of that."""
+    b1, b2 = ends.q0 + 0.2 * ends.v0, ends.q0 + 0.4 * ends.v0 + 0.05 * ends.a0
+    b4, b3 = ends.q1 - 0.2 * ends.v1, ends.q1 - 0.4 * ends.v1 + 0.05 * ends.a1
+    return ends.q0, b1, b2, b3, b4, ends.q1
 
 
 @inlined
 def judge_gap(t, h, left, side, closed, landing, upright, within, ends):
     """(verdict, length of the step when repeated) by the quintic through both ends of a step.
 
-    Its Bernstein coefficients bound it. If all are positive by a margin far above its error, the
-    gap stays open. If they change their sign once, it closes once, where Newton's method finds;
-    the step repeated to there corrects the place by what is left of the gap.
+    If the gap clearly stays open, or has landed, the step stands. If it clearly closes once, where
+    Newton's method finds, the step is repeated to there; one that was to end at the impact is
+    corrected by what is left of the gap.
 
     left : the time to the end of the segment. upright : whether it has not overturned. within :
     whether no state has a new extreme inside.
     """
-    q0, v0, a0 = side * ends.q0, side * h * ends.v0, side * h * h * ends.a0
-    q1, v1, a1 = side * ends.q1, side * h * ends.v1, side * h * h * ends.a1
-    b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
-    b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
-    least = CLEAR * max(q0, q1)
-    open_ = (q0 > least) | closed
-    open_ &= (b1 > least) & (b2 > least) & (b3 > least) & (b4 > least) & (q1 > least)
+    of_step = scaled(side, h, ends)
+    gap = quintic_of_scaled(of_step)
+    x, converged = landing_place(closed, of_step)
+    converged &= x * h > 8.0 * EPS * max(t, h)
+    first, hop = landing <= 0.0, landing == HOP
+    miss, speed = abs(h * of_step.q1), abs(of_step.v1)
+    falls = (of_step.v1 < 0.0) & (miss < (0.1 if hop else 0.01) * h * speed)
+    falls &= (not closed) | flies(gap)
+    landed = falls & (miss <= max(PLACED_IN_LANES * h, 2.0 * EPS * (t + h)) * speed) & upright
+    open_ = stays_open(gap, closed)
+    closes = changes_sign_once(gap, closed, 0.0) & converged & (x < 1.0) & (not open_)
+    again = falls & (landing < 4.0) & converged & (x * h < left) & (not landed)
+    repeated = closes if first else again
+    stands = (open_ & upright) if first else landed
+    verdict = REFUSED if hop else DOUBTFUL
+    verdict = REPEATED if repeated else verdict
+    verdict = ((STANDS if first else LANDED) if within else TURNS) if stands else verdict
+    return verdict, x * h if repeated else h
 
-    # positive ones, then doubtful ones, then negative ones
-    doubt = CLEAR * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
-    closes = ((q0 > 0.0) | (closed & (b1 > 0.0))) & (q1 < -doubt)
-    closes &= (b1 > doubt) | (b2 <= doubt) | closed
-    closes &= ((b2 > doubt) | (b3 <= doubt)) & ((b3 > doubt) | (b4 <= doubt))
-    closes &= ((b1 >= -doubt) | (b2 < -doubt)) & ((b2 >= -doubt) | (b3 < -doubt))
-    closes &= (b3 >= -doubt) | (b4 < -doubt)
 
-    # the quintic, or its quotient by x where it begins at zero, from the root of a parabola on
+@inlined
+def landing_place(closed, ends):
+    """(place, whether it is settled): where a gap closes in a step, by three steps of Newton.
+
+    Of the quintic through both ends, or of its quotient by the place where it begins at zero; from
+    the parabola with the same ends and the slope at the start.
+    """
+    q0, v0, a0, q1, v1, a1 = ends.q0, ends.v0, ends.a0, ends.q1, ends.v1, ends.a1
     c3 = 10.0 * (q1 - q0) - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1
     c4 = -15.0 * (q1 - q0) + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1
     c5 = 6.0 * (q1 - q0) - 3.0 * (v0 + v1) - 0.5 * a0 + 0.5 * a1
@@ -218,23 +236,15 @@ def judge_gap(t, h, left, side, closed, landing, upright, within, ends):
         slope = e1 + x * (2.0 * e2 + x * (3.0 * e3 + x * (4.0 * e4 + x * (5.0 * e5))))
         move = value / slope
         x = x - move
-    converged = (abs(move) < SETTLED_IN_LANES) & (x * h > 8.0 * EPS * max(t, h))
-    closes &= converged & (x < 1.0)
+    return x, abs(move) < SETTLED_IN_LANES
 
-    # by what a step that is to end at the impact misses it
-    first, hop = landing <= 0.0, landing == HOP
-    miss, speed = abs(h * q1), abs(v1)
-    falls = (v1 < 0.0) & (miss < (0.1 if hop else 0.01) * h * speed)
-    falls &= ~closed | ((b1 > doubt) & (b2 > doubt) & (b3 > doubt) & (b4 > doubt))
-    landed = falls & (miss <= max(PLACED_IN_LANES * h, 2.0 * EPS * (t + h)) * speed) & upright
-    again = falls & (landing < 4.0) & converged & (x * h < left)
 
-    repeated = closes & ~open_ if first else again & ~landed
-    stands = (open_ & upright) if first else landed
-    verdict = REFUSED if hop else DOUBTFUL
-    verdict = REPEATED if repeated else verdict
-    verdict = (TURNS if ~within else (STANDS if first else LANDED)) if stands else verdict
-    return verdict, x * h if repeated else h
+@inlined
+def flies(gap):
+    """Whether a gap that is closed at both ends of a step is clearly open in between."""
+    _, b1, b2, b3, b4, _ = gap
+    doubt = CLEAR * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
+    return (b1 > doubt) & (b2 > doubt) & (b3 > doubt) & (b4 > doubt)
 
 
 @inlined
@@ -243,14 +253,13 @@ def turns_within(h, ends, least_known, most_known, slowest, fastest):
 
     One that turns at an end of the step may miss it by a little: that makes an error of its square.
     """
-    q0, v0, a0 = ends.q0, h * ends.v0, h * h * ends.a0
-    q1, v1, a1 = ends.q1, h * ends.v1, h * h * ends.a1
+    of_step = scaled(1.0, h, ends)
+    v0, a0, v1, a1 = of_step.v0, of_step.a0, of_step.v1, of_step.a1
     soon, late = v0 + (1 / 3) * a0, v1 - (1 / 3) * a1
     miss = TURN_MISS * max(abs(v0), abs(v1))
     up = (v0 >= -miss) & (soon >= -miss) & (late >= -miss) & (v1 >= -miss)
     down = (v0 <= miss) & (soon <= miss) & (late <= miss) & (v1 <= miss)
-    b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
-    b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
+    _, b1, b2, b3, b4, _ = quintic_of_scaled(of_step)
     d1, d2, d3 = v0 + 0.25 * a0, 5.0 * (b3 - b2), v1 - 0.25 * a1
     least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
     margin = CLEAR * (most - least)
@@ -306,18 +315,20 @@ def turn(lane, z):
     """Let a lane's step end at the first extreme of a state inside it; whether one was found."""
     n, h, place = N_STATES // 2, z[Z_H + lane], 1.0
     for i in range(n):
-        q0, q1 = z[Z_Q + i * LANES + lane], z[Z_Q_NEW + i * LANES + lane]
-        v0, v1 = h * z[Z_K + i * LANES + lane], h * z[Z_K_NEW + i * LANES + lane]
-        at, at_new = Z_K + (n + i) * LANES + lane, Z_K_NEW + (n + i) * LANES + lane
-        a0, a1 = h * h * z[at], h * h * z[at_new]
-        least, most = z[Z_LEAST + i * LANES + lane], z[Z_MOST + i * LANES + lane]
-        b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
-        b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
+        at, of_rate = i * LANES + lane, (n + i) * LANES + lane
+        ends = Ends(
+            z[Z_Q + at], z[Z_K + at], z[Z_K + of_rate],
+            z[Z_Q_NEW + at], z[Z_K_NEW + at], z[Z_K_NEW + of_rate],
+        )  # fmt: skip
+        of_step = scaled(1.0, h, ends)
+        v0, a0, v1, a1 = of_step.v0, of_step.a0, of_step.v1, of_step.a1
+        least, most = z[Z_LEAST + at], z[Z_MOST + at]
+        _, b1, b2, b3, b4, _ = quintic_of_scaled(of_step)
         inside = min(min(b1, b2), min(b3, b4)) > least and max(max(b1, b2), max(b3, b4)) < most
         d1, d2, d3 = v0 + 0.25 * a0, 5.0 * (b3 - b2), v1 - 0.25 * a1
         if v0 * v1 < 0.0 and not inside:
             place = min(place, slope_root(v0, d1, d2, d3, v1))
-        slowest, fastest = z[Z_LEAST + (n + i) * LANES + lane], z[Z_MOST + (n + i) * LANES + lane]
+        slowest, fastest = z[Z_LEAST + of_rate], z[Z_MOST + of_rate]
         inside = min(d1, min(d2, d3)) > h * slowest and max(d1, max(d2, d3)) < h * fastest
         if a0 * a1 < 0.0 and not inside:
             c1, c2 = 4.0 * (d2 - d1), 4.0 * (d3 - d2)

@@ -90,8 +90,8 @@ def certain_event(motion, ground, step, gap, case, a):
     """
     open_, place = False, NEVER
     if rocking(motion.mode):
-        open_ = stays_open(gap, motion.closed)
-        place = NEVER if open_ or LOCALISED else closes_once(gap, motion.closed)
+        open_ = stays_open(gap, motion.closed == 0)
+        place = NEVER if open_ or LOCALISED else closes_once(gap, motion.closed == 0)
     return 0 if place < NEVER else -1, place, open_, False
 
 
