@@ -104,7 +104,7 @@ class GroundMotion(metaclass=explained.Constructors):
     Examples
     --------
     >>> import rockeom as rk
-    >>> pulse = rk.GroundMotion.single_sine(amplitude="0.3 g", period=0.5, duration=5.0)  # s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude="0.3 g", period=0.5, duration=5.0)  # s
     >>> round(pulse.peak, 3), pulse.duration  # m/s2, s
     (2.943, 5.0)
     >>> round(float(pulse.velocity(0.25)), 4)  # m/s
@@ -192,7 +192,7 @@ class GroundMotion(metaclass=explained.Constructors):
         --------
         >>> import rockeom as rk
         >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-        >>> push = rk.GroundMotion.constant(1.0, duration=5.0)  # m/s2, s; too weak to lift the block
+        >>> push = rk.GroundMotion.constant(1.0, duration=5.0)  # m/s2, s; lifts no foot
         >>> float(rk.simulate(block, push)["theta"].max())
         0.0
         """
@@ -1085,7 +1085,7 @@ class GroundMotion(metaclass=explained.Constructors):
         Examples
         --------
         >>> import rockeom as rk
-        >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+        >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
         >>> spectrum = pulse.response_spectrum(periods=[0.5, 1.0, 2.0], damping_ratio=0.05)
         >>> spectrum.acceleration.shape  # m/s2
         (3,)
@@ -1162,7 +1162,7 @@ class GroundMotion(metaclass=explained.Constructors):
         Examples
         --------
         >>> import rockeom as rk
-        >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+        >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
         >>> weaker = pulse.scaled(acceleration=0.5, time=2.0)
         >>> weaker.peak, weaker.duration  # m/s2, s
         (1.75, 8.0)

@@ -119,7 +119,7 @@ class Response:
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4, mass=300.0)  # m, kg
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> run = rk.simulate(block, pulse)
     >>> run["theta"].shape == run.t.shape
     True
@@ -379,7 +379,7 @@ class Response:
         --------
         >>> import rockeom as rk
         >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4, mass=300.0)  # m, kg
-        >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+        >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
         >>> bool(rk.simulate(block, pulse).energy_balance().error < 1e-9)
         True
         """

@@ -110,8 +110,8 @@ def simulate(
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4, mass=300.0)  # m, kg
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
-    >>> run = rk.simulate(block, pulse, impact=rk.VelocityRatio(0.9), initial={"theta": 0.01})  # rad
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
+    >>> run = rk.simulate(block, pulse, impact=rk.VelocityRatio(0.9), initial={"theta": 0.01})
     >>> print(run.outcome)
     completed
     >>> print(f"{run.extremes('theta').peak:.4f} rad")
