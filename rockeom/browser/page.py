@@ -22,8 +22,8 @@ from rockeom import files as whole
 from rockeom.browser.code import script
 from rockeom.browser.controls import Controls, Menu, Slider, check_mapping, controls_of
 from rockeom.browser.lesson import COMPARED, FATES, OBJECTS, Motions, Question, ends_of, readings_of
+from rockeom.browser.places import NUMBERS
 from rockeom.browser.program import METHOD, Portable, portable
-from rockeom.browser.questions import NUMBERS
 from rockeom.browser.setup import Setup, setup_of
 from rockeom.browser.sizes import Sized, can_be_enlarged
 from rockeom.browser.texts import with_texts
@@ -31,15 +31,14 @@ from rockeom.browser.traced import UntracedError
 from rockeom.browser.webassembly import Module, module
 from rockeom.browser.widget import widget_of
 from rockeom.codes import OUTCOMES
-from rockeom.compiler.parsed import Text
+from rockeom.compiler.modules import Text
 from rockeom.compiler.types import Array
-from rockeom.drawing.positions import legs
-from rockeom.integrator.texts import text_of
 from rockeom.numbers.checks import described
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
 from rockeom.structures.base import Structure
+from rockeom.structures.positions import legs
 from rockeom.structures.units import main_units
 from rockeom.sweeps.case_numbers import OtherCase
 
@@ -291,7 +290,7 @@ class Explorer:
     @cached_property
     def program(self) -> Portable:
         """The program of the page."""
-        return portable(self._structure.module, METHOD, self._texts())
+        return portable(self._structure.module, METHOD, self._questions, self._written())
 
     @cached_property
     def _native(self) -> Motions:
@@ -324,29 +323,22 @@ class Explorer:
                 ir = ir.replace(f"define void @{name}(ptr", f"define internal void @{name}(ptr")
         return module(ir, self.entries)
 
-    def _texts(self) -> tuple[Text, ...]:
+    @property
+    def _questions(self) -> tuple[str, ...]:
+        """The modules whose entries a page calls; structures without feet have no statics."""
+        feet = self._structure.rocks_on_rigid_ground
+        return ("rockeom.browser.questions", *(["rockeom.browser.verdict"] if feet else []))
+
+    def _written(self) -> tuple[Text, ...]:
+        """The texts that questions take from the set-up and from the structure."""
         p, horizontal, vertical = self.setup.sizes
         sizes = f"MOST_P, ROWS_X, ROWS_Y = {p}, {horizontal}, {vertical}\n"
-        name = "browser/questions.py"
-        return (
-            self.setup.text,
-            Text("sizes of the set-up", sizes),
-            *self._statics(),
-            Text(name, text_of(name)),
-        )
-
-    def _statics(self) -> tuple[Text, ...]:
-        """The statics of feet on rigid ground; other structures have none."""
-        structure = self._structure
-        if not structure.rocks_on_rigid_ground:
-            return ()
-        m, name = structure.module, "browser/verdict.py"
-        left, right = (m.REACTIONS.index(f"{side}_reaction") for side in ("left", "right"))
-        places = (
-            f"BOTH_MODE, N_REACTIONS = {m.MODES.index('both')}, {len(m.REACTIONS)}\n"
-            f"LEFT_FOOT, RIGHT_FOOT = {left}, {right}\n"
-        )
-        return Text("places of feet", places), Text(name, text_of(name))
+        if self._structure.rocks_on_rigid_ground:
+            m = self._structure.module
+            left, right = (m.REACTIONS.index(f"{side}_reaction") for side in ("left", "right"))
+            sizes += f"BOTH_MODE, N_REACTIONS = {m.MODES.index('both')}, {len(m.REACTIONS)}\n"
+            sizes += f"LEFT_FOOT, RIGHT_FOOT = {left}, {right}\n"
+        return self.setup.text, Text("sizes of the set-up", sizes)
 
     @property
     def entries(self) -> tuple[str, ...]:

@@ -20,12 +20,15 @@ from matplotlib.lines import Line2D
 from PIL import Image
 
 from rockeom.drawing import film, free_body, style
-from rockeom.drawing.drawn import Impacts, Motion, Run, check_run
-from rockeom.drawing.positions import places
+from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.sketch import Sketch, all_points
 from rockeom.files import check_path, check_target, write
+from rockeom.motion.ground_motion import GroundMotion
 from rockeom.numbers import explained
 from rockeom.numbers.checks import described, number
+from rockeom.simulation.events import Impacts
+from rockeom.simulation.response import Response
+from rockeom.structures.positions import places
 
 MOST_FRAMES = 2000
 FLASH = 0.2
@@ -38,7 +41,7 @@ _TOP, _BOTTOM = 0.62, 0.30  # in, above and below the drawing
 
 @explained.calls(fps="frames_per_second")
 def animate(
-    run: Run,
+    run: Response,
     path: str | os.PathLike[str] | None = None,
     *,
     start: float | None = None,
@@ -96,7 +99,7 @@ def animate(
     21
     >>> animation = plots.animate(run, "block.gif")  # doctest: +SKIP
     """
-    check_run("run", run)
+    check_drawn("run", run, Response)
     if path is not None:
         check_file(path)  # before the frames are drawn
     made = Animation(run, _times(run, start, end, frames_per_second, speed), speed, ground)
@@ -118,7 +121,7 @@ def check_file(path: str | os.PathLike[str]) -> None:
 
 
 def _times(
-    run: Run, start: float | None, end: float | None, frames_per_second: float, speed: float
+    run: Response, start: float | None, end: float | None, frames_per_second: float, speed: float
 ) -> np.ndarray:
     """(n,) times of the frames [s], the last of which may fall short of the end."""
     rates = {"frames_per_second": frames_per_second, "speed": speed}
@@ -142,7 +145,7 @@ def _times(
     return np.minimum(first + step * np.arange(n), last)
 
 
-def ground_displacement(motion: Motion, times: np.ndarray) -> np.ndarray:
+def ground_displacement(motion: GroundMotion, times: np.ndarray) -> np.ndarray:
     """Displacement (n,) [m] of the ground at times (n,) [s], which stops where the motion ends."""
     return motion.displacement(np.clip(times, 0.0, motion.duration))
 
@@ -162,7 +165,7 @@ class Animation:
         Whether the ground moves.
     """
 
-    def __init__(self, run: Run, times: np.ndarray, speed: float, ground: bool) -> None:
+    def __init__(self, run: Response, times: np.ndarray, speed: float, ground: bool) -> None:
         self.run, self.times, self.speed = run, times, speed
         self.states, self.modes = run.steps.at(times, "right")
         self.ground = np.zeros((len(times), 2))
@@ -257,8 +260,8 @@ class Animation:
     def limits(self) -> np.ndarray:
         """(2, 2) least and largest x and y of all that is drawn, where the ground stood at rest."""
         structure = self.run.structure
-        found = places(structure.module, self.modes, self.states, structure.vector)
-        points = all_points(structure, found) + self.ground[:, None]
+        poses = places(structure.module, self.modes, self.states, structure.vector)
+        points = all_points(structure, poses) + self.ground[:, None]
         low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
         size = float((high - low).max()) or 1.0
         beside = np.array([0.2 * size, 0.08 * size])
@@ -284,15 +287,15 @@ class Animation:
         figure.text(0.5, 1 - 0.12 / height, name, ha="center", va="top", fontsize=9.5)
         clock = figure.text(0.5, 1 - 0.34 / height, "", ha="center", va="top", fontsize=9)
         figure.legend(handles=_signs(self), loc="lower center", ncols=3, fontsize=8)
-        found = []
+        pictures = []
         for i in range(len(self)):
             for artist in (*ax.lines, *ax.patches, *ax.collections, *ax.texts):
                 artist.remove()  # to clear the axes takes as long as to draw them
             self.draw(i, ax)
             clock.set_text(self.title(i))
             canvas.draw()
-            found.append(_png(canvas))
-        return tuple(found)
+            pictures.append(_png(canvas))
+        return tuple(pictures)
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a .gif, a .html page or a .mp4.
@@ -384,7 +387,7 @@ _PLAYER = """\
 """
 
 
-def _player(frames: tuple[bytes, ...], frames_per_second: float, run: Run) -> str:
+def _player(frames: tuple[bytes, ...], frames_per_second: float, run: Response) -> str:
     """The frames with a button and a slider, as a piece of a page that needs nothing else."""
     coded = [base64.b64encode(frame).decode() for frame in frames]
     return _PLAYER.format(

@@ -9,13 +9,14 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 
 from rockeom.drawing import style
-from rockeom.drawing.drawn import Run, check_run
+from rockeom.drawing.checks import check_drawn
 from rockeom.numbers.checks import described
+from rockeom.simulation.response import Response
 
 
 @style.styled
 def plot_comparison(
-    runs: Sequence[Run],
+    runs: Sequence[Response],
     labels: Sequence[str] | None = None,
     *,
     figure: Figure | SubFigure | None = None,
@@ -63,7 +64,7 @@ def plot_comparison(
     if not isinstance(runs, Sequence):
         raise TypeError(f"runs is {described(runs)}: give a list of responses")
     for i, run in enumerate(runs):
-        check_run(f"runs[{i}]", run)
+        check_drawn(f"runs[{i}]", run, Response)
     labels = [style.name_of(run) for run in runs] if labels is None else labels
     if not runs or len(labels) != len(runs):
         raise ValueError(f"{len(runs)} runs and {len(labels)} labels: give one label for each run")
@@ -98,7 +99,7 @@ def plot_comparison(
     return figure
 
 
-def _end(run: Run) -> str:
+def _end(run: Response) -> str:
     """The outcome; where it has not overturned, the largest theta/alpha."""
     if run.outcome == style.OVERTURNED or "rotation_ratio" not in run.names:
         return str(run.outcome)
@@ -106,16 +107,16 @@ def _end(run: Run) -> str:
     return f"{run.outcome}, largest $\\theta/\\alpha$ {ratio:.2f}" if ratio else str(run.outcome)
 
 
-def _title(runs: Sequence[Run]) -> str:
+def _title(runs: Sequence[Response]) -> str:
     motions = dict.fromkeys(style.plain(run.motion.name) or "a ground motion" for run in runs)
     return f"Run to {'; '.join(motions)}"
 
 
-def _colors(runs: Sequence[Run]) -> list[str]:
+def _colors(runs: Sequence[Response]) -> list[str]:
     return [style.LINES[i % len(style.LINES)] for i in range(len(runs))]
 
 
-def _ground(ax: Axes, runs: Sequence[Run]) -> None:
+def _ground(ax: Axes, runs: Sequence[Response]) -> None:
     shared = all(run.motion == runs[0].motion for run in runs)
     for run, color in zip(runs, _colors(runs), strict=True):
         a = run["ground_acceleration"] / style.ground_scale(run)
@@ -123,7 +124,7 @@ def _ground(ax: Axes, runs: Sequence[Run]) -> None:
     ax.set_ylabel("ground\nacceleration [g]")
 
 
-def _lengths(ax: Axes, runs: Sequence[Run], name: str, label: str) -> None:
+def _lengths(ax: Axes, runs: Sequence[Response], name: str, label: str) -> None:
     factor, unit = style.length_scale(runs[0])
     for run, color in zip(runs, _colors(runs), strict=True):
         if name in run.names:
@@ -136,7 +137,7 @@ def _lengths(ax: Axes, runs: Sequence[Run], name: str, label: str) -> None:
     style.legend_above(ax)
 
 
-def _impact_lanes(ax: Axes, runs: Sequence[Run]) -> None:
+def _impact_lanes(ax: Axes, runs: Sequence[Response]) -> None:
     """A lane a run: impacts as high as their speed, and full contact as a grey band."""
     fastest = max(run.impacts.speeds.max(initial=0.0) for run in runs)
     for lane, (run, color) in enumerate(zip(runs, _colors(runs), strict=True)):

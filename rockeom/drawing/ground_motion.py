@@ -9,7 +9,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
 from rockeom.drawing import style
-from rockeom.drawing.drawn import DesignSpectrum, Motion, Spectrum, check_motion
+from rockeom.drawing.checks import check_drawn
+from rockeom.motion.design.spectra import DesignSpectrum
+from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.spectra import ResponseSpectrum
 from rockeom.numbers.checks import described
 from rockeom.numbers.constants import STANDARD_GRAVITY
 
@@ -22,7 +25,7 @@ _BY_NAME = 6
 
 @style.styled
 def plot_motion(
-    motion: Motion,
+    motion: GroundMotion,
     *,
     figure: Figure | SubFigure | None = None,
     start: float = 0.0,
@@ -58,7 +61,7 @@ def plot_motion(
     >>> from rockeom import plots
     >>> figure = plots.plot_motion(rk.GroundMotion.ricker(4.0, 0.6))  # m/s2, s
     """
-    check_motion("motion", motion)
+    check_drawn("motion", motion, GroundMotion)
     if figure is None:
         figure = style.new_figure(7.2, 4.6)
     axes = figure.subplots(3, 1, sharex=True)
@@ -87,7 +90,7 @@ def plot_motion(
 
 @style.styled
 def plot_spectra(
-    spectra: Sequence[Spectrum],
+    spectra: Sequence[ResponseSpectrum],
     *,
     figure: Figure | SubFigure | None = None,
     title: str | None = None,

@@ -10,12 +10,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.drawing import style
-from rockeom.drawing.drawn import Run, Structure, check_run
+from rockeom.drawing.checks import check_drawn
+from rockeom.simulation.response import Response
+from rockeom.structures.base import Structure
 
 
 @style.styled
 def plot_phase_portrait(
-    run: Run | Sequence[Run], *, separatrix: bool = False, ax: Axes | None = None
+    run: Response | Sequence[Response], *, separatrix: bool = False, ax: Axes | None = None
 ) -> Figure:
     """Draw the angular velocity against the rotation; impacts are the dotted jumps.
 
@@ -53,7 +55,7 @@ def plot_phase_portrait(
     if not runs:
         raise ValueError("plot_phase_portrait: there is no response: give one at least")
     for one in runs:
-        check_run("run", one)
+        check_drawn("run", one, Response)
     first = runs[0]
     if ax is None:
         ax = style.new_figure(4.6, 3.8).add_subplot()
@@ -78,7 +80,7 @@ def plot_phase_portrait(
     return style.parent_figure(ax)
 
 
-def _draw(ax: Axes, run: Run, colour: str) -> None:
+def _draw(ax: Axes, run: Response, colour: str) -> None:
     p = run.structure.module
     y, dy = run.y[:, p.ROTATION], run.y[:, p.ROTATION_RATE]
     jumps = np.flatnonzero(np.diff(run.t) == 0) + 1

@@ -49,6 +49,7 @@ from rockeom.numbers.batch import one_of
 from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import described, number
 from rockeom.numbers.dual import nominal
+from rockeom.numbers.pictures import picture
 
 if TYPE_CHECKING:
     from rockeom.motion import intensity, processing
@@ -1108,9 +1109,7 @@ class GroundMotion(metaclass=explained.Constructors):
         matplotlib.figure.Figure
             Figure.
         """
-        from rockeom.drawing.ground_motion import plot_motion  # matplotlib
-
-        return plot_motion(self, **kwargs)
+        return picture("plot_motion", self, **kwargs)
 
     def sampled(self, dt: float) -> tuple[np.ndarray, np.ndarray]:
         """Accelerations at even steps up to the duration.
@@ -1492,9 +1491,7 @@ class GroundMotion(metaclass=explained.Constructors):
         )
 
     def _repr_html_(self) -> str:
-        from rockeom.drawing.notebook import page_of_motion  # matplotlib
-
-        return page_of_motion(self)
+        return picture("page_of_motion", self)
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Arrays come back writable from a pickle; the constructor locks them again.

@@ -25,6 +25,7 @@ from rockeom.motion.spectra import ResponseSpectrum
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration
 from rockeom.numbers import explained
 from rockeom.numbers.checks import described, near
+from rockeom.numbers.pictures import picture
 
 Intensity = str | Callable[[GroundMotion], float]
 
@@ -486,11 +487,9 @@ class MotionSet(Sequence[GroundMotion]):
         matplotlib.figure.Figure
             Figure.
         """
-        from rockeom.drawing.ground_motion import plot_spectra  # matplotlib
-
         spectra = [*self.response_spectra(periods, damping_ratio).values()]
         title = self.name and f"Response spectra, {self.name}"
-        return plot_spectra(spectra, **{"title": title} | kwargs)
+        return picture("plot_spectra", spectra, **{"title": title} | kwargs)
 
 
 def _asked(

@@ -39,6 +39,7 @@ from rockeom.numbers import explained
 from rockeom.numbers.arguments import not_negative, positive, require
 from rockeom.numbers.checks import described
 from rockeom.numbers.functions import gauss_rule
+from rockeom.numbers.pictures import picture
 
 _PER_PERIOD = 16
 """Steps in a period, at least: no peak between two turns of the velocity is passed over then."""
@@ -97,9 +98,7 @@ class ResponseSpectrum:
         matplotlib.figure.Figure
             Figure.
         """
-        from rockeom.drawing.ground_motion import plot_spectra  # matplotlib
-
-        return plot_spectra([self], **kwargs)
+        return picture("plot_spectra", [self], **kwargs)
 
 
 class OscillatorHistory(NamedTuple):

@@ -22,7 +22,7 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis.design.isolation import Demands, demands, energy_balance
 from rockeom.drawing import page, style
-from rockeom.drawing.drawn import check_structure
+from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.style import digits
 from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
@@ -151,13 +151,13 @@ class DesignReport:
     @cached_property
     def facts(self) -> tuple[tuple[str, str], ...]:
         """The structure in names and values."""
-        found = [*facts_of(self.structure, self.impact)]
+        facts = [*facts_of(self.structure, self.impact)]
         held = self._held
         if held is not None:
             periods = ", ".join(f"{p:.4g}" for p in held.periods)
             ratios = ", ".join(f"{100 * z:.3g}" for z in held.damping_ratios)
-            found += [("fixed-base period", f"{periods} s"), ("its damping", f"{ratios} %")]
-        return tuple(found)
+            facts += [("fixed-base period", f"{periods} s"), ("its damping", f"{ratios} %")]
+        return tuple(facts)
 
     @property
     def _held(self) -> FixedBase | None:
@@ -169,8 +169,8 @@ class DesignReport:
     @cached_property
     def standing(self) -> tuple[UnderRecord, ...]:
         """Motions that ended upright, the largest displacement first; others count as fallen."""
-        found = [one for one in self.results if one.stands]
-        return tuple(sorted(found, key=lambda one: -one.rocking.displacement))
+        standing = [one for one in self.results if one.stands]
+        return tuple(sorted(standing, key=lambda one: -one.rocking.displacement))
 
     @cached_property
     def rows(self) -> tuple[Row, ...]:
@@ -378,17 +378,17 @@ def facts_of(structure: Structure, impact: ImpactLaw | None) -> tuple[tuple[str,
     if (full := getattr(structure, "full_height", None)) is not None:  # as the block was given
         base, centroid = rows.pop("half_width")[0], rows.pop("half_height")
         rows = {"width": (2 * base, "m"), "height": (full, "m"), "centroid height": centroid} | rows
-    found = [
+    facts = [
         (name.replace("_", " "), f"{digits(value, 5)} {unit}".removesuffix(" -"))
         for name, (value, unit) in rows.items()
     ]
     threshold = structure.uplift_acceleration
     if threshold is not None and math.isfinite(threshold):
-        found.append(("a foot lifts from", f"{threshold / STANDARD_GRAVITY:.3g} g"))
-    found += _angles(structure)
+        facts.append(("a foot lifts from", f"{threshold / STANDARD_GRAVITY:.3g} g"))
+    facts += _angles(structure)
     if structure.has_impacts:
-        found.append(("law of impact", structure.describe_impact(impact)))
-    return tuple(found)
+        facts.append(("law of impact", structure.describe_impact(impact)))
+    return tuple(facts)
 
 
 def check_name(path: Path) -> None:
@@ -431,7 +431,7 @@ def design_report(
     TypeError
         For anything but a structure or ground motions.
     """
-    check_structure("structure", structure)
+    check_drawn("structure", structure, Structure)
     if isinstance(motions, GroundMotion):
         raise TypeError("motions is one motion: give a list of motions, [motion]")
     if not motions:
@@ -488,10 +488,10 @@ def _draw_demands(
         "fixed base": [getattr(one.fixed, name) for one in results if one.fixed is not None],
         "rocking": [getattr(one.rocking, name) for one in results],
     }
-    for (label, found), color in zip(both.items(), (style.LINES[1], style.LINES[0]), strict=True):
-        if found:
-            number = total if label == "rocking" else len(found)
-            values = factor * np.sort(found)
+    for (label, sizes), color in zip(both.items(), (style.LINES[1], style.LINES[0]), strict=True):
+        if sizes:
+            number = total if label == "rocking" else len(sizes)
+            values = factor * np.sort(sizes)
             ax.step(
                 [0.0, *values], [0.0, *(np.arange(1, len(values) + 1) / number)], where="post",
                 color=color, label=label,

@@ -152,19 +152,19 @@ def _looks(function: str, sections: xr.Dataset, name: str, at: str, *names: str)
             "analysis.dynamics.poincare_sections impacts=, the most in a cycle"
         )
     check_finished(function, sections)
-    known = sections["state"].values.tolist()
+    states = sections["state"].values.tolist()
     if at != "period" and name == "impact_time":
-        found = sections[name]
-    elif name not in known:
-        raise ValueError(f"{function}: no state {name!r}; there are {', '.join(known)}")
+        values = sections[name]
+    elif name not in states:
+        raise ValueError(f"{function}: no state {name!r}; there are {', '.join(states)}")
     elif at == "period":
-        found = sections["strobe"].sel(state=name)
+        values = sections["strobe"].sel(state=name)
     else:
-        found = sections["impact_state"].sel(state=name, side=at)
+        values = sections["impact_state"].sel(state=name, side=at)
     starts = dims_of_starts(function, sections, *names)
     sizes = [sections.sizes[one] for one in names]
     number = math.prod(sections.sizes[one] for one in starts)
-    return found.transpose(*starts, *names, ...).values.reshape(number, *sizes, -1)
+    return values.transpose(*starts, *names, ...).values.reshape(number, *sizes, -1)
 
 
 def _looks_of_starts(sections: xr.Dataset, number: int) -> Iterator[dict[str, Any]]:
@@ -240,11 +240,11 @@ def _of_orbit(orbit: PeriodicOrbit, y: str, at: str) -> np.ndarray:
     return orbit.looks[:, orbit.states.index(y)]
 
 
-def _mark(ax: Axes, found: Bifurcation, y: str, at: str, marked: set[str]) -> None:
-    values = _of_orbit(found.orbit, y, at)
-    label = None if found.kind in marked else found.kind
-    marked.add(found.kind)
-    ax.plot(np.full(len(values), found.value), values, _MARKS[found.kind], color=_BRANCH, mfc="w",
+def _mark(ax: Axes, point: Bifurcation, y: str, at: str, marked: set[str]) -> None:
+    values = _of_orbit(point.orbit, y, at)
+    label = None if point.kind in marked else point.kind
+    marked.add(point.kind)
+    ax.plot(np.full(len(values), point.value), values, _MARKS[point.kind], color=_BRANCH, mfc="w",
             ms=4, mew=0.9, zorder=5, label=label)  # fmt: skip
 
 

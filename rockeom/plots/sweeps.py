@@ -137,8 +137,8 @@ def _classes(sweep: xr.Dataset) -> xr.DataArray:
     """Which of _CLASSES each case is."""
     before = impacts_before_overturning(sweep, most=3)
     stands = xr.where(sweep["impacts"] > 0, 1, 0)
-    found = xr.where(np.isinf(before), stands, 5 - before)
-    return found.fillna(_NO_ANSWER).astype(int)
+    classes = xr.where(np.isinf(before), stands, 5 - before)
+    return classes.fillna(_NO_ANSWER).astype(int)
 
 
 def _cells(ax: Axes, kinds: xr.DataArray, x: str, y: str) -> None:
@@ -203,12 +203,12 @@ def _closest(points: np.ndarray, there: list[tuple[int, tuple[int, int]]]) -> li
         if side != other
     )
     taken: set[int] = set()
-    found = []
+    pairs = []
     for _, i, j in choices:
         if not taken & {i, j}:
-            found.append((i, j))
+            pairs.append((i, j))
             taken |= {i, j}
-    return found
+    return pairs
 
 
 def _rgb(colour: str) -> list[float]:
@@ -335,8 +335,8 @@ def _not_exceeded(lines: np.ndarray, down: np.ndarray, part: float) -> np.ndarra
     order = np.sort(np.where(down, np.inf, lines), axis=1)  # those without an answer come last
     number = np.isfinite(order).sum(axis=1) + down.sum(axis=1)
     place = np.maximum(np.ceil(part * number - 1e-9).astype(int) - 1, 0)
-    found = order[np.arange(len(order)), place]
-    return np.where(np.isfinite(found), found, np.nan)
+    demands = order[np.arange(len(order)), place]
+    return np.where(np.isfinite(demands), demands, np.nan)
 
 
 def _looks(ax: Axes, sweep: xr.Dataset, by: str | None, n: int) -> list[dict[str, Any]]:
@@ -438,12 +438,12 @@ def fragility_curve(
     return style.parent_figure(ax)
 
 
-def _event(demand: str | None, limit: float | None, found: xr.Dataset | Fragility) -> str:
-    if isinstance(found, Fragility):
+def _event(demand: str | None, limit: float | None, observed: xr.Dataset | Fragility) -> str:
+    if isinstance(observed, Fragility):
         return "probability of exceedance [-]"
     if demand is None:
         return "probability of overturning [-]"
-    unit = _unit_of_demand(found, demand)
+    unit = _unit_of_demand(observed, demand)
     reached = f"{limit:g} {unit}".rstrip()
     return f"probability that |{style.plain(demand)}|\nreaches {reached} or overturns [-]"
 
@@ -512,10 +512,10 @@ def incremental_dynamic_analysis(
     """
     function = "incremental_dynamic_analysis"
     curves, names = _by_record(function, sweep, intensity, demand, record)
-    known = np.concatenate([d[np.isfinite(d)] for _, d in curves])
-    if not len(known):
+    peaks = np.concatenate([d[np.isfinite(d)] for _, d in curves])
+    if not len(peaks):
         raise ValueError(f"{function}: no case has a demand: all overturned, or gave no answer")
-    last = 1.04 * known.max() or 1.0
+    last = 1.04 * peaks.max() or 1.0
     edge = 1.14 * last
     if ax is None:
         ax = style.new_figure(7.2, 4.4).add_subplot()
@@ -555,7 +555,7 @@ def _by_record(
     check_finished(function, sweep)
     im = coordinate(function, sweep, intensity)
     labels = outcome_labels(sweep)
-    found = peaks_of(sweep, demand).where(labels.isin(STANDS)).where(labels != FALLS, np.inf)
+    peaks = peaks_of(sweep, demand).where(labels.isin(STANDS)).where(labels != FALLS, np.inf)
     others = [str(d) for d in labels.dims if d not in im.dims]
     others = others or [str(d) for d in labels.dims if sweep[d].dtype.kind in "OTU"]
     if record is None and not others:
@@ -565,7 +565,7 @@ def _by_record(
         )
     keys = [record] if record is not None else others
     columns = [coordinate(function, sweep, key) for key in keys]
-    each = [a.values.ravel() for a in xr.broadcast(im, found, *columns)]
+    each = [a.values.ravel() for a in xr.broadcast(im, peaks, *columns)]
     of = np.array([", ".join(map(str, key)) for key in zip(*each[2:], strict=True)])
     curves, names = [], list(dict.fromkeys(of.tolist()))
     for name in names:
@@ -592,10 +592,10 @@ def _demands_at(levels: np.ndarray, im: np.ndarray, demand: np.ndarray) -> np.nd
         return np.full(len(levels), np.nan)
     at, d = im[answered], demand[answered]
     down = np.isposinf(d)
-    found = np.interp(levels, at, np.where(down, 0.0, d))
-    found[np.interp(levels, at, down) > 0.0] = np.inf
-    found[np.isin(levels, im[~answered])] = np.nan
-    return found
+    demands = np.interp(levels, at, np.where(down, 0.0, d))
+    demands[np.interp(levels, at, down) > 0.0] = np.inf
+    demands[np.isin(levels, im[~answered])] = np.nan
+    return demands
 
 
 def _fractile(
@@ -606,11 +606,11 @@ def _fractile(
     demands (m, n) : of m records at n levels; nan does not count. It ends at the first intensity at
     which it is infinite.
     """
-    found = []
+    quantiles = []
     for there in demands.T:
         there = there[~np.isnan(there)]
-        found.append(np.quantile(there, part, method="inverted_cdf") if len(there) else np.nan)
-    at = np.array(found)
+        quantiles.append(np.quantile(there, part, method="inverted_cdf") if len(there) else np.nan)
+    at = np.array(quantiles)
     down = np.flatnonzero(np.isposinf(at))
     end = down[0] + 1 if len(down) else len(at)
     return at[:end], levels[:end]
@@ -647,11 +647,11 @@ def _demand_label(sweep: xr.Dataset, demand: str) -> str:
 
 def _unit_of_demand(sweep: xr.Dataset, demand: str) -> str:
     """Unit of a state or quantity, where the dataset tells it; else nothing."""
-    found = peaks_of(sweep, demand)
+    peaks = peaks_of(sweep, demand)
     for name in ("state_unit", "quantity_unit"):
-        if name in found.coords:
-            return coordinates.unit(found[name].values)
-    return coordinates.unit(found.attrs.get("units", ""))
+        if name in peaks.coords:
+            return coordinates.unit(peaks[name].values)
+    return coordinates.unit(peaks.attrs.get("units", ""))
 
 
 def _entitle(ax: Axes, sweep: xr.Dataset, n: int) -> None:

@@ -15,6 +15,7 @@ from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
 from rockeom.numbers.checks import numbers
 from rockeom.numbers.degrees import with_degrees
+from rockeom.numbers.pictures import picture
 from rockeom.simulation import plausible
 from rockeom.simulation.events import Events, Impacts
 from rockeom.simulation.extremes import Extremes
@@ -616,9 +617,7 @@ class Response:
             run.plot("theta", "left_uplift")
             run.plot("theta", ax=axes)
         """
-        from rockeom.drawing.response import plot_response  # matplotlib
-
-        return plot_response(self, *names, **kwargs)
+        return picture("plot_response", self, *names, **kwargs)
 
     def animate(self, path=None, **kwargs):
         """Draw the motion to scale, frame by frame: a .gif, .html or .mp4 file, or in Jupyter.
@@ -635,18 +634,14 @@ class Response:
         Animation
             Animation, which Jupyter shows.
         """
-        from rockeom.drawing.animation import animate  # matplotlib
-
-        return animate(self, path, **kwargs)
+        return picture("animate", self, path, **kwargs)
 
     def _ipython_key_completions_(self) -> list[str]:
         """Names that IPython offers after `run["`."""
         return list(self.names)
 
     def _repr_html_(self) -> str:
-        from rockeom.drawing.notebook import page_of_response  # matplotlib
-
-        return page_of_response(self)
+        return picture("page_of_response", self)
 
     def __repr__(self) -> str:
         return f"<Response: {self.outcome}, {self.duration:.6g} s, {self.impacts.describe()}>"

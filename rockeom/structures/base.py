@@ -12,18 +12,19 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, cast
 import numpy as np
 
 from rockeom.codes import IMPACT
-from rockeom.drawing.positions import Shapes, places, positions_of, rotations_of, shapes
 from rockeom.integrator.schema import GeneratedModule, has_landings, name_of_law
-from rockeom.integrator.transitions.declared import velocity_ratio_at
+from rockeom.integrator.transitions.restitution import velocity_ratio_at
 from rockeom.numbers import explained
 from rockeom.numbers.checks import near, number, numbers
 from rockeom.numbers.dual import value_of
 from rockeom.numbers.functions import for_arrays, isfinite
+from rockeom.numbers.pictures import picture
 from rockeom.structures import declared_modes, evaluation, linearised, modal, plausible, statics
 from rockeom.structures.impact_laws import ImpactLaw, TabulatedLaw, check_law, default_law
 from rockeom.structures.modes import modes_of
 from rockeom.structures.parameters import SYNONYMS, named_states
 from rockeom.structures.pickled import made_of
+from rockeom.structures.positions import Shapes, places, positions_of, rotations_of, shapes
 
 
 def generated_module(name: str) -> GeneratedModule:
@@ -94,9 +95,7 @@ class Structure(metaclass=explained.Constructors):
         return generated_module(self.model)
 
     def _repr_html_(self) -> str:
-        from rockeom.drawing.notebook import page_of_structure  # matplotlib
-
-        return page_of_structure(self)
+        return picture("page_of_structure", self)
 
     if not TYPE_CHECKING:  # for type checkers an unknown attribute stays an error
 

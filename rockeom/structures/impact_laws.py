@@ -20,7 +20,7 @@ import numpy as np
 
 from rockeom.codes import IMPULSIVE, RATIO, TABULATED, UNEVEN
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.integrator.transitions.declared import tabulated_energy_ratio
+from rockeom.integrator.transitions.restitution import tabulated_energy_ratio
 from rockeom.numbers import explained
 from rockeom.numbers.checks import described, is_number, number, numbers
 from rockeom.numbers.functions import isfinite, mathematics
