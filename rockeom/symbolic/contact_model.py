@@ -35,17 +35,17 @@ class Model(Declared, ContactDeclaration):
     Parameters
     ----------
     name : str
-        Name.
+        Name of the model, in small letters, which its generated module has.
     title : str
-        Title.
+        Title, in words.
     parameters : tuple of Parameter
-        Parameters.
+        Constants of the model, made by `parameter`.
     coordinates : tuple of Coordinate
-        Coordinates.
+        Generalised coordinates, made by `coordinate`.
     bodies : tuple of Body
-        Bodies.
+        Rigid bodies with mass.
     gravity : sympy.Expr
-        Acceleration of gravity.
+        Symbol or value of the acceleration of gravity.
     rotation : Coordinate
         Coordinate that overturns, positive clockwise, at `overturning`.
     contacts : tuple of Contact, optional

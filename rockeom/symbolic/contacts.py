@@ -148,9 +148,9 @@ class Contact:
     Parameters
     ----------
     name : str
-        Name.
+        Name of the point, such as "left".
     gap : sympy.Expr
-        Distance, not negative.
+        Distance of the point from the surface, not negative.
     slip : sympy.Expr
         Tangential place, which grows to the right.
     law : Rigid
@@ -212,7 +212,7 @@ class Force:
     Parameters
     ----------
     name : str
-        Name.
+        Name of the element, by which a response has its quantities.
     value : sympy.Expr or tuple
         Function of coordinates, velocities and internal variables, positive where it pushes the
         displacement to grow; or the components (F_x, F_y) of a force in the plane.
@@ -256,7 +256,7 @@ def dead_load(name: str, force: sp.Expr, at: Point, turned: sp.Expr = sp.S.Zero)
     Parameters
     ----------
     name : str
-        Name.
+        Name of the element, by which a response has its quantities.
     force : sympy.Expr
         Size of the force [N], positive where it presses down.
     at : tuple of (sympy.Expr, sympy.Expr)

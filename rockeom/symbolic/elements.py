@@ -55,7 +55,7 @@ class Unilateral:
     Parameters
     ----------
     name : str
-        Name.
+        Name of the element, by which a response has its quantities.
     compression : sympy.Expr
         Compression d, a function of the coordinates; the force does work -(k d + c d') on its rise.
     stiffness : sympy.Expr
@@ -171,7 +171,7 @@ class Yielding:
     Parameters
     ----------
     name : str
-        Name.
+        Name of the element, by which a response has its quantities.
     elongation : sympy.Expr
         Elongation w, a function of the coordinates.
     stiffness : sympy.Expr
@@ -356,7 +356,7 @@ class Spring:
     Parameters
     ----------
     name : str
-        Name.
+        Name of the element, by which a response has its quantities.
     deformation : sympy.Expr
         Deformation d, a function of the coordinates, on whose rise the force does work -(P + k d +
         c d').

@@ -65,13 +65,13 @@ class HybridModel:
     Parameters
     ----------
     name : str
-        Name.
+        Name of the model, in small letters, which its generated module has.
     title : str
-        Title.
+        Title, in words.
     parameters : tuple of Parameter
-        Parameters.
+        Constants of the model, made by `parameter`.
     coordinates : tuple of Coordinate
-        Coordinates.
+        Generalised coordinates, made by `coordinate`.
     modes : tuple of Mode
         Declared modes; of a search, the structure without contacts.
     transitions : tuple of Transition

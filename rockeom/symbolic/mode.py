@@ -31,9 +31,9 @@ class Mode:
     coordinates : tuple of Coordinate
         Coordinates free to move; all others stay where they are.
     bodies : tuple of Body
-        Bodies.
+        Rigid bodies with mass.
     gravity : sympy.Expr
-        Acceleration of gravity.
+        Symbol or value of the acceleration of gravity.
     elastic_energy : sympy.Expr, optional
         Elastic energy besides that of the elements.
     dissipation : sympy.Expr, optional

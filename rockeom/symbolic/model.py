@@ -34,9 +34,9 @@ class Parameter:
     name : str
         Name of the argument.
     unit : str
-        Unit, "-" for a pure number.
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
     meaning : str
-        Meaning, in words.
+        Meaning in words, for tables and error messages.
     """
 
     symbol: sp.Symbol
@@ -61,9 +61,9 @@ class Definition:
     name : str
         Name.
     unit : str
-        Unit.
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
     meaning : str
-        Meaning, in words.
+        Meaning in words, for tables and error messages.
     value : sympy.Expr
         Expression of the parameters.
     """
@@ -93,9 +93,9 @@ class NamedFunction:
     name : str
         Name.
     unit : str
-        Unit.
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
     meaning : str
-        Meaning, in words.
+        Meaning in words, for tables and error messages.
     value : sympy.Expr
         Expression, which may contain the side, the parameters, and named functions that stand
         before it.
@@ -131,9 +131,9 @@ class Coordinate:
     name : str
         Name of the state.
     unit : str
-        Unit.
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
     meaning : str
-        Meaning, in words.
+        Meaning in words, for tables and error messages.
     """
 
     position: sp.Symbol
@@ -164,9 +164,9 @@ class InternalVariable:
     name : str
         Name of the state.
     unit : str
-        Unit.
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
     meaning : str
-        Meaning, in words.
+        Meaning in words, for tables and error messages.
     """
 
     symbol: sp.Symbol
@@ -194,9 +194,9 @@ class Body:
     Parameters
     ----------
     name : str
-        Name.
+        Name of the body, by which positions and sketches have it.
     mass : sympy.Expr
-        Mass.
+        Mass of the body.
     position : tuple of (sympy.Expr, sympy.Expr)
         Place (x, y) of the centroid.
     inertia : sympy.Expr, optional
@@ -317,13 +317,13 @@ def coordinate(symbol: str, name: str, unit: str, meaning: str) -> Coordinate:
     Parameters
     ----------
     symbol : str
-        Symbol, in LaTeX.
+        Letter of the equations, as LaTeX sets it.
     name : str
         Name of the state.
     unit : str
-        Unit.
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
     meaning : str
-        Meaning, in words.
+        Meaning in words, for tables and error messages.
 
     Returns
     -------
@@ -347,13 +347,13 @@ def internal_variable(symbol: str, name: str, unit: str, meaning: str) -> Intern
     Parameters
     ----------
     symbol : str
-        Symbol, in LaTeX.
+        Letter of the equations, as LaTeX sets it.
     name : str
         Name of the state.
     unit : str
-        Unit.
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
     meaning : str
-        Meaning, in words.
+        Meaning in words, for tables and error messages.
 
     Returns
     -------
@@ -370,13 +370,13 @@ def parameter(symbol: str, name: str, unit: str, meaning: str) -> Parameter:
     Parameters
     ----------
     symbol : str
-        Symbol, in LaTeX.
+        Letter of the equations, as LaTeX sets it.
     name : str
         Name of the argument.
     unit : str
-        Unit.
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
     meaning : str
-        Meaning, in words.
+        Meaning in words, for tables and error messages.
 
     Returns
     -------

@@ -91,13 +91,13 @@ class RockingModel(HybridModel, Declared):
     Parameters
     ----------
     name : str
-        Name.
+        Name of the model, in small letters, which its generated module has.
     title : str
-        Title.
+        Title, in words.
     parameters : tuple of Parameter
-        Parameters.
+        Constants of the model, made by `parameter`.
     coordinates : tuple of Coordinate
-        Coordinates.
+        Generalised coordinates, made by `coordinate`.
     modes : tuple of Mode
         Modes.
     transitions : tuple of Transition
@@ -188,19 +188,20 @@ def rocking_structure(
     Parameters
     ----------
     name : str
-        Name.
+        Name of the model, in small letters, which its generated module has.
     title : str
-        Title.
+        Title, in words.
     parameters : iterable of Parameter
-        Parameters.
+        Constants of the model, made by `parameter`.
     coordinates : iterable of Coordinate
-        Coordinates; the first one is the rotation, positive clockwise, about the right edge.
+        Generalised coordinates; the first one is the rotation, positive clockwise, about the right
+        edge.
     bodies : callable
         Function that gives the bodies when the structure turns about a pivot (x, y).
     half_width : sympy.Expr
         Half of the distance of the edges.
     gravity : sympy.Expr
-        Acceleration of gravity.
+        Symbol or value of the acceleration of gravity.
     rotation_angle : sympy.Expr, optional
         Angle of the rotation; the first coordinate if not given.
     load_on : str, optional

@@ -182,7 +182,17 @@ def simulation(name: str) -> Evidence:
 
 
 class Finding(NamedTuple):
-    """A finding: (n,) lower and upper ends, equal without a range, and a text with units."""
+    """Finding of a comparison.
+
+    Parameters
+    ----------
+    low : ndarray
+        Lower ends (n,).
+    high : ndarray
+        Upper ends (n,), equal to the lower ones without a range.
+    words : str
+        Text with units.
+    """
 
     low: np.ndarray
     high: np.ndarray
@@ -245,13 +255,13 @@ class Statement:
     evidence : tuple of Evidence
         Data with which it is compared; of two, the agreement of one with the other is measured.
     find : callable
-        Function that gives the value.
+        Function that gives the finding.
     figure : str, optional
         Number of the figure that shows it; "" if none does.
     lost : str, optional
         Input without which it cannot be judged; "" if all are at hand.
     slip : bool, optional
-        Whether the printed words are an error of the text, with the value as the correction.
+        Whether the printed words are an error of the text, with the finding as the correction.
     """
 
     place: str
@@ -294,7 +304,19 @@ class Statement:
 
 @dataclass(frozen=True)
 class Judgement:
-    """A statement, its finding, the verdict, and a text of the finding or of what is missing."""
+    """Statement with its verdict.
+
+    Parameters
+    ----------
+    statement : Statement
+        Statement.
+    finding : Finding
+        Finding; None where it is open.
+    verdict : Verdict
+        Verdict.
+    words : str
+        Text of the finding, or of the input that is missing.
+    """
 
     statement: Statement
     finding: Finding | None
