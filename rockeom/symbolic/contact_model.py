@@ -103,7 +103,7 @@ class Model(Declared, ContactDeclaration):
 
         Parameters
         ----------
-        bodies : iterable of object
+        bodies : iterable of RigidBody or Particle
             Bodies, each a RigidBody or a Particle, with mass, mass centre and central inertia about
             z. Their potential energy is that of springs; the weight follows from `gravity`.
         coordinates : dict
