@@ -50,14 +50,14 @@ class Model(Declared, ContactDeclaration):
         Coordinate that overturns, positive clockwise, at `overturning`.
     contacts : tuple of Contact, optional
         Points that may touch.
-    elements : tuple of Element, optional
+    elements : tuple of Spring, Unilateral or Yielding, optional
         Elements that carry forces: a `Spring` always, others by their states.
     elastic_energy : sympy.Expr, optional
         Elastic energy of springs that always act and need no name; that of each `Spring` is added.
     dissipation : sympy.Expr, optional
         Rayleigh's function of dampers that always act and need no name; that of each `Spring` is
         added.
-    forces : tuple of callable, optional
+    forces : tuple of Force, optional
         Other forces that always act, each by its work along a displacement.
     rates : dict of InternalVariable to sympy.Expr, optional
         Rate dz/dt of each internal variable z, a function of coordinates, velocities and internal
@@ -66,7 +66,7 @@ class Model(Declared, ContactDeclaration):
         response has its integral over time, too, `z_integral`, which acts on nothing.
     overturning : sympy.Expr, optional
         Size of the rotation at which the structure has overturned.
-    load_point : Point, optional
+    load_point : tuple of (sympy.Expr, sympy.Expr), optional
         Place (x, y) of a pushover's force, whose displacement a response has.
     reference : str, optional
         Source of the equations.

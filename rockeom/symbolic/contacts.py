@@ -269,7 +269,7 @@ def dead_load(name: str, force: sp.Expr, at: Point, turned: sp.Expr = sp.S.Zero)
 
     Returns
     -------
-    callable
+    Force
         Force.
 
     Raises
