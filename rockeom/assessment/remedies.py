@@ -21,10 +21,19 @@ LOWER = 0.1
 
 
 class Remedy(NamedTuple):
-    """A changed structure under the same conditions.
+    """Changed structure under the same conditions.
 
-    gain : decrease of the part of the motions that overturn, averaged over all intensities; None
-    for less than two recordings.
+    Parameters
+    ----------
+    change : str
+        Change in words.
+    statics : Statics
+        Uplift, sliding and restraint of the changed structure at rest.
+    trials : Trials
+        Outcomes of the changed structure at each intensity.
+    gain : Estimate
+        Decrease of the part of the motions that overturn, averaged over all intensities; None for
+        less than two recordings.
     """
 
     change: str

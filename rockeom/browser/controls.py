@@ -42,11 +42,6 @@ class Slider(NamedTuple):
     words : str, optional
         Words in place of its name.
 
-    Raises
-    ------
-    ValueError
-        For a range that is none.
-
     Examples
     --------
     >>> import rockeom as rk

@@ -35,7 +35,7 @@ _MOST = 9
 
 
 class UntracedError(TypeError):
-    """A calculation with a slider that a page cannot repeat, with the line of it."""
+    """Calculation with a slider that a page cannot repeat, with the line of it."""
 
 
 class Node:

@@ -208,7 +208,20 @@ class Described:
 
 
 def code_of_model(model: Any, language: str) -> str:
-    """A RockingModel or Model as the text of one file, see `code`."""
+    """Text of one file with the code of a RockingModel or Model, see `code`.
+
+    Parameters
+    ----------
+    model : RockingModel or Model
+        Model.
+    language : str
+        Language, as for `code`.
+
+    Returns
+    -------
+    str
+        Text of the file.
+    """
     return code(class_of_model(model).module, language)
 
 

@@ -242,7 +242,7 @@ class Case:
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> case = rk.Case(block, pulse, impact=rk.EnergyRatio(0.8), initial={"theta": 0.02})  # rad
     >>> print(rk.simulate(case).outcome)
     completed

@@ -158,7 +158,7 @@ def sensitivity(
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> case = rk.Case(block, pulse, impact=rk.VelocityRatio(0.9))
     >>> slopes = rk.sensitivity(case, of=["peak theta"], to=["half_width", "restitution"])
     >>> slopes.derivatives.shape

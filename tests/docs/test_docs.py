@@ -1,9 +1,7 @@
 """The documentation names all there is, and its links lead somewhere; `make docs` builds it."""
 
-import doctest
 import functools
 import importlib
-import operator
 import re
 import sys
 from importlib.util import find_spec
@@ -27,11 +25,6 @@ LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 @pytest.fixture(scope="module")
 def catalogue():
     return _module("catalogue")
-
-
-@pytest.fixture(scope="module")
-def docstrings():
-    return _module("docstrings")
 
 
 def _module(name: str):
@@ -172,76 +165,6 @@ def test_help_of_every_command_is_shown(catalogue):
     for command in commands:
         assert f"<!-- help {command} -->" in page
         assert f"usage: rockeom {command}" in catalogue.help_text(command)
-
-
-def test_docstring_of_the_house_becomes_a_list_and_only_backticks_are_markup(docstrings):
-    text = docstrings.rst(
-        """The product a*b of |x| and I_o, see `simulate`.
-
-            rk.simulate(block)
-
-            rk.derive("rigid_block")
-
-        a, b : factors;
-            of any size.
-        x (n,) [m], stiffness k [N/m] : where.
-        Raises ValueError for NaN.
-        """
-    )
-    assert text == (
-        "The product a\\*b of \\|x\\| and I_o, see `simulate`.\n\n"
-        '.. code-block:: python\n\n    rk.simulate(block)\n\n    rk.derive("rigid_block")\n\n'
-        "* ``a, b``: factors; of any size.\n\n"
-        "* ``x (n,) [m], stiffness k [N/m]``: where.\n\n"
-        "Raises ValueError for NaN.\n"
-    )
-
-
-def test_arguments_of_one_sentence_each_become_an_item_each(docstrings):
-    def wall(mass, height, p, alpha, tendons=()):
-        """A wall.
-
-        mass m [kg], of all. height of the centroid [m]; p [rad/s]; alpha [rad]; one or several.
-        tendons : of the wall, which may
-        yield. They are slack below zero. Raises ValueError for a mass of
-        zero.
-
-        >>> wall(1.0, 2 * 3)
-        """
-
-    assert docstrings.rst(wall.__doc__, docstrings.arguments(wall)) == (
-        "A wall.\n\n"
-        "* ``mass m [kg]``, of all.\n\n"
-        "* ``height`` of the centroid [m].\n\n"
-        "* ``p [rad/s]``.\n\n"
-        "* ``alpha [rad]``; one or several.\n\n"
-        "* ``tendons``: of the wall, which may yield. They are slack below zero.\n\n"
-        "Raises ValueError for a mass of zero.\n\n"
-        ">>> wall(1.0, 2 * 3)\n"
-    )
-
-
-def test_fields_of_a_named_tuple_are_described_by_its_docstring_alone(docstrings):
-    fitted = importlib.import_module("rockeom.analysis.formulas").DissipationLimit
-    assert docstrings.skip(None, "class", "speed", fitted.speed, False, {})
-    assert docstrings.skip(None, "class", "rk", rockeom.simulate, False, {}) is None
-
-
-EXAMPLES = re.split(
-    r"^# ([\w.]+)\n", (DOCS / "examples.txt").read_text("utf-8"), flags=re.MULTILINE
-)[1:]
-
-
-@pytest.mark.parametrize(("name", "session"), [*zip(EXAMPLES[2::2], EXAMPLES[3::2], strict=True)])
-def test_example_of_the_reference_gives_what_it_prints(name, session):
-    home, _, last = name.rpartition(".")
-    if home[home.rfind(".") + 1 :][0].isupper():
-        home, _, cls = home.rpartition(".")
-        last = f"{cls}.{last}"
-    assert operator.attrgetter(last)(importlib.import_module(home))
-    flags = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
-    test = doctest.DocTestParser().get_doctest(EXAMPLES[1] + session, {}, name, name, 0)
-    assert not doctest.DocTestRunner(optionflags=flags).run(test).failed
 
 
 # --- by section

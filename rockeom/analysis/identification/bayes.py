@@ -490,7 +490,7 @@ def posterior(
     tests : Observed or sequence of Observed
         `Observed.history`, `Observed.swings` or `Observed.formula`; parameters of the same name are
         the same in all of them.
-    priors : dict of str to object
+    priors : dict of str to distribution
         Prior of each parameter, noises among them, by name: a continuous distribution of
         scipy.stats, frozen; they are independent.
     degrees_of_freedom : float, optional

@@ -297,7 +297,7 @@ class Observed:
 
         Parameters
         ----------
-        parameters : dict of str to object
+        parameters : dict of str to float or Dual
             Numbers or duals by name, some of which may be of other tests.
 
         Returns

@@ -65,7 +65,7 @@ class MeasuredRecord:
         Times (n,) [s].
     channels : dict of str to ndarray
         Values (n,) by the name of the channel.
-    noise : dict of str to object, optional
+    noise : dict of str to float or Noise, optional
         Standard deviation by the name of the channel, or a `Noise`, as which it is stored;
         `noise_level` estimates that of other channels.
     name : str, optional

@@ -210,7 +210,7 @@ def simulate_campaign(
         A `Case`, in place of whose motion and numbers come those of each test; or a function that
         makes one of "motion", the parameters of the campaign and the random ones, by name, as in
         `simulate_many`.
-    random : dict of str to object, optional
+    random : dict of str to distribution, optional
         Distribution of each uncertain parameter, by name: one of scipy.stats, frozen; they are
         independent.
     number : int, optional

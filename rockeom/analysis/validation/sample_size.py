@@ -79,7 +79,8 @@ def sample_size_for_mean(
     Raises
     ------
     ValueError
-        For numbers that are not positive, or lie not between 0 and 1.
+        For a difference of zero, a deviation that is not positive, and a level or a power that does
+        not lie between 0 and 1.
 
     Notes
     -----
