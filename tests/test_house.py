@@ -48,16 +48,15 @@ def names_for_type_checkers() -> dict[str, str]:
 def test_import_is_fast_and_loads_no_heavy_library():
     code = """
 import time
-start = time.perf_counter()
+start = time.process_time()
 import rockeom
-seconds = time.perf_counter() - start
+seconds = time.process_time() - start
 import sys
 heavy = {"sympy", "llvmlite", "matplotlib", "scipy"} & set(sys.modules)
 assert not heavy, f"import rockeom loads {sorted(heavy)}"
 print(seconds)
 """
-    # The best of three: a busy machine delays one run, a heavy import slows them all.
-    assert min(float(run_python("-c", code)) for _ in range(3)) < 0.2
+    assert float(run_python("-c", code)) < 0.2
 
 
 def test_formulas_simulations_and_plots_load_what_they_need():

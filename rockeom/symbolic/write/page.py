@@ -162,8 +162,7 @@ def to_latex(blocks: list[Block]) -> str:
                 parts.append(rf"\title{{{_latex_text(text)}}}\author{{}}\date{{}}\maketitle")
             case Heading(level, text):
                 # names in code do not break: lines of a heading end where one of them does not fit
-                heading = rf"\raggedright {_latex_text(text)}"
-                parts.append(rf"\{'sub' * (level - 2)}section*{{{heading}}}")
+                parts.append(rf"\{'sub' * (level - 2)}section*{{\raggedright {_latex_text(text)}}}")
             case Table(header, rows):
                 cells = [" & ".join(map(_latex_text, row)) + r" \\" for row in (header, *rows)]
                 cells[0] += r" \hline"
