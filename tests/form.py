@@ -109,7 +109,7 @@ def lines_by_folder(root: Path) -> Counter[str]:
     """Lines of code of each folder of a package, and of its own files, "."."""
     by_folder: Counter[str] = Counter()
     for path in sorted(root.rglob("*")):
-        if path.is_file() and "__pycache__" not in path.parts:
+        if path.is_file() and not {"__pycache__", "node_modules"} & {*path.parts}:
             parts = path.relative_to(root).parts
             by_folder[parts[0] if len(parts) > 1 else "."] += lines_of(path)
     return by_folder
