@@ -17,7 +17,7 @@ abs float max min np math range __debug__
 
 accelerations elements energies guards full_contact_guards jump kinematics masses momentum
 opening_acceleration overturning positions powers prepare rates reactions shapes sine_cosine
-sizes statics velocity_ratio fused inlined everywhere overturns_at
+sizes statics velocity_ratio inlined everywhere overturns_at
 
 free_motion points point_laws point_numbers
 
@@ -28,7 +28,7 @@ CLASS REVERSE MODES COPIES CORNERS ELEMENT_NAMES ENERGIES FALLS GUARDS HAS_IMPUL
 IMPACT_LAW IMPULSIVE KINDS KINEMATICS MEMBERS MEMBER_ENDS NAME N_FALLS N_GUARDS N_PARTS N_STATES
 LOCALISED
 PARAMETERS PARAMETER_MEANINGS PARAMETER_SIGNS PARAMETER_UNITS PARTS POSITIONS POSITION_KINDS
-RATIO REACTIONS ROTATION ROTATION_RATE ROUNDER SIDES SIZES SOURCE_HASH STATES STATE_UNITS TARGETS
+RATIO REACTIONS ROTATION ROTATION_RATE SIDES SIZES SOURCE_HASH STATES STATE_UNITS TARGETS
 TRANSITIONS
 
 ELEMENTS ELEMENT_STATES EQUATIONS FEET_OF IMAGES N_ELEMENTS N_INTERNAL N_POINTS PATTERNS POINTS
@@ -112,6 +112,8 @@ def _letter(c: str) -> str:
 
 def docstring(text: str, indent: str = "") -> str:
     """A docstring that says `text`, whatever letters that has."""
+    # A lone surrogate is shown by its escape: Python 3.13 compiles no docstring that has one.
+    text = text.encode("utf-8", "backslashreplace").decode("utf-8")
     written = "".join(_LETTERS.get(c) or _letter(c) for c in text).replace('"""', r"\"\"\"")
     if written.endswith('"'):
         written = f'{written[:-1]}\\"'

@@ -50,25 +50,54 @@ def animate(
     speed: float = 1.0,
     ground: bool = True,
 ) -> Animation:
-    """The response as an animation, in a file or a notebook.
+    """Draw the response as an animation, in a file or a notebook.
 
-        run.animate("block.gif")
-        run.animate("block.html", start=2.0, end=6.0, speed=0.25)
-        run.animate("block.mp4")
-        run.animate()    # shown by Jupyter
+    Parameters
+    ----------
+    run : Response
+        Response.
+    path : path_like, optional
+        File to write: .gif; .html, a page that needs nothing else, with a slider; or .mp4, which
+        needs ffmpeg, of the system or of the package imageio-ffmpeg. None writes none.
+    start : float, optional
+        Start of the part of the response that is shown [s]; that of the response if not given.
+    end : float, optional
+        End of the part [s]; that of the response if not given.
+    frames_per_second : float, optional
+        Number of frames in a second of the viewer's time.
+    speed : float, optional
+        Factor by which the animation runs faster than real time.
+    ground : bool, optional
+        Whether the ground moves, by the displacement that follows from its acceleration; else the
+        drawing moves with it. Structures in pure numbers are drawn so in any case.
 
-    path : a file to write: .gif; .html, a page that needs nothing else, with a slider; or .mp4,
-        which needs ffmpeg, of the system or of the package imageio-ffmpeg. None writes none.
-    start, end : the part of the response that is shown [s]; all of it if not given.
-    frames_per_second : of the viewer's time; speed : how much faster than real time it runs.
-    ground : whether the ground moves, by the displacement that follows from its acceleration; else
-        the drawing moves with it. Structures in pure numbers are drawn so in any case.
+    Returns
+    -------
+    Animation
+        Animation, which Jupyter shows.
 
-    Bodies are where the generated module puts them, drawn as by `draw_structure`. White circles
-    are feet in contact, stars those that have just landed; the dashed line stands still.
+    Raises
+    ------
+    ValueError
+        For times outside the response, more than 2000 frames, and other files.
+    FileNotFoundError
+        For .mp4 without ffmpeg.
 
-    Raises ValueError for times outside the response, more than 2000 frames, and other files;
-    FileNotFoundError for .mp4 without ffmpeg.
+    Notes
+    -----
+    Bodies are where the generated module puts them, drawn as by `draw_structure`. White circles are
+    feet in contact, stars those that have just landed; the dashed line stands still.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import plots
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> run = rk.simulate(block, rk.GroundMotion.none(2.0), initial={"theta": 0.1})  # s, rad
+    >>> animation = plots.animate(run, start=0.0, end=1.0)  # s
+    >>> len(animation.times)
+    21
+    >>> animation = plots.animate(run, "block.gif")  # doctest: +SKIP
     """
     check_drawn("run", run, Response)
     if path is not None:
@@ -124,9 +153,16 @@ def ground_displacement(motion: GroundMotion, times: np.ndarray) -> np.ndarray:
 class Animation:
     """Frames of a response; made by `animate`.
 
-    times (n,) : of the frames [s]; `frames_per_second` of the viewer.
-    ground (n, 2) : displacement of the ground at those times [m].
-    states (n, N), modes (n,) : of the structure at those times.
+    Parameters
+    ----------
+    run : Response
+        Response.
+    times : ndarray
+        Times of the frames (n,) [s].
+    speed : float
+        Factor by which the animation runs faster than real time.
+    ground : bool
+        Whether the ground moves.
     """
 
     def __init__(self, run: Response, times: np.ndarray, speed: float, ground: bool) -> None:
@@ -159,7 +195,15 @@ class Animation:
     # -- one frame
 
     def draw(self, i: int, ax: Axes) -> None:
-        """Draw a frame into empty axes of equal scales."""
+        """Draw a frame into empty axes of equal scales.
+
+        Parameters
+        ----------
+        i : int
+            Number of the frame.
+        ax : matplotlib.axes.Axes
+            Axes.
+        """
         sketch = Sketch(self.run.structure, self.states[i], int(self.modes[i]))
         sketch.draw(ax)
         for foot in sketch.closed_feet:
@@ -176,7 +220,18 @@ class Animation:
         ax.axis("off")
 
     def title(self, i: int) -> str:
-        """Time, and how many impacts there have been."""
+        """Time, and how many impacts there have been.
+
+        Parameters
+        ----------
+        i : int
+            Number of the frame.
+
+        Returns
+        -------
+        str
+            Text.
+        """
         digits = max(2, math.ceil(-math.log10(self._step)))
         unit = "" if style.is_dimensionless(self.run) else " s"
         text = f"t = {self.times[i]:.{digits}f}{unit}"
@@ -243,7 +298,20 @@ class Animation:
         return tuple(pictures)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a .gif, a .html page or a .mp4; raises ValueError for any other name."""
+        """Write a .gif, a .html page or a .mp4.
+
+        Parameters
+        ----------
+        path : path_like
+            File.
+
+        Raises
+        ------
+        ValueError
+            For any other name.
+        FileNotFoundError
+            For .mp4 without ffmpeg.
+        """
         check_file(path)
         kind = Path(path).suffix.lower()
         if kind == ".mp4":

@@ -24,15 +24,42 @@ def plot_comparison(
     end: float | None = None,
     title: str | None = None,
 ) -> Figure | SubFigure:
-    """Ground motion, displacement, uplift of each foot and impacts of several responses.
+    """Draw ground motion, displacement, uplift of each foot and impacts of several responses.
 
-    labels : a name for each run; the structures' names if not given.
-    figure, start, end : as in `plot_response`. title : what stands above.
+    Parameters
+    ----------
+    runs : sequence of Response
+        Responses.
+    labels : sequence of str, optional
+        Name of each response; the structures' names if not given.
+    figure : matplotlib.figure.Figure, optional
+        Empty figure or subfigure to draw in; a new one if not given.
+    start : float, optional
+        Start of the time axis [s]; that of the responses if not given.
+    end : float, optional
+        End of the time axis [s]; that of the responses if not given.
+    title : str, optional
+        Title above the figure.
 
-    Curves of motions that overturned end with a cross.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure. Curves of motions that overturned end with a cross.
 
-    Raises ValueError for no runs, for another number of labels than of runs, and for structures
-    with and without units in one figure.
+    Raises
+    ------
+    ValueError
+        For no runs, for another number of labels than of runs, and for structures with and without
+        units in one figure.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import plots
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> runs = [rk.simulate(block, pulse, impact=rk.EnergyRatio(r)) for r in (0.8, 0.95)]
+    >>> figure = plots.plot_comparison(runs, ["r = 0.8", "r = 0.95"])
     """
     if not isinstance(runs, Sequence):
         raise TypeError(f"runs is {described(runs)}: give a list of responses")

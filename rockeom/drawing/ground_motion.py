@@ -31,12 +31,35 @@ def plot_motion(
     start: float = 0.0,
     end: float | None = None,
 ) -> Figure | SubFigure:
-    """Acceleration [g], velocity [m/s] and displacement [m] of the ground on one time axis.
+    """Draw acceleration [g], velocity [m/s] and displacement [m] of the ground on one time axis.
 
-    figure : an empty figure or subfigure to draw in; a new one if not given.
-    start, end : the part of the time axis shown [s]; all of it if not given.
+    Parameters
+    ----------
+    motion : GroundMotion
+        Ground motion.
+    figure : matplotlib.figure.Figure, optional
+        Empty figure or subfigure to draw in; a new one if not given.
+    start : float, optional
+        Start of the time axis [s].
+    end : float, optional
+        End of the time axis [s]; that of the motion if not given.
 
-    The largest value of each is that of the whole motion, found within its segments.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure. The largest value of each curve is that of the whole motion, within its segments
+        too.
+
+    Raises
+    ------
+    TypeError
+        For anything but a ground motion.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import plots
+    >>> figure = plots.plot_motion(rk.GroundMotion.ricker(4.0, 0.6))  # m/s2, s
     """
     check_drawn("motion", motion, GroundMotion)
     if figure is None:
@@ -73,14 +96,30 @@ def plot_spectra(
     title: str | None = None,
     target: DesignSpectrum | None = None,
 ) -> Figure | SubFigure:
-    """Pseudo-acceleration [g], relative velocity [m/s] and displacement [m] over the period [s].
+    """Draw pseudo-acceleration [g], relative velocity [m/s] and displacement [m] over the period
+    [s].
 
-    spectra : of one damping ratio and the same periods, such as those of `MotionSet`. More than
+    Parameters
+    ----------
+    spectra : sequence of ResponseSpectrum
+        Spectra of one damping ratio and the same periods, such as those of `MotionSet`. More than
         six are drawn by their median and the band between the 16th and the 84th percentile.
-    figure : as in `plot_motion`. title : what stands above. target : a design spectrum to compare
-        with, drawn where it is defined.
+    figure : matplotlib.figure.Figure, optional
+        Empty figure or subfigure to draw in; a new one if not given.
+    title : str, optional
+        Title above the figure.
+    target : DesignSpectrum, optional
+        Design spectrum to compare with, drawn where it is defined.
 
-    Raises ValueError for no spectra, and for such of several dampings or periods.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure.
+
+    Raises
+    ------
+    ValueError
+        For no spectra, and for spectra of several dampings or periods.
     """
     if not isinstance(spectra, Sequence):
         raise TypeError(

@@ -28,24 +28,52 @@ def plot_response(
     start: float | None = None,
     end: float | None = None,
 ) -> Figure | SubFigure:
-    """Ground motion, rotation, displacement, uplift, impacts and contacts on one time axis.
+    """Draw ground motion, rotation, displacement, uplift, impacts and contacts on one time axis.
 
-        plot_response(run)
-        plot_response(run, "theta", "left_uplift")
-        plot_response(run, "left_uplift", "right_uplift", ax=axes)
+    Parameters
+    ----------
+    run : Response
+        Response.
+    *names : str
+        Names of quantities of the response, to draw these instead, a row each.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw the quantities in, which have one unit; the rotation if none is named.
+    figure : matplotlib.figure.Figure, optional
+        Empty figure or subfigure to draw in; a new one if not given.
+    start : float, optional
+        Start of the time axis [s]; that of the response if not given.
+    end : float, optional
+        End of the time axis [s]; that of the response if not given.
 
-    names : of quantities of the response, to draw these instead, a row each.
-    ax : axes to draw the quantities in, which have one unit; the rotation if none is named.
-    figure : an empty figure or subfigure to draw in; a new one if not given.
-    start, end : the part of the time axis shown [s]; all of it if not given.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure, that of `ax` where axes are given.
 
+    Raises
+    ------
+    KeyError
+        For an unknown quantity.
+    ValueError
+        For a start behind the end.
+
+    Notes
+    -----
     The time in full contact is shaded. Curves of a motion that overturned end with a cross, and
-    overturning angles within reach of the rotation are dashed. Impacts are drawn as
-    high as the angular velocity just before them, so that the endless small ones before rest do not
-    hide the large ones. In the lowest row each contact has a bar where it is closed, with a black
-    one below where it slides. Returns the figure, that of `ax` where axes are given.
+    overturning angles within reach of the rotation are dashed. Impacts are drawn as high as the
+    angular velocity just before them, so that the endless small ones before rest do not hide the
+    large ones. In the lowest row each contact has a bar where it is closed, with a black one below
+    where it slides.
 
-    Raises KeyError for an unknown quantity, and ValueError for a start behind the end.
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import plots
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> run = rk.simulate(block, pulse)
+    >>> figure = plots.plot_response(run)
+    >>> figure = plots.plot_response(run, "theta", "left_uplift")
     """
     check_drawn("run", run, Response)
     require_axes(ax, figure)

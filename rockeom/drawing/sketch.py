@@ -24,16 +24,43 @@ def draw_structure(
     rotation: float = 0.0,
     ax: Axes | None = None,
 ) -> Figure:
-    """The bodies, the feet and the ground of a structure, in any state.
+    """Draw the bodies, the feet and the ground of a structure, in any state.
 
-    state : coordinates by name, such as {"theta": 0.1, "u": 0.02}; what is not named is zero.
-    rotation : the same of the coordinate that overturns alone [rad, or its unit].
-    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+    Parameters
+    ----------
+    structure : Structure
+        Structure.
+    state : dict of str to float, optional
+        Values of coordinates by name, such as ``{"theta": 0.1, "u": 0.02}`` [rad, m]; those that
+        are not named are zero.
+    rotation : float, optional
+        Value of the coordinate that overturns, alone [rad, or its unit].
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; a new figure if not given.
 
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure of the axes.
+
+    Raises
+    ------
+    ValueError
+        For a state that cannot be.
+    TypeError
+        For anything but a structure.
+
+    Notes
+    -----
     Bodies, contacts and members are drawn as they are declared: a body without an outline as a
-    mass, and what joins bodies where the declaration has `members`.
+    mass, and whatever joins bodies where the declaration has `members`.
 
-    Raises ValueError for a state that cannot be, TypeError for anything but a structure.
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import plots
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> figure = plots.draw_structure(block, state={"theta": 0.1})  # rad
     """
     check_drawn("structure", structure, Structure)
     m = structure.module

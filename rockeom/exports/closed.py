@@ -16,7 +16,8 @@ from typing import Any, NamedTuple, NoReturn
 
 from rockeom.compiler.frontend import Function as Typed
 from rockeom.compiler.lines import described, joined
-from rockeom.compiler.parsed import UNKNOWN, Constants, Text
+from rockeom.compiler.modules import Modules, Text
+from rockeom.compiler.parsed import UNKNOWN, Constants
 from rockeom.compiler.printer import Program
 from rockeom.compiler.types import BOOL, FLOAT, INT, NOTHING, Array, Tuple, Type
 
@@ -110,11 +111,14 @@ class Function:
 class Functions:
     """Functions of some texts, those that are asked for and all that they call.
 
+    roots, modules : the texts and what they import, as of `Program`.
     entries : by name the types of their arguments. constants : of the texts, by name.
     """
 
-    def __init__(self, texts: Sequence[Text], entries: Mapping[str, Sequence[Type]]) -> None:
-        program = Program(texts)
+    def __init__(
+        self, roots: Iterable[Text], modules: Modules, entries: Mapping[str, Sequence[Type]]
+    ) -> None:
+        program = Program(roots, modules)
         self.constants: dict[str, Any] = program.names
         self.entries = tuple(entries)
         self.values = Constants(self.constants)
@@ -204,20 +208,21 @@ class Functions:
 
 def _typed(program: Program, entries: Mapping[str, Sequence[Type]]) -> dict[str, list[Typed]]:
     """Typed functions and all that they call, for the widest types, too."""
+    homes = {name: definition for (_, name), definition in program.definitions.items()}
     wanted: dict[str, tuple[Type, ...]] = {}
     wider = {name: tuple(types) for name, types in entries.items()}
     while wider != wanted:
         wanted = wider
         for name, types in wanted.items():
-            if name not in program.definitions:
+            if name not in homes:
                 raise Unwritten(f"no function {name} is known")
-            program.function(name, types, None, program.definitions[name])
+            program.function(homes[name], types, None, homes[name])
         wider = {}
-        for name, types in program.functions:
+        for _, name, types in program.functions:
             old = wider.get(name, types)
             wider[name] = tuple(map(joined_type, old, types))
     of_each: dict[str, list[Typed]] = {}
-    for (name, _), function in program.functions.items():
+    for (_, name, _), function in program.functions.items():
         of_each.setdefault(name, []).append(function)
     return of_each
 

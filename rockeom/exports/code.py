@@ -16,18 +16,19 @@ from functools import lru_cache
 from typing import Any
 
 from rockeom.codes import MOREAU, NEWTON
-from rockeom.compiler.parsed import Text
+from rockeom.compiler.modules import Modules, Text, module_text, without
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
 from rockeom.integrator.schema import (
+    PRELUDE,
+    PROVIDED,
     GeneratedModule,
     has_points,
     impact_law,
     name_of_law,
-    point_texts,
 )
-from rockeom.integrator.texts import source, text_of
+from rockeom.integrator.texts import source
 from rockeom.modelling.declared import class_of_model
 from rockeom.numbers.checks import described, near
 from rockeom.version import VERSION
@@ -55,7 +56,11 @@ MEANINGS = {
 _LEFT_OUT = ("shapes", "sizes", "full_contact_guards", "opening_acceleration")
 """Functions that only a sketch, a check of parameters or the integrator needs."""
 
-_OF_POINTS = '''
+_OF_POINTS = '''import numpy as np
+from rockeom.integrator.transitions.candidates import pass_on, same_ground
+from rockeom.integrator.transitions.points import N_KNOWN
+
+
 def impact(mode, guard, y, p, ax, ay, out):
     """Pass through what a guard that fell leads to: state after into out (N,).
 
@@ -70,7 +75,9 @@ def impact(mode, guard, y, p, ax, ay, out):
 '''
 
 
-_SINE_COSINE = '''
+_SINE_COSINE = '''import math
+
+
 def sine_cosine(x):
     """Sine and cosine."""
     return math.sin(x), math.cos(x)
@@ -234,13 +241,16 @@ def code(module: GeneratedModule, language: str) -> str:
 
 @lru_cache(maxsize=1)  # of a structure that is written in both languages
 def _described(module: GeneratedModule) -> Described:
-    texts = [Text(f"{module.NAME}.py", source(module))]
+    prelude = without(module_text(PRELUDE), "sine_cosine"), Text("sine and cosine", _SINE_COSINE)
+    own = Text(f"{module.NAME}.py", source(module))
+    texts, provided = [*prelude, own], [own]
     if has_points(module):
-        texts += [Text(path, text_of(path)) for path in point_texts(module)]
         texts.append(Text("impact", _OF_POINTS))
-    texts.append(Text("sine and cosine", _SINE_COSINE))
+        which = "newton" if impact_law(module) == NEWTON else "impacts"
+        provided.append(module_text(f"rockeom.integrator.transitions.{which}"))
+    modules = Modules({PRELUDE: prelude, PROVIDED: tuple(provided)})
     entries = _entries(texts, ("impact",))
-    functions = Functions(texts, entries)
+    functions = Functions(texts, modules, entries)
     for name in entries:
         function = functions.by_name[name]
         function.fills |= {a for a in FILLED if a in function.arguments}
@@ -256,7 +266,7 @@ def _entries(texts: Sequence[Text], names: Sequence[str]) -> dict[str, list[Type
         f.name: f
         for i, text in enumerate(texts)
         for f in ast.parse(text.source).body
-        if isinstance(f, ast.FunctionDef) and (i == 0 or f.name in names)
+        if isinstance(f, ast.FunctionDef) and (i in (0, 2) or f.name in names)
     }
     inner = {name for name, f in trees.items() if f.decorator_list}
     inner |= {name for name in trees if name.startswith("impulse_") or name in _LEFT_OUT}

@@ -95,20 +95,46 @@ def _decode_law(file: _File, value: Any) -> ImpactLaw | None:
 def load(
     path: str | os.PathLike[str], structure: Structure | RockingModel | Model | None = None
 ) -> Response:
-    """The response in a file of `Response.save`: all of its properties give the same bits.
+    """Response in a file of `Response.save`: all of its properties give the same bits.
 
-    structure : of a response of a structure that you declared, the declaration again, or a
-        structure made of it: files hold no code. Its equations must be those of the simulation.
+    Parameters
+    ----------
+    path : path_like
+        File.
+    structure : Structure or RockingModel or Model, optional
+        For a response of a structure that you declared, the declaration again, or a structure made
+        of it: files hold no code. Its equations must be those of the simulation.
 
-    Machine code is found or compiled where a property asks for it. Where this version of rockeom
-    has other equations for a shipped structure than that which wrote the file, a warning says so.
+    Returns
+    -------
+    Response
+        Response.
 
-    Raises FileNotFoundError where there is no file; ValueError, with its name, for a file that is
-    no response, is damaged or of another format, and for a declaration that is missing or another;
-    and ModuleNotFoundError without the extra `files`.
+    Raises
+    ------
+    FileNotFoundError
+        Where there is no file.
+    ValueError
+        For a file that is no response, is damaged or of another format, and for a declaration that
+        is missing or another.
+    ModuleNotFoundError
+        Without the extra `files`.
 
-        run = rk.load("block.nc")
-        run.extremes("theta"), run.impacts, run.at([1.0, 2.0])
+    Warns
+    -----
+    UserWarning
+        Where this version of rockeom has other equations for a shipped structure than that which
+        wrote the file.
+
+    Notes
+    -----
+    Machine code is read from the cache or compiled where a property asks for it.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> run = rk.load("block.nc")  # doctest: +SKIP
+    >>> run.extremes("theta"), run.impacts, run.at([1.0, 2.0])  # doctest: +SKIP
     """
     if not (
         structure is None or isinstance(structure, Structure) or hasattr(structure, "check_values")

@@ -102,7 +102,17 @@ class UnderRecord:
 
 @dataclass(frozen=True)
 class DesignReport:
-    """Results of `design_report`; `page` draws them, `html` and `write` hand them on."""
+    """Results of `design_report`; `page` draws them, `html` and `write` hand them on.
+
+    Parameters
+    ----------
+    structure : Structure
+        Structure.
+    impact : ImpactLaw
+        Impact law; None for the default.
+    results : tuple of UnderRecord
+        Each motion, and its effect.
+    """
 
     structure: Structure
     impact: ImpactLaw | None
@@ -248,7 +258,13 @@ class DesignReport:
 
     @style.styled
     def figures(self) -> Figure:
-        """The worst record as time histories, and the demands of all records."""
+        """Draw the worst record as time histories, and the demands of all records.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Figure.
+        """
         figure = style.new_figure(7.4, 5.0)
         axes = figure.subplot_mosaic("hh;fd")
         history, force, drift = (axes[place] for place in "hfd")
@@ -258,7 +274,13 @@ class DesignReport:
 
     @style.styled
     def page(self) -> Figure:
-        """All of it on one page of A4."""
+        """Draw all of it on one page of A4.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Figure.
+        """
         figure = style.NotebookFigure(figsize=A4, dpi=150)
         write_text = partial(figure.text, parse_math=False)  # names may hold dollars
         write_text(0.07, 0.962, self.title, fontsize=15, weight="bold")
@@ -295,7 +317,13 @@ class DesignReport:
         _draw_demands(drift, self.standing, n, "displacement", 1e3, "displacement [mm]")
 
     def html(self) -> str:
-        """The same as a page that needs no other file."""
+        """Same report as a page that needs no other file.
+
+        Returns
+        -------
+        str
+            Text of the page.
+        """
         picture = page.image(
             self.figures(),
             "displacement under the worst record, base shear and displacement under all records",
@@ -309,7 +337,18 @@ class DesignReport:
         return page.whole(self.title, body)
 
     def write(self, path: str | Path) -> None:
-        """Into a file whose name ends in .html or .pdf; raises ValueError for another name."""
+        """Write the report into a file.
+
+        Parameters
+        ----------
+        path : path_like
+            File whose name ends in .html or .pdf.
+
+        Raises
+        ------
+        ValueError
+            For another name.
+        """
         path = Path(path)
         check_name(path)
         check_target(path)
@@ -359,9 +398,30 @@ def design_report(
 ) -> DesignReport:
     """Simulate a structure on rigid ground under each of the motions, and on a fixed base.
 
-    impact, duration : as in `simulate`. A rigid structure has no fixed base and stands alone.
+    A rigid structure has no fixed base and stands alone.
 
-    Raises ValueError for no motions and for a structure without feet on rigid ground.
+    Parameters
+    ----------
+    structure : Structure
+        Structure with feet on rigid ground.
+    motions : sequence of GroundMotion
+        Ground motions.
+    impact : ImpactLaw, optional
+        Impact law, as for `simulate`.
+    duration : float, optional
+        Duration [s], as for `simulate`.
+
+    Returns
+    -------
+    DesignReport
+        Report.
+
+    Raises
+    ------
+    ValueError
+        For no motions and for a structure without feet on rigid ground.
+    TypeError
+        For anything but a structure or ground motions.
     """
     check_drawn("structure", structure, Structure)
     if isinstance(motions, GroundMotion):

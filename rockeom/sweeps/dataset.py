@@ -54,7 +54,17 @@ _MEANT = {
 
 
 class Sweep(xr.Dataset):
-    """The dataset of `simulate_many`. Jupyter shows it with a count of outcomes."""
+    """Dataset of `simulate_many`, an `xarray.Dataset`. Jupyter shows it with a count of outcomes.
+
+    Parameters
+    ----------
+    data_vars : dict, optional
+        Variables, as for `xarray.Dataset`.
+    coords : dict, optional
+        Coordinates, as for `xarray.Dataset`.
+    attrs : dict, optional
+        Attributes, as for `xarray.Dataset`.
+    """
 
     __slots__ = ()
 

@@ -10,7 +10,7 @@ import pytest
 import rockeom as rk
 from rockeom.browser import setup
 from rockeom.browser.controls import Controls, Slider
-from rockeom.browser.questions import OF_MODE
+from rockeom.browser.places import OF_MODE
 from rockeom.browser.setup import difference
 from rockeom.browser.traced import Tape, UntracedError
 from rockeom.sweeps.case_numbers import OtherCase

@@ -13,8 +13,7 @@ import pytest
 from rockeom.compiler.parsed import Refused, Text
 from rockeom.compiler.printer import Program
 from rockeom.compiler.types import WIDTH
-from rockeom.integrator.texts import text_of
-from tests.machine_code import HEAD, functions
+from tests.machine_code import HEAD, RULES, functions
 
 KEPLER = """
 def eccentric_anomaly(m, e):
@@ -78,9 +77,6 @@ def run(x: Duals, out: Duals):
 """
 
 
-SLOPES = text_of("numbers/derivatives.py") + text_of("integrator/derivatives.py")
-
-
 def dual(values, along):
     out = np.zeros((len(values), 1 + WIDTH))
     out[:, 0] = values
@@ -89,7 +85,7 @@ def dual(values, along):
 
 
 def of_duals(text):
-    return functions(HEAD + SLOPES + text, contract=False)
+    return functions(HEAD + text, contract=False, more=RULES[:1])
 
 
 def test_root_that_a_loop_finds_has_the_derivatives_of_the_equation():

@@ -6,7 +6,7 @@ Differences of tight integrations, extrapolated, are right to some 1e-12; closed
 import mpmath as mp
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings, strategies as st
+from hypothesis import assume, example, given, settings, strategies as st
 
 import rockeom as rk
 from tests.differences import (
@@ -156,7 +156,16 @@ def test_saltation_matrix_of_a_block():
     np.testing.assert_allclose(saltations(found, rates), expected, rtol=0, atol=1e-10)
 
 
+ROUNDINGS = 50
+"""Bound on the error of a determinant: so many roundings of the largest of its two products.
+
+Each step rounds the products a d and b c of the tangents [[a, b], [c, d]] and keeps their
+difference. Where these have grown, the error is that of the products, and what later impacts take
+they take of both. Of 4,200 random motions the largest error was 6 roundings."""
+
+
 @settings(max_examples=20)
+@example("block", 4, 0.9, 0.82421875, 1.140625)  # the products are 3e6 times their difference
 @given(
     st.sampled_from(["block", "lumped"]), st.integers(0, 10), st.floats(0.3, 0.9),
     st.floats(0.0, 1.0), st.floats(0.3, 2.0),
@@ -174,7 +183,9 @@ def test_what_impacts_leave_of_an_area_of_the_phase_plane(name, impacts, lean, a
     found = rk.tangents(kind.motion(**values | start), TIGHT)
     speeds = [i.after["theta_dot"] / i.before["theta_dot"] for i in found.response.impacts]
     expected = np.prod(np.square(speeds))
-    assert np.linalg.det(found.end) == pytest.approx(expected, rel=1e-9)
+    (a, b), (c, d) = np.abs(found.at(np.linspace(0.0, found.response.duration, 101))).T
+    rounding = np.finfo(float).eps * (a * d + b * c).max()
+    assert np.linalg.det(found.end) == pytest.approx(expected, rel=0, abs=ROUNDINGS * rounding)
 
 
 def test_what_impacts_leave_of_a_volume_of_the_space_of_states():

@@ -10,6 +10,7 @@ LEFT_FOOT: int
 RIGHT_FOOT: int
 N_REACTIONS: int
 
+
 def set_up(
     sliders: Floats, y: Floats, p: Floats, horizontal: Floats2, vertical: Floats2, numbers: Floats
 ) -> int: ...

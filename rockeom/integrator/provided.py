@@ -1,7 +1,7 @@
-"""What the loop and the lanes ask for by name of the texts that are joined before them.
+"""The names that are bound when a program is built: each program has others behind them.
 
-Nobody imports this: `rockeom.integrator.program` joins the texts, and these names are those of the
-generated module and of the method's step.
+The compiler takes this module for the texts that a program is built with. A name that none of them
+defines is an error only where a function uses it. Python itself runs no function of this file.
 """
 
 import numpy as np
@@ -20,6 +20,7 @@ N_STATES: int
 N_GUARDS: int
 N_PARTS: int
 N_POINTS: int
+N_KNOWN: int
 N_ELEMENTS: int
 ROTATION: int
 ROTATION_RATE: int
@@ -41,7 +42,8 @@ IMPACT_LAW: int
 LOCALISED: bool
 FULL_CONTACT: int
 
-ROUNDER: float
+EQUATIONS: tuple[int, ...]
+
 
 def rates(mode: Int, y: Floats, p: Floats, ax: Float, ay: Float, dy: Floats) -> None: ...
 def opening_acceleration(mode: Int, y: Floats, p: Floats, ax: Float, ay: Float) -> float: ...
@@ -59,7 +61,9 @@ def positions(mode: Int, y: Floats, p: Floats, out: Floats) -> None: ...
 def shapes(p: Floats, out: Floats) -> None: ...
 def overturns_at(number: Int, p: Floats) -> float: ...
 
+
 # -- of one whose contacts may open, slide and bounce
+
 
 def free_motion(
     y: Floats, p: Floats, ax: Float, ay: Float, mode: Int, matrix: Floats, forces: Floats
@@ -67,27 +71,31 @@ def free_motion(
 def points(y: Floats, p: Floats, out: Floats) -> None: ...
 def point_laws(p: Floats, out: Floats) -> None: ...
 def point_numbers(p: Floats, out: Floats) -> None: ...
-def sine_cosine(x: Float) -> tuple[float, float]: ...
+
 
 # -- of the printer: numbers with derivatives
+
 
 def value(x: Float) -> float: ...
 def moving(x: Float, rate: Float) -> float: ...
 def rate(x: Float) -> float: ...
 
+
 ANGLES: tuple[float, ...]
 
 # -- the contract of an impact: transitions/newton.py, or transitions/impacts.py
+
 
 def landed(
     mode: Int, near: Floats, y: Floats, p: Floats, ground: Floats, known: Floats, out: Floats
 ) -> int: ...
 
+
 # -- the contract of transitions: transitions/table.py, or transitions/search.py
 
-MOST_IDLE: int
 QUIET_STEPS: bool
 EXTRAPOLATES: bool
+
 
 def initial_mode_is_one(mode: Int, y: Floats, p: Floats, ax: Float, ay: Float) -> bool: ...
 def longest_turn(y: Floats) -> float: ...
@@ -127,6 +135,7 @@ def through_rest(
     motion: Motion, ground: Ground, rest: Rest, case: Case, a: Arrays, recorder: Recorder
 ) -> tuple[Int, bool]: ...
 
+
 # -- the step of a method
 
 N_STAGES: int
@@ -140,6 +149,7 @@ NODES: Floats
 QUINTIC: Floats2
 QUARTIC: Floats2
 
+
 def take_step(
     mode: Int, t: Float, h: Float, y: Floats, p: Floats, gx: Row, gy: Row, rtol: Float,
     atol: Floats, k: Floats, y_new: Floats,
@@ -148,6 +158,17 @@ def dense_output(
     mode: Int, t: Float, h: Float, y: Floats, p: Floats, gx: Row, gy: Row, k: Floats,
     coefficients: Floats,
 ) -> None: ...  # fmt: skip
+
+
+# -- and the constants of Radau, of which radau_step.py is the step
+
+A: Floats2
+A_SQUARED: Floats2
+DENSE_PLACE: Floats2
+DENSE_VELOCITY: Floats2
+G: float
+ERROR_PLACE: Floats
+ERROR_VELOCITY: Floats
 
 # -- the step of all lanes
 
@@ -158,6 +179,7 @@ STAGE_PLACES: Floats
 NODE_PLACES: Floats
 DAMPING: float
 GAP_SIDES: tuple[float, ...]
+
 
 def shake_lanes(z: Floats, times: Floats) -> None: ...
 def bend_x_lanes(z: Floats, times: Floats) -> None: ...
