@@ -48,8 +48,8 @@ class FlexibleControlledWall(RockingWall, declared.FlexibleControlledWall):
         """
         rigid = ControlledWall.from_wall(wall, anchor_distance)
         period = wall.fixed_base_period if fixed_base_period is None else fixed_base_period
-        values = {"fixed_base_period": period, "damping_ratio": damping_ratio}
-        check_values(cls.__name__, values, frozenset({"damping_ratio"}))
+        given = {"fixed_base_period": period, "damping_ratio": damping_ratio}
+        check_values(cls.__name__, given, frozenset({"damping_ratio"}))
         frequency = 2 * math.pi / period
         return cls(
             **rigid.parameters(),
