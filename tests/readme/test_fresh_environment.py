@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from .blocks import ROOT, blocks
+from tests.pages import ROOT, blocks
 
 NO_INDEX = "No matching distribution", "Could not find a version", "connection", "Temporary failure"
 
