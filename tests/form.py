@@ -198,6 +198,17 @@ def members(of: list[Source], name: str) -> int:
     )
 
 
+VAGUE = {"found", "known", "given"}
+"""Names that say how a value was obtained, and not what it is."""
+
+
+def vague_names(of: list[Source]) -> int:
+    """How often names of variables, arguments, attributes and functions are vague."""
+    fields = "id", "arg", "attr", "name"
+    nodes = (node for source in of for node in ast.walk(source.tree))
+    return sum(getattr(node, field, None) in VAGUE for node in nodes for field in fields)
+
+
 def public_names(package: str) -> int:
     """Length of the list __all__ of a package."""
     return len(import_module(package).__all__)
@@ -253,6 +264,7 @@ def figures() -> list[Figure]:
         Figure("names of analysis", public_names("rockeom.analysis"), 11),
         Figure("members of Response", members(of, "Response"), 35),
         Figure("lines of code of a file", max(code_lines(s.text) for s in of), 647),
+        Figure("names found, known, given", vague_names(of), 1103),
         Figure("texts that are run", count(r"\bexec\("), 3),
     ]  # fmt: skip
 

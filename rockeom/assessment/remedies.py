@@ -46,12 +46,12 @@ def remedies(
     structure: Structure, conditions: Conditions, before: Trials, level: float
 ) -> tuple[Remedy, ...]:
     """A wider base and a lower centroid, where the structure has such numbers."""
-    found = []
+    changes = []
     for change, changed in _changed(structure):
         after = scaled(changed, conditions, level)
         gain = paired_gain(before, after, conditions.recordings, level)
-        found.append(Remedy(change, statics_of(changed), after, gain))
-    return tuple(found)
+        changes.append(Remedy(change, statics_of(changed), after, gain))
+    return tuple(changes)
 
 
 def paired_gain(

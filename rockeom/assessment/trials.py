@@ -185,8 +185,8 @@ class Trials(NamedTuple):
 
 def can_slide(structure: Structure, conditions: Conditions) -> bool:
     """Whether sliding is simulated: that of a rigid block with the default law of impact."""
-    known = conditions.friction is not None and conditions.impact is None
-    return known and type(structure) is RigidBlock
+    slides = conditions.friction is not None and conditions.impact is None
+    return slides and type(structure) is RigidBlock
 
 
 def simulated(structure: Structure, conditions: Conditions) -> Structure:

@@ -71,10 +71,10 @@ def families(module: GeneratedModule) -> dict[str, dict[str, str]]:
 
 def units_of(module: GeneratedModule) -> dict[str, str]:
     """Unit of each quantity of a response, by name; "-" where it has none."""
-    found = main_units(module)
+    units_by_name = main_units(module)
     for units in families(module).values():
-        found |= units
-    return found
+        units_by_name |= units
+    return units_by_name
 
 
 def _word(place: str) -> str:
@@ -217,8 +217,8 @@ class Quantities:
         for family, some in missing.items():
             together = some if family else self.main_names  # all of them in no more time
             steps = self.steps(f"what {', '.join(some)} was at most")
-            found = extremes(steps, self.columns(together))
-            self.extremes.update(zip(together, found, strict=True))
+            largest = extremes(steps, self.columns(together))
+            self.extremes.update(zip(together, largest, strict=True))
         return {name: self.extremes[name] for name in names}
 
     @cached_property

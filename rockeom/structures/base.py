@@ -896,8 +896,8 @@ def missing(structure: Structure, name: str) -> Any:
 
 def _synonyms(structure: Structure) -> dict[str, str]:
     """Synonyms that lead to an attribute of this structure."""
-    known = {*dir(structure)}
-    return {name: meant for name, meant in SYNONYMS.items() if meant.split(" ")[-1] in known}
+    attributes = {*dir(structure)}
+    return {name: meant for name, meant in SYNONYMS.items() if meant.split(" ")[-1] in attributes}
 
 
 class _States(NamedTuple):

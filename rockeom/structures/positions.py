@@ -71,15 +71,15 @@ def places(module: Any, modes: np.ndarray, states: np.ndarray, p: np.ndarray) ->
     return out.reshape(len(states), -1, 3)
 
 
-def positions_of(module: Any, found: np.ndarray) -> dict[str, np.ndarray]:
+def positions_of(module: Any, poses: np.ndarray) -> dict[str, np.ndarray]:
     """Places (..., 2) by name, of the values (..., m, 3) of `places`."""
-    return {name: found[..., i, :2] for i, name in enumerate(module.POSITIONS)}
+    return {name: poses[..., i, :2] for i, name in enumerate(module.POSITIONS)}
 
 
-def rotations_of(module: Any, found: np.ndarray) -> dict[str, np.ndarray]:
+def rotations_of(module: Any, poses: np.ndarray) -> dict[str, np.ndarray]:
     """Rotations of the bodies, by name, (...)."""
     kinds = zip(module.POSITIONS, module.POSITION_KINDS, strict=True)
-    return {name: found[..., i, 2] for i, (name, kind) in enumerate(kinds) if kind in BODIES}
+    return {name: poses[..., i, 2] for i, (name, kind) in enumerate(kinds) if kind in BODIES}
 
 
 def legs(structure: Any, mode: int, y: np.ndarray) -> list[tuple[int, int]]:

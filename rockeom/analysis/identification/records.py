@@ -427,12 +427,12 @@ class MeasuredRecord:
         rates = {f: one.with_derivatives(channel, window, degree) for f, one in made.items()}
         shared = lcm(*(round(1 / f) for f in factors if f < 1))
         name = f"{channel}_dot"
-        found = {f: one[name][:: round(shared * f)] for f, one in rates.items()}
-        shortest = min(len(v) for v in found.values())
-        found = {f: v[:shortest] for f, v in found.items()}
-        spread = max(float(np.std(v - found[1.0])) for v in found.values())
+        resampled = {f: one[name][:: round(shared * f)] for f, one in rates.items()}
+        shortest = min(len(v) for v in resampled.values())
+        resampled = {f: v[:shortest] for f, v in resampled.items()}
+        spread = max(float(np.std(v - resampled[1.0])) for v in resampled.values())
         noise = rates[1.0].noise[name].level
-        return Velocities(self.time[::shared][:shortest], found, noise, spread)
+        return Velocities(self.time[::shared][:shortest], resampled, noise, spread)
 
     # -- its free vibration ----------------------------------------------------------------------
 
