@@ -28,7 +28,7 @@ from numpy.typing import ArrayLike
 from rockeom.codes import GRAZES, OTHER_WAY
 from rockeom.compiler.types import WIDTH
 from rockeom.integrator import records
-from rockeom.integrator.program import carrying
+from rockeom.integrator.program import tangent_program
 from rockeom.numbers import explained
 from rockeom.numbers.checks import numbers
 from rockeom.numbers.dual import nominal, tangent_of, value_of
@@ -203,7 +203,7 @@ def _motion(case: Case, problem: Problem, along: ProblemTangents, options: Solve
 
 
 class _Carried(NamedTuple):
-    """Derivatives that `carry` propagates along m directions.
+    """Derivatives along m directions, as `propagate_tangents` leaves them.
 
     stopped : 0, or why it did not come to the end, at the event `at`.
     """
@@ -298,7 +298,7 @@ class Motion:
         """As many directions at a time as the program carries."""
         r, q, along = self.response, self.problem, self.along
         steps, (t, kinds, states) = r.steps, r.events.columns
-        program = carrying(r.structure.module, r.statistics["method"])
+        program = tangent_program(r.structure.module, r.statistics["method"])
         n, k, size = len(q.y0), len(t), 1 + WIDTH
         p, atol = q.p(), np.full(n, r.options.atol)
         case = records.Case(
@@ -307,7 +307,6 @@ class Motion:
             fallen=q.fallen, rest_tolerance=r.options.rest_tolerance,
             max_impacts=r.options.max_impacts, max_steps=r.options.max_steps,
         )  # fmt: skip
-        floats, duals = np.zeros(program.FLOATS_SIZE), np.zeros((program.DUALS_SIZE, size))
         for first in range(0, self.directions, WIDTH):
             some = self.order[first : first + WIDTH]
             shaken = some[self.shakes[some]]
@@ -322,10 +321,10 @@ class Motion:
             y, told = _dual(q.y0, along.y0, some), np.zeros(1, np.int64)
             at_times, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
             event_y = np.full((k, 2, n, size), np.nan)
-            stopped = program.carry(
+            stopped = program.propagate_tangents(
                 steps.span, steps.mode, steps.powers, t, kinds, states, np.empty((0, n)), *case,
                 *rows, corners, _dual(p, along.p, some), _dual(q.ratio, along.ratio, some)[None],
-                self.longest_step, times, y, at_times, event_y, event_t, told, floats, duals,
+                self.longest_step, times, y, at_times, event_y, event_t, told, np.empty((3, n)),
             )  # fmt: skip
             if stopped:
                 y[:] = np.nan

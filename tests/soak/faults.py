@@ -171,7 +171,7 @@ FAULTS = {
     "saltation": Fault(
         "derivatives behind an impact are left at its time, which moves",
         CARRIED,
-        (("y[j] = moved[j] - rate_there[j] * tau", "y[j] = moved[j]"),),
+        (("y[j] = scratch.y_before[j] - scratch.rate[j] * tau", "y[j] = scratch.y_before[j]"),),
         ("rigid_block",),
         ("tangents",),
         runs=400,
