@@ -48,7 +48,7 @@ from rockeom.codes import (
 )
 from rockeom.compiler.decorators import Floats, Ints, entry, inlined
 from rockeom.integrator.bernstein import NEVER
-from rockeom.integrator.extremes import widen, widen_within, widens
+from rockeom.integrator.extremes import falls_at, may_fall, widen, widen_within, widens
 from rockeom.integrator.full_contact import cannot_move, stands_until
 from rockeom.integrator.ground import (
     ground_acceleration,
@@ -71,7 +71,6 @@ from rockeom.integrator.guards import (
     stays_on_both_feet,
     stays_open,
 )
-from rockeom.integrator.overturning import falls_at, may_fall
 from rockeom.integrator.polynomials import (
     dense_at,
     extrapolate,

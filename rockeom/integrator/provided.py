@@ -87,7 +87,7 @@ ANGLES: tuple[float, ...]
 
 
 def landed(
-    mode: Int, near: Floats, y: Floats, p: Floats, ground: Floats, known: Floats, out: Floats
+    mode: Int, near: Floats, y: Floats, p: Floats, ground: Floats, contact: Floats, out: Floats
 ) -> int: ...
 
 

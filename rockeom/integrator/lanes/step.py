@@ -226,10 +226,12 @@ from rockeom.compiler.decorators import Floats, entry, inlined
 from rockeom.integrator.tolerances import CLEAR, EPS, LEAST_ERROR
 from rockeom.integrator.ground import sine
 from rockeom.integrator.lanes.loop import (
-    DOUBTFUL, REFUSED, REPEATED, STANDS, TURNS, Z_AX, Z_AY, Z_CLOSED, Z_DAMP, Z_EQUAL, Z_ERROR,
-    Z_FALLEN, Z_H, Z_K, Z_KIND_X, Z_KIND_Y, Z_K_NEW, Z_LANDING, Z_LAST, Z_LEAST, Z_MODE, Z_MOST,
-    Z_NEXT, Z_P, Z_Q, Z_Q_NEW, Z_SIDE, Z_START_X, Z_START_Y, Z_T, Z_TAKEN, Z_T_NEW, Z_VERDICT,
-    Z_X0, Z_X1, Z_X2, Z_Y0, Z_Y1, Z_Y2, judge_gap, turns_within,
+    Z_AX, Z_AY, Z_CLOSED, Z_DAMP, Z_EQUAL, Z_ERROR, Z_FALLEN, Z_H, Z_K, Z_KIND_X, Z_KIND_Y, Z_K_NEW,
+    Z_LANDING, Z_LAST, Z_LEAST, Z_MODE, Z_MOST, Z_NEXT, Z_P, Z_Q, Z_Q_NEW, Z_SIDE, Z_START_X,
+    Z_START_Y, Z_T, Z_TAKEN, Z_T_NEW, Z_VERDICT, Z_X0, Z_X1, Z_X2, Z_Y0, Z_Y1, Z_Y2,
+)
+from rockeom.integrator.lanes.verdicts import (
+    DOUBTFUL, REFUSED, REPEATED, STANDS, TURNS, judge_gap, turns_within,
 )
 from rockeom.integrator.polynomials import Ends
 from rockeom.integrator.provided import LANES, N_STATES, accelerations, guards
