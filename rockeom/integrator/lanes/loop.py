@@ -579,13 +579,9 @@ def shake_all(z, times):
             t, h, ground = z[Z_T + lane], z[Z_H + lane], ground_of(z, lane)
             for j in range(PLACES):
                 if z[Z_KIND_X + lane] > 1.0:
-                    z[Z_AX + j * LANES + lane] = pulse(
-                        segment(z, Z_START_X, lane), t + times[j] * h
-                    )
+                    z[Z_AX + j * LANES + lane] = pulse(ground.x, t + times[j] * h)
                 if z[Z_KIND_Y + lane] > 1.0:
-                    z[Z_AY + j * LANES + lane] = pulse(
-                        segment(z, Z_START_Y, lane), t + times[j] * h
-                    )
+                    z[Z_AY + j * LANES + lane] = pulse(ground.y, t + times[j] * h)
 
 
 @inlined
