@@ -79,13 +79,13 @@ from rockeom.integrator.polynomials import (
     shorten,
 )
 from rockeom.integrator.provided import (
+    CONTACT_SIZE,
     ERROR_EXPONENT,
     EXTRAPOLATES,
     FULL_CONTACT,
     KINDS,
     N_ALL_STAGES,
     N_GUARDS,
-    N_KNOWN,
     N_PARTS,
     N_STAGES,
     N_STATES,
@@ -143,8 +143,8 @@ _GUARDS = _POWERS + 8 * N_STATES
 _BERNSTEIN = _GUARDS + N_GUARDS + N_PARTS
 _STACK = _BERNSTEIN + 8 * (N_GUARDS + N_PARTS + 1)
 _NOISE = _STACK + 640
-_KNOWN = _NOISE + (len(SIDES) + 1) * (N_GUARDS + N_PARTS)
-SCRATCH = _KNOWN + N_KNOWN
+_CONTACT = _NOISE + (len(SIDES) + 1) * (N_GUARDS + N_PARTS)
+SCRATCH = _CONTACT + CONTACT_SIZE
 
 END = N_STAGES * N_STATES  # where the rates at the end of a step begin in those of its stages
 
@@ -222,7 +222,7 @@ def arrays_of(y, rate, scratch):
     """The arrays of the loop, in one that lasts from call to call."""
     for i in range(N_STATES):
         scratch[_K + i] = rate[i]
-    for i in range(_NOISE, _KNOWN):
+    for i in range(_NOISE, _CONTACT):
         scratch[i] = -1.0
     return Arrays(
         y,
@@ -234,8 +234,8 @@ def arrays_of(y, rate, scratch):
         g=scratch[_GUARDS:_BERNSTEIN],
         b=scratch[_BERNSTEIN:_STACK],
         stack=scratch[_STACK:_NOISE],
-        noises=scratch[_NOISE:_KNOWN],
-        contact=scratch[_KNOWN:SCRATCH],
+        noises=scratch[_NOISE:_CONTACT],
+        contact=scratch[_CONTACT:SCRATCH],
     )
 
 

@@ -20,7 +20,7 @@ N_STATES: int
 N_GUARDS: int
 N_PARTS: int
 N_POINTS: int
-N_KNOWN: int
+CONTACT_SIZE: int
 N_ELEMENTS: int
 ROTATION: int
 ROTATION_RATE: int

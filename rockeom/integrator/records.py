@@ -90,7 +90,7 @@ class Arrays(NamedTuple):
     k : rates at the stages of a step, from the start on; those at its end begin at END. y_new : the
     state at the end of a step. coefficients : its dense output. b : the polynomials of guards, and
     g values of them. noises : their rounding errors, see `noise_of`. after : the state after an
-    event. contact : of points, see `all_known`. w, stack : scratch.
+    event. contact : of points, see `contact_data`. w, stack : scratch.
     """
 
     y: Floats

@@ -78,8 +78,8 @@ class Points:
         contacts = Contacts(np.zeros(m, np.int64), np.zeros(m), np.zeros(m, kind))
         if m:
             search = _searching(self.module, kind.hasobject)
-            y, p, of_contacts = self.y.astype(kind), self.p, np.zeros(search["N_KNOWN"], kind)
-            search["all_known"](y, p, 0, of_contacts)  # its mode matters to forces alone
+            y, p, of_contacts = self.y.astype(kind), self.p, np.zeros(search["CONTACT_SIZE"], kind)
+            search["contact_data"](y, p, 0, of_contacts)  # its mode matters to forces alone
             search["closed_points"](y, p, 0, of_contacts, contacts.closed, contacts.slides)
             for i, size in enumerate(self.size):
                 radius = search["radius_of"](of_contacts, i)

@@ -352,9 +352,9 @@ def array_function(arguments: Iterable[sp.Symbol], expressions: Iterable[sp.Expr
     # renamed, so that no name of a symbol becomes a part of the function's text: all at once,
     # where `dummify` would go through the expressions for each symbol again
     names = {symbol: sp.Symbol(f"a{i:04}") for i, symbol in enumerate(arguments)}
-    renamed = [sp.sympify(e).xreplace(names) for e in expressions]
+    numbered = [sp.sympify(e).xreplace(names) for e in expressions]
     compiled = sp.lambdify(
-        list(names.values()), renamed, modules="numpy", cse=True, docstring_limit=0
+        list(names.values()), numbered, modules="numpy", cse=True, docstring_limit=0
     )
 
     def evaluate(values: Sequence) -> np.ndarray:

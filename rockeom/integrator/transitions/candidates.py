@@ -75,17 +75,17 @@ from rockeom.integrator.tolerances import (
     SOON_AT_START,
 )
 from rockeom.integrator.transitions.points import (
+    CONTACT_SIZE,
     COUPLING,
     HALVES,
     LAWS,
     MATRIX,
     N_COORDINATES,
-    N_KNOWN,
     POINT,
     ROWS,
     SPREAD,
-    all_known,
     along,
+    contact_data,
     eliminate,
     is_closed,
     put_on,
@@ -115,9 +115,9 @@ def guard_noise(mode, index, y, p, ax, ay, h, b, stride):
     kind = KINDS[mode][index]
     if kind != LANDING and kind != LIFTING and kind != SLIPPING:
         return 0.0
-    contact, sizes, wanted = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS), np.empty(ROWS)
+    contact, sizes, wanted = np.empty(CONTACT_SIZE), np.empty(ROWS + N_POINTS), np.empty(ROWS)
     point = SUBJECTS[mode][index]
-    all_known(y, p, mode, contact)
+    contact_data(y, p, mode, contact)
     without_forces(y, p, ax, ay, mode, contact, wanted, sizes)
     if kind == LANDING:
         _, size = rate_of(contact, 2 * point, y, 0)
@@ -307,7 +307,7 @@ class Demand(NamedTuple):
 
     near (N_POINTS,) : 1 where a point touches. sliding (N_POINTS,) : the sign of its slip, 0 where
     it does not move. wanted (ROWS,) : the changes of velocities, or accelerations, that hold the
-    points which touch. contact : of `all_known`. sizes (ROWS + N_POINTS,) : of `sizes_of`.
+    points which touch. contact : of `contact_data`. sizes (ROWS + N_POINTS,) : of `sizes_of`.
     """
 
     near: Ints
@@ -459,10 +459,10 @@ def collide(mode, near, slowest, contact, y):
 def closed_points(y, p, mode, contact, near, sliding):
     """Which points touch in a given state, and the signs of their slips, into near and sliding.
 
-    contact : of `all_known`. near, sliding (N_POINTS,) : a point touches whose gap is closed, and
-    does not open. A gap is compared with the error of its own terms, GIVEN, and with the size of
-    the structure, see `radius_of`: so a slender block that leans stands on one foot. A velocity is
-    compared with the most that the kinetic energy can give the point, or, where nothing but
+    contact : of `contact_data`. near, sliding (N_POINTS,) : a point touches whose gap is closed,
+    and does not open. A gap is compared with the error of its own terms, GIVEN, and with the size
+    of the structure, see `radius_of`: so a slender block that leans stands on one foot. A velocity
+    is compared with the most that the kinetic energy can give the point, or, where nothing but
     rounding errors moves, with sqrt(a l), a the acceleration of the point in free motion.
     """
     free, speeds = np.empty(ROWS + N_POINTS), np.empty(ROWS + N_POINTS)
@@ -493,9 +493,9 @@ def fits_by_forces(mode, y, p, ax, ay):
 
     mode : that which the state's gaps and velocities tell of, with its elements.
     """
-    contact, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
+    contact, sizes = np.empty(CONTACT_SIZE), np.empty(ROWS + N_POINTS)
     near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
-    all_known(y, p, mode, contact)
+    contact_data(y, p, mode, contact)
     if hardly_apart(contact):
         return AMBIGUOUS
     closed_points(y, p, mode, contact, near, sliding)
@@ -610,13 +610,13 @@ def best_later(mode, ends, demand, fitting, several, y, p, ground):
     """
     n, tau = N_COORDINATES, ground[LATER]
     dy, w = np.empty(N_STATES), np.empty(N_STATES)
-    contact, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
+    contact, sizes = np.empty(CONTACT_SIZE), np.empty(ROWS + N_POINTS)
     impulse, wanted = np.empty(ROWS), np.empty(ROWS)
     rates(fitting[0], y, p, ground[AX], ground[AY], dy)
     for i in range(n):
         w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * dy[n + i])
         w[n + i] = y[n + i] + tau * dy[n + i]
-    all_known(w, p, mode, contact)
+    contact_data(w, p, mode, contact)
     without_forces(w, p, ground[LATER_AX], ground[LATER_AY], mode, contact, wanted, sizes)
     later = demand._replace(wanted=wanted, contact=contact)
     follows, best = IMPOSSIBLE, -np.inf
@@ -656,7 +656,7 @@ def pass_on(mode, guard, h, y, p, ground, rtol, contact, out):
         return follows, closed
     near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
     wanted = np.zeros(ROWS)
-    all_known(out, p, mode, contact)
+    contact_data(out, p, mode, contact)
     # -- which points touch: they are put on what they touch
     for i in range(N_POINTS):
         touches = POINT_STATES[mode][i] != OPEN or (kind == LANDING and i == subject)

@@ -43,7 +43,7 @@ def on_both_feet():
     return held
 
 
-class Flight(NamedTuple):
+class RockingFlight(NamedTuple):
     """A flight between two impacts on both sides of a motion that fades.
 
     time : it lasts. a : the acceleration that closes its gap. loss : the part of the velocity that
@@ -75,7 +75,7 @@ def time_to_rest(mode, y, p, law, ratio, impacts, ax, ay, tolerance, out):
         w[i] = y[i]
     start, total, loss, whole = abs(y[ROTATION_RATE]), 0.0, 1.0, 1.0
     # the flight to come, and the two before it: to the other side, and to the same one
-    this, last = Flight(0.0, 0.0, np.inf), Flight(np.inf, np.inf, np.inf)
+    this, last = RockingFlight(0.0, 0.0, np.inf), RockingFlight(np.inf, np.inf, np.inf)
     pairs = True  # of flights to both sides are complete
     for turn in range(MOST_FLIGHTS_TO_REST):
         before, last = last, this
@@ -84,13 +84,13 @@ def time_to_rest(mode, y, p, law, ratio, impacts, ax, ay, tolerance, out):
         a, v = -SIDES[mode] * out[ROTATION_RATE], abs(w[ROTATION_RATE])
         if not a > 0.0:
             return np.inf, mode
-        this = Flight(2.0 * v / a, a, loss)
+        this = RockingFlight(2.0 * v / a, a, loss)
         total += this.time
         if total > tolerance / math.sqrt(a):
             return np.inf, mode
         rates(held, w, p, ax, ay, smooth)
         fly_to_impact(this.time, out, smooth, w, kick)
-        series = pairs and turn > 2 and is_geometric(this, last, before, v, FADED * start)
+        series = pairs and turn > 2 and flights_are_geometric(this, last, before, v, FADED * start)
         if v <= EPS * start or turn == MOST_FLIGHTS_TO_REST - 1 or series:
             left = left_of_series(loss, last.loss if law == UNEVEN else loss)
             total += (last.time + this.time) * left
@@ -131,7 +131,7 @@ def fly_to_impact(time, rate, smooth, w, kick):
 
 
 @inlined
-def is_geometric(this, last, before, v, small):
+def flights_are_geometric(this, last, before, v, small):
     """Whether flights shrink by one ratio: what is left of changes counts by the speed v left."""
     same_acceleration = abs(this.a - before.a) * v <= small * this.a
     return same_acceleration and abs(this.loss - last.loss) * v <= small

@@ -33,13 +33,13 @@ N_MATRIX = N_COORDINATES * N_COORDINATES
 ROW = N_GUARDS + N_PARTS  # what `guards` fills
 ROWS = 2 * N_POINTS  # the directions in which points are held: row 2 i is normal, 2 i + 1 along
 
-# Places in what is known of the points of a state, `contact` (N_KNOWN,): what `points` tells, the
+# Places in `contact` (CONTACT_SIZE,), the data of the points in a state: what `points` tells, the
 # laws of `point_laws`, M (n, n), M^-1 J' (n, ROWS), and J M^-1 J' (ROWS, ROWS)
 LAWS = POINT * N_POINTS
 MATRIX = LAWS + ROWS
 SPREAD = MATRIX + N_MATRIX
 COUPLING = SPREAD + N_COORDINATES * ROWS
-N_KNOWN = COUPLING + ROWS * ROWS
+CONTACT_SIZE = COUPLING + ROWS * ROWS
 
 HALVES = 0.5 ** np.arange(1.0 * MOST_DIGITS)
 
@@ -174,8 +174,8 @@ def through_mass(matrix, b, width):
 
 
 @rolled
-def all_known(y, p, mode, contact):
-    """Places and rates of the points in a state, and effects of impulses, into contact (N_KNOWN,).
+def contact_data(y, p, mode, contact):
+    """Places and rates of the points in a state, and effects of impulses, into `contact`.
 
     All but what `points` tells follows from the places alone.
     """
