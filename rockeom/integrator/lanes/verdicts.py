@@ -79,8 +79,8 @@ def judge_gap(t, h, left, side, closed, landing, upright, within, ends):
 def landing_place(closed, ends):
     """(place, whether it is settled): where a gap closes in a step, by three steps of Newton.
 
-    Of the quintic through both ends, or of its quotient by the place where it begins at zero; from
-    the parabola with the same ends and the slope at the start.
+    It is a root of the quintic through both ends, or of its quotient by the place where the gap
+    begins at zero; the first guess is that of the parabola with the same ends and first slope.
     """
     q0, v0, a0, q1, v1, a1 = ends.q0, ends.v0, ends.a0, ends.q1, ends.v1, ends.a1
     c3 = 10.0 * (q1 - q0) - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1
