@@ -35,7 +35,7 @@ from rockeom.compiler.parsed import Text
 from rockeom.compiler.types import Array
 from rockeom.drawing.positions import legs
 from rockeom.integrator.texts import text_of
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputTypeError
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
@@ -99,11 +99,11 @@ def explorer(
     and questions outside of them.
     """
     if not (isinstance(case, Case) or callable(case)):
-        raise TypeError(f"case is {described(case)}: give a case, or a function of the sliders")
+        raise InputTypeError("case", case).give("a case, or a function of the sliders")
     for name, given in (("sliders", sliders), ("menus", menus or {}), ("presets", presets or {})):
         check_mapping(name, given)
     if isinstance(questions, Question) or not all(isinstance(q, Question) for q in questions):
-        raise TypeError(f"questions is {described(questions)}: give a list of rk.Question(...)")
+        raise InputTypeError("questions", questions).give("a list of rk.Question(...)")
     function, controls = controls_of(case, sliders, menus or {})
     return Explorer(
         function,

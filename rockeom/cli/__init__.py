@@ -10,7 +10,6 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rockeom.cli.commands import GROUPS, HELP, OF_THESIS, command
-from rockeom.cli.errors import UsageError, in_options
 from rockeom.version import VERSION
 
 
@@ -73,23 +72,9 @@ def _answer(args: argparse.Namespace) -> int:
     except BrokenPipeError:  # `rockeom derive rigid_block | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
-    except (ValueError, UsageError, OSError) as error:
-        print(f"{args.parser.prog}: {_message(error)}", file=sys.stderr)
+    except (ValueError, OSError) as error:
+        print(f"{args.parser.prog}: {_message(error, args)}", file=sys.stderr)
         return 2
-    except TypeError as error:
-        if not isinstance(error, _of_arguments()):
-            raise
-        print(f"{args.parser.prog}: {_message(error)}", file=sys.stderr)
-        return 2
-
-
-def _of_arguments() -> tuple[type, ...]:
-    """The errors of arguments that say what is wrong, of the modules that the command loaded."""
-    homes = {
-        "rockeom.structures.parameters": "ParameterError",
-        "rockeom.symbolic.valid": "ArgumentError",
-    }
-    return tuple(getattr(sys.modules[home], e) for home, e in homes.items() if home in sys.modules)
 
 
 def _parser(words: Sequence[str] = ("completion",)) -> argparse.ArgumentParser:
@@ -122,6 +107,7 @@ def _add_thesis(commands: Any, asked: Sequence[str], program: argparse.ArgumentP
     """The group of commands on the thesis."""
     group = commands.add_parser(
         "thesis",
+        help=HELP["thesis"],
         usage="rockeom thesis COMMAND ...",
         description=_THESIS,
         formatter_class=_PLAIN,
@@ -143,12 +129,14 @@ def _add(
     commands: Any, name: str, wanted: bool, program: argparse.ArgumentParser, module: str = ""
 ) -> None:
     """One command; with its arguments where they are wanted, which loads its module."""
+    line = {**HELP, **OF_THESIS}[name]
     if not wanted:
-        commands.add_parser(name)
+        commands.add_parser(name, help=line)
         return
     home = command(module or name)
     parser = commands.add_parser(
         name,
+        help=line,
         description=home.DESCRIPTION,
         epilog=home.EPILOG,
         formatter_class=_PLAIN,
@@ -182,11 +170,13 @@ def _unknown(words: Sequence[str]) -> str:
     return said
 
 
-def _message(error: Exception) -> str:
+def _message(error: Exception, args: argparse.Namespace) -> str:
+    from rockeom.cli.errors import in_options  # NumPy
+
     if isinstance(error, OSError) and error.filename is not None:
         return f"{error.filename}: {error.strerror}. Check the path and the permissions."
-    return str(error) if isinstance(error, UsageError) else in_options(str(error))
+    return in_options(error, args) if isinstance(error, InputError) else str(error)
 
 
 def _show_warning(message, category, filename, lineno, file=None, line=None) -> None:
-    print(f"warning: {in_options(str(message))}", file=sys.stderr)
+    print(f"warning: {message}", file=sys.stderr)

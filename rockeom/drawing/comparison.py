@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 
 from rockeom.drawing import style
 from rockeom.drawing.drawn import Run, check_run
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, require_type
 
 
 @style.styled
@@ -33,15 +33,18 @@ def plot_comparison(
     Raises ValueError for no runs, for another number of labels than of runs, and for structures
     with and without units in one figure.
     """
-    if not isinstance(runs, Sequence):
-        raise TypeError(f"runs is {described(runs)}: give a list of responses")
+    require_type("runs", runs, Sequence, "a list of responses")
     for i, run in enumerate(runs):
         check_run(f"runs[{i}]", run)
     labels = [style.name_of(run) for run in runs] if labels is None else labels
     if not runs or len(labels) != len(runs):
-        raise ValueError(f"{len(runs)} runs and {len(labels)} labels: give one label for each run")
+        raise InputError("labels").told(
+            f"{len(runs)} runs and {len(labels)} labels: give one label for each run"
+        )
     if len({style.is_dimensionless(run) for run in runs}) > 1:
-        raise ValueError("runs with and without units have no common axes: compare them apart")
+        raise InputError("runs").told(
+            "runs with and without units have no common axes: compare them apart"
+        )
     feet = ("left", "right") if any("left_uplift" in run.names for run in runs) else ()
     heights = [0.8, 1.6, *(0.9 for _ in feet), 0.1 + 0.28 * len(runs)]
     if figure is None:

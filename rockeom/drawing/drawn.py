@@ -11,7 +11,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from rockeom.drawing.positions import Shapes
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputTypeError
 
 
 class Motion(Protocol):
@@ -240,4 +240,4 @@ def check_motion(name: str, value: Any) -> None:
 def _require(name: str, value: Any, attribute: str, remedy: str) -> None:
     """Look for an attribute of the class: one of the object may take long."""
     if isinstance(value, type) or not hasattr(type(value), attribute):
-        raise TypeError(f"{name} is {described(value)}: give {remedy}")
+        raise InputTypeError(name, value).give(f"{remedy}")

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure, SubFigure
 
 from rockeom.drawing import style
 from rockeom.drawing.drawn import DesignSpectrum, Motion, Spectrum, check_motion
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.numbers.constants import STANDARD_GRAVITY
 
 _POINTS = 4000
@@ -80,17 +80,16 @@ def plot_spectra(
     Raises ValueError for no spectra, and for such of several dampings or periods.
     """
     if not isinstance(spectra, Sequence):
-        raise TypeError(
-            f"spectra is {described(spectra)}: give a list of spectra, such as "
-            "[motion.response_spectrum()]"
+        raise InputTypeError("spectra", spectra).give(
+            "a list of spectra, such as [motion.response_spectrum()]"
         )
     if not spectra:
-        raise ValueError("no spectra: give one or more")
+        raise InputError("spectra").told("no spectra: give one or more")
     first = spectra[0]
     for one in spectra[1:]:
         same = np.array_equal(one.periods, first.periods)
         if not same or one.damping_ratio != first.damping_ratio:
-            raise ValueError(
+            raise InputError("spectra").told(
                 f"the spectra of {first.name!r} and {one.name!r} have other periods or damping: "
                 "draw them in figures of their own"
             )

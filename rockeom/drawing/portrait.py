@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 
 from rockeom.drawing import style
 from rockeom.drawing.drawn import Run, Structure, check_run
+from rockeom.numbers.checks import InputError
 
 
 @style.styled
@@ -31,7 +32,9 @@ def plot_phase_portrait(
     """
     runs = list(run) if isinstance(run, Sequence) else [run]
     if not runs:
-        raise ValueError("plot_phase_portrait: there is no response: give one at least")
+        raise InputError("runs", of="plot_phase_portrait").told(
+            "there is no response: give one at least"
+        )
     for one in runs:
         check_run("run", one)
     first = runs[0]
@@ -82,9 +85,9 @@ def _separatrix(structure: Structure) -> Iterator[tuple[np.ndarray, np.ndarray]]
     """
     m = structure.module
     if m.N_STATES != 2:
-        raise ValueError(
-            f"plot_phase_portrait: {structure.model} has {m.N_STATES} states, and its separatrix "
-            "is no line in this plane: leave separatrix=True out"
+        raise InputError("separatrix", True, "plot_phase_portrait").told(
+            f"{structure.model} has {m.N_STATES} states, and its separatrix is no line in this "
+            "plane: leave separatrix=True out"
         )
     name, rate = (m.STATES[i] for i in (m.ROTATION, m.ROTATION_RATE))
 
@@ -96,9 +99,9 @@ def _separatrix(structure: Structure) -> Iterator[tuple[np.ndarray, np.ndarray]]
         wide = side * structure.overturning_rotation * np.linspace(0.0, 1.0, _POINTS)[1:]
         top = int(potential(wide).argmax())
         if top in (0, len(wide) - 1):
-            raise ValueError(
-                f"plot_phase_portrait: {structure.model} has no balance before it has fallen, and "
-                "no separatrix: leave separatrix=True out"
+            raise InputError("separatrix", True, "plot_phase_portrait").told(
+                f"{structure.model} has no balance before it has fallen, and no separatrix: leave "
+                "separatrix=True out"
             )
         near = np.linspace(wide[top - 1], wide[top + 1], _POINTS)
         balance = near[potential(near).argmax()]

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure, SubFigure
 
 from rockeom.drawing import style
 from rockeom.drawing.drawn import Run
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, InputTypeError
 
 Names = Mapping[str, str]
 Strokes = Iterable[Mapping[str, Any]]
@@ -28,7 +28,9 @@ def plot_quantities(
         units = {name: run.units[name] for name in names}
         if len({*units.values()}) > 1:
             of_each = ", ".join(f"{name} [{unit}]" for name, unit in units.items())
-            raise ValueError(f"{of_each} have not one unit: give each axes of its own")
+            raise InputError("names").told(
+                f"{of_each} have not one unit: give each axes of its own"
+            )
         what = _word(names[0]) if len(names) == 1 else ""
         draw_curves(ax, run, {name: _word(name) for name in names}, what)
         return style.parent_figure(ax), [ax]
@@ -70,10 +72,8 @@ def _word(name: str) -> str:
 def require_axes(ax: Any, figure: Any) -> None:
     """Raise TypeError or ValueError for what cannot be drawn in."""
     if ax is not None and figure is not None:
-        raise ValueError("ax and figure are both given: give one of them")
+        raise InputError("ax").told("ax and figure are both given: give one of them")
     if not (ax is None or isinstance(ax, Axes)):
-        raise TypeError(
-            f"ax is {described(ax)}: give one axes of matplotlib, as of plt.subplots()[1]"
-        )
+        raise InputTypeError("ax", ax).give("one axes of matplotlib, as of plt.subplots()[1]")
     if not (figure is None or isinstance(figure, Figure | SubFigure)):
-        raise TypeError(f"figure is {described(figure)}: give a figure of matplotlib")
+        raise InputTypeError("figure", figure).give("a figure of matplotlib")

@@ -13,7 +13,7 @@ from rockeom.codes import SLIP_LEFT, SLIP_RIGHT
 from rockeom.drawing import style
 from rockeom.drawing.drawn import Run, check_run
 from rockeom.drawing.quantities import draw_curves, plot_quantities, require_axes
-from rockeom.numbers.checks import number
+from rockeom.numbers.checks import InputError, number
 
 Draw = Callable[[Axes, Run], None]
 
@@ -65,7 +65,9 @@ def _limits(run: Run, start: float | None, end: float | None) -> tuple[float, fl
     first = float(run.t[0]) if start is None else number("start", start)
     last = float(run.t[-1]) if end is None else number("end", end)
     if not first < last:
-        raise ValueError(f"start is {first:g} s and end {last:g} s: give the smaller one first")
+        raise InputError("start", first).wrong(
+            f"is {first:g} s and end {last:g} s: give the smaller one first"
+        )
     return first, last
 
 

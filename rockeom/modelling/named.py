@@ -16,10 +16,9 @@ from typing import Any
 from rockeom.modelling.composed import Pinned, ShearFrame, Sliding, TwoSprings, Winkler
 from rockeom.modelling.declared import class_of_model
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described, near
+from rockeom.numbers.checks import InputError, InputTypeError, described, near
 from rockeom.structures.base import Structure
 from rockeom.structures.classes import SHIPPED
-from rockeom.structures.parameters import ParameterError
 from rockeom.structures.supports import Support
 
 FAMILIES: Mapping[str, type[Structure]] = {"shear_frame": ShearFrame}
@@ -39,7 +38,7 @@ def structure(model: Any, /, **parameters: Any) -> Structure:
     restitution, law.
 
     A declared model, and one of a family, is derived and compiled at its first use (some seconds,
-    once on a machine: the user's cache keeps both). Raises ParameterError for missing or unknown
+    once on a machine: the user's cache keeps both). Raises InputTypeError for missing or unknown
     parameters and ValueError for values that are not finite or negative, for a model that cannot
     be simulated, and where the values give a body a negative mass or a base a negative width.
 
@@ -55,7 +54,7 @@ def structure(model: Any, /, **parameters: Any) -> Structure:
         made = class_named(model)
         return made(**_supported(made, parameters))
     if not hasattr(model, "check_values"):
-        raise TypeError(
+        raise InputTypeError("model", model).told(
             "structure() takes the name of a structure, or a RockingModel or Model, not "
             f"{described(model)}"
         )
@@ -71,8 +70,8 @@ def class_named(name: str) -> type[Structure]:
         if name in classes:
             return classes[name]
     every = (*SHIPPED, *FAMILIES)
-    raise ValueError(
-        f"no structure named {name!r}{near(name, every)}; there are {', '.join(every)}"
+    raise InputError("name", name).told(
+        f"no structure named {name!r}{near(name, every)}: there are {', '.join(every)}"
     )
 
 
@@ -97,15 +96,14 @@ def _supported(made: type[Structure], parameters: Mapping[str, Any]) -> dict[str
     support = arguments.get("support")
     if not isinstance(support, str):
         if beside:
-            raise ParameterError(
-                f"{made.__name__}: {beside[0]} is a parameter of a support: name that, as in "
-                f'support="{_that_takes(beside)}"'
+            raise InputTypeError("support", of=made.__name__).told(
+                f'{beside[0]} is a parameter of a support: name that, as in support="'
+                f'{_that_takes(beside)}"'
             )
         return arguments
     if support not in SUPPORTS:
-        raise ValueError(
-            f"{made.__name__}: support is {support!r}{near(support, SUPPORTS)}; there are "
-            f"{', '.join(SUPPORTS)}"
+        raise InputError("support", support, made.__name__).wrong(
+            f"is {support!r}{near(support, SUPPORTS)}; there are {', '.join(SUPPORTS)}"
         )
     own = parameters_of(support)
     missing = [
@@ -114,7 +112,7 @@ def _supported(made: type[Structure], parameters: Mapping[str, Any]) -> dict[str
     wrong = [f"missing {', '.join(missing)}"] if missing else []
     wrong += [f"unknown {name}{near(name, own)}" for name in beside if name not in own]
     if wrong:
-        raise ParameterError(
+        raise InputTypeError("support", support).told(
             f"{made.__name__} on the support {support!r}: {'; '.join(wrong)}. Besides its own "
             f"parameters it takes {', '.join(own) or 'none'}"
         )

@@ -11,13 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.motion.arguments import (
-    accelerations as _accelerations,
-    array as _array,
-    finite as _finite,
-    positive as _positive,
-)
-from rockeom.motion.errors import MEANT, FilePath, MotionError
 from rockeom.motion.formula import call_of, with_formulas
 from rockeom.motion.scaling import Acceleration, multiplier, named, scaled_name, target
 from rockeom.motion.segments import (
@@ -47,8 +40,16 @@ from rockeom.motion.units import STANDARD_GRAVITY, factor
 from rockeom.numbers import explained
 from rockeom.numbers.batch import one_of
 from rockeom.numbers.callers import warn_caller
-from rockeom.numbers.checks import described, number
-from rockeom.numbers.dual import nominal
+from rockeom.numbers.checks import (
+    FilePath,
+    InputError,
+    array_of,
+    finite_number,
+    number,
+    positive_number,
+    require,
+)
+from rockeom.numbers.dual import nominal, value_of
 
 if TYPE_CHECKING:
     from rockeom.motion import intensity, processing
@@ -61,6 +62,33 @@ decides whether a structure overturns."""
 
 _RICKER_HALF_WINDOW = 2  # periods; beyond, the wavelet is below 1e-8 of its peak
 _ABSURD_PEAK = 10 * STANDARD_GRAVITY  # the strongest recorded one is about 4 g
+
+MEANT = {
+    "load": "read(path)",
+    "open": "read(path)",
+    "from_file": "read(path)",
+    "from_txt": "from_columns(path)",
+    "from_peer": "from_at2(path)",
+    "from_list": "from_array(values, dt)",
+    "from_numpy": "from_array(values, dt)",
+    "sine": "single_sine",
+    "cosine": "single_cosine",
+    "sinusoidal": "harmonic",
+    "pulse": "single_sine",
+    "noise": "kanai_tajimi",
+    "pga": "peak",
+    "pgv": "peak_velocity",
+    "pgd": "peak_displacement",
+    "t": "sampled(dt)",
+    "time": "sampled(dt)",
+    "times": "sampled(dt)",
+    "a": "acceleration(t)",
+    "values": "samples",
+    "scale": "scaled_to(pga=...)",
+    "spectrum": "response_spectrum(periods)",
+    "filter": "filtered(low, high)",
+}
+"""Names that people ask a ground motion or its class for, and what to write for each."""
 
 
 @explained.attributes(**MEANT)
@@ -86,7 +114,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
     Two motions are equal if their names, sources and tables are.
 
-    Raises MotionError for a table of another form.
+    Raises InputError for a table of another form.
     """
 
     segments: np.ndarray
@@ -100,22 +128,22 @@ class GroundMotion(metaclass=explained.Constructors):
         # Adding zero copies, and makes -0.0 plain 0.0: equal tables have equal bytes.
         for field in ("segments", "samples"):
             if (values := getattr(self, field)) is not None:
-                values = _array(field, values) + 0.0
+                values = array_of(field, values) + 0.0
                 values.setflags(write=False)
                 object.__setattr__(self, field, values)
         _check_table(self.segments)
         for field in ("name", "source"):
             if not isinstance(getattr(self, field), str):
-                raise MotionError(f"{field} is {described(getattr(self, field))}: give a text")
+                raise InputError(field, getattr(self, field)).give("a text")
         if (self.dt is None) != (self.samples is None):
-            raise MotionError("dt and samples belong together: give both or neither")
+            raise InputError("dt").told("dt and samples belong together: give both or neither")
 
     # -- made from a formula
 
     @classmethod
     def none(cls, duration: float) -> GroundMotion:
         """No shaking, for free rocking; duration [s]."""
-        return _analytic("no shaking", [(_positive("duration", duration), LINEAR)])
+        return _analytic("no shaking", [(positive_number("duration", duration), LINEAR)])
 
     @classmethod
     def constant(
@@ -125,7 +153,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         total_duration : with the quiet time after it [s]; the default is `duration`.
         """
-        a, end = _finite("acceleration", acceleration), _positive("duration", duration)
+        a, end = finite_number("acceleration", acceleration), positive_number("duration", duration)
         total = end if total_duration is None else total_duration
         name = named("constant, {:.4g} m/s2, {:.4g} s", a, end)
         return _analytic(name, [(end, LINEAR, a)]).padded_to(total)
@@ -178,16 +206,18 @@ class GroundMotion(metaclass=explained.Constructors):
         amplitude : [m/s2]; exactly one of frequency [Hz], angular_frequency [rad/s] and period
         [s]; phase : the phase angle [rad], pi/2 for a cosine.
         """
-        a, phase = _finite("amplitude", amplitude), _finite("phase", phase)
-        end = _positive("duration", duration)
+        a, phase = finite_number("amplitude", amplitude), finite_number("phase", phase)
+        end = positive_number("duration", duration)
         values = {"frequency": frequency, "angular_frequency": angular_frequency, "period": period}
         stated = [name for name, value in values.items() if value is not None]
         if len(stated) != 1:
-            raise MotionError(
-                f"harmonic has {' and '.join(stated) or 'no frequency'}: give exactly one of "
-                "frequency [Hz], angular_frequency [rad/s] and period [s]"
+            has = f"has {' and '.join(stated) or 'no frequency'}"
+            raise (
+                InputError("harmonic")
+                .wrong(has)
+                .give("exactly one of frequency [Hz], angular_frequency [rad/s] and period [s]")
             )
-        value = _positive(stated[0], values[stated[0]])
+        value = positive_number(stated[0], values[stated[0]])
         omega = {
             "frequency": 2.0 * math.pi * value,
             "angular_frequency": value,
@@ -217,7 +247,7 @@ class GroundMotion(metaclass=explained.Constructors):
         Source: Ricker (1943, 1944) as written by Vassiliou and Makris, Bulletin of the
         Seismological Society of America 101 (2011) 596-618.
         """
-        a, t_p = _finite("amplitude", amplitude), _positive("period", period)
+        a, t_p = finite_number("amplitude", amplitude), positive_number("period", period)
         centre = _RICKER_HALF_WINDOW * t_p
         kind, c0, c1 = RICKER, a, math.pi / t_p
         if antisymmetric:
@@ -252,12 +282,9 @@ class GroundMotion(metaclass=explained.Constructors):
         Source: Mavroeidis and Papageorgiou, Bulletin of the Seismological Society of America 93
         (2003) 1099-1131.
         """
-        a, t_p = _finite("velocity", velocity), _positive("period", period)
-        g, nu = _finite("gamma", gamma), _finite("phase", phase)
-        if g <= 1.0:
-            raise MotionError(
-                f"gamma is {g:g}: give more than 1, the envelope is longer than a period"
-            )
+        a, t_p = finite_number("velocity", velocity), positive_number("period", period)
+        g, nu = finite_number("gamma", gamma), finite_number("phase", phase)
+        require(g > 1.0, "", "gamma", g, "give more than 1, the envelope is longer than a period")
         omega, end = 2.0 * math.pi / t_p, g * t_p
         pulse = (
             end, MAVROEIDIS_PAPAGEORGIOU, 0.5 * a * omega, omega, nu - math.pi * g, omega / g
@@ -292,7 +319,7 @@ class GroundMotion(metaclass=explained.Constructors):
         or `ShinozukaSatoEnvelope`; dt : time step of the samples [s].
 
         Source: Kanai (1957), Tajimi (1960); the method: Shinozuka and Deodatis, Applied Mechanics
-        Reviews 44 (1991) 191-204, with Gaussian amplitudes. Raises MotionError.
+        Reviews 44 (1991) 191-204, with Gaussian amplitudes. Raises InputError.
 
         >>> motion = GroundMotion.kanai_tajimi(0.01, duration=20.0, seed=1)
         >>> motion == GroundMotion.kanai_tajimi(0.01, duration=20.0, seed=1)
@@ -301,8 +328,8 @@ class GroundMotion(metaclass=explained.Constructors):
         from rockeom.motion.synthetic import noise
 
         ground = (
-            _positive("angular_frequency", angular_frequency),
-            _positive("damping_ratio", damping_ratio),
+            positive_number("angular_frequency", angular_frequency),
+            positive_number("damping_ratio", damping_ratio),
         )
         made = noise("Kanai-Tajimi", spectral_intensity, ground, None, duration, seed, envelope, dt)
         return _of_noise(made)
@@ -328,17 +355,17 @@ class GroundMotion(metaclass=explained.Constructors):
         high_pass_angular_frequency omega_f [rad/s] and high_pass_damping_ratio xi_f of that filter;
         all else as in `kanai_tajimi`.
 
-        Source: Clough and Penzien, Dynamics of Structures (1975). Raises MotionError.
+        Source: Clough and Penzien, Dynamics of Structures (1975). Raises InputError.
         """
         from rockeom.motion.synthetic import noise
 
         ground = (
-            _positive("angular_frequency", angular_frequency),
-            _positive("damping_ratio", damping_ratio),
+            positive_number("angular_frequency", angular_frequency),
+            positive_number("damping_ratio", damping_ratio),
         )
         high_pass = (
-            _positive("high_pass_angular_frequency", high_pass_angular_frequency),
-            _positive("high_pass_damping_ratio", high_pass_damping_ratio),
+            positive_number("high_pass_angular_frequency", high_pass_angular_frequency),
+            positive_number("high_pass_damping_ratio", high_pass_damping_ratio),
         )
         made = noise(
             "Clough-Penzien", spectral_intensity, ground, high_pass, duration, seed, envelope, dt
@@ -362,7 +389,7 @@ class GroundMotion(metaclass=explained.Constructors):
         units : of the accelerations: "m/s2", "g", "cm/s2", "gal", "mm/s2", "in/s2" or "ft/s2".
         gravity : the value of 1 g [m/s2].
 
-        Raises MotionError for NaN or infinity (with its index) and for other than one dimension.
+        Raises InputError for NaN or infinity (with its index) and for other than one dimension.
         """
         values = _accelerations(acceleration) * factor(units, gravity)
         return _from_record(values, dt, name, "array")
@@ -382,7 +409,7 @@ class GroundMotion(metaclass=explained.Constructors):
         gravity : the value of 1 g [m/s2].
         name : the second line of the file if not given.
 
-        Raises MotionError, with file, line, value and remedy, for anything the file does not state.
+        Raises InputError, with file, line, value and remedy, for anything the file does not state.
         """
         return _from_record(*_readers().read(path, units, gravity, name, is_at2=True))
 
@@ -406,7 +433,7 @@ class GroundMotion(metaclass=explained.Constructors):
         gravity : the value of 1 g [m/s2].
         name : the file's name if not given.
 
-        Raises MotionError, with file, line, value and remedy, for anything the file does not state.
+        Raises InputError, with file, line, value and remedy, for anything the file does not state.
         """
         return _from_record(*_readers().read(path, units, gravity, name, is_at2=False))
 
@@ -451,7 +478,7 @@ class GroundMotion(metaclass=explained.Constructors):
         words : enough words to identify one record, such as "El Centro 1940 180"; `library` lists
         the names. In g, converted with 9.81 m/s2.
 
-        Raises MotionError if none or several match, or if no extra is installed.
+        Raises InputError if none or several match, or if no extra is installed.
 
         >>> GroundMotion.from_library("El Centro 1940 180").duration
         53.71
@@ -465,7 +492,7 @@ class GroundMotion(metaclass=explained.Constructors):
         words : such as "Northridge", or one of the sets of FEMA P695 (2009), Appendix A: "far
         field" (44 components), "near field pulse" and "near field no pulse" (28 each).
 
-        Raises MotionError if none has them, or if no extra is installed.
+        Raises InputError if none has them, or if no extra is installed.
 
         >>> len([GroundMotion.from_library(name) for name in GroundMotion.library("far field")])
         44
@@ -501,7 +528,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         At a breakpoint the value is that of the segment which starts there.
         """
-        time = _array("t", t)
+        time = array_of("t", t)
         flat = time.ravel()
         index, tau = self._at(flat)
         result = _acceleration(self.segments[index], tau)
@@ -520,7 +547,7 @@ class GroundMotion(metaclass=explained.Constructors):
         The exact integral of the acceleration, for ground at rest up to time 0. After the end the
         velocity keeps its last value, which is zero only for a corrected motion.
         """
-        time = _array("t", t)
+        time = array_of("t", t)
         flat = np.clip(time.ravel(), 0.0, self.duration)
         index, tau = self._at(flat)
         result = _at_starts(self.segments)[0][index] + _velocity(self.segments[index], tau)
@@ -531,7 +558,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         The exact integral of `velocity`, also after the end.
         """
-        time = _array("t", t)
+        time = array_of("t", t)
         flat = np.clip(time.ravel(), 0.0, self.duration)
         index, tau = self._at(flat)
         v, d = _at_starts(self.segments)
@@ -567,7 +594,7 @@ class GroundMotion(metaclass=explained.Constructors):
         """Times [s] at which Arias intensity reaches the parts `lower` and `upper` of its whole.
 
         Their difference is the significant duration (Trifunac and Brady 1975). The times are exact
-        within the segments. Raises MotionError for parts that are not between 0 and 1, and for no
+        within the segments. Raises InputError for parts that are not between 0 and 1, and for no
         shaking.
         """
         return _intensity().significant_interval(self, lower, upper)
@@ -592,7 +619,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
     def sampled(self, dt: float) -> tuple[np.ndarray, np.ndarray]:
         """Times 0, dt, 2 dt ... up to the duration (m,) [s], and accelerations (m,) [m/s2]."""
-        steps = math.floor(self.duration / _positive("dt", dt) * (1.0 + 1e-12))
+        steps = math.floor(self.duration / positive_number("dt", dt) * (1.0 + 1e-12))
         t = np.minimum(dt * np.arange(steps + 1), self.duration)
         return t, self.acceleration(t)
 
@@ -604,7 +631,7 @@ class GroundMotion(metaclass=explained.Constructors):
         It is named as in Table 4-1 of the thesis: "Tabas-A1-T0.38" has the accelerations of Tabas
         in 0.38 times its time.
         """
-        a, s = _finite("acceleration", acceleration), _positive("time", time)
+        a, s = finite_number("acceleration", acceleration), positive_number("time", time)
         if len(self.segments) > SHORT:
             a, s = one_of(a), one_of(s)  # one such table at a time, also of columns
         return GroundMotion(
@@ -635,7 +662,7 @@ class GroundMotion(metaclass=explained.Constructors):
             record.scaled_to(pga="0.4 g")
             record.scaled_to(sa=3.0, period=1.0)
 
-        A vertical component is scaled along by `Recording.scaled_to`. Raises MotionError for none
+        A vertical component is scaled along by `Recording.scaled_to`. Raises InputError for none
         or two of them, sa without a period, what is not positive, and a motion without shaking.
         """
         wanted = target(peak, pga, sa, period)
@@ -644,19 +671,21 @@ class GroundMotion(metaclass=explained.Constructors):
             spectrum = self.response_spectrum(wanted.period, damping_ratio)
             found = spectrum.pseudo_acceleration[0]
         if found == 0.0:
-            raise MotionError(f"{self.name}: no factor makes a motion of zero acceleration shake")
+            raise InputError("pga", of=self.name).told(
+                "no factor makes a motion of zero acceleration shake"
+            )
         return self.scaled(wanted.value / found)
 
     def padded_to(self, duration: float) -> GroundMotion:
         """The motion with quiet time at its end, for a total of `duration` [s].
 
-        Raises MotionError for a duration shorter than that of the motion.
+        Raises InputError for a duration shorter than that of the motion.
         """
-        wanted = _positive("duration", duration)
+        wanted = positive_number("duration", duration)
         if wanted < self.duration:
-            raise MotionError(
-                f"duration is {wanted:g} s, but {self.name or 'the motion'} lasts "
-                f"{self.duration:g} s: give a longer duration"
+            raise InputError("duration", wanted).wrong(
+                f"is {wanted:g} s, but {self.name or 'the motion'} lasts {self.duration:g} s: give "
+                "a longer duration"
             )
         if wanted == self.duration:
             return self
@@ -665,7 +694,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
     def padded_by(self, quiet: float) -> GroundMotion:
         """The motion with `quiet` [s] of quiet time added at its end."""
-        return self.padded_to(self.duration + _positive("quiet", quiet))
+        return self.padded_to(self.duration + positive_number("quiet", quiet))
 
     # -- processed
 
@@ -677,7 +706,7 @@ class GroundMotion(metaclass=explained.Constructors):
             the velocity and the displacement the polynomial starts at rest, as the ground does, and
             its first or second derivative is subtracted from the acceleration.
 
-        Raises MotionError for a motion without samples and for a degree that such a polynomial
+        Raises InputError for a motion without samples and for a degree that such a polynomial
         cannot have.
         """
         return self._changed(_processing().baseline_corrected(self, degree, of))
@@ -693,7 +722,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Zeros extend the record before and after, for as long as the filter rings; the result has
         the duration of the record.
-        Raises MotionError for a motion without samples, and for corners in wrong order, above half
+        Raises InputError for a motion without samples, and for corners in wrong order, above half
         of the rate of sampling, or so low that a hundredth of a period fills the record.
         """
         return self._changed(_processing().filtered(self, low, high, order))
@@ -708,7 +737,7 @@ class GroundMotion(metaclass=explained.Constructors):
             whole numbers up to 1000.
 
         An analytic motion becomes a record, linear between the new times. The last one is the last
-        whole step within the motion. Raises MotionError.
+        whole step within the motion. Raises InputError.
         """
         return self._changed(_processing().resampled(self, dt, method))
 
@@ -719,7 +748,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
             record.trimmed(*record.significant_interval(0.05, 0.95))
 
-        Raises MotionError for times outside the motion, for fewer than two samples, and where a
+        Raises InputError for times outside the motion, for fewer than two samples, and where a
         Mavroeidis-Papageorgiou pulse would lose its beginning.
         """
         until = self.duration if end is None else end
@@ -743,7 +772,7 @@ class GroundMotion(metaclass=explained.Constructors):
         other : the component at 90 degrees from this one, recorded at the same times.
         angle : from this component's direction towards the other's [rad].
 
-        Raises MotionError for motions without samples, or with other times.
+        Raises InputError for motions without samples, or with other times.
 
         Sylmar 360 from its components 032 and 122, which run 32 and 122 degrees from north:
 
@@ -752,8 +781,8 @@ class GroundMotion(metaclass=explained.Constructors):
         8.272833079011688
         """
         if not isinstance(other, GroundMotion):
-            raise MotionError(f"other is {described(other)}: give a GroundMotion")
-        turn = _finite("angle", angle)
+            raise InputError("other", other).give("a GroundMotion")
+        turn = finite_number("angle", angle)
         segments, samples = _processing().rotated(self, other, turn)
         name = (
             f"{named('{:.4g} degrees from ', turn * (180.0 / math.pi))}{self.name} to {other.name}"
@@ -812,6 +841,22 @@ class GroundMotion(metaclass=explained.Constructors):
 # -- construction --------------------------------------------------------------------------------
 
 
+def _accelerations(acceleration: ArrayLike) -> np.ndarray:
+    """Accelerations of a record as finite numbers (n,).
+
+    Raises InputError for other than one dimension, and for NaN or infinity, with the index.
+    """
+    values = array_of(
+        "acceleration", acceleration, bounds="numbers; GroundMotion.read reads a file"
+    )
+    require(values.ndim == 1, "", "acceleration", values, "give one dimension, (n,)")
+    finite = np.isfinite(value_of(values))
+    require(
+        finite, "", "acceleration", values, "give finite numbers, or cut the record where it ends"
+    )
+    return values
+
+
 def _analytic(name: str, segments: list[tuple[float, ...]]) -> GroundMotion:
     """Segments one after the other, each by its end, kind and constants."""
     rows = []
@@ -831,11 +876,11 @@ def _pulse(
     duration: float | None,
 ) -> GroundMotion:
     """A sine with a phase angle for a number of periods, and quiet time after it."""
-    a, t_p = _finite("amplitude", amplitude), _positive("period", period)
+    a, t_p = finite_number("amplitude", amplitude), positive_number("period", period)
     end = periods * t_p
     pulse = (end, SINE, a, 2.0 * math.pi / t_p, angle)
     name = named(shape + ", {:.4g} m/s2, {:.4g} s", a, t_p)
-    total = end + QUIET_PERIODS * t_p if duration is None else _positive("duration", duration)
+    total = end + QUIET_PERIODS * t_p if duration is None else positive_number("duration", duration)
     if total > end:  # both at once: maps make many of them
         return _analytic(name, [pulse, (total, LINEAR)])
     return _analytic(name, [pulse]).padded_to(total)
@@ -877,9 +922,11 @@ def _from_record(
     a: np.ndarray, dt: float, name: str, source: str, is_vertical: bool = False
 ) -> GroundMotion:
     """A record as linear segments between samples."""
-    dt = _positive("dt", dt)
+    dt = positive_number("dt", dt)
     if len(a) < 2:
-        raise MotionError(f"{source}: {len(a)} sample(s), where a record needs two or more")
+        raise InputError("acceleration", of=source).told(
+            f"{len(a)} sample(s), where a record needs two or more"
+        )
     largest = np.abs(a).max()
     if largest > _ABSURD_PEAK:
         warn_caller(

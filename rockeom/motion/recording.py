@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.scaling import Acceleration, multiplier, target
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, described, require_word
 
 if TYPE_CHECKING:
     from rockeom.motion.spectra import ResponseSpectrum
@@ -40,7 +39,7 @@ class Recording:
         for pair in recording.scaled_to(pga="0.4 g").in_plane():
             rk.simulate(block, pair)
 
-    All components are scaled by one factor. Raises MotionError for none or more than two horizontal
+    All components are scaled by one factor. Raises InputError for none or more than two horizontal
     components, and for what is no ground motion.
     """
 
@@ -53,18 +52,16 @@ class Recording:
     def __post_init__(self) -> None:
         one = isinstance(self.horizontal, GroundMotion)
         if not (one or isinstance(self.horizontal, Iterable)):
-            raise MotionError(
-                f"horizontal is {described(self.horizontal)}: give one ground motion or two"
-            )
+            raise InputError("horizontal", self.horizontal).give("one ground motion or two")
         horizontal = (self.horizontal,) if one else tuple(self.horizontal)
         object.__setattr__(self, "horizontal", horizontal)
         for motion in (*horizontal, *(() if self.vertical is None else (self.vertical,))):
             if not isinstance(motion, GroundMotion):
-                raise MotionError(
+                raise InputError("horizontal", motion).told(
                     f"the recording {self.name!r} has {described(motion)}: give ground motions"
                 )
         if not 1 <= len(horizontal) <= 2:
-            raise MotionError(
+            raise InputError("horizontal").told(
                 f"the recording {self.name!r} has {len(horizontal)} horizontal components: give "
                 "one or two"
             )
@@ -79,10 +76,10 @@ class Recording:
         """The horizontal component at an angle [rad] from the first, with the vertical one.
 
         A component that is up to 2 % shorter than the other gets zeros at its end, as the name of
-        the result says. Raises MotionError where there is one horizontal component only.
+        the result says. Raises InputError where there is one horizontal component only.
         """
         if len(self.horizontal) == 1:
-            raise MotionError(
+            raise InputError("horizontal").told(
                 f"the recording {self.name!r} has one horizontal component: two have others between"
             )
         one, other = self._of_one_length()
@@ -115,7 +112,7 @@ class Recording:
         """All components by one factor, so that the horizontal intensity has a value.
 
         The arguments are those of `GroundMotion.scaled_to`, and `of` as of `response_spectrum`.
-        Raises MotionError as these do.
+        Raises InputError as these do.
         """
         wanted = target(peak, pga, sa, period)
         if wanted.period is None:
@@ -124,7 +121,9 @@ class Recording:
             spectrum = self.response_spectrum(wanted.period, damping_ratio, of)
             (found,) = spectrum.pseudo_acceleration
         if found == 0.0:
-            raise MotionError(f"{self.name}: no factor makes a recording without shaking shake")
+            raise InputError("pga", of=self.name).told(
+                "no factor makes a recording without shaking shake"
+            )
         return self.scaled(wanted.value / found)
 
     def __mul__(self, factor: float) -> Recording:
@@ -150,7 +149,7 @@ class Recording:
             directions a degree apart (Boore 2010, Bulletin of the Seismological Society of America
             100, 1830-1835), which takes as long as 180 components do; of components as of `along`.
 
-        Each is the spectrum itself where there is one component. Raises MotionError for another
+        Each is the spectrum itself where there is one component. Raises InputError for another
         word.
         """
         spectra: list[ResponseSpectrum] = []
@@ -169,8 +168,7 @@ class Recording:
 
     def _combined(self, of: str, measure: Callable[[GroundMotion], np.ndarray]) -> np.ndarray:
         """A measure of both horizontal components together."""
-        if of not in _COMBINED:
-            raise MotionError(f"of is {described(of)}: choose one of {', '.join(_COMBINED)}")
+        require_word("of", of, _COMBINED)
         components = self.horizontal
         if len(components) == 2 and of.startswith("rotd"):
             turns = np.radians(np.arange(_HALF_TURN)).tolist()

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure, SubFigure
 
 from rockeom.analysis.identification.stone_walls import WallTest
 from rockeom.drawing import style
-from rockeom.numbers.checks import near
+from rockeom.numbers.checks import InputError, near
 
 _COLUMNS = 4
 
@@ -36,10 +36,14 @@ def wall_envelopes(
     """
     drawn = {name: test for name, test in tests.items() if test.envelope is not None}
     if not drawn:
-        raise ValueError("wall_envelopes: none of the tests has an envelope: give those of some")
+        raise InputError("tests", of="wall_envelopes").told(
+            "none of the tests has an envelope: give those of some"
+        )
     for name in drawn:
         if name not in paths:
-            raise ValueError(f"wall_envelopes: no path is called {name!r}{near(name, paths)}")
+            raise InputError("paths", name, "wall_envelopes").told(
+                f"no path is called {name!r}{near(name, paths)}"
+            )
     columns = min(_COLUMNS, len(drawn))
     rows = -(-(len(drawn) + 1) // columns)
     if figure is None:

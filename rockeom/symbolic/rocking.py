@@ -9,6 +9,7 @@ from typing import Any, TypedDict, Unpack
 import sympy as sp
 
 from rockeom.numbers import explained
+from rockeom.numbers.checks import InputError
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.checks.declaration import check
@@ -137,7 +138,7 @@ def rocking_structure(
     )
     valid.points(str(name), beside_feet=acting.get("beside_feet", (0, 0)))
     if sp.sympify(half_width).is_nonpositive:
-        raise ValueError(f"{name}: half_width is {half_width}: it must be positive")
+        raise InputError("half_width", half_width, name).hold("it must be positive")
     pivot = (SIDE * half_width, sp.Integer(0))
     turning = tuple(bodies(pivot))
     if callable(acting.get("elements")):

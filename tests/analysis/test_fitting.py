@@ -10,6 +10,7 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.thesis.printed import COLUMN, FIGURE_5_6, GAUGE
+from tests.refusals import refuses
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
 STILL = rk.GroundMotion.none(3.0)
@@ -269,9 +270,9 @@ def test_what_cannot_be_fitted():
         identification.fit(lambda k, c: k * x, x, line)
     with pytest.raises(ValueError, match="their scatter"):
         identification.fit(lambda k, c: k * x[:2] + c, x[:2], line)
-    with pytest.raises(ValueError, match=r"first guess of k .* begin between"):
+    with refuses("start", 1.0):
         identification.fit(lambda k, c: k * x + c, x, line, bounds={"k": (2.0, 3.0)})
-    with pytest.raises(ValueError, match="bounds has 'm'"):
+    with refuses("bounds"):
         identification.fit(lambda k, c: k * x + c, x, line, bounds={"m": (2.0, 3.0)})
     with pytest.raises(ValueError, match=r"shape \(4,\), measured is \(5,\)"):
         identification.fit(lambda k, c: k * x[1:] + c, x, line)

@@ -214,7 +214,7 @@ def sampled(**other):
         (lambda: sampled(displacement=np.full(100, np.nan)), "displacement.*must be finite"),
         (lambda: sampled(displacement=np.zeros(100)), "no peak above smallest"),
         (lambda: sampled(acceleration=1.0), "acceleration has the shape"),
-        (lambda: sampled(smallest=-1.0), "smallest is -1.0"),
+        (lambda: sampled(smallest=-1.0), "smallest is -1"),
         (lambda: sampled(crossing="velocity"), "crossing is 'velocity'"),
         (
             lambda: sampled(acceleration=np.ones(100), crossing="acceleration"),

@@ -14,6 +14,7 @@ from rockeom.analysis import formulas
 from rockeom.modelling.wall_on_bed import WallPath
 from rockeom.symbolic.parts.walls import wall_on_bed
 from rockeom.symbolic.statics import LOAD, small_rotations
+from tests.refusals import refuses
 
 WEAK = rk.WallOnBed(
     length=1.25, thickness=0.32, shear_span=1.5, axial_force=300e3, bed_modulus=4e9, strength=2.8e6
@@ -228,15 +229,15 @@ def test_events_give_the_limit_of_small_steps():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"length": 0.0}, "WallOnBed: length is 0.0: it must be positive"),
-        ({"bed_modulus": float("nan")}, "bed_modulus is nan: it must be finite"),
-        ({"axial_force": 2e6}, "the bed crushes under 1.12e.06, strength"),
-        ({"following": 1}, "following is 1: give True or False"),
-        ({"springs": 2.5}, "springs is 2.5: give a whole number"),
+        ({"length": 0.0}, "length"),
+        ({"bed_modulus": float("nan")}, "bed_modulus"),
+        ({"axial_force": 2e6}, "axial_force"),
+        ({"following": 1}, "following"),
+        ({"springs": 2.5}, "springs"),
     ],
 )
 def test_impossible_wall_is_refused(change, message):
-    with pytest.raises(ValueError, match=message):
+    with refuses(message):
         replace(WEAK, **change)
 
 

@@ -8,6 +8,7 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import identification
 from tests.numeric.structures import column
+from tests.refusals import refuses
 
 RATE = 200.0
 T = np.arange(0.0, 8.0, 1 / RATE)
@@ -129,12 +130,12 @@ def test_regimes_of_a_free_decay_of_the_flexible_structure():
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"window": 0.05}, "16 samples"),
-        ({"window": 99.0}, "16 samples"),
-        ({"segments": 40}, "fewer, or a longer window"),
-        ({"beta": -1.0}, "beta is -1.0"),
+        ({"window": 0.05}, "window"),
+        ({"window": 99.0}, "window"),
+        ({"segments": 40}, "segments"),
+        ({"beta": -1.0}, "beta"),
     ],
 )
 def test_what_cannot_be_is_refused(arguments, message):
-    with pytest.raises(ValueError, match=message):
+    with refuses(message):
         identification.moving_window(recorded(x=T), "x", **arguments)

@@ -343,7 +343,7 @@ def test_the_text_of_laws_shares_one_name_with_those_it_is_joined_to():
         ({"restitution": 1.2, "law": "poisson"}, "restitution is 1.2: give the ratio"),
         ({"friction": -0.1, "law": "pairwise"}, "friction is -0.1, negative"),
         ({"law": "lzb"}, "friction is None, and law='lzb' follows the slip"),
-        ({"stiffness": 2.0}, "stiffness is 2.0, and the law 'newton' has none"),
+        ({"stiffness": 2.0}, "stiffness is 2, and the law 'newton' has none"),
         ({"law": "pairwise", "stiffness": 0}, "stiffness is 0: give a positive one"),
         ({"law": "lzb", "friction": 0.2, "tangential": 0.5}, "tangential is 0.5, and the law"),
         ({"law": "moreau", "tangential": 1.5}, "tangential is 1.5: give the ratio"),

@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from rockeom import InputError
 from rockeom.motion import (
     GroundMotion,
     JenningsEnvelope,
-    MotionError,
     ShinozukaSatoEnvelope,
     synthetic,
 )
@@ -117,7 +117,7 @@ def test_envelope_multiplies_the_stationary_motion(envelope):
             ),
             "high_pass_damping_ratio is 0: give a positive",
         ),
-        (lambda: made("kanai_tajimi", 0, envelope=3.0), "envelope is 3.0: give a function"),
+        (lambda: made("kanai_tajimi", 0, envelope=3.0), "envelope is 3: give a function"),
         (lambda: made("kanai_tajimi", 0, envelope=np.sum), r"shape \(\) for 2048 times"),
         (lambda: JenningsEnvelope(3.0, 2.0, 1.0), "until is 2 s, before the end of the rise, 3 s"),
         (lambda: ShinozukaSatoEnvelope(1.0, 0.5), "rise is 0.5 1/s, not above the decay, 1 1/s"),
@@ -125,7 +125,7 @@ def test_envelope_multiplies_the_stationary_motion(envelope):
     ],
 )
 def test_motion_that_cannot_be_made_is_refused(call, said):
-    with pytest.raises(MotionError, match=said):
+    with pytest.raises(InputError, match=said):
         call()
 
 

@@ -111,7 +111,7 @@ def test_structure_that_cannot_bend_on_held_feet_is_refused(structure, words):
     [
         ({"impact": rk.Impulsive()}, "has no impacts: leave `impact` out"),
         ({"initial": {"theta": 0.01}}, "theta is 0.01: it is held at zero"),
-        ({"initial": {"theta_dot": -1.0}}, "theta_dot is -1.0: it is held at zero"),
+        ({"initial": {"theta_dot": -1.0}}, "theta_dot is -1: it is held at zero"),
         ({"mode": "left"}, "'left'"),
     ],
 )

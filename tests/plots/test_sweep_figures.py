@@ -16,6 +16,7 @@ from rockeom.plots import (
     rocking_spectrum,
 )
 from rockeom.plots.sweeps import _CLASSES, _demands_at
+from tests.refusals import refused
 
 STANDS, FELL, NOT_RUN, STALLED = "completed", "overturned", "not run", "stalled"
 
@@ -108,8 +109,7 @@ def test_map_of_more_names_asks_which_value():
     with pytest.raises(ValueError, match=r"varies record \(2 values\).*isel\(record=0\)"):
         overturning_map(more, x="frequency", y="amplitude")
     drawn(overturning_map(more.isel(record=[1]), x="frequency", y="amplitude"))
-    with pytest.raises(ValueError, match="no coordinate 'period'; it has frequency"):
-        overturning_map(MAP, x="period", y="amplitude")
+    assert refused(overturning_map, MAP, x="period", y="amplitude") == ("name", "period")
 
 
 def crossings(f, inside, names=("frequency", "amplitude")) -> xr.Dataset:

@@ -156,7 +156,7 @@ def test_intended_motion_of_a_run_of_table_4_1(run):
 
 def test_runs_of_records_that_are_not_at_hand_stay_open():
     for run in ("3", "6"):  # Tabas, Llolleo
-        with pytest.raises(rk.MotionError, match="no package at hand"):
+        with pytest.raises(rk.InputError, match="no package at hand"):
             shaken.wall_motion(run)
     rows = {row[0]: row for row in computed("4-3")}
     assert rows["3"][1:4] == (8.65, None, None)

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, require_type
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.simulation.simulate import simulate
@@ -88,10 +88,7 @@ def compare_with_fixed_base(
     >>> found = [compare_with_fixed_base(column, record.scaled(a)) for a in (1, 2, 4)]
     >>> [one.ratios["base_shear"] for one in found]
     """
-    if not isinstance(structure, Structure):
-        raise TypeError(
-            f"structure is {described(structure)}: give one such as FlexibleStructure(...)"
-        )
+    require_type("structure", structure, Structure, "one such as FlexibleStructure(...)")
     fixed = structure.fixed_base()
     return Isolation(
         simulate(structure, motion, impact=impact, duration=duration, options=options),
@@ -105,7 +102,7 @@ def demands(run: Response) -> Demands:
     Raises ValueError for a response without forces on feet.
     """
     if "left_uplift" not in run.names:
-        raise ValueError(
+        raise InputError("run").told(
             f"{run.structure.model} has no feet: its response has no base shear and no uplift"
         )
     rotation = run.structure.module.ROTATION
@@ -131,6 +128,5 @@ def energy_balance(run: Response) -> EnergyBalance:
     Work and losses are integrals over the steps, the energies those of the states at the ends:
     their difference measures the accuracy of the integration. The same as `run.energy_balance()`.
     """
-    if not isinstance(run, Response):
-        raise TypeError(f"run is {described(run)}: give the response of rk.simulate")
+    require_type("run", run, Response, "the response of rk.simulate")
     return run.energy_balance()

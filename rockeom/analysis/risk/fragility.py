@@ -17,7 +17,7 @@ from scipy.special import betaincinv, log_ndtr, ndtr, ndtri, stdtrit
 from rockeom.analysis.sweeps import check_finished, check_sweep, coordinate, exceedances, unanswered
 from rockeom.motion.recordings import recording_of
 from rockeom.numbers import explained
-from rockeom.numbers.arguments import numbers, positive, require
+from rockeom.numbers.checks import InputError, numbers, positive, require
 
 _WITHIN = "it lies between 0 and 1, as 0.95"
 
@@ -262,7 +262,9 @@ def fragility_of(
     Raises ValueError also for names that the sweep does not have, and for cases that were not run.
     """
     if (limit is None) != (demand is None):
-        raise ValueError("fragility_of: demand and limit belong together: give both or neither")
+        raise InputError("limit", of="fragility_of").told(
+            "demand and limit belong together: give both or neither"
+        )
     check_sweep("fragility_of", sweep)
     coordinate("fragility_of", sweep, intensity)
     check_finished("fragility_of", sweep)

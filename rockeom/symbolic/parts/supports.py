@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.contact_model import Model
@@ -84,7 +85,7 @@ def winkler(of: Superstructure, springs: int) -> Model:
     """
     valid.counts(of.name, springs=springs)
     if springs < 2:
-        raise ValueError(f"{of.name}: springs is {springs}: give two or more")
+        raise InputError("springs", springs, of.name).give("two or more")
     theta, place = ROTATION.position, moved((sp.S.Zero, level(of, springs)))
     last = springs - 1
     names = ["left", *(f"spring_{i}" for i in range(2, springs)), "right"]
@@ -154,9 +155,8 @@ def standing(of: Superstructure, support: str, **details: Any) -> Model | Rockin
     except TypeError as error:
         names = [*signature(SUPPORTS[support]).parameters][1:]
         takes = ", ".join(f"{n}=" for n in names) or "nothing"
-        raise valid.ArgumentError(
-            f"{of.name} on the support {support!r}: {error}; besides its own arguments it takes "
-            f"{takes}"
+        raise InputTypeError("support", support, of.name).told(
+            f"on the support {support!r} {error}: besides its own arguments it takes {takes}"
         ) from None
     return SUPPORTS[support](of, **details)
 
