@@ -53,9 +53,13 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from rockeom.compiler.decorators import fused, inlined
+from rockeom.compiler.decorators import inlined
+from rockeom.generated.prelude import (
+    IMPULSIVE, RATIO, ENERGIES, COPIES, N_FALLS, N_PARTS, FULL_CONTACT, full_contact_guards,
+    velocity_ratio,
+)
 
-SOURCE_HASH = "19313bf9e826e543"
+SOURCE_HASH = "a465c81df680a6ac"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"
@@ -194,7 +198,6 @@ MODES = (
     "right_yield",
 )
 REACTIONS = ("horizontal_reaction", "tendon_force",)
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 KINEMATICS = ("displacement", "rotation_centre", "tendon_extension",)
 POSITIONS = ("wall", "load",)
 POSITION_KINDS = ("body", "load",)
@@ -202,14 +205,11 @@ ELEMENT_NAMES = ("tendon",)
 CORNERS = ("wall", "wall", "wall", "wall",)
 MEMBERS = ("spring",)
 MEMBER_ENDS = ("ground", "wall",)
-COPIES = ()
 
 N_STATES = 6
 ROTATION = 0
 ROTATION_RATE = 3
-N_FALLS = 0
 N_GUARDS = 4
-N_PARTS = 0
 SIDES = (-1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,)
 GUARDS = (3, 4, 3, 3, 4, 3, 3, 2, 1, 3, 4, 3, 3, 4, 3, 3, 2, 1,)
 TRANSITIONS = (
@@ -347,9 +347,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1, -1,),  # right_yield
 )
 LOCALISED = True  # whether forces may act in a small part of a step
-FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
-RATIO, IMPULSIVE = 0, 1
 LEFT = 0
 LEFT_INWARD = 1
 LEFT_INWARD_SLACK = 2
@@ -371,40 +369,6 @@ RIGHT_YIELD = 17
 
 # In machine code equations are not contracted to a*b + c in one rounding: they give
 # one number wherever they stand.
-
-ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
-
-
-@inlined
-@fused
-def sine_cosine(x):
-    """Sine and cosine, within 1.4e-16: fdlibm's polynomials about multiples of pi/2."""
-    n = 0.0
-    r = x
-    turned = abs(x) > 0.7853981633974483
-    if turned:
-        n = (x * 0.6366197723675814 + ROUNDER) - ROUNDER
-        r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11
-    z = r * r
-    zz = z * z
-    # in pairs of terms, so that the processor need not wait for one after the other
-    s0 = -0.16666666666666632 + z * 0.00833333333332249
-    s1 = -0.0001984126982985795 + z * 2.7557313707070068e-06
-    s2 = -2.5050760253406863e-08 + z * 1.58969099521155e-10
-    c0 = 0.0416666666666666 - z * 0.001388888888887411
-    c1 = 2.480158728947673e-05 - z * 2.7557314351390663e-07
-    c2 = 2.087572321298175e-09 - z * 1.1359647557788195e-11
-    sine = r + r * z * (s0 + zz * (s1 + zz * s2))
-    cosine = 1.0 - (0.5 * z - zz * (c0 + zz * (c1 + zz * c2)))
-    if turned:
-        # by quarters of a turn: -2 to 2
-        quarter = n - 4.0 * ((0.25 * n + ROUNDER) - ROUNDER)
-        odd = quarter * quarter == 1.0
-        sine, cosine = (cosine if odd else sine), (sine if odd else cosine)
-        back = quarter * quarter == 4.0
-        sine = -sine if back or quarter == -1.0 else sine
-        cosine = -cosine if back or quarter == 1.0 else cosine
-    return sine, cosine
 
 
 @inlined
@@ -1340,15 +1304,6 @@ def jump(mode, guard, law, ratio, y, p, out):
     return mode
 
 
-@inlined
-def full_contact_guards(y, p, ax, g):
-    """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
-
-    Sums of the states and ax, while there is no vertical shaking.
-    """
-    pass
-
-
 def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
     if mode == LEFT or mode == LEFT_INWARD or mode == LEFT_NEAR or mode == RIGHT or mode == RIGHT_INWARD or mode == RIGHT_NEAR:
@@ -1814,12 +1769,6 @@ def overturning(p):
     half_width = p[3]
     edge_distance = p[4]
     value = -edge_distance + 2*half_width
-    return value
-
-
-def velocity_ratio(p):
-    """Ratio of the rates of rotation at an impact of the structure taken as rigid."""
-    value = 1
     return value
 
 

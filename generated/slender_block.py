@@ -34,9 +34,13 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from rockeom.compiler.decorators import fused, inlined
+from rockeom.compiler.decorators import inlined
+from rockeom.generated.prelude import (
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_FALLS, N_PARTS,
+    LOCALISED, FULL_CONTACT, full_contact_guards, elements, overturning,
+)
 
-SOURCE_HASH = "e3f0e93dbeed6b4e"
+SOURCE_HASH = "63a8a225c8df9ec2"
 
 NAME = "slender_block"
 CLASS = "SlenderBlock"
@@ -57,22 +61,15 @@ SIZES = (  # what, whether it may be zero, parameters, remedy
 )
 MODES = ("left", "both", "right",)
 REACTIONS = ("horizontal_reaction", "left_reaction", "right_reaction",)
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 KINEMATICS = ("displacement", "left_uplift", "right_uplift",)
 POSITIONS = ("block", "left", "right", "load",)
 POSITION_KINDS = ("body", "foot", "foot", "load",)
-ELEMENT_NAMES = ()
 CORNERS = ("block", "block", "block", "block",)
-MEMBERS = ()
-MEMBER_ENDS = ()
-COPIES = ()
 
 N_STATES = 2
 ROTATION = 0
 ROTATION_RATE = 1
-N_FALLS = 0
 N_GUARDS = 2
-N_PARTS = 0
 SIDES = (-1.0, 0.0, 1.0,)
 GUARDS = (1, 2, 1,)
 TRANSITIONS = (
@@ -101,50 +98,13 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # both
     (-1, -1,),  # right
 )
-LOCALISED = False  # whether forces may act in a small part of a step
-FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = True
-RATIO, IMPULSIVE = 0, 1
 LEFT = 0
 BOTH = 1
 RIGHT = 2
 
 # In machine code equations are not contracted to a*b + c in one rounding: they give
 # one number wherever they stand.
-
-ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
-
-
-@inlined
-@fused
-def sine_cosine(x):
-    """Sine and cosine, within 1.4e-16: fdlibm's polynomials about multiples of pi/2."""
-    n = 0.0
-    r = x
-    turned = abs(x) > 0.7853981633974483
-    if turned:
-        n = (x * 0.6366197723675814 + ROUNDER) - ROUNDER
-        r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11
-    z = r * r
-    zz = z * z
-    # in pairs of terms, so that the processor need not wait for one after the other
-    s0 = -0.16666666666666632 + z * 0.00833333333332249
-    s1 = -0.0001984126982985795 + z * 2.7557313707070068e-06
-    s2 = -2.5050760253406863e-08 + z * 1.58969099521155e-10
-    c0 = 0.0416666666666666 - z * 0.001388888888887411
-    c1 = 2.480158728947673e-05 - z * 2.7557314351390663e-07
-    c2 = 2.087572321298175e-09 - z * 1.1359647557788195e-11
-    sine = r + r * z * (s0 + zz * (s1 + zz * s2))
-    cosine = 1.0 - (0.5 * z - zz * (c0 + zz * (c1 + zz * c2)))
-    if turned:
-        # by quarters of a turn: -2 to 2
-        quarter = n - 4.0 * ((0.25 * n + ROUNDER) - ROUNDER)
-        odd = quarter * quarter == 1.0
-        sine, cosine = (cosine if odd else sine), (sine if odd else cosine)
-        back = quarter * quarter == 4.0
-        sine = -sine if back or quarter == -1.0 else sine
-        cosine = -cosine if back or quarter == 1.0 else cosine
-    return sine, cosine
 
 
 @inlined
@@ -261,15 +221,6 @@ def jump(mode, guard, law, ratio, y, p, out):
         out[1] = 0.0
         return BOTH
     return mode
-
-
-@inlined
-def full_contact_guards(y, p, ax, g):
-    """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
-
-    Sums of the states and ax, while there is no vertical shaking.
-    """
-    pass
 
 
 def reactions(mode, y, p, ax, ay, out):
@@ -466,14 +417,6 @@ def positions(mode, y, p, out):
         out[11] = 0
 
 
-def elements(mode, y, p, out):
-    """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
-
-    Into out, one element behind the other.
-    """
-    pass
-
-
 def shapes(p, out):
     """Corners of bodies and ends of members [m], from the centres of bodies in their axes.
 
@@ -494,12 +437,6 @@ def shapes(p, out):
     out[5] = x2
     out[6] = x1
     out[7] = x2
-
-
-def overturning(p):
-    """Rotation at which the structure has overturned."""
-    value = (1/2)*math.pi
-    return value
 
 
 def velocity_ratio(p):

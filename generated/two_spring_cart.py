@@ -37,9 +37,13 @@ Operations before and after common subexpressions were shared:
 import math
 
 import numpy as np
-from rockeom.compiler.decorators import fused, inlined
+from rockeom.compiler.decorators import inlined
+from rockeom.generated.prelude import (
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, COPIES, N_FALLS, N_PARTS, LOCALISED, FULL_CONTACT,
+    full_contact_guards, elements,
+)
 
-SOURCE_HASH = "3b1d551de975c0fe"
+SOURCE_HASH = "e82249475234869a"
 
 NAME = "two_spring_cart"
 CLASS = "TwoSpringCart"
@@ -72,22 +76,17 @@ PARAMETER_SIGNS = ("+", "+", "+", "+", "+", "+", "+", "+", "+",)
 SIZES = ()
 MODES = ("both_left", "left", "both_right", "right",)
 REACTIONS = ("horizontal_reaction",)
-ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy",)
 KINEMATICS = ("displacement",)
 POSITIONS = ("cart", "load",)
 POSITION_KINDS = ("body", "load",)
-ELEMENT_NAMES = ()
 CORNERS = ("cart", "cart", "cart", "cart",)
 MEMBERS = ("spring",)
 MEMBER_ENDS = ("ground", "cart",)
-COPIES = ()
 
 N_STATES = 2
 ROTATION = 0
 ROTATION_RATE = 1
-N_FALLS = 0
 N_GUARDS = 2
-N_PARTS = 0
 SIDES = (-1.0, -1.0, 1.0, 1.0,)
 GUARDS = (2, 1, 2, 1,)
 TRANSITIONS = (
@@ -122,10 +121,7 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1,),  # both_right
     (-1, -1,),  # right
 )
-LOCALISED = False  # whether forces may act in a small part of a step
-FULL_CONTACT = -1  # mode whose guards are sums of the state and the ground, or -1
 HAS_IMPULSIVE = False
-RATIO, IMPULSIVE = 0, 1
 BOTH_LEFT = 0
 LEFT = 1
 BOTH_RIGHT = 2
@@ -133,40 +129,6 @@ RIGHT = 3
 
 # In machine code equations are not contracted to a*b + c in one rounding: they give
 # one number wherever they stand.
-
-ROUNDER = 6755399441055744.0  # 1.5 * 2**52: what is added to it is rounded to a whole number
-
-
-@inlined
-@fused
-def sine_cosine(x):
-    """Sine and cosine, within 1.4e-16: fdlibm's polynomials about multiples of pi/2."""
-    n = 0.0
-    r = x
-    turned = abs(x) > 0.7853981633974483
-    if turned:
-        n = (x * 0.6366197723675814 + ROUNDER) - ROUNDER
-        r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11
-    z = r * r
-    zz = z * z
-    # in pairs of terms, so that the processor need not wait for one after the other
-    s0 = -0.16666666666666632 + z * 0.00833333333332249
-    s1 = -0.0001984126982985795 + z * 2.7557313707070068e-06
-    s2 = -2.5050760253406863e-08 + z * 1.58969099521155e-10
-    c0 = 0.0416666666666666 - z * 0.001388888888887411
-    c1 = 2.480158728947673e-05 - z * 2.7557314351390663e-07
-    c2 = 2.087572321298175e-09 - z * 1.1359647557788195e-11
-    sine = r + r * z * (s0 + zz * (s1 + zz * s2))
-    cosine = 1.0 - (0.5 * z - zz * (c0 + zz * (c1 + zz * c2)))
-    if turned:
-        # by quarters of a turn: -2 to 2
-        quarter = n - 4.0 * ((0.25 * n + ROUNDER) - ROUNDER)
-        odd = quarter * quarter == 1.0
-        sine, cosine = (cosine if odd else sine), (sine if odd else cosine)
-        back = quarter * quarter == 4.0
-        sine = -sine if back or quarter == -1.0 else sine
-        cosine = -cosine if back or quarter == 1.0 else cosine
-    return sine, cosine
 
 
 @inlined
@@ -270,15 +232,6 @@ def jump(mode, guard, law, ratio, y, p, out):
     if mode == RIGHT and guard == 0:
         return BOTH_RIGHT
     return mode
-
-
-@inlined
-def full_contact_guards(y, p, ax, g):
-    """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
-
-    Sums of the states and ax, while there is no vertical shaking.
-    """
-    pass
 
 
 def reactions(mode, y, p, ax, ay, out):
@@ -433,14 +386,6 @@ def positions(mode, y, p, out):
     out[3] = u
     out[4] = 0
     out[5] = 0
-
-
-def elements(mode, y, p, out):
-    """Deformation [m], force [N], energy [J] and power lost [W] of each of ELEMENT_NAMES.
-
-    Into out, one element behind the other.
-    """
-    pass
 
 
 def shapes(p, out):

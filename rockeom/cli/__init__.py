@@ -171,7 +171,7 @@ def _unknown(words: Sequence[str]) -> str:
 
 
 def _message(error: Exception, args: argparse.Namespace) -> str:
-    from rockeom.cli.errors import in_options  # NumPy
+    from rockeom.cli.errors import InputError, in_options  # NumPy
 
     if isinstance(error, OSError) and error.filename is not None:
         return f"{error.filename}: {error.strerror}. Check the path and the permissions."

@@ -2,20 +2,23 @@
 
 The module is the whole of what the numeric side knows about a structure: tables (states,
 parameters, contacts, transitions) and functions of plain numbers and arrays (rates, guards,
-jump, energies, reactions, kinematics, statics). It imports only math, numpy, and the marks for
-what makes machine code of it. Here stand its order and its header; each part has its own file.
+jump, energies, reactions, kinematics, statics). It imports only math, numpy, the marks for what
+makes machine code of it, and what others define in the same way, from `rockeom.generated.prelude`.
+Here stand its order and its header; each part has its own file.
 """
 
 from __future__ import annotations
 
 import hashlib
+import textwrap
 
 from rockeom.codegen.declared import declared
 from rockeom.codegen.names import check_names, docstring
 from rockeom.codegen.outputs import outputs
 from rockeom.codegen.parameters import functions_of_parameters, shapes
+from rockeom.codegen.prelude import PRELUDE, without_prelude
+from rockeom.codegen.printer import WIDTH
 from rockeom.codegen.searched import searched
-from rockeom.codegen.sine_cosine import SINE_COSINE
 from rockeom.codegen.tables import tables
 from rockeom.codegen.text import Text
 from rockeom.symbolic.checks.derived import check_derived
@@ -37,6 +40,9 @@ Operations before and after common subexpressions were shared:
 IMPORTS = """
 
 {imports}from rockeom.compiler.decorators import {marks}
+from rockeom.generated.prelude import (
+{shared}
+)
 
 SOURCE_HASH = "{digest}"
 """
@@ -60,14 +66,14 @@ def module_text(declaration: Lowers) -> str:
     functions_of_parameters(text)
     head = tables(text, columns, guards)
     of_tables = [line for line in head if not line.startswith(" ")]  # their rows hold no names
-    check_names("\n".join(of_tables + text.lines), text.given)
-    lines = [*head, *ROUNDING.splitlines(), *SINE_COSINE.splitlines(), *text.lines]
-    body = "\n".join(lines) + "\n"
-    return _header(text, body) + body
+    check_names("\n".join(of_tables + text.lines), text.user_names)
+    body = "\n".join([*head, *ROUNDING.splitlines(), *text.lines]) + "\n"
+    own, shared = without_prelude(body)
+    return _header(text, own, shared) + own
 
 
-def _header(text: Text, body: str) -> str:
-    """Docstring, imports, and the hash of what stands below it."""
+def _header(text: Text, body: str, shared: list[str]) -> str:
+    """Docstring, imports, and the hash of the prelude and of what stands below it."""
     model = text.model
     head = HEADER.format(
         title=model.title,
@@ -81,14 +87,16 @@ def _header(text: Text, body: str) -> str:
             f"    {name:<22}{b:>6}{a:>6}" for name, (b, a) in text.operations.items()
         ),
     )
-    digest = hashlib.sha256(body.encode()).hexdigest()[:16]
     return docstring(head) + IMPORTS.format(
-        imports=_imports(body), marks=_marks(body), digest=digest
+        imports=_imports(body),
+        marks=_marks(body),
+        shared=textwrap.indent(textwrap.fill(", ".join(shared) + ",", WIDTH), "    "),
+        digest=hashlib.sha256((PRELUDE + body).encode()).hexdigest()[:16],
     )
 
 
 def _marks(body: str) -> str:
-    return ", ".join(m for m in ("everywhere", "fused", "inlined") if f"@{m}" in body)
+    return ", ".join(m for m in ("everywhere", "inlined") if f"@{m}" in body)
 
 
 def _imports(body: str) -> str:

@@ -13,9 +13,9 @@ ROOT = Path(__file__).resolve().parents[1]
 def sources() -> list[Path]:
     """The files that derive and write, and those of the numbers that are written."""
     folders = (ROOT / "symbolic", ROOT / "codegen")
-    found = sorted(f for folder in folders for f in folder.rglob("*.py"))
-    own = Path(__file__).resolve()
-    return [ROOT / "codes.py", own, *map(own.with_name, ("__init__.py", "types.py")), *found]
+    files = sorted(f for folder in folders for f in folder.rglob("*.py"))
+    compiler = (ROOT / "compiler" / f"{name}.py" for name in ("__init__", "sources", "types"))
+    return [ROOT / "codes.py", ROOT / "generated" / "prelude.py", *compiler, *files]
 
 
 def digest(*parts: str) -> str:
@@ -27,7 +27,7 @@ def digest(*parts: str) -> str:
 @cache
 def _derivation() -> str:
     """Hash of the sources."""
-    found = hashlib.sha256()
+    whole = hashlib.sha256()
     for file in sources():
-        found.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + file.read_bytes())
-    return found.hexdigest()
+        whole.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + file.read_bytes())
+    return whole.hexdigest()

@@ -246,9 +246,9 @@ def _initial_state(
 
 
 def _positive(name: str, value: float) -> float:
-    found = number(name, value)
-    require(np.isfinite(found) and found > 0.0, "", name, value, "it must be finite and positive")
-    return found
+    size = number(name, value)
+    require(np.isfinite(size) and size > 0.0, "", name, value, "it must be finite and positive")
+    return size
 
 
 def _samples(motion: GroundMotion, duration: float, step: float) -> tuple[list[float], float]:

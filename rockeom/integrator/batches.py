@@ -1,9 +1,4 @@
-"""Motions that are only counted: many one after the other, and whether a motion ends in a fall.
-
-This text is joined to others, see `rockeom.integrator.program`.
-"""
-
-from typing import TYPE_CHECKING
+"""Motions that are only counted: many one after the other, and whether a motion ends in a fall."""
 
 import numpy as np
 
@@ -23,22 +18,20 @@ from rockeom.codes import (
     STEPS_KEPT,
 )
 from rockeom.compiler.decorators import Floats, Floats2, Ints, entry, inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.ground import ground_acceleration, segment_for
-    from rockeom.integrator.interface import (
-        KINDS,
-        N_STATES,
-        ROTATION_RATE,
-        SIDES,
-        energies,
-        kinematics,
-        reactions,
-        standing,
-    )
-    from rockeom.integrator.loop import _GUARDS, _POWERS, SCRATCH, TURN, integrate
-    from rockeom.integrator.overturning import leans_most, own_time
-    from rockeom.integrator.records import Batch, Case, Recorder
+from rockeom.integrator.ground import ground_acceleration, segment_for
+from rockeom.integrator.loop import _GUARDS, _POWERS, SCRATCH, TURN, integrate
+from rockeom.integrator.overturning import leans_most, own_time
+from rockeom.integrator.provided import (
+    KINDS,
+    N_STATES,
+    ROTATION_RATE,
+    SIDES,
+    energies,
+    kinematics,
+    reactions,
+    standing,
+)
+from rockeom.integrator.records import Batch, Case, Recorder
 
 
 @entry

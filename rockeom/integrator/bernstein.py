@@ -2,19 +2,14 @@
 
 The coefficients bound the polynomial, and their changes of sign bound the number of its roots: so
 no pair of roots is stepped over.
-
-This text is joined to others, see `rockeom.integrator.program`.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import N_GUARDS, N_PARTS, SAMPLES_TO_BERNSTEIN
+from rockeom.integrator.provided import N_GUARDS, N_PARTS, SAMPLES_TO_BERNSTEIN
 
 EPS = 2.220446049250313e-16
 EXACT, SAMPLED = 8.0 * EPS, 64.0 * EPS  # rounding in the coefficients of a guard's polynomial

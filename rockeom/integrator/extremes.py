@@ -1,17 +1,10 @@
-"""The smallest and largest values of each state, within steps, too.
-
-This text is joined to others, see `rockeom.integrator.program`.
-"""
-
-from typing import TYPE_CHECKING
+"""The smallest and largest values of each state, within steps, too."""
 
 import numpy as np
 
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import N_STAGES, N_STATES, NODES
-    from rockeom.integrator.polynomials import power_sum, quintic_of, slope_at
+from rockeom.integrator.polynomials import power_sum, quintic_of, slope_at
+from rockeom.integrator.provided import N_STAGES, N_STATES, NODES
 
 
 def widen(extremes, y):

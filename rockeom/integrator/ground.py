@@ -1,19 +1,15 @@
 """The ground motion: accelerations by the segments of its table.
 
 A segment is a row (start, end, kind, constants), see `rockeom.motion.segments`.
-
-This text is joined to others, see `rockeom.integrator.program`.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import ROUNDER, STAGE_TIMES
+from rockeom.generated.prelude import ROUNDER
+from rockeom.integrator.provided import STAGE_TIMES
 
 
 @inlined

@@ -2,62 +2,57 @@
 
 First the bounds by which most steps are known to have no event, without dense output; then the
 polynomials of all guards over a step, and the first of them that falls through zero.
-
-This text is joined to others, see `rockeom.integrator.program`.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.codes import IMPACT, LANDING, LIFTING, SLIPPING, UPLIFT
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.bernstein import (
-        EPS,
-        EXACT,
-        NEVER,
-        SAMPLED,
-        bernstein_at,
-        clearly_open,
-        first_fall,
-        larger_falls,
-        rises_first,
-        size,
-    )
-    from rockeom.integrator.ground import ground_acceleration, ground_accelerations, straight
-    from rockeom.integrator.interface import (
-        FULL_CONTACT,
-        GUARDS,
-        KINDS,
-        LOCALISED,
-        N_GUARDS,
-        N_PARTS,
-        N_STAGES,
-        N_STATES,
-        NODES,
-        PARTS,
-        QUARTIC,
-        QUINTIC,
-        ROTATION,
-        ROTATION_RATE,
-        SAMPLES_TO_BERNSTEIN,
-        SIDES,
-        full_contact_guards,
-        grain_of,
-        guards,
-        is_known,
-        rates,
-    )
-    from rockeom.integrator.polynomials import (
-        dense_at,
-        polynomial_of,
-        quintics_through_ends,
-        slope_at,
-    )
-    from rockeom.integrator.rounding import CLOSED_GAP, rounding
+from rockeom.integrator.bernstein import (
+    EPS,
+    EXACT,
+    NEVER,
+    SAMPLED,
+    bernstein_at,
+    clearly_open,
+    first_fall,
+    larger_falls,
+    rises_first,
+    size,
+)
+from rockeom.integrator.ground import ground_acceleration, ground_accelerations, straight
+from rockeom.integrator.polynomials import (
+    dense_at,
+    polynomial_of,
+    quintics_through_ends,
+    slope_at,
+)
+from rockeom.integrator.provided import (
+    FULL_CONTACT,
+    GUARDS,
+    KINDS,
+    LOCALISED,
+    N_GUARDS,
+    N_PARTS,
+    N_STAGES,
+    N_STATES,
+    NODES,
+    PARTS,
+    QUARTIC,
+    QUINTIC,
+    ROTATION,
+    ROTATION_RATE,
+    SAMPLES_TO_BERNSTEIN,
+    SIDES,
+    full_contact_guards,
+    grain_of,
+    guards,
+    is_known,
+    rates,
+)
+from rockeom.integrator.rounding import CLOSED_GAP, rounding
 
 
 @inlined

@@ -13,12 +13,9 @@ stages:
 
 A contract of functions gives the transition at an event. `transitions/table.py` fulfils it for
 declared modes, `transitions/search.py` for points that may open, slide and bounce.
-
-This text is joined to others, see `rockeom.integrator.program`.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -50,83 +47,81 @@ from rockeom.codes import (
     TOO_MANY_IMPACTS,
 )
 from rockeom.compiler.decorators import Floats, Ints, entry, inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.bernstein import EPS, NEVER
-    from rockeom.integrator.extremes import widen, widen_within, widens
-    from rockeom.integrator.full_contact import cannot_move, stands_until
-    from rockeom.integrator.ground import (
-        ground_acceleration,
-        ground_accelerations,
-        jumps,
-        sampling_step,
-        segment_at,
-        straight,
-    )
-    from rockeom.integrator.guards import (
-        acts_beside,
-        fell_before,
-        first_event,
-        guard_polynomials,
-        opens_soon,
-        overlooks,
-        rocking,
-        settle,
-        stays_held,
-        stays_on_both_feet,
-        stays_open,
-    )
-    from rockeom.integrator.interface import (
-        ERROR_EXPONENT,
-        EXTRAPOLATES,
-        FULL_CONTACT,
-        KINDS,
-        N_ALL_STAGES,
-        N_GUARDS,
-        N_PARTS,
-        N_STAGES,
-        N_STATES,
-        QUIET_STEPS,
-        ROTATION_RATE,
-        SIDES,
-        certain_event,
-        dense_output,
-        free_flight,
-        guards,
-        hop_ends,
-        initial_mode_is_one,
-        is_rounding,
-        longest_turn,
-        rates,
-        take_step,
-        through_rest,
-        time_to_landing,
-        transition,
-        without_hop,
-        zeno_time,
-    )
-    from rockeom.integrator.overturning import falls_at, may_fall
-    from rockeom.integrator.polynomials import (
-        dense_at,
-        extrapolate,
-        gap_at_ends,
-        power_sum,
-        shorten,
-    )
-    from rockeom.integrator.recorder import record_event, record_step
-    from rockeom.integrator.records import (
-        Arrays,
-        Case,
-        Ground,
-        Motion,
-        Recorder,
-        Step,
-        records_extremes,
-        records_steps,
-    )
-    from rockeom.integrator.rounding import noise_of
-    from rockeom.integrator.steps import controlled, finite_end, first_step, most_error
-    from rockeom.integrator.transitions.points import N_KNOWN
+from rockeom.integrator.bernstein import EPS, NEVER
+from rockeom.integrator.extremes import widen, widen_within, widens
+from rockeom.integrator.full_contact import cannot_move, stands_until
+from rockeom.integrator.ground import (
+    ground_acceleration,
+    ground_accelerations,
+    jumps,
+    sampling_step,
+    segment_at,
+    straight,
+)
+from rockeom.integrator.guards import (
+    acts_beside,
+    fell_before,
+    first_event,
+    guard_polynomials,
+    opens_soon,
+    overlooks,
+    rocking,
+    settle,
+    stays_held,
+    stays_on_both_feet,
+    stays_open,
+)
+from rockeom.integrator.overturning import falls_at, may_fall
+from rockeom.integrator.polynomials import (
+    dense_at,
+    extrapolate,
+    gap_at_ends,
+    power_sum,
+    shorten,
+)
+from rockeom.integrator.provided import (
+    ERROR_EXPONENT,
+    EXTRAPOLATES,
+    FULL_CONTACT,
+    KINDS,
+    N_ALL_STAGES,
+    N_GUARDS,
+    N_KNOWN,
+    N_PARTS,
+    N_STAGES,
+    N_STATES,
+    QUIET_STEPS,
+    ROTATION_RATE,
+    SIDES,
+    certain_event,
+    dense_output,
+    free_flight,
+    guards,
+    hop_ends,
+    initial_mode_is_one,
+    is_rounding,
+    longest_turn,
+    rates,
+    take_step,
+    through_rest,
+    time_to_landing,
+    transition,
+    without_hop,
+    zeno_time,
+)
+from rockeom.integrator.recorder import record_event, record_step
+from rockeom.integrator.records import (
+    Arrays,
+    Case,
+    Ground,
+    Motion,
+    Recorder,
+    Step,
+    records_extremes,
+    records_steps,
+)
+from rockeom.integrator.rounding import noise_of
+from rockeom.integrator.steps import controlled, finite_end, first_step, most_error
 
 TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
 

@@ -1,28 +1,21 @@
-"""Rounding errors of guards, below which nothing says whether one is open or closed.
-
-This text is joined to others, see `rockeom.integrator.program`.
-"""
-
-from typing import TYPE_CHECKING
+"""Rounding errors of guards, below which nothing says whether one is open or closed."""
 
 import numpy as np
 
 from rockeom.codes import IMPACT, SWITCH
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.bernstein import SAMPLED, size
-    from rockeom.integrator.interface import (
-        GUARDS,
-        KINDS,
-        N_GUARDS,
-        N_PARTS,
-        N_STATES,
-        PARTS,
-        ROTATION,
-        SIDES,
-        guards,
-        opening_acceleration,
-    )
+from rockeom.integrator.bernstein import SAMPLED, size
+from rockeom.integrator.provided import (
+    GUARDS,
+    KINDS,
+    N_GUARDS,
+    N_PARTS,
+    N_STATES,
+    PARTS,
+    ROTATION,
+    SIDES,
+    guards,
+    opening_acceleration,
+)
 
 CLOSED_GAP = 1e-12  # of the overturning rotation: by so much feet may miss the ground on landing
 

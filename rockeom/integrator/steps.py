@@ -1,27 +1,21 @@
-"""The length of steps: the first one, and each next one by the error of the last.
-
-This text is joined to others, see `rockeom.integrator.program`.
-"""
+"""The length of steps: the first one, and each next one by the error of the last."""
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.ground import ground_acceleration
-    from rockeom.integrator.guards import rocking
-    from rockeom.integrator.interface import (
-        COARSE,
-        ERROR_EXPONENT,
-        LOCALISED,
-        N_STAGES,
-        N_STATES,
-        rates,
-    )
-    from rockeom.integrator.overturning import own_time
+from rockeom.integrator.ground import ground_acceleration
+from rockeom.integrator.guards import rocking
+from rockeom.integrator.overturning import own_time
+from rockeom.integrator.provided import (
+    COARSE,
+    ERROR_EXPONENT,
+    LOCALISED,
+    N_STAGES,
+    N_STATES,
+    rates,
+)
 
 
 def first_step(mode, t, y, rate, p, ground, rtol, atol, w, later):

@@ -15,41 +15,40 @@ the same transition as in the loop, and back to the fixed time by the rates on e
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.codes import GRAZES, IMPACT, LANDING, OTHER_WAY, REST, STEPPED_OVER
 from rockeom.compiler.decorators import Duals, Duals2, Duals3, Floats, Ints, entry, inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.full_contact import cannot_move
-    from rockeom.integrator.ground import (
-        ground_acceleration,
-        ground_accelerations,
-        segment_at,
-        segment_of,
-    )
-    from rockeom.integrator.interface import (
-        N_ALL_STAGES,
-        N_GUARDS,
-        N_PARTS,
-        N_POINTS,
-        N_STATES,
-        ROTATION_RATE,
-        guards,
-        jump,
-        moving,
-        rate,
-        rates,
-        take_step,
-        value,
-    )
-    from rockeom.integrator.records import Case, Ground, Recorder, State
-    from rockeom.integrator.transitions.candidates import ground_now_and_later, pass_on
-    from rockeom.integrator.transitions.declared import stand, time_to_rest, velocity_ratio_at
-    from rockeom.integrator.transitions.points import N_KNOWN
-    from rockeom.integrator.transitions.zeno import time_of_bounces
+from rockeom.integrator.full_contact import cannot_move
+from rockeom.integrator.ground import (
+    ground_acceleration,
+    ground_accelerations,
+    segment_at,
+    segment_of,
+)
+from rockeom.integrator.provided import (
+    N_ALL_STAGES,
+    N_GUARDS,
+    N_KNOWN,
+    N_PARTS,
+    N_POINTS,
+    N_STATES,
+    ROTATION_RATE,
+    guards,
+    jump,
+    moving,
+    rate,
+    rates,
+    take_step,
+    value,
+)
+from rockeom.integrator.records import Case, Ground, Recorder, State
+from rockeom.integrator.transitions.candidates import ground_now_and_later, pass_on
+from rockeom.integrator.transitions.declared import stand, time_to_rest
+from rockeom.integrator.transitions.restitution import velocity_ratio_at
+from rockeom.integrator.transitions.zeno import time_of_bounces
 
 DIGITS = 1e4
 """How many times the tolerance a guard must have sunk below zero, had nothing happened there:
@@ -338,14 +337,14 @@ def moves_by(e, length, recorder, shaken, case, varied, y, floats, duals):
     before, rate_there = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
     later, rate_soon = floats[2 * N_STATES : 3 * N_STATES], floats[3 * N_STATES :]
     # how fast the guard falls, and how fast that changes
-    falls = falls_by(mode, guard, t, before, rate_there, ground, p, state, g)
+    falls = rate_along_motion(mode, guard, t, before, rate_there, ground, p, state, g)
     ahead = 1e-3 * length
     for j in range(N_STATES):
         later[j] = before[j] + ahead * rate_there[j]
     soon = t + ahead
     ax, ay = ground_accelerations(ground, soon)
     rates(mode, later, p, ax, ay, rate_soon)
-    after = falls_by(mode, guard, soon, later, rate_soon, ground, p, state, g)
+    after = rate_along_motion(mode, guard, soon, later, rate_soon, ground, p, state, g)
     for j in range(N_STATES):
         later[j] = case.atol[j] + case.rtol * abs(before[j])
     ax, ay = ground_accelerations(ground, t)
@@ -360,7 +359,7 @@ def moves_by(e, length, recorder, shaken, case, varied, y, floats, duals):
     return 0, (value(g[guard]) - g[guard]) / falls
 
 
-def falls_by(mode, guard, t, y, dy, ground, p, state, g):
+def rate_along_motion(mode, guard, t, y, dy, ground, p, state, g):
     """How fast a guard changes along the motion."""
     now = moving(t, 1.0)
     ax, ay = ground_accelerations(ground, now)

@@ -12,8 +12,8 @@ from rockeom.assessment.statics import statics_of
 from rockeom.browser.setup import difference
 from rockeom.browser.sizes import enlarged
 from rockeom.browser.traced import UntracedError
-from tests.numeric.structures import column
 from tests.refusals import refused, refuses
+from tests.typical import column
 
 from .browsers import native
 

@@ -17,7 +17,7 @@ bit for any order and number of motions.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -41,57 +41,56 @@ from rockeom.codes import (
     UPLIFT,
 )
 from rockeom.compiler.decorators import Floats, Ints, entry, inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.batches import add_gain, case_of, count_impacts
-    from rockeom.integrator.bernstein import EPS
-    from rockeom.integrator.ground import (
-        ground_acceleration,
-        jumps,
-        pulse,
-        sampling_step,
-        segment_at,
-    )
-    from rockeom.integrator.interface import (
-        DAMPING,
-        GAP_SIDES,
-        KINDS,
-        LANES,
-        N_PARAMETERS,
-        N_STATES,
-        NODE_PLACES,
-        PLACES,
-        REVERSE,
-        ROTATION,
-        ROTATION_RATE,
-        SIDES,
-        STAGE_PLACES,
-        accept_lanes,
-        bend_x_lanes,
-        bend_y_lanes,
-        control_lanes,
-        judge_held_lanes,
-        judge_lanes,
-        jump,
-        opening_acceleration,
-        rates,
-        shake_lanes,
-        step_lanes,
-    )
-    from rockeom.integrator.loop import (
-        _AFTER,
-        _GUARDS,
-        _K,
-        _POWERS,
-        _W,
-        _Y_NEW,
-        SCRATCH,
-        TURN,
-        integrate,
-    )
-    from rockeom.integrator.records import Batch, Ground, Recorder
-    from rockeom.integrator.steps import first_step, most_error
-    from rockeom.integrator.transitions.declared import stand, time_to_rest, velocity_ratio_at
+from rockeom.integrator.batches import add_gain, case_of, count_impacts
+from rockeom.integrator.bernstein import EPS
+from rockeom.integrator.ground import (
+    ground_acceleration,
+    jumps,
+    pulse,
+    sampling_step,
+    segment_at,
+)
+from rockeom.integrator.loop import (
+    _AFTER,
+    _GUARDS,
+    _K,
+    _POWERS,
+    _W,
+    _Y_NEW,
+    SCRATCH,
+    TURN,
+    integrate,
+)
+from rockeom.integrator.provided import (
+    DAMPING,
+    GAP_SIDES,
+    KINDS,
+    LANES,
+    N_PARAMETERS,
+    N_STATES,
+    NODE_PLACES,
+    PLACES,
+    REVERSE,
+    ROTATION,
+    ROTATION_RATE,
+    SIDES,
+    STAGE_PLACES,
+    accept_lanes,
+    bend_x_lanes,
+    bend_y_lanes,
+    control_lanes,
+    judge_held_lanes,
+    judge_lanes,
+    jump,
+    opening_acceleration,
+    rates,
+    shake_lanes,
+    step_lanes,
+)
+from rockeom.integrator.records import Batch, Ground, Recorder
+from rockeom.integrator.steps import first_step, most_error
+from rockeom.integrator.transitions.declared import stand, time_to_rest
+from rockeom.integrator.transitions.restitution import velocity_ratio_at
 
 # Rows of the lanes' array z, each of one number a lane. One flat array, and places that differ by
 # constants, leave the compiler no doubt that lanes are independent.

@@ -3,11 +3,10 @@
 A mode says of each point whether it is open, sticks or slips to a side. Where one ends, all that
 may follow are tried: at a landing, those whose impulses fit the velocities after them; then those
 whose forces fit the accelerations. An event that none fits, or several that move differently, ends
-the motion. This text is joined to others behind points.py, see `rockeom.integrator.program`.
+the motion.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -25,52 +24,52 @@ from rockeom.codes import (
     SWITCH,
 )
 from rockeom.compiler.decorators import inlined, rolled
+from rockeom.integrator.provided import (
+    ELEMENT_STATES,
+    FEET_OF,
+    GUARDS,
+    KINDS,
+    N_ELEMENTS,
+    N_GUARDS,
+    N_PARTS,
+    N_POINTS,
+    N_STATES,
+    POINT_STATES,
+    POSITIONS,
+    REVERSE,
+    ROTATION,
+    SHARED,
+    SUBJECTS,
+    free_motion,
+    guards,
+    jump,
+    landed,
+    points,
+    positions,
+    rates,
+)
+from rockeom.integrator.transitions.points import (
+    COUPLING,
+    GRAIN,
+    HALVES,
+    LAWS,
+    MATRIX,
+    N_COORDINATES,
+    N_KNOWN,
+    POINT,
+    ROWS,
+    SPREAD,
+    all_known,
+    along,
+    eliminate,
+    is_closed,
+    put_on,
+    rate_of,
+    row_of_point,
+    through_mass,
+)
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import (
-        ELEMENT_STATES,
-        FEET_OF,
-        GUARDS,
-        KINDS,
-        N_ELEMENTS,
-        N_GUARDS,
-        N_PARTS,
-        N_POINTS,
-        N_STATES,
-        POINT_STATES,
-        POSITIONS,
-        REVERSE,
-        ROTATION,
-        SHARED,
-        SUBJECTS,
-        free_motion,
-        guards,
-        jump,
-        landed,
-        points,
-        positions,
-        rates,
-    )
-    from rockeom.integrator.transitions.points import (
-        COUPLING,
-        GRAIN,
-        HALVES,
-        LAWS,
-        MATRIX,
-        N_COORDINATES,
-        N_KNOWN,
-        POINT,
-        ROWS,
-        SPREAD,
-        all_known,
-        along,
-        eliminate,
-        is_closed,
-        put_on,
-        rate_of,
-        row_of_point,
-        through_mass,
-    )
+__fused__ = False
 
 # Places in `ground` (5,): the accelerations of the ground now, those a little later, and how much
 AX, AY, LATER_AX, LATER_AY, LATER = range(5)

@@ -1,21 +1,18 @@
-"""Points that meet in an impact, and the forces that fit at an instant of it, by Coulomb's law.
-
-This text is joined behind candidates.py, see `rockeom.integrator.program`.
-"""
+"""Points that meet in an impact, and the forces that fit at an instant of it, by Coulomb's law."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.codes import NEVER_SLIPS
 from rockeom.compiler.decorators import Floats, Ints, inlined, rolled
+from rockeom.integrator.provided import N_POINTS
+from rockeom.integrator.transitions.candidates import FITS
+from rockeom.integrator.transitions.points import COUPLING, LAWS, ROWS, eliminate
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import N_POINTS
-    from rockeom.integrator.transitions.candidates import FITS
-    from rockeom.integrator.transitions.points import COUPLING, LAWS, ROWS, eliminate
+__fused__ = False
 
 NOTHING_LEFT = 1e-12  # of velocities and forces: what is smaller is none
 

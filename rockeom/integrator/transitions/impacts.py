@@ -10,40 +10,37 @@ laws differ in normal forces:
     lzb       springs of stiffness k as they load, and k / e**2 as they give back, see `grow`
     pairwise  single points one after the other, with the restitution of lzb; those that are alike
               together, see `one_by_one`
-
-This text is joined behind friction.py and springs.py, see `rockeom.integrator.program`.
 """
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.codes import IMPOSSIBLE, LZB, MOREAU, OPEN, PAIRWISE, POISSON
 from rockeom.compiler.decorators import inlined
+from rockeom.integrator.provided import (
+    ELEMENT_STATES,
+    IMPACT_LAW,
+    N_ELEMENTS,
+    N_POINTS,
+    POINT_STATES,
+    point_numbers,
+)
+from rockeom.integrator.transitions.candidates import FITS, fitting_states, sizes_of, squared
+from rockeom.integrator.transitions.friction import (
+    NOTHING_LEFT,
+    Meeting,
+    choose,
+    grip,
+    lines_of,
+    slips_now,
+)
+from rockeom.integrator.transitions.points import LAWS, N_COORDINATES, ROWS, SPREAD, rate_of
+from rockeom.integrator.transitions.springs import grow
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import (
-        ELEMENT_STATES,
-        IMPACT_LAW,
-        N_ELEMENTS,
-        N_POINTS,
-        POINT_STATES,
-        point_numbers,
-    )
-    from rockeom.integrator.transitions.candidates import FITS, fitting_states, sizes_of, squared
-    from rockeom.integrator.transitions.friction import (
-        NOTHING_LEFT,
-        Meeting,
-        choose,
-        grip,
-        lines_of,
-        slips_now,
-    )
-    from rockeom.integrator.transitions.points import LAWS, N_COORDINATES, ROWS, SPREAD, rate_of
-    from rockeom.integrator.transitions.springs import grow
+__fused__ = False
 
 MOST_STAGES = 100000  # of an impact, and impacts of single points in one
 SAME_RATE = 1e-9  # relative: rates of points that are alike differ by rounding, some 1e-15 a step

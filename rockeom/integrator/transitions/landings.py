@@ -5,34 +5,33 @@ each guard leave unclear.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.codes import LANDING, STAYS_OPEN, UNCLEAR
 from rockeom.compiler.decorators import inlined
+from rockeom.integrator.guards import guards_at
+from rockeom.integrator.provided import (
+    ANGLES,
+    GUARDS,
+    KINDS,
+    N_POINTS,
+    N_STAGES,
+    N_STATES,
+    SUBJECTS,
+    guards,
+    points,
+)
+from rockeom.integrator.transitions.points import (
+    N_COORDINATES,
+    POINT,
+    ROW,
+    acceleration_of,
+    gap_rounding,
+    is_closed,
+)
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.guards import guards_at
-    from rockeom.integrator.interface import (
-        ANGLES,
-        GUARDS,
-        KINDS,
-        N_POINTS,
-        N_STAGES,
-        N_STATES,
-        SUBJECTS,
-        guards,
-        points,
-    )
-    from rockeom.integrator.transitions.points import (
-        N_COORDINATES,
-        POINT,
-        ROW,
-        acceleration_of,
-        gap_rounding,
-        is_closed,
-    )
+__fused__ = False
 
 INSIDE = (  # weights of way, rates and accelerations at both ends, of a place and of its slope
     (0.5, 0.15625, -0.15625, 0.015625, 0.015625, 1.875, -0.4375, -0.4375, -0.03125, 0.03125),

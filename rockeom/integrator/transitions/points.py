@@ -1,26 +1,23 @@
 """Points that may touch something: gaps, slips and their rates, and how impulses change them.
 
 Velocities and accelerations of a point are those of its gap (normal) and of its slip (tangential).
-This text is joined to others, see `rockeom.integrator.program`.
 """
-
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.codes import MOST_DIGITS
 from rockeom.compiler.decorators import inlined, rolled
+from rockeom.integrator.provided import (
+    N_GUARDS,
+    N_PARTS,
+    N_POINTS,
+    N_STATES,
+    free_motion,
+    point_laws,
+    points,
+)
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import (
-        N_GUARDS,
-        N_PARTS,
-        N_POINTS,
-        N_STATES,
-        free_motion,
-        point_laws,
-        points,
-    )
+__fused__ = False
 
 N_COORDINATES = N_STATES // 2
 POINT = 5 + N_STATES  # numbers that `points` tells of each: gap, its rate, that of the slip, ...

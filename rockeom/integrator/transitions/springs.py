@@ -1,29 +1,26 @@
-"""The impact of points that touch by springs: the law of Liu, Zhao and Brogliato.
-
-This text is joined behind friction.py, see `rockeom.integrator.program`.
-"""
+"""The impact of points that touch by springs: the law of Liu, Zhao and Brogliato."""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.codes import NEVER_SLIPS
 from rockeom.compiler.decorators import Floats, inlined
+from rockeom.integrator.provided import N_POINTS
+from rockeom.integrator.transitions.friction import (
+    NOTHING_LEFT,
+    choose,
+    forces_with,
+    friction_on_line,
+    lines_of,
+    slips_now,
+)
+from rockeom.integrator.transitions.points import COUPLING, LAWS, ROWS
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import N_POINTS
-    from rockeom.integrator.transitions.friction import (
-        NOTHING_LEFT,
-        choose,
-        forces_with,
-        friction_on_line,
-        lines_of,
-        slips_now,
-    )
-    from rockeom.integrator.transitions.points import COUPLING, LAWS, ROWS
+__fused__ = False
 
 ORDER = 14  # of the power series of springs
 TERMS = ORDER + 1

@@ -6,57 +6,59 @@ Joined behind contacts.py, whose transitions the impacts are, see `rockeom.integ
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.codes import IMPOSSIBLE, LANDING, NEVER_SLIPS, OPEN, STICK, STICKING
 from rockeom.compiler.decorators import Floats, Ints
+from rockeom.integrator.provided import (
+    GUARDS,
+    KINDS,
+    N_POINTS,
+    N_STATES,
+    POINT_STATES,
+    SUBJECTS,
+    free_motion,
+    points,
+    rates,
+)
+from rockeom.integrator.transitions.candidates import (
+    FITS,
+    SIGN_OF,
+    collide,
+    is_smooth,
+    meet,
+    radius_of,
+    same_ground,
+    select_by_forces,
+    squared,
+    without_forces,
+)
+from rockeom.integrator.transitions.points import (
+    COUPLING,
+    GRAIN,
+    LAWS,
+    MATRIX,
+    N_COORDINATES,
+    POINT,
+    ROWS,
+    acceleration_of,
+    all_known,
+    gap_rounding,
+    put_on,
+    rate_of,
+    through_mass,
+)
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import (
-        GUARDS,
-        KINDS,
-        N_POINTS,
-        N_STATES,
-        POINT_STATES,
-        SUBJECTS,
-        free_motion,
-        points,
-        rates,
-    )
-    from rockeom.integrator.transitions.candidates import (
-        FITS,
-        SIGN_OF,
-        collide,
-        is_smooth,
-        meet,
-        radius_of,
-        same_ground,
-        select_by_forces,
-        squared,
-        without_forces,
-    )
-    from rockeom.integrator.transitions.points import (
-        COUPLING,
-        GRAIN,
-        LAWS,
-        MATRIX,
-        N_COORDINATES,
-        POINT,
-        ROWS,
-        acceleration_of,
-        all_known,
-        gap_rounding,
-        put_on,
-        rate_of,
-        through_mass,
-    )
+__fused__ = False
 
 LOST_HOP = 1e-13  # relative to the terms of a gap: lower flights are lost among rounding errors
 NO_HOP = 1e-18  # relative to the radius of gyration: so low a flight ends in no time
 SLOWEST = 5.0  # changes of velocity that are stepped over, in accelerations times the time
-TURNS = 4000  # landings and ends of slips that are followed, until few and slow ones are left
+MOST_FLIGHTS = (
+    4000  # landings and ends of slips that are followed, until few and slow ones are left
+)
 FAST = 100.0  # rates of landings that no rest takes, in accelerations times its longest time
 SHORTER = 4  # times of a step over events that are tried, each a tenth of the one before
 LONGEST_LOST = 1e-5  # the time of lost flights that is summed, in units of sqrt(l/a)
@@ -155,7 +157,7 @@ def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
     w, here, landed = state.y, state.mode, np.zeros(N_POINTS, np.int64)
     total = last = last_ratio = 0.0
     series, w_then = Series(-1, -1, 0.0, 0.0, 0, 2), np.empty(N_STATES)
-    for turn in range(TURNS + 1):
+    for turn in range(MOST_FLIGHTS + 1):
         if turn > 0:
             rates(here, w, state.p, state.ax, state.ay, dy)
         flight, which = next_landing(here, bounces, w, known, dy)
@@ -165,7 +167,7 @@ def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
             flight = slips
         if have_ended(here, bounces, start, known, w, dy):
             break
-        if turn == TURNS:
+        if turn == MOST_FLIGHTS:
             if fast_fly_on(here, bounces, start, known, dy):
                 return np.inf, state.mode
             break

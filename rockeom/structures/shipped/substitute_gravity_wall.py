@@ -11,7 +11,18 @@ from rockeom.structures.shipped.walls import RockingWall, TendonedWall, ThesisWa
 class SubstituteGravityWall(RockingWall, declared.SubstituteGravityWall):
     @classmethod
     def from_wall(cls, wall: TendonedWall) -> Self:
-        """The wall of `rockeom.analysis`, its inertia that about a corner."""
+        """Wall of `rockeom.analysis`, its inertia that about a corner.
+
+        Parameters
+        ----------
+        wall : Wall
+            Wall with one tendon.
+
+        Returns
+        -------
+        SubstituteGravityWall
+            Wall with the force of the tendon as weight.
+        """
         return cls(
             **of_wall(cls.__name__, wall),
             centroid_height=wall.centroid_height,
@@ -20,5 +31,16 @@ class SubstituteGravityWall(RockingWall, declared.SubstituteGravityWall):
 
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> Self:
-        """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
+        """Wall of thesis chapter 4.
+
+        Parameters
+        ----------
+        initial_force : float, optional
+            Initial force of its tendon, 75.6 kN or 111 kN [N].
+
+        Returns
+        -------
+        SubstituteGravityWall
+            Wall with the force of the tendon as weight.
+        """
         return cls.from_wall(ThesisWall(initial_force))
