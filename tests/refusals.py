@@ -31,3 +31,10 @@ def refuses(
     assert isinstance(error, InputError), repr(error)
     assert error.argument == argument, str(error)
     assert value is ANY or error.value == value, str(error)
+
+
+def told(call: Callable[..., Any], *values: Any, **named: Any) -> str:
+    """What a call says that refuses its input."""
+    with pytest.raises(InputError) as caught:
+        call(*values, **named)
+    return str(caught.value)

@@ -48,9 +48,7 @@ def measured_swings(
     """
     given = {name: x for name, x in offered.items() if x is not None}
     if not given:
-        raise InputError("peaks", of=function).told(
-            "nothing was measured: give peaks, peak_times, crossing_times"
-        )
+        raise InputError("peaks", None, function).give("peaks, peak_times or crossing_times")
     return {name: np.atleast_1d(numbers(function, **{name: x})[0]) for name, x in given.items()}
 
 

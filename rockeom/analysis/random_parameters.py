@@ -32,9 +32,7 @@ class RandomParameters:
     ) -> RandomParameters:
         """argument : of the function `where`, that holds the distributions, for its errors."""
         if not random:
-            raise InputError(argument, of=where).wrong(
-                "is empty: give a distribution of each parameter"
-            )
+            raise InputError(argument, {}, where).give("a distribution of each parameter")
         for name, marginal in random.items():
             if not all(hasattr(marginal, part) for part in ("ppf", "isf", "logpdf")):
                 raise InputError(argument, of=where).wrong(

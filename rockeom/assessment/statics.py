@@ -129,9 +129,7 @@ def statics_of(structure: Structure) -> Statics:
             "LumpedMassStructure, FlexibleStructure or ShearFrame"
         )
     if not math.isfinite(min(thresholds)):
-        raise InputError("structure", of="assess").told(
-            f"no horizontal acceleration lifts {structure.model}"
-        )
+        raise InputError("structure", structure.model, "assess").so("no acceleration lifts it")
     feet, lifted = _feet(structure), _feet(structure, 1.0)
     pushed = structure.reactions({}, ground_acceleration=1.0)["horizontal_reaction"]
     mass = abs(float(pushed)) + _moving_mass(structure)

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rockeom.browser.traced import Tape
-from rockeom.numbers.checks import InputError, InputTypeError, described, is_number, near, require
+from rockeom.numbers.checks import InputError, InputTypeError, described, is_number, require
 from rockeom.simulation.case import Case
 from rockeom.sweeps.case_numbers import OtherCase, function_of
 
@@ -183,9 +183,7 @@ class Controls:
 
     def _known(self, where: str, name: str) -> str:
         if name not in self.of:
-            raise InputError(name, of=where).told(
-                f"{name!r} is no slider and no menu{near(name, self.of)}"
-            )
+            raise InputError(where, name).wrong(f"has {name!r}").choose(self.of)
         return name
 
     def _value(self, where: str, name: str, x: Any) -> float:
@@ -266,9 +264,7 @@ def controls_of(
             f"{MOST_CONTROLS} of both"
         )
     if both := sliders.keys() & menus.keys():
-        raise InputError("menus", min(both)).told(
-            f"{min(both)!r} is a slider and a menu: name one of both"
-        )
+        raise InputError("menus", min(both)).so("it is a slider, too: name one of both")
     combinations = math.prod(len(one.options) for one in menu_of.values())
     if combinations > MOST_COMBINATIONS:
         raise InputError("menus").told(

@@ -7,6 +7,7 @@ import os
 import sys
 import warnings
 from collections.abc import Mapping, Sequence
+from types import ModuleType
 from typing import Any
 
 from rockeom.cli.commands import GROUPS, HELP, OF_THESIS, command
@@ -55,7 +56,7 @@ def _run(argv: Sequence[str]) -> int:
         parser = _parser(argv)
         args, unknown = parser.parse_known_args(argv)
         if unknown:  # an error of the command itself, with its own usage
-            getattr(args, "parser", parser).error(_unknown(unknown))
+            getattr(args, "parser", parser).error(_errors().unknown(unknown))
         if getattr(args, "run", None) is None:  # `rockeom` or `rockeom thesis` alone
             getattr(args, "group", parser).print_help()
             return 2
@@ -73,7 +74,7 @@ def _answer(args: argparse.Namespace) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except (ValueError, OSError) as error:
-        print(f"{args.parser.prog}: {_message(error, args)}", file=sys.stderr)
+        print(f"{args.parser.prog}: {_errors().message(error, args)}", file=sys.stderr)
         return 2
 
 
@@ -93,7 +94,7 @@ def _parser(words: Sequence[str] = ("completion",)) -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"rockeom {VERSION}")
     if first is not None and first not in HELP:
         names = {name: f"thesis {name}" for name in OF_THESIS} | {name: name for name in HELP}
-        parser.error(f"no command {_meant(first, names)}; rockeom --help lists them")
+        parser.error(f"no command {_errors().meant(first, names)}; rockeom --help lists them")
     commands = parser.add_subparsers(metavar="COMMAND", help=argparse.SUPPRESS, prog="rockeom")
     for name in HELP:
         if name == "thesis":
@@ -116,7 +117,7 @@ def _add_thesis(commands: Any, asked: Sequence[str], program: argparse.ArgumentP
     name = asked[1] if asked[0:1] == ["thesis"] and len(asked) > 1 else None
     if name is not None and name not in OF_THESIS:
         names = {name: name for name in OF_THESIS}
-        group.error(f"no command {_meant(name, names)}; there are {', '.join(OF_THESIS)}")
+        group.error(f"no command {_errors().meant(name, names)}; there are {', '.join(OF_THESIS)}")
     of_group = group.add_subparsers(
         metavar="COMMAND", help=argparse.SUPPRESS, prog="rockeom thesis"
     )
@@ -146,13 +147,6 @@ def _add(
     parser.set_defaults(run=home.run, parser=parser, program=program)
 
 
-def _meant(name: str, known: Mapping[str, str]) -> str:
-    """An unknown command, and what to type for the known one that is most like it."""
-    from rockeom.numbers.checks import near
-
-    return f"{name!r}{near(name, known, known)}"
-
-
 def _write_any_letter() -> None:
     """Greek letters must not end a command whose output goes to a pipe of few letters."""
     for stream in (sys.stdout, sys.stderr):
@@ -160,22 +154,11 @@ def _write_any_letter() -> None:
             stream.reconfigure(errors="replace")
 
 
-def _unknown(words: Sequence[str]) -> str:
-    """An error of words that no option takes."""
-    from rockeom.motion import units  # NumPy, as `near`: only where there is an error
+def _errors() -> ModuleType:
+    """The words of errors, which load NumPy: only where there is one."""
+    from rockeom.cli import errors
 
-    said = f"unrecognized arguments: {' '.join(words)}"
-    if units.is_known(words[0]):
-        said += f"; write a number and its unit without a blank, as 0.4{words[0]}"
-    return said
-
-
-def _message(error: Exception, args: argparse.Namespace) -> str:
-    from rockeom.cli.errors import InputError, in_options  # NumPy
-
-    if isinstance(error, OSError) and error.filename is not None:
-        return f"{error.filename}: {error.strerror}. Check the path and the permissions."
-    return in_options(error, args) if isinstance(error, InputError) else str(error)
+    return errors
 
 
 def _show_warning(message, category, filename, lineno, file=None, line=None) -> None:

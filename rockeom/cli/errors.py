@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from rockeom.files import check_target
-from rockeom.numbers.checks import InputError, in_python
+from rockeom.motion import units
+from rockeom.numbers.checks import InputError, in_python, near
 
 
 class UsageError(InputError):
@@ -18,6 +19,26 @@ class UsageError(InputError):
         self.told(message)
 
 
+def message(error: Exception, args: argparse.Namespace) -> str:
+    """An error of a command that was understood."""
+    if isinstance(error, OSError) and error.filename is not None:
+        return f"{error.filename}: {error.strerror}. Check the path and the permissions."
+    return in_options(error, args) if isinstance(error, InputError) else str(error)
+
+
+def meant(name: str, commands: Mapping[str, str]) -> str:
+    """An unknown command, and what to type for the one that is most like it."""
+    return f"{name!r}{near(name, commands, commands)}"
+
+
+def unknown(words: Sequence[str]) -> str:
+    """An error of words that no option takes."""
+    text = f"unrecognized arguments: {' '.join(words)}"
+    if units.is_known(words[0]):
+        text += f"; write a number and its unit without a blank, as 0.4{words[0]}"
+    return text
+
+
 _CALLED = {
     "acceleration": "acceleration_scale",
     "time": "time_scale",
@@ -26,6 +47,7 @@ _CALLED = {
     "time_column": "columns",
     "acceleration_column": "columns",
     "column": "columns",
+    "path": "out",
 }
 """Arguments of Python whose option has another name."""
 _MOST_LISTED = 6

@@ -28,7 +28,7 @@ from rockeom.version import VERSION
 def in_words(run: Response) -> str:
     """The summary of the response, with its largest displacement and uplifts."""
     head, tail = (lines := run.summary().split("\n"))[:3], lines[3:]
-    law = str(run.statistics.get("impact_law", ""))
+    law = str(run.statistics.get("impact_law", "")).partition(", by default")[0]
     return "\n".join([*head, *_lengths(run), *tail]).replace(law or "\0", as_option(law))
 
 

@@ -66,13 +66,9 @@ def plot_comparison(
         check_drawn(f"runs[{i}]", run, Response)
     labels = [style.name_of(run) for run in runs] if labels is None else labels
     if not runs or len(labels) != len(runs):
-        raise InputError("labels").told(
-            f"{len(runs)} runs and {len(labels)} labels: give one label for each run"
-        )
+        raise InputError("labels", labels).give(f"one for each of {len(runs)} runs")
     if len({style.is_dimensionless(run) for run in runs}) > 1:
-        raise InputError("runs").told(
-            "runs with and without units have no common axes: compare them apart"
-        )
+        raise InputError("runs").told("some have units and some none: compare them apart")
     feet = ("left", "right") if any("left_uplift" in run.names for run in runs) else ()
     heights = [0.8, 1.6, *(0.9 for _ in feet), 0.1 + 0.28 * len(runs)]
     if figure is None:

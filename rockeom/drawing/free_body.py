@@ -203,9 +203,7 @@ def _along(start: Point, end: Point, along: np.ndarray, across: np.ndarray) -> n
     way = np.asarray(end, float) - origin
     length = float(np.hypot(*way))
     if length == 0.0:
-        raise InputError("end").told(
-            f"start and end are the same point, {tuple(origin)}: nothing to draw"
-        )
+        raise InputError("end", tuple(origin)).so("start is the same point: nothing to draw")
     normal = np.array([-way[1], way[0]]) / length
     return origin + np.outer(along, way) + np.outer(across, normal)
 

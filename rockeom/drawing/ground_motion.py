@@ -122,9 +122,7 @@ def plot_spectra(
         For no spectra, and for spectra of several dampings or periods.
     """
     if not isinstance(spectra, Sequence):
-        raise InputTypeError("spectra", spectra).give(
-            "a list of spectra, such as [motion.response_spectrum()]"
-        )
+        raise InputTypeError("spectra", spectra).give("a list, as [motion.response_spectrum()]")
     if not spectra:
         raise InputError("spectra").told("no spectra: give one or more")
     first = spectra[0]

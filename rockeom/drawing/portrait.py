@@ -54,9 +54,7 @@ def plot_phase_portrait(
     """
     runs = list(run) if isinstance(run, Sequence) else [run]
     if not runs:
-        raise InputError("runs", of="plot_phase_portrait").told(
-            "there is no response: give one at least"
-        )
+        raise InputError("runs", runs, "plot_phase_portrait").give("one response at least")
     for one in runs:
         check_drawn("run", one, Response)
     first = runs[0]

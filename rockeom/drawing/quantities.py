@@ -28,9 +28,7 @@ def plot_quantities(
         units = {name: run.units[name] for name in names}
         if len({*units.values()}) > 1:
             of_each = ", ".join(f"{name} [{unit}]" for name, unit in units.items())
-            raise InputError("names").told(
-                f"{of_each} have not one unit: give each axes of its own"
-            )
+            raise InputError("names").told(f"{of_each} have not one unit: give each its own axes")
         what = _word(names[0]) if len(names) == 1 else ""
         draw_curves(ax, run, {name: _word(name) for name in names}, what)
         return style.parent_figure(ax), [ax]

@@ -94,9 +94,7 @@ def _limits(run: Response, start: float | None, end: float | None) -> tuple[floa
     first = float(run.t[0]) if start is None else number("start", start)
     last = float(run.t[-1]) if end is None else number("end", end)
     if not first < last:
-        raise InputError("start", first).wrong(
-            f"is {first:g} s and end {last:g} s: give the smaller one first"
-        )
+        raise InputError("start", first).give(f"less than the end, {last:g} s")
     return first, last
 
 

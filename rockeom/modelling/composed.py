@@ -333,9 +333,7 @@ class Sliding(Support):
 
     def check_base(self, what: str, mass: float, inertia: float) -> None:
         if not mass > 0:
-            raise InputError("base_mass", mass, what).so(
-                "a base that may slide must have a mass of its own"
-            )
+            raise InputError("base_mass", mass, what).so("a base that slides has a mass of its own")
         _turns(what, inertia)
 
     def module(self, superstructure: str, **arguments: int) -> GeneratedModule:

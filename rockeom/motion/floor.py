@@ -104,9 +104,7 @@ def floor_motion(
     if xi >= 1.0:
         raise InputError("damping_ratio", xi).give("a part of the critical one, such as 0.05")
     if not 0.0 <= z <= 1.0:
-        raise InputError("height", z).give(
-            "the part of the height of the building, from 0 to 1, the roof"
-        )
+        raise InputError("height", z).give("a part of the height of the building, from 0 to 1")
     shares = _participation(participation, len(of_modes), z)
     where = f"floor at {z:g} of the height" if participation is None else "floor"
     if isinstance(record, GroundMotion):
@@ -120,9 +118,7 @@ def _of_modes(
 ) -> GroundMotion:
     """The motion of a floor to which modes contribute these shares."""
     if record.is_vertical:
-        raise InputError("record", record).told(
-            f"{record.name} is a vertical component: give a horizontal one"
-        )
+        raise InputError("record", record.name).give("a horizontal component")
     ground = _refined(record, periods, xi)
     assert ground.samples is not None
     assert ground.dt is not None

@@ -44,9 +44,7 @@ class Formula(NamedTuple):
     def with_numbers(self, changes: Mapping[str, Any]) -> Any:
         """The motion with other numbers; raises InputError for a period with its frequency."""
         if {*_RECIPROCALS} <= changes.keys():
-            raise InputError("frequency").told(
-                "period and frequency are one number of a motion: name one of both"
-            )
+            raise InputError("frequency").wrong("is 1/period: name one of both")
         arguments = dict(self.arguments)
         for name, x in changes.items():
             if arguments.get(name) is None and name in _RECIPROCALS:

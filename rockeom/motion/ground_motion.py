@@ -1541,9 +1541,7 @@ def _accelerations(acceleration: ArrayLike) -> np.ndarray:
     )
     require(values.ndim == 1, "", "acceleration", values, "give one dimension, (n,)")
     finite = np.isfinite(value_of(values))
-    require(
-        finite, "", "acceleration", values, "give finite numbers, or cut the record where it ends"
-    )
+    require(finite, "", "acceleration", values, "give finite numbers, or cut the record there")
     return values
 
 
@@ -1614,9 +1612,7 @@ def _from_record(
     """A record as linear segments between samples."""
     dt = positive_number("dt", dt)
     if len(a) < 2:
-        raise InputError("acceleration", of=source).told(
-            f"{len(a)} sample(s), where a record needs two or more"
-        )
+        raise InputError("acceleration", a, source).give("two samples or more")
     largest = np.abs(a).max()
     if largest > _ABSURD_PEAK:
         warn_caller(

@@ -130,9 +130,7 @@ def significant_interval(
             "and 1, the smaller one first, such as 0.05 and 0.95"
         )
     if motion.peak == 0.0:
-        raise InputError("motion").told(
-            f"{motion.name or 'the motion'} does not shake: it has no duration"
-        )
+        raise InputError("motion", motion.name).so("it does not shake, and has no duration")
     return _Parts(motion).significant_interval(*parts)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fnmatch import fnmatch
@@ -92,9 +91,7 @@ class MotionSet(Sequence[GroundMotion]):
             raise InputError("motions").told("a set of no motions: give one or more")
         for one in self._motions:
             if not isinstance(one, GroundMotion):
-                raise InputError("motions", one).told(
-                    f"{described(one)} is in a set of motions: give GroundMotions"
-                )
+                raise InputError("motions", one).give("GroundMotions alone")
         for given in self.names:
             if not given or self.names.count(given) > 1:
                 raise InputError("motions", given).told(
@@ -149,9 +146,7 @@ class MotionSet(Sequence[GroundMotion]):
         """
         folder = Path(path)
         if not folder.is_dir():
-            raise InputError("path", path).told(
-                f"{os.fspath(path)} is no folder: give one that holds records"
-            )
+            raise InputError("path", folder).give("a folder that holds records")
         files = sorted(p for p in folder.iterdir() if p.is_file())
         if not isinstance(pattern, str):
             raise InputError("pattern", pattern).give('a text, such as "*.at2"')
@@ -514,9 +509,7 @@ def _asked(
         wanted = target(intensity, pga, sa, period)
         return wanted.intensity, wanted.value
     if pga is not None or sa is not None:
-        raise InputError("intensity").told(
-            "scaled_to has two intensities: give a word with its value, pga or sa"
-        )
+        raise InputError("intensity", intensity).so("there are two: give a word, pga or sa")
     measure: Any = intensity
     if word in ("pga", "sa"):
         value = acceleration("value", value)
@@ -538,9 +531,7 @@ def _function(
         )
     if word != "sa":
         if period is not None:
-            raise InputError("period", period).told(
-                f"{intensity} has no period: leave it out, or give sa"
-            )
+            raise InputError("period", period).so(f"{intensity} has none: leave it out, or give sa")
         return _OF_MOTION[word]
     if period is None:
         raise InputError("sa").wrong("needs the period of its oscillator [s]: give {period}")

@@ -53,14 +53,10 @@ def baseline_corrected(motion: Motion, degree: int, of: str) -> Processed:
     first = _INTEGRALS[of]
     n = whole_number("degree", degree, first)
     if n > _MOST_DEGREE:
-        raise InputError("degree", n).give(
-            f"at most {_MOST_DEGREE}, filtered(low=) takes out what is faster"
-        )
+        raise InputError("degree", n).give(f"at most {_MOST_DEGREE}; filtered(low=) takes out more")
     samples, dt = _samples(motion, "a baseline")
     if len(samples) <= n + 1:
-        raise InputError("degree", n).told(
-            f"{len(samples)} samples have no polynomial of degree {n}: give less"
-        )
+        raise InputError("degree", n).give(f"less: there are {len(samples)} samples")
     t = dt * np.arange(len(samples))
     x = t / t[-1]
     powers = np.arange(first, n + 1)

@@ -64,9 +64,7 @@ def multiplier(value: Any, done: str = "multiplied") -> Any:
             f"a ground motion is {done} by {described(value)}: give a number, as in 2 * motion"
         )
     if done == "divided" and value == 0.0:
-        raise InputError("factor", value).told(
-            "a ground motion is divided by 0: give another number"
-        )
+        raise InputError("factor", value).so("no motion is divided by it")
     return value
 
 

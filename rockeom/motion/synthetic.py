@@ -119,9 +119,7 @@ def noise(
     dt, start = positive_number("dt", dt), whole_number("seed", seed, 0)
     n = round(length / dt) + 1
     if n < 2:
-        raise InputError("dt", dt).wrong(
-            f"is {dt:g} s and the duration {length:g} s: give a shorter dt"
-        )
+        raise InputError("dt", dt).give(f"a step shorter than the duration, {length:g} s")
     a = _stationary(n, dt, s_0, ground, high_pass, start)
     if envelope is not None:
         a = a * factors(envelope, dt * np.arange(n))

@@ -25,17 +25,45 @@ _ARGUMENT = re.compile(r"\{([a-z]\w*)(?::([^{}]*))?\}")
 
 
 class InputError(ValueError):
-    """An argument, a file or a text that cannot be taken, with the remedy.
+    """Input that is refused, with the remedy.
 
-    argument : its name in Python. value : what it was. of : the function, class or object that
-    refuses it. bounds : what is allowed, as a noun phrase ("a positive number"), or the words to
-    choose from. what : what is wrong, as the predicate of the argument, where "is" and the value
-    do not say it. remedy : what else to do; an argument stands in it as `{dt}`, or with a value as
-    `{dt:0.01}`, and is printed as the border writes it: `dt=0.01` in Python, `--dt 0.01` on the
-    command line. python : a remedy that Python alone has. file, line : the place, lines counted
-    from 1. case : that of a sweep.
+    An argument stands in a remedy as ``{dt}``, or with a value as ``{dt:0.01}``, and is printed as
+    the border writes it: ``dt=0.01`` in Python, ``--dt 0.01`` on the command line.
 
-        raise InputError("dt", dt, "from_array").give("a positive number")
+    Parameters
+    ----------
+    argument : str
+        Name of the argument in Python, "" for none.
+    value : object, optional
+        Its value.
+    of : str, optional
+        Function, class or object that refuses it.
+
+    Attributes
+    ----------
+    bounds : str or tuple of str
+        What is allowed, in words, or the words to choose from.
+    what : str
+        What is wrong, as the predicate of the argument, where "is" and the value do not say it.
+    remedy : str
+        What else to do.
+    python : str
+        Remedy that Python alone has.
+    file : path_like or None
+        File that is refused.
+    line : int or None
+        Line of the file, counted from 1.
+    case : str
+        Case of a sweep.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> try:
+    ...     rk.GroundMotion.from_array([0.0, 1.0], dt=-0.01)
+    ... except rk.InputError as error:
+    ...     print(error, error.argument, error.value, sep="; ")
+    dt is -0.01: give a positive number; dt; -0.01
     """
 
     bounds: str | tuple[str, ...] = ""
@@ -149,6 +177,8 @@ def with_arguments(text: str, write: Write) -> str:
 
 def described(value: Any) -> str:
     """A value in few words: a class as such, what has a shape by its shape."""
+    if isinstance(value, os.PathLike):
+        return repr(os.fspath(value))
     if isinstance(value, type):
         return f"the class {value.__name__}"
     shape = getattr(value, "shape", None)
@@ -165,7 +195,7 @@ def described(value: Any) -> str:
 
 
 def _kind(value: Any) -> str:
-    name = type(value).__name__
+    name = type(value).__name__.removeprefix("nd")  # an array of NumPy
     return f"{'an' if name[0].lower() in 'aeiou' else 'a'} {name}"
 
 

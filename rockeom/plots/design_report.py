@@ -387,9 +387,7 @@ def facts_of(structure: Structure, impact: ImpactLaw | None) -> tuple[tuple[str,
 def check_name(path: Path) -> None:
     """Raise ValueError for a name that says no format."""
     if path.suffix.lower() not in FILES:
-        raise InputError("path", path).told(
-            f"{path}: a report is a {' or a '.join(FILES)} file; end the name so"
-        )
+        raise InputError("path", path).give(f"a name that ends in {' or '.join(FILES)}")
 
 
 @explained.calls()

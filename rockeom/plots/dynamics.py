@@ -156,9 +156,7 @@ def _looks(function: str, sections: xr.Dataset, name: str, at: str, *names: str)
     if at != "period" and name == "impact_time":
         values = sections[name]
     elif name not in states:
-        raise InputError("state", name, function).told(
-            f"no state {name!r}: there are {', '.join(states)}"
-        )
+        raise InputError("state", name, function).choose(states)
     elif at == "period":
         values = sections["strobe"].sel(state=name)
     else:

@@ -514,9 +514,7 @@ def incremental_dynamic_analysis(
     curves, names = _by_record(function, sweep, intensity, demand, record)
     peaks = np.concatenate([d[np.isfinite(d)] for _, d in curves])
     if not len(peaks):
-        raise InputError("demand", of=function).told(
-            "no case has a demand: all overturned, or gave no answer"
-        )
+        raise InputError("demand", of=function).told("no case has one: all fell, or gave no answer")
     last = 1.04 * peaks.max() or 1.0
     edge = 1.14 * last
     if ax is None:

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure, SubFigure
 
 from rockeom.analysis.identification.stone_walls import WallTest
 from rockeom.drawing import style
-from rockeom.numbers.checks import InputError, near
+from rockeom.numbers.checks import InputError
 
 _COLUMNS = 4
 
@@ -59,9 +59,7 @@ def wall_envelopes(
         )
     for name in drawn:
         if name not in paths:
-            raise InputError("paths", name, "wall_envelopes").told(
-                f"no path is called {name!r}{near(name, paths)}"
-            )
+            raise InputError("paths", name, "wall_envelopes").choose(paths)
     columns = min(_COLUMNS, len(drawn))
     rows = -(-(len(drawn) + 1) // columns)
     if figure is None:

@@ -576,9 +576,7 @@ class Response:
         else:
             t = array_of("times", times)
             if t.ndim != 1:
-                raise InputError("times").wrong(
-                    f"has the shape {t.shape}: give one dimension, (n,)"
-                )
+                raise InputError("times", t).give("one dimension, (n,)")
             values = self.at(t, names=names)
             modes = np.array(self.structure.module.MODES)[self.steps.at(t, "right")[1]]
         units = units_with_time(self.structure.module, self.units)

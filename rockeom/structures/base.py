@@ -984,17 +984,13 @@ class FixedBase(Structure):
         if held:
             raise InputError(held[0], y[m.STATES.index(held[0])]).so("it is held at zero")
         if mode not in (None, modal.FULL_CONTACT):
-            raise InputError("mode", mode).told(
-                f"no mode {mode!r} of {self.model}: its feet stay on the ground"
-            )
+            raise InputError("mode", mode, self.model).so("its feet stay on the ground")
         return m.MODES.index(modal.FULL_CONTACT)
 
     def law(self, impact: ImpactLaw | None) -> tuple[int, float]:
         """Raises ValueError for an impact law: there are no impacts."""
         if impact is not None:
-            raise InputError("impact", impact).told(
-                f"{self.model} has no impacts: leave `impact` out"
-            )
+            raise InputError("impact", impact, self.model).so("it has no impacts: leave it out")
         return 0, 1.0
 
     @property

@@ -13,7 +13,7 @@ import numpy as np
 
 from rockeom.codes import UPLIFT
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import InputError, InputTypeError, near
+from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.numbers.dual import value_of
 from rockeom.numbers.functions import for_arrays, mathematics
 from rockeom.structures.statics import Equilibrium, balanced
@@ -159,10 +159,7 @@ def number_of(module: GeneratedModule, mode: Any) -> int:
     if not isinstance(mode, str):
         raise InputTypeError("mode", mode).choose(module.MODES)
     if mode not in module.MODES:
-        hint = near(mode, module.MODES)
-        raise InputError("mode", mode).told(
-            f"no mode {mode!r}{hint}: {module.NAME} has {', '.join(module.MODES)}"
-        )
+        raise InputError("mode", mode, module.NAME).choose(module.MODES)
     return module.MODES.index(mode)
 
 

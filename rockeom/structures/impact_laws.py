@@ -385,9 +385,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
                 check_ratio(f"pieces below {limit} m/s", r + slope * limit, name)
                 start = limit
         if limits[0] <= 0 or (self.height is not None and not self.height > 0):
-            raise InputError("pieces").told(
-                "limits and the height of an energy ratio in pieces must be positive"
-            )
+            raise InputError("pieces", self.pieces).give("positive limits, and a positive height")
 
     @classmethod
     def equation_4_31(cls) -> EnergyRatioAtSpeed:
@@ -585,9 +583,7 @@ class EnergyLossAtSpeed(TabulatedLaw):
                     "those of |w|, w2 and |w|3 [J s, J s2, J s3], as (0.0, 9.7, 0.0)"
                 )
             if not all(isfinite(number(foot, x)) for x in given):
-                raise InputError(foot, given).told(
-                    f"energy loss of the {foot} foot is {given}: it must be finite"
-                )
+                raise InputError(foot, given).give("finite numbers")
             object.__setattr__(self, foot, tuple(given))
 
     @classmethod
@@ -797,9 +793,7 @@ class RandomEnergyRatio(TabulatedLaw):
 
         middle, width = number("mean", mean), number("std", std)
         if not (width > 0 and math.isfinite(width) and math.isfinite(middle)):
-            raise InputError("mean", mean).wrong(
-                f"is {mean}, std {std}: they must be finite, and std positive"
-            )
+            raise InputError("mean", mean).give(f"a finite mean, and a positive std, not {std}")
         low, high = ndtr((0.0 - middle) / width), ndtr((1.0 - middle) / width)
         if not high - low > 1e-6:
             raise InputError("std", std).told(
@@ -967,6 +961,4 @@ def _are_pieces(pieces: Any) -> bool:
 def check_ratio(argument: str, value: float, of: str) -> None:
     if not 0.0 <= number(argument, value, of) <= 1.0:
         percent = f"; {value:g} % is {value / 100:g}" if 2.0 <= value <= 100.0 else ""
-        raise InputError(argument, value, of).hold(
-            f"it must lie between 0 (no rebound) and 1 (no loss){percent}"
-        )
+        raise InputError(argument, value, of).give(f"0 (no rebound) to 1 (no loss){percent}")

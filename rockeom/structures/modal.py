@@ -194,9 +194,7 @@ def rayleigh_damping(periods: ArrayLike, ratios: ArrayLike) -> RayleighDamping:
     if len(t) == 1:
         return RayleighDamping(0.0, float(2.0 * zeta[0] / omega[0]))
     if t[0] == t[1]:
-        raise InputError("periods", of="rayleigh_damping").told(
-            f"both periods are {t[0]} s: give those of two modes"
-        )
+        raise InputError("periods", periods, "rayleigh_damping").give("those of two modes")
     alpha, beta = np.linalg.solve(np.column_stack([0.5 / omega, 0.5 * omega]), zeta)
     return RayleighDamping(float(alpha), float(beta))
 

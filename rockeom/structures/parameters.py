@@ -129,9 +129,7 @@ def check_values(
 def check_slenderness(what: str, alpha: float) -> None:
     """Raise ValueError for an angle of a block that is a right one or more, such as degrees."""
     if not alpha < math.pi / 2:
-        raise InputError("alpha", alpha, what).hold(
-            "it must be below pi/2; alpha_degrees= takes degrees"
-        )
+        raise InputError("alpha", alpha, what).give("less than pi/2; alpha_degrees= takes degrees")
 
 
 def check_contact_law(what: str, restitution: float, law: str) -> None:

@@ -69,9 +69,7 @@ def angles(rotations) -> np.ndarray:
     """Rotations as finite floats; raises TypeError or ValueError where one is none."""
     values = array_of("rotations", rotations)
     if not np.isfinite(values).all():
-        raise InputError("rotations").wrong(
-            f"hold {values[~np.isfinite(values)][0]}: give finite numbers"
-        )
+        raise InputError("rotations", values[~np.isfinite(values)][0]).give("finite numbers")
     return values
 
 

@@ -75,9 +75,7 @@ def check_support(what: str, support: Any, mass: float, inertia: float) -> None:
     if support is None:
         return
     if not isinstance(support, Support):
-        raise InputTypeError("support", support, what).give(
-            "what the base stands on, such as rk.Pinned()"
-        )
+        raise InputTypeError("support", support, what).give("a support, such as rk.Pinned()")
     support.check_base(what, mass, inertia)
 
 

@@ -86,9 +86,7 @@ def numbers_named(
     places = [(number.part, number.path) for number in found]
     for name, place in zip(names, places, strict=True):
         if places.count(place) > 1:
-            raise InputError(where, name).wrong(
-                f"names {name!r} twice, with and without its part: name it once"
-            )
+            raise InputError(where, name).so("it is named twice, with and without its part")
     return found
 
 
@@ -322,9 +320,7 @@ def _factors(motion: GroundMotion, own: Mapping[_Path, Any]) -> dict[_Path, Any]
     factors = {(name,): own[name,] for name in FACTORS if (name,) in own}
     if ("pga",) in own:
         if ("scale",) in factors:
-            raise InputError("over", "scale").told(
-                "pga and scale are one factor of the motions: name one of both"
-            )
+            raise InputError("over", "scale").so("pga is the same factor: name one of both")
         if motion.peak == 0.0:
             raise InputError("over", "pga").told("no factor makes a motion without shaking shake")
         factors["scale",] = target(None, own["pga",], None, None).value / motion.peak
@@ -335,9 +331,7 @@ def _changed_law(law: Any, places: Mapping[_Path, Any]) -> Any:
     if ("restitution",) not in places:
         return _changed(law, places)
     if len(places) > 1:
-        raise InputError("over", "restitution").told(
-            "'restitution' is the ratio of the law itself: name one of both"
-        )
+        raise InputError("over", "restitution").so("the law has it: name one of both")
     return VelocityRatio(places["restitution",])
 
 

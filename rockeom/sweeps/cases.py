@@ -123,9 +123,7 @@ def _grid(over: Mapping[Any, Any]) -> Cases:
     for name, values in over.items():
         one = isinstance(values, str) or getattr(values, "ndim", 1) == 0
         if one or not isinstance(values, Iterable):
-            raise InputTypeError("over").wrong(
-                f"has {name} = {described(values)}: give a list of values"
-            )
+            raise InputTypeError(f"over[{name!r}]", values).give("a list of values")
     lists = {name: _listed(values) for name, values in over.items()}
     _check_not_empty(lists)
     return Cases(lists, None, _attrs(over))
@@ -140,9 +138,7 @@ def _table(over: Any) -> Cases:
         columns = {name: _listed(over[name]) for name in names}
     _check_not_empty(columns)
     if ROW in columns:
-        raise InputError("over").wrong(
-            f"has a column {ROW}, which is what its rows are called: give it another name"
-        )
+        raise InputError("over", ROW).so("rows have this name: give the column another one")
     values, which = {}, {}
     for name, column in columns.items():
         if all(is_number(value) for value in column):
@@ -187,13 +183,9 @@ def _of_rows(over: Sequence[Mapping[Any, Any]]) -> dict[str, list[Any]]:
 def _check_names(names: list[Any]) -> None:
     for name in names:
         if not isinstance(name, str):
-            raise InputTypeError("over").wrong(
-                f"has the name {described(name)}: give an argument of the function"
-            )
+            raise InputTypeError("over", name).give("names of arguments of the function")
         if names.count(name) > 1:
-            raise InputError("over").wrong(
-                f"has several columns {name}: let each have a name of its own"
-            )
+            raise InputError("over", name).so("several columns have this name: rename all but one")
 
 
 def _check_not_empty(found: Mapping[str, list[Any]]) -> None:

@@ -286,7 +286,7 @@ def _in_lanes(lanes: bool | None, module: GeneratedModule, method: str) -> bool:
             "lanes=True out"
         )
     if lanes and not explicit:
-        raise InputError("lanes", True).told(
-            "lanes know no implicit method: choose 'DOP853' or 'RK45'"
+        raise InputError("lanes", True).so(
+            "they know no implicit method: choose 'DOP853' or 'RK45'"
         )
     return bool(lanes)

@@ -308,9 +308,7 @@ class _Moving:
         every = np.ones(len(kinds), dtype=bool)
         some = np.flatnonzero(np.isin(kinds, (IMPACT, LANDING)) if what == "impact" else every)
         if not 1 <= int(number) <= len(some):
-            raise InputError("of").told(
-                f"there is no {what} {number}: the motion has {len(some)} {what}s, from 1 on"
-            )
+            raise InputError("of", f"{what} {number}").give(f"a number from 1 to {len(some)}")
         return int(some[int(number) - 1])
 
 
@@ -420,9 +418,7 @@ def _rest_time(motion: _Moving) -> Dual:
     times, kinds, _ = motion.run.events.columns
     rests = np.flatnonzero(kinds[:, 0] == REST)
     if not len(rests):
-        raise InputError("of").told(
-            "there is no rest time: no limit of infinitely many impacts was met"
-        )
+        raise InputError("of", "rest time").so("no limit of infinitely many impacts was met")
     return Dual(float(times[rests[-1]]), motion.found.event_times[rests[-1]])
 
 

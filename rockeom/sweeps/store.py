@@ -193,9 +193,7 @@ def _group(path: Path, mode: str) -> Any:
         group = zarr.open_group(str(path), mode=mode)
         form = dict(group.attrs["rockeom_sweep"])["format"]
     except Exception as error:
-        raise InputError("store", path).told(
-            f"{str(path)!r} is no store of a sweep: give another path"
-        ) from error
+        raise InputError("store", path).so("it is no store of a sweep") from error
     if form != str(FORMAT):
         raise InputError("store", path).told(
             f"{str(path)!r} is a sweep in format {form}, which another version of rockeom wrote, "

@@ -109,9 +109,7 @@ class Tangents:
         instants = np.atleast_1d(array_of("times", times, "Tangents.at"))
         end = self.motion.last_time
         if instants.size and not (instants.min() >= 0.0 and instants.max() <= end):
-            raise InputError("times", of="Tangents.at").wrong(
-                f"are from 0 to {end:.6g} s, where the motion ends"
-            )
+            raise InputError("times", times, "Tangents.at").give(f"times from 0 to {end:.6g} s")
         order = np.argsort(instants, kind="stable")
         found = np.empty((len(instants), *self.end.shape))
         found[order] = self.motion.carried(instants[order]).found

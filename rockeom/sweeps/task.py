@@ -42,18 +42,14 @@ class Task:
                 "needs impact_times, the number of impacts to keep: it is 0"
             )
         if isinstance(self.quantities, str):
-            raise InputError("quantities").wrong(
-                f"is the word {self.quantities!r}: give a list of names"
-            )
+            raise InputError("quantities", self.quantities).give("a list of names")
         object.__setattr__(self, "quantities", tuple(self.quantities))
         times = array_of("times", self.times)
         object.__setattr__(self, "times", times)
         if times.size and not self.quantities:
             raise InputError("times").wrong("is given, but no `quantities` whose history is wanted")
         if not np.all(times >= 0.0):
-            raise InputError("times").wrong(
-                f"holds {times.min()}: give times from 0 on, in seconds"
-            )
+            raise InputError("times", times.min()).give("times from 0 on, in seconds")
 
     @property
     def needs_responses(self) -> bool:

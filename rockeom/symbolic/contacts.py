@@ -15,7 +15,7 @@ import sympy as sp
 
 from rockeom.codes import CONTACT_LAWS
 from rockeom.numbers import explained
-from rockeom.numbers.checks import InputError
+from rockeom.numbers.checks import InputError, require_word
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.elements import Element, Ending, Spring, Switching, switch_of
@@ -83,10 +83,8 @@ class Rigid:
         valid.not_negative(what, **given)
         for name, ratio in ratios.items():
             if (1 - sp.sympify(ratio)).is_negative:
-                raise InputError(name, ratio, what).give(
-                    "the ratio of rates after and before an impact, 0 to 1"
-                )
-        valid.known(what, "law", self.law, CONTACT_LAWS)
+                raise InputError(name, ratio, what).give("a ratio of rates, 0 to 1")
+        require_word("law", self.law, CONTACT_LAWS, what)
         of_laws = ("stiffness", sp.S.One, "lzb", "pairwise"), ("tangential", None, "moreau")
         for name, without, *laws in of_laws:
             if getattr(self, name) != without and self.law not in laws:

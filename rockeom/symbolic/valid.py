@@ -5,7 +5,6 @@ Each check raises ValueError, which names what is declared, the item and the rem
 
 from __future__ import annotations
 
-import difflib
 import re
 import unicodedata
 from collections.abc import Iterable
@@ -112,28 +111,14 @@ def name(what: str, name: Any) -> None:
         )
     plain = unicodedata.normalize("NFKC", name)
     if name != plain:
-        raise InputError("name", name, what).told(
-            f"Python reads the name {name!r} as {plain!r}: write that"
-        )
-
-
-def known(what: str, item: str, name: Any, there: Iterable[str]) -> None:
-    names = tuple(there)
-    if name not in names:
-        near = difflib.get_close_matches(str(name), names, n=1)
-        hint = f" (did you mean {near[0]!r}?)" if near else ""
-        raise InputError(item, name, what).told(
-            f"{item} is {name!r}{hint}: there are {', '.join(names)}"
-        )
+        raise InputError("name", name, what).give(f"what Python reads, {plain!r}")
 
 
 def not_negative(what: str, **items: Any) -> None:
     """None may be negative whatever the parameters are."""
     for item, value in items.items():
         if sp.sympify(value).is_negative:
-            raise InputError(item, value, what).told(
-                f"{item} is {value}, negative: give it its other sign"
-            )
+            raise InputError(item, value, what).so("it is negative: give it its other sign")
 
 
 def laws(what: str, symbol: Any) -> None:

@@ -486,9 +486,9 @@ def test_what_is_refused():
         posterior(of, {"left": RATIO, "half_width": RATIO})
     assert refused(posterior, of, {**PRIORS, "mass": RATIO})[0] == "priors"
     assert refused(posterior, of, {**PRIORS, "noise": 0.001})[0] == "priors"
-    with refuses("lower bound of the prior of noise"):
+    with refuses("priors['noise']"):
         posterior(of, {**PRIORS, "noise": stats.norm(1e-3, 1e-4)})
-    with pytest.raises(ValueError, match=r"medians of the priors, left = 1\.5.*energy ratio"):
+    with pytest.raises(ValueError, match="at the medians of the priors, left ="):
         posterior(of, {**PRIORS, "left": stats.uniform(1.0, 1.0)})
     late = Observed.history(released, [1.0, 3.0], [0.0, 0.0])
     with pytest.raises(ValueError, match="the case ends at 2 s, the record at 3 s"):
@@ -503,15 +503,13 @@ def test_what_is_refused():
         with pytest.raises(ValueError, match=said):
             Observed.history(released, TIME, values)
     assert refused(Observed.history, released, TIME[::-1], read) == ("time[0]", 1.96)
-    with pytest.raises(ValueError, match="nothing was measured"):
-        Observed.swings(released)
+    assert refused(Observed.swings, released)[0] == "peaks"
     with pytest.raises(ValueError, match=r"returned the shape \(2,\), measured is \(3,\)"):
         posterior(Observed.formula(lambda r: [r, r], [0.8] * 3, noise=0.1), {"r": RATIO})
     alone = posterior(Observed.formula(lambda r: [r], [0.8], noise=0.1), {"r": RATIO})
     other = posterior(Observed.formula(lambda r: [r], [0.9], noise=0.1), {"r": RATIO})
     assert refused(model_probabilities, {"first": alone, "second": other})[0] == "second"
-    with pytest.raises(ValueError, match=r"give a value of each of r"):
-        alone.log_density(e=0.8)
+    assert refused(alone.log_density, e=0.8)[0] == "values"
     assert refused(alone.log_density, r=1.5) == ("r", 1.5)
     assert refused(alone.sample, 0) == ("draws", 0)
 

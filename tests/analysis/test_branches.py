@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 import rockeom as rk
 from rockeom.analysis import dynamics
 from tests.interrupts import interrupted_at
-from tests.refusals import refused, refuses
+from tests.refusals import refused, refuses, told
 
 SLENDER = rk.SlenderBlock.from_frequency(p=1.0, alpha=0.1)
 UNIT = SLENDER.alpha * SLENDER.gravity  # beta = 1
@@ -115,8 +115,7 @@ def test_branch_ends_where_the_slower_motion_touches_the_ground_between_its_impa
     expected = brentq(lambda beta: Half(beta, LONG, LOSS, False).dip(), 1.08, 1.25, xtol=1e-13)
     assert grazing.kind == "grazing"
     assert grazing.value == pytest.approx(expected, abs=1e-8)
-    with pytest.raises(ValueError, match="at a grazing no other branch begins"):
-        branch.switched(grazing)
+    assert "at a grazing no other branch begins" in told(branch.switched, grazing)
 
 
 def test_half_period_shrinks_areas_by_the_square_of_the_velocity_ratio():

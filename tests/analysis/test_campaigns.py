@@ -225,7 +225,7 @@ def test_shared_parameters_are_those_of_the_specimen(campaign):
 @pytest.mark.parametrize(
     ("how", "words"),
     [
-        ({"random": {"scale": stats.norm(1.0, 0.1)}}, "'scale'"),
+        ({"random": {"scale": stats.norm(1.0, 0.1)}}, "random"),
         ({"random": {"half_width": 0.1}}, "random"),
         ({"shared": ["half_width"]}, "shared"),
         ({"number": 0}, "number"),

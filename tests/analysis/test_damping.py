@@ -253,10 +253,7 @@ def test_decrement_of_a_linear_oscillator():
             "effective_period",
         ),
         (lambda: formulas.recentring_ratio(1.0, 1.0, 0.0), "dissipating_moment"),
-        (
-            lambda: formulas.damping_from_decrement(28.58, -25.22),
-            "next_peak",
-        ),
+        (lambda: formulas.damping_from_decrement(28.58, -25.22), "next_peak"),
         (lambda: formulas.damping_from_decrement(0.0, 1.0), "peak"),
     ],
 )

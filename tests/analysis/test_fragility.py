@@ -17,7 +17,7 @@ from rockeom.analysis.risk.fragility import (
     proportion_interval_by_group,
 )
 from rockeom.analysis.sweeps import outcome_labels, peaks_of
-from tests.refusals import refused, refuses
+from tests.refusals import refused, refuses, told
 
 IM = np.array([0.1, 0.2, 0.3, 0.4, 0.6, 0.8])
 HITS = np.array([0, 2, 5, 4, 9, 19])
@@ -203,14 +203,13 @@ def test_names_that_a_sweep_does_not_have_are_refused_with_those_it_has():
         fragility_of(sweep(), intensity="pgv")
     with refuses("name", "drift"):
         peaks_of(sweep(), "drift")
-    with pytest.raises(ValueError, match="belong together"):
+    with refuses("limit", 0.1):
         fragility_of(sweep(), intensity="pga", limit=0.1)
     with pytest.raises(ValueError, match="no `outcome`"):
         outcome_labels(sweep().drop_vars("outcome"))
     odd = sweep(flagged)
     odd["outcome"].attrs["flag_meanings"] = "completed"
-    with pytest.raises(ValueError, match="do not name it"):
-        outcome_labels(odd)
+    assert "do not name it" in told(outcome_labels, odd)
 
 
 # --- records scaled to several intensities, and fractions by themselves
@@ -294,8 +293,7 @@ def test_interval_of_a_fraction_is_that_of_scipy(level):
 
 def test_impossible_fractions_are_refused():
     for wrong in ((5, 4), (-1, 4), (0, 0)):
-        with pytest.raises(ValueError, match="proportion_interval"):
-            proportion_interval(*wrong)
+        assert "proportion_interval" in told(proportion_interval, *wrong)
 
 
 # --- recordings of a sweep, and cases without an answer

@@ -100,14 +100,8 @@ def test_moving_centre_changes_the_rotation_little():
             "displacement[0]",
         ),
         (lambda: identification.rotation_from_displacement(0.1, 0.285, 0.0), "height"),
-        (
-            lambda: identification.rotation_centre(0.01, base_width=0.4),
-            "reach",
-        ),
-        (
-            lambda: identification.rotation_about_moving_centre(0.01, 0.7, 1.056),
-            "centre",
-        ),
+        (lambda: identification.rotation_centre(0.01, base_width=0.4), "reach"),
+        (lambda: identification.rotation_about_moving_centre(0.01, 0.7, 1.056), "centre"),
         (lambda: identification.stiffness_from_period(100.0, 0.0), "period"),
         (lambda: identification.viscous_coefficient(-0.1, 1.0, 1.0), "damping_ratio"),
     ],

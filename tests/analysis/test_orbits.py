@@ -11,7 +11,7 @@ from scipy.special import erf
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import dynamics
-from tests.refusals import refused, refuses
+from tests.refusals import refused, refuses, told
 
 # --- the slender block: periodic motion and multipliers in closed form
 
@@ -238,14 +238,12 @@ def test_bad_input_is_refused_with_a_remedy():
     motion = rk.GroundMotion.harmonic(0.1, period=1.0, duration=3.0)
     make = dynamics.StroboscopicMap
     assert refused(make, SLENDER, motion, 0.7) == ("period", 0.7)
-    with pytest.raises(ValueError, match=r"lasts 3\.0 s: give two periods of 2\.0 s"):
-        make(SLENDER, motion, 2.0)
+    assert "lasts 3.0 s: give two periods of 2.0 s" in told(make, SLENDER, motion, 2.0)
     assert refused(make, SLENDER, motion, -1.0) == ("period", -1.0)
     assert refused(make, SLENDER, motion, 1.0, states=("u",)) == ("states", "u")
     good = make(SLENDER, motion, 1.0)
     assert refused(good.points, {"thta": 0.1}, 1) == ("state", "thta")
-    with pytest.raises(ValueError, match=r"shape \(3,\): give one number for each of theta"):
-        good.orbit([0.0, 0.0, 1.0])
+    assert "shape (3,): give one number for each of theta" in told(good.orbit, [0.0, 0.0, 1.0])
     with refuses("multiplier", 0.5):
         dynamics.bifurcation_value(hogan, (3.0, 3.1), {"x_dot": -0.3}, multiplier=0.5)
 

@@ -100,10 +100,7 @@ def test_no_rotation_takes_no_time_and_arrays_broadcast():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (
-            lambda: formulas.quarter_period([0.5, 1.0], 2.0),
-            "amplitude_ratio[1]",
-        ),
+        (lambda: formulas.quarter_period([0.5, 1.0], 2.0), "amplitude_ratio[1]"),
         (lambda: formulas.rocking_period(-0.1, 2.0), "amplitude_ratio"),
         (lambda: formulas.quarter_period(0.5, 0.0), "p"),
         (lambda: formulas.exact_quarter_period(0.2, 0.2, 2.0), "theta_0"),

@@ -120,20 +120,11 @@ def test_histories_are_arrays():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (
-            lambda: formulas.block_reactions([0.1, 0.0], 0.0, 0.0, mass=1.0, **SHAPE),
-            "theta[1]",
-        ),
-        (
-            lambda: formulas.centroid_acceleration(0.1, 0.0, 0.0, side=-1, **SHAPE),
-            "side",
-        ),
+        (lambda: formulas.block_reactions([0.1, 0.0], 0.0, 0.0, mass=1.0, **SHAPE), "theta[1]"),
+        (lambda: formulas.centroid_acceleration(0.1, 0.0, 0.0, side=-1, **SHAPE), "side"),
         (lambda: formulas.acceleration_at_impact(0, **SHAPE), "side"),
         (lambda: formulas.impact_speed(7.876, **SHAPE), "theta_0"),
-        (
-            lambda: formulas.impact_speed(0.1, radius_ratio=1.2, **SHAPE),
-            "radius_ratio",
-        ),
+        (lambda: formulas.impact_speed(0.1, radius_ratio=1.2, **SHAPE), "radius_ratio"),
     ],
 )
 def test_impossible_input_is_refused(call, message):

@@ -71,10 +71,10 @@ def test_a_menu_of_a_function_gives_it_the_option():
     ("given", "error", "message"),
     [
         ({"menus": {"impact": {"one": None}}}, TypeError, "give two options or more"),
-        ({"menus": {"impct": LAWS}}, ValueError, "'impct' is unknown"),
+        ({"menus": {"impct": LAWS}}, ValueError, "over has 'impct', which is unknown"),
         ({"menus": {f"m{i}": LAWS for i in range(5)}}, ValueError, "32 combinations.*at most 24"),
         ({"presets": {"a": {"half_width": 4.0}}}, ValueError, "half_width is 4: give a number"),
-        ({"presets": {"a": {"width": 0.1}}}, ValueError, "'width' is no slider and no menu"),
+        ({"presets": {"a": {"width": 0.1}}}, ValueError, r"preset 'a' has 'width'"),
         ({"questions": [rk.Question("Why?", {"half_width": 9})]}, ValueError, "question 'Why.'"),
         (
             {"menus": {"impact": LAWS}, "presets": {"a": {"impact": "none"}}}, ValueError,

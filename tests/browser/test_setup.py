@@ -203,7 +203,7 @@ def test_a_first_case_that_cannot_be_says_why():
             rk.RigidBlock(half_width=0.1, half_height=0.5), PULSE, initial={"theta": theta}
         )
 
-    with refuses("initial theta", 2.5):
+    with refuses("theta", 2.5):
         setup_of(fallen, {"theta": Slider(2.0, 3.0, 2.5)})
 
 

@@ -42,7 +42,7 @@ def test_stack_has_fallen_when_either_of_its_blocks_has(fallen, side):
 
 
 def test_stack_that_has_fallen_cannot_start():
-    with refuses("initial theta", 1.6):
+    with refuses("theta", 1.6):
         rk.simulate(STACK, STILL, initial={"theta": 1.6, "phi": 0.1})
 
 

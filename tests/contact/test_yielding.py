@@ -319,7 +319,7 @@ def test_elements_that_yield_and_that_press_stand_in_one_model():
 
 REFUSED = {
     "no strength": ({"strength": sp.S.Zero}, "'bar': its strength is zero"),
-    "a negative one": ({"strength": -STRENGTH.symbol}, "strength is -f_y, negative"),
+    "a negative one": ({"strength": -STRENGTH.symbol}, "element 'bar': strength is -f_y: it is"),
     "a spring of no stiffness": ({"stiffness": 0}, "its stiffness is zero"),
     "no answer": ({"slack": "yes"}, "slack is 'yes': give True or False"),
     "text": ({"elongation": "x"}, "elongation is 'x'"),

@@ -67,10 +67,8 @@ def test_arrow_counts_for_the_limits_of_the_axes(ax):
 
 
 def test_no_length_no_direction(ax):
-    with pytest.raises(ValueError, match="same point"):
-        fb.spring(ax, (1, 2), (1, 2), 0.1)
-    with pytest.raises(ValueError, match="same point"):
-        fb.dimension(ax, (1, 2), (1, 2), "L")
+    assert refused(fb.spring, ax, (1, 2), (1, 2), 0.1)[0] == "end"
+    assert refused(fb.dimension, ax, (1, 2), (1, 2), "L")[0] == "end"
 
 
 def test_unknown_place_of_a_label(ax):

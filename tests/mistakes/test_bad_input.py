@@ -41,7 +41,10 @@ def block(**changes):
         (lambda: block(half_width=math.nan), ("half_width", "nan", "finite")),
         (lambda: block(half_height=math.inf), ("half_height", "inf", "finite")),
         (lambda: column(damping=-1.0), ("damping", "-1", "zero or positive")),
-        (lambda: rk.RigidBlock.from_frequency(p=2.0, alpha=1.6), ("1.6", "below pi/2", "alpha_d")),
+        (
+            lambda: rk.RigidBlock.from_frequency(p=2.0, alpha=1.6),
+            ("1.6", "less than pi/2", "alpha_d"),
+        ),
         (lambda: rk.RigidBlock.from_frequency(p=-2.0, alpha=0.3), ("p is -2", "positive")),
     ],
 )
@@ -73,7 +76,7 @@ def test_unknown_structure_is_named_with_a_suggestion():
 @pytest.mark.parametrize("law", [rk.EnergyRatio, rk.VelocityRatio])
 @pytest.mark.parametrize("ratio", [1.0000001, -0.1, math.nan])
 def test_restitution_outside_its_range(law, ratio):
-    with raises(ValueError, "Ratio", str(ratio), "between 0", "1"):
+    with raises(ValueError, "Ratio", str(ratio), "0 .no rebound. to 1"):
         law(ratio)
 
 
@@ -280,7 +283,7 @@ def test_argument_of_another_kind_is_named(ask, argument):
         (lambda: simulated(motion=None), ("motion is None", "GroundMotion.none(duration)")),
         (
             lambda: simulated(vertical=SAMPLES["array"]),
-            ("vertical is a ndarray of shape", "from_array"),
+            ("vertical is an array of shape", "from_array"),
         ),
         (lambda: rk.simulate(SHAKE, BLOCK), ("structure and motion are swapped", "first")),
         (
@@ -406,7 +409,7 @@ def test_pushover_at_what_is_no_rotation(structure):
         structure.pushover("0.1")
     with raises(TypeError, re.escape("rotations[1] is '0.1': give numbers")):
         structure.pushover([0.1, "0.1"])
-    with raises(ValueError, "rotations hold nan", "finite"):
+    with raises(ValueError, "rotations is nan", "finite"):
         structure.pushover([0.1, math.nan])
 
 
@@ -439,10 +442,10 @@ def test_sweep_whose_function_returns_no_case(returned, words):
         ({"case": lambda b: None}, TypeError, ("over has a", "takes others", "missing b")),
         ({"over": [1.0, 2.0]}, TypeError, ("over is .1.0, 2.0.", "frequency")),
         ({"over": None}, TypeError, ("over is None", "frequency")),
-        ({"over": {1: [1.0]}}, TypeError, ("over has the name 1", "argument")),
-        ({"over": {"a": 1.0}}, TypeError, ("over has a = 1", "list of values")),
-        ({"over": {"a": np.array(1.0)}}, TypeError, ("over has a = ", "list of values")),
-        ({"over": {"a": "El Centro"}}, TypeError, ("over has a = 'El Centro'", "list of values")),
+        ({"over": {1: [1.0]}}, TypeError, ("over is 1", "argument")),
+        ({"over": {"a": 1.0}}, TypeError, ("over..a.. is 1", "list of values")),
+        ({"over": {"a": np.array(1.0)}}, TypeError, ("over..a.. is ", "list of values")),
+        ({"over": {"a": "El Centro"}}, TypeError, ("over..a.. is 'El Centro'", "list of values")),
         (
             {"case": PULSED, "over": {"frequency": [1, 0]}},
             ValueError,

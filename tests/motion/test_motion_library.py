@@ -136,10 +136,7 @@ def test_pacoima_dam_is_told_from_its_other_components():
     ("words", "message"),
     [
         ("El Centro", r"several records have all the words of 'El Centro'.(.*\n)+ .*array_9_180\n"),
-        (
-            "Atlantis",
-            r"the words of 'Atlantis'; 'atlantis' is in no name: choose from\n  imperial",
-        ),
+        ("Atlantis", r"the words of 'Atlantis'; 'atlantis' is in no name: choose from\n  imperial"),
     ],
 )
 def test_words_that_fit_several_or_no_record_are_refused_with_the_names(words, message):

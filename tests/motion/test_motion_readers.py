@@ -185,7 +185,7 @@ AT2_ERRORS = {
         at2(VALUES, "NPTS= ****, DT= .01"),
         r"line 4: NPTS is '\*{4}' .*not a whole number. Remedy: correct the header",
     ),
-    "no values": (at2([]), r"0 sample\(s\), where a record needs two"),
+    "no values": (at2([]), r"r\.AT2, line 2: Somewhere-01, 1/2/1999,"),
     "no step line": (
         at2(VALUES).replace("NPTS", "POINTS"),
         r"r\.AT2: no line with NPTS and DT among the first 28.*from_columns",

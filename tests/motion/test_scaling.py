@@ -7,7 +7,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.motion.units import acceleration
-from tests.refusals import refused, refuses
+from tests.refusals import refused, refuses, told
 
 DT = 0.01
 BLOCK = rk.RigidBlock(half_width=0.2, half_height=1.0)
@@ -70,8 +70,7 @@ def test_peak_is_another_word_for_pga():
 def test_motion_without_shaking_is_refused():
     still = rk.GroundMotion.none(1.0)
     for wanted in ({"pga": 1.0}, {"sa": 1.0, "period": 0.5}):
-        with pytest.raises(rk.InputError, match="no factor makes"):
-            still.scaled_to(**wanted)
+        assert "no factor makes" in told(still.scaled_to, **wanted)
         with pytest.raises(rk.InputError, match="no factor makes"):
             rk.Recording("still", (still,)).scaled_to(**wanted)
 
@@ -138,8 +137,7 @@ def test_set_is_scaled_by_the_arguments_of_a_motion():
     assert scaled == motions.scaled_to("sa", 3.0, period=0.5, of="geometric mean")
     sa = scaled.intensities("sa", period=0.5)
     assert sa[0] * sa[1] == pytest.approx(9.0)
-    with pytest.raises(rk.InputError, match="two intensities"):
-        motions.scaled_to("pga", 3.0, sa=2.0, period=1.0)
+    assert refused(motions.scaled_to, "pga", 3.0, sa=2.0, period=1.0) == ("intensity", "pga")
     assert refused(motions.scaled_to, "pga")[0] == "value"
 
 
@@ -243,8 +241,7 @@ def test_component_that_is_a_little_shorter_gets_zeros_and_is_named():
     assert spectra["rotd50"].name == f"{pair.name}, rotd50, {other.name}, 26 zeros at its end"
     assert spectra["rotd100"].displacement[0] >= spectra["larger"].displacement[0]
     short = rk.Recording("x", (one, other.trimmed(0.0, 50.0)))
-    with pytest.raises(rk.InputError, match="not recorded at the same times"):
-        short.along(0.3)
+    assert "not recorded at the same times" in told(short.along, 0.3)
 
 
 @pytest.mark.parametrize(

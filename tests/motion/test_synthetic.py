@@ -110,7 +110,10 @@ def test_envelope_multiplies_the_stationary_motion(envelope):
         (lambda: GroundMotion.kanai_tajimi(-1.0, duration=1.0, seed=0), "spectral_intensity is -1"),
         (lambda: GroundMotion.kanai_tajimi(1.0, duration=0.0, seed=0), "duration is 0"),
         (lambda: GroundMotion.kanai_tajimi(1.0, duration=1.0, seed=1.5), "seed is 1.5.*whole"),
-        (lambda: GroundMotion.kanai_tajimi(1.0, duration=1.0, seed=0, dt=9.0), "give a shorter dt"),
+        (
+            lambda: GroundMotion.kanai_tajimi(1.0, duration=1.0, seed=0, dt=9.0),
+            "dt is 9: give a step",
+        ),
         (
             lambda: GroundMotion.clough_penzien(
                 1.0, duration=1.0, seed=0, high_pass_damping_ratio=0.0

@@ -33,7 +33,7 @@ def test_without_a_limit_the_axis_ends_at_the_largest_peak():
     figure = plots.peak_distributions({"A": one, "B": other})
     assert figure.axes[0].get_xlim() == (0.0, 0.4)
     for ensembles in ({}, {str(i): one for i in range(7)}):
-        assert refused(plots.peak_distributions, ensembles)[0] == "number of ensembles"
+        assert refused(plots.peak_distributions, ensembles)[0] == "ensembles"
     with refuses("limit", 0.0):
         plots.peak_distributions({"A": Ensemble([np.nan], [True])})
 

@@ -154,7 +154,7 @@ def test_a_sweep_chooses_by_its_first_case():
 
 
 def test_a_first_case_that_cannot_be_is_told_with_its_values():
-    with refuses("initial theta", 3.0):
+    with refuses("theta", 3.0):
         rk.simulate_many(
             lambda theta: rk.Case(BLOCK, PULSE, initial={"theta": theta}), {"theta": [3.0, 0.1]}
         )

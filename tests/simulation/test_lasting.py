@@ -30,7 +30,7 @@ from rockeom.structures.units import main_units
 from rockeom.symbolic.model import Body, coordinate, parameter, turned
 from rockeom.symbolic.rocking import rocking_structure
 from tests.pipes import pipe
-from tests.refusals import refused, refuses
+from tests.refusals import refused, refuses, told
 from tests.shipped import plain
 from tests.typical import S1, column
 
@@ -581,8 +581,7 @@ def test_a_table_at_times_of_ones_own(pulsed):
     with pytest.raises(KeyError, match="there are theta"):
         pulsed.to_xarray(["drift"])
     assert refused(pulsed.to_dataframe, "theta")[0] == "names"
-    with pytest.raises(ValueError, match="the response from"):
-        pulsed.to_xarray(times=[5.0])
+    assert "the response from" in told(pulsed.to_xarray, times=[5.0])
     assert refused(pulsed.to_xarray, times=[[1.0]])[0] == "times"
 
 

@@ -405,7 +405,7 @@ def test_rayleigh_damping_gives_the_ratios_asked_for():
     np.testing.assert_allclose(both.ratio([0.5, 0.1]), [0.02, 0.05], rtol=1e-12)
     assert rk.rayleigh_damping(0.5, 0.02).alpha == 0.0
     for periods, ratios, said in (
-        ([0.5, 0.5], [0.02, 0.02], "both periods"),
+        ([0.5, 0.5], [0.02, 0.02], r"periods is \[0\.5, 0\.5\]: give those of"),
         ([0.5, 0.2, 0.1], [0.02] * 3, "give two of each"),
         ([-0.5], [0.02], "positive"),
     ):

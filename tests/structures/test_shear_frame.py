@@ -12,7 +12,7 @@ from scipy.linalg import eigh
 
 import rockeom as rk
 from rockeom.symbolic.write.polar import polar_model
-from tests.refusals import refused
+from tests.refusals import refused, told
 from tests.typical import DAMPING, S1, STIFFNESS, column
 
 GRAVITY = 9.81
@@ -269,7 +269,7 @@ print(time.process_time(), "sympy" in sys.modules)
             ValueError,
             r"heights\[1\] is 3.5, not above .*: give the hei",
         ),
-        ({"support": "pinned"}, TypeError, "support is 'pinned': give what the base stands on"),
+        ({"support": "pinned"}, TypeError, "support is 'pinned': give a support,"),
         ({"floors": 2}, TypeError, "unknown floors"),
     ],
 )
@@ -281,8 +281,7 @@ def test_what_is_wrong_is_named(changes, error, says):
 def test_a_frame_of_no_or_half_a_storey_cannot_be_derived():
     for storeys in (0, 2.5, True, "2"):
         assert refused(rk.derive, "shear_frame", storeys=storeys)[0] == "storeys"
-    with pytest.raises(TypeError, match="storeys"):
-        rk.derive("shear_frame")
+    assert "storeys" in told(rk.derive, "shear_frame")
 
 
 def test_the_support_can_be_named():

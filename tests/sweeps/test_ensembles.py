@@ -378,7 +378,7 @@ def test_an_error_ends_the_work_of_all_threads(threads, where):
 
 
 def test_start_that_cannot_be_names_the_case():
-    with refuses("initial theta") as caught:
+    with refuses("theta") as caught:
         rk.simulate_many(
             lambda times: rk.Case(BLOCK, rk.GroundMotion.none(1.0), initial={"theta": 0.1 * times}),
             over={"times": [1, 23]},

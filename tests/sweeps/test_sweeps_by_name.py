@@ -211,14 +211,14 @@ MISTAKES = {
 @pytest.mark.parametrize("name", MISTAKES)
 def test_a_name_that_no_number_has_alone(name):
     case, words = MISTAKES[name]
-    with pytest.raises(ValueError, match=f"^over: '{name}' is .*{words}"):
+    with pytest.raises(ValueError, match=f"^over has '{name}', .*{words}"):
         rk.simulate_many(case, {name: [1.0, 2.0]})
 
 
 def test_one_number_under_two_names():
     with refuses("over", "half_width"):
         rk.simulate_many(CASE, {"half_width": [0.1], "structure.half_width": [0.2]})
-    with pytest.raises(ValueError, match="period and frequency are one number"):
+    with pytest.raises(ValueError, match="frequency is 1/period: name one"):
         rk.simulate_many(CASE, {"period": [0.5], "frequency": [2.0]})
     law = rk.Case(BLOCK, SINE, impact=rk.EnergyRatio(0.8))
     with refuses("over", "restitution"):

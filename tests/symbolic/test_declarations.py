@@ -257,14 +257,14 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     ),
     "a kind misspelt": (
         lambda: right(kind="impackt"),
-        ("tower", "'impackt'", "did you mean 'impact'"),
+        ("tower", "'impackt'", "did you mean impact"),
     ),
     "a target misspelt": (
         lambda: right(target="lefft"),
-        ("tower", "target", "'lefft'", "did you mean 'left'"),
+        ("tower", "target", "'lefft'", "did you mean left"),
     ),
-    "a source misspelt": (lambda: right(source="rihgt"), ("source", "did you mean 'right'")),
-    "a fallback misspelt": (lambda: right(fallback="bth"), ("fallback", "did you mean 'both'")),
+    "a source misspelt": (lambda: right(source="rihgt"), ("source", "did you mean right")),
+    "a fallback misspelt": (lambda: right(fallback="bth"), ("fallback", "did you mean both")),
     "a fallback of a switch": (
         lambda: switch("both", "left", fallback="flight"),
         ("'both' -> 'left'", "fallback"),
@@ -380,7 +380,7 @@ WRONG: dict[str, tuple[Callable, tuple[str, ...]]] = {
     "no modes": (lambda: replace(TOWER, modes=()), ("tower", "none")),
     "an unknown load_on": (
         lambda: tower(load_on="tip"),
-        ("tower", "load_on", "'tip'", "did you mean 'top'"),
+        ("tower", "load_on", "'tip'", "did you mean top"),
     ),
     "a coordinate without mass": (
         lambda: tower(bodies=lambda p: [Body("base", m, turned((0, h), p, theta))]),

@@ -322,9 +322,13 @@ def test_document_of_a_structure_without_polar_form_is_in_width_form():
 
 def test_unknown_form_is_refused_by_name():
     model = structure("rigid_block")
-    with pytest.raises(ValueError, match="not 'cartesian'"):
+    with pytest.raises(
+        ValueError, match=r"form is 'cartesian': give \"width\" \\(B, H\\) or \"polar\" \\(R,"
+    ):
         latex_document(model, "cartesian")
-    with pytest.raises(ValueError, match="not 'cartesian'"):
+    with pytest.raises(
+        ValueError, match=r"form is 'cartesian': give \"width\" \\(B, H\\) or \"polar\" \\(R,"
+    ):
         equations_latex(model.modes[0], "cartesian")
 
 

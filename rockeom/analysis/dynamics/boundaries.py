@@ -301,9 +301,7 @@ def followed_boundary(
     positive(where, step=step, accuracy=accuracy, within=box[:, 1] - box[:, 0])
     walk = _Walk(case, names, box, (point.below, point.above), step, accuracy, options)
     if not walk.contains(walk.scaled(point)):
-        raise InputError("point", of=where).wrong(
-            f"is at {point.at}, which is not within {dict(within)}"
-        )
+        raise InputError("point", point.at, where).give(f"one within {dict(within)}")
     ways = [walk.points(point, sign, most) for sign in (-1.0, 1.0)]
     (back, first), (ahead, last) = ways
     line = [*reversed(back), point, *ahead]

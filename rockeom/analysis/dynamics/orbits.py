@@ -401,9 +401,7 @@ class StroboscopicMap:
         early = period * np.linspace(0.03, 0.97, 12)
         now, half, later = (motion.acceleration(early + period * k) for k in (0, 0.5, 1))
         if np.abs(later - now).max() > 1e-6 * motion.peak:
-            raise InputError("period", period, "StroboscopicMap").so(
-                "the motion does not repeat itself after it"
-            )
+            raise InputError("period", period, "StroboscopicMap").so("the motion has another one")
         if self.mirrored and np.abs(half + now).max() > 1e-6 * motion.peak:
             raise InputError("mirrored", True, "StroboscopicMap").told(
                 "mirrored, but the motion is not its own negative half a period later: leave "

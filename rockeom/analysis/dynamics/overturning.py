@@ -144,9 +144,7 @@ def dimensionless_pulses(
 def _unit(function: str, structure: Structure, name: str, value: float | None) -> float:
     """The value given, or else that of a structure."""
     if value is None or not math.isfinite(value):
-        raise InputError(name, of=function).told(
-            f"{structure.model} has no {name} of its own: give {name}"
-        )
+        raise InputError(name, None, function).give(f"it: {structure.model} has none")
     return float(positive(function, **{name: value})[0])
 
 

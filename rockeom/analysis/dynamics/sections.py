@@ -416,9 +416,7 @@ def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
     if over is None:
         stroboscopes = [stroboscope]
     elif not callable(stroboscope):
-        raise InputTypeError("stroboscope", stroboscope).so(
-            "with `over`, give a function that makes a map"
-        )
+        raise InputTypeError("stroboscope", stroboscope).give("with `over`, a function")
     else:
         stroboscopes = [stroboscope(**over.named(row)) for row in range(over.total)]
     maps = np.empty(len(stroboscopes), dtype=object)

@@ -382,9 +382,7 @@ def _sizes(where: str, peaks: ArrayLike, alpha) -> np.ndarray:
     """Sizes of the peaks, (..., n), checked."""
     (peaks,) = numbers(where, peaks=peaks)
     if peaks.ndim == 0 or peaks.shape[-1] < 2:
-        raise InputError("peaks", of=where).wrong(
-            f"has the shape {peaks.shape}: give at least two successive peaks"
-        )
+        raise InputError("peaks", peaks, where).give("at least two successive peaks")
     sizes = np.abs(peaks)
     rule = f"a free structure turns back between 0 and its balance at {alpha} rad; give radians"
     require((sizes > 0) & (sizes < alpha), where, "peaks", peaks, rule)

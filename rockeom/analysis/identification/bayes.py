@@ -336,9 +336,7 @@ class Posterior:
 
     def _deviates(self, values: Mapping[str, float]) -> np.ndarray:
         if {*values} != {*self.space.names}:
-            raise InputError("values").told(
-                f"give a value of each of {', '.join(self.space.names)}, by name"
-            )
+            raise InputError("values", [*values]).give(f"a value of each of {self.space.names}")
         pairs = zip(self.space.names, self.space.marginals, strict=True)
         u = np.array([_deviate(of, values[name]) for name, of in pairs])
         for name, x in zip(self.space.names, u, strict=True):
@@ -573,9 +571,7 @@ def model_probabilities(posteriors: Mapping[str, Posterior]) -> dict[str, float]
     """
     found = list(posteriors.values())
     if not found:
-        raise InputError("posteriors", of="model_probabilities").wrong(
-            "is empty: give those to compare"
-        )
+        raise InputError("posteriors", posteriors).give("those that are compared")
     readings = [np.concatenate([test.measured for test in one.tests]) for one in found]
     for name, other in zip(posteriors, readings, strict=True):
         if not np.array_equal(readings[0], other):

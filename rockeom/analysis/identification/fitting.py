@@ -291,13 +291,9 @@ class _LeastSquares:
         """Raises ValueError for bad arguments of `fit`."""
         (y,) = numbers("fit", measured=measured)
         if y.ndim != 1 or not y.size:
-            raise InputError("measured", of="fit").wrong(
-                f"has the shape {y.shape}: give a list of values"
-            )
+            raise InputError("measured", y, "fit").give("a list of values")
         if not start:
-            raise InputError("start", of="fit").wrong(
-                "is empty: give a first guess of each parameter, by name"
-            )
+            raise InputError("start", {}, "fit").give("a first guess of each parameter, by name")
         first = np.array([float(numbers("fit", **{name: start[name]})[0]) for name in start])
         (sigma,) = positive("fit", uncertainty=1.0 if uncertainty is None else uncertainty)
         if sigma.shape not in ((), y.shape):
@@ -592,9 +588,7 @@ def energy_ratios_by_release(
     where = "energy_ratios_by_release"
     (x,) = numbers(where, peaks=peaks)
     if x.ndim != 1 or len(x) < 2 or not np.all(x[1:] * x[:-1] < 0):
-        raise InputError("peaks", of=where).wrong(
-            "must be two or more, on one side and the other in turn"
-        )
+        raise InputError("peaks", x, where).give("two or more, on both sides in turn")
 
     def beyond(r: float, peak: float, following: float) -> float:
         run = _simulated(case(peak, r), options)

@@ -137,9 +137,7 @@ class FreeVibration:
                     "value for each peak and crossing"
                 )
         if np.any(self.at_peak[1:] == self.at_peak[:-1]):
-            raise InputError("at_peak", of="FreeVibration").told(
-                "peaks and crossings do not alternate in at_peak"
-            )
+            raise InputError("at_peak", of="FreeVibration").wrong("must alternate")
         require(
             np.diff(self.time) > 0, "FreeVibration", "time", self.time[1:], "times must increase"
         )
@@ -263,9 +261,7 @@ class FreeVibration:
         splines.setdefault("acceleration", path.derivative(2))
         peaks = _peaks(t, x, path, float(floor))
         if not peaks:
-            raise InputError("displacement", of=where).wrong(
-                f"has no peak above smallest = {floor} m"
-            )
+            raise InputError("displacement", of=where).wrong(f"has no peak above {floor} m")
         zeros = splines[crossing].roots(discontinuity=False, extrapolate=False)
         at = _with_crossings(where, peaks, zeros, crossing)
         return cls(
@@ -564,7 +560,5 @@ def coefficient_of_determination(measured: ArrayLike, predicted: ArrayLike) -> f
     measured, predicted = numbers(where, measured=measured, predicted=predicted)
     spread = float(np.sum((measured - np.mean(measured)) ** 2))
     if not spread:
-        raise InputError("measured", of=where).wrong(
-            "has one value only: there is no spread to explain"
-        )
+        raise InputError("measured", measured, where).so("one value has no spread to explain")
     return 1 - float(np.sum((measured - predicted) ** 2)) / spread

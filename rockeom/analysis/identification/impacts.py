@@ -514,9 +514,7 @@ class Impacts:
 
         r, n = self.energy_ratio, len(self)
         if not n:
-            raise InputError("threshold", of="Impacts.mean").told(
-                "there is no impact: lower the threshold"
-            )
+            raise InputError("threshold", of="Impacts.mean").told("no impact is left: lower it")
         scatter = float(np.std(r, ddof=1)) if n > 1 else 0.0
         sigma = self.half_width / COVERED
         if np.all(sigma > 0):

@@ -96,9 +96,7 @@ class MeasuredRecord:
         where = "MeasuredRecord"
         (t,) = numbers(where, time=self.time)
         if t.ndim != 1 or len(t) < 8:
-            raise InputError("time", of=where).wrong(
-                f"has the shape {t.shape}: give at least 8 instants"
-            )
+            raise InputError("time", t, where).give("at least 8 instants")
         require(np.diff(t) > 0, where, "time", t[1:], "times must increase")
         mean = (t[-1] - t[0]) / (len(t) - 1)
         even = np.abs(t - t[0] - mean * np.arange(len(t))) < 0.1 * mean

@@ -141,9 +141,7 @@ def _slips(
     edges = np.flatnonzero(np.diff(np.sign(d[beyond])) != 0) + 1
     runs = [run for run in np.split(beyond, edges) if len(run) >= 8]
     if len(runs) < 2:
-        raise InputError("displacement", of=where).wrong(
-            "never passes upright: there is no half-cycle"
-        )
+        raise InputError("displacement", of=where).wrong("never passes upright: no half-cycle")
     sigma = max(noise_level(t, y), 1e-12 * float(np.abs(y).max()))
     sigma_d = noise_level(t, d)
     shifts, half_widths = [], []

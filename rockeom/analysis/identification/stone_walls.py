@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.formulas.masonry import rocking_strength
-from rockeom.numbers.checks import InputError, near, numbers, require
+from rockeom.numbers.checks import InputError, numbers, require
 
 _TEXTS = ("wall", "reference", "reported_mode", "joints", "stone")
 _SIZES = {
@@ -212,9 +212,7 @@ class _Row:
         """The number in a cell, positive, in SI; nan where it may lack and does."""
         value = self.signed(column, unit, may_lack)
         if value <= 0:
-            raise InputError(column, self.values[column], self.where).give(
-                "a positive number, or leave the line out"
-            )
+            raise InputError(column, self.values[column], self.where).give("a positive number")
         return value
 
     def signed(self, column: str, unit: float, may_lack: bool = False) -> float:
@@ -279,9 +277,7 @@ def wall_tests(
     """
     if walls is None:
         if envelopes is not None:
-            raise InputError("envelopes", of="wall_tests").wrong(
-                "are given without walls: give both files"
-            )
+            raise InputError("walls", walls, "wall_tests").give("both files, or none")
         data = files("rockeom.analysis").joinpath("data")
         sources = [data.joinpath(n) for n in ("stone_walls.csv", "dry_wall_envelopes.csv")]
     else:
@@ -291,9 +287,7 @@ def wall_tests(
     rows: dict[str, _Row] = {}
     for row in _rows(sources[0].name, sources[0].read_text("utf-8-sig"), columns):
         if rows.setdefault(row.values["wall"], row) is not row:
-            raise InputError("wall", of=row.where).told(
-                f"the wall {row.values.get('wall')!r} stands there twice"
-            )
+            raise InputError("wall", row.values.get("wall"), row.where).so("it stands there twice")
     measured = {}
     if len(sources) > 1:
         measured = _envelopes(sources[1].name, sources[1].read_text("utf-8-sig"), rows)
@@ -305,9 +299,7 @@ def _envelopes(name: str, text: str, walls: Mapping[str, _Row]) -> dict[str, Env
     for row in _rows(name, text, _ENVELOPE):
         wall = row.values["wall"]
         if wall not in walls:
-            raise InputError("wall", wall, row.where).told(
-                f"no wall is called {wall!r}{near(wall, walls)}"
-            )
+            raise InputError("wall", wall, row.where).choose(walls)
         point = row.signed(_ENVELOPE[1], 1e-3), row.signed(_ENVELOPE[2], 1e3)
         points.setdefault(wall, []).append(point)
     return {wall: Envelope(*np.array(of).T) for wall, of in points.items()}
@@ -318,9 +310,7 @@ def _rows(name: str, text: str, columns: Sequence[str]) -> Iterator[_Row]:
     lacking = [c for c in columns if c not in (reader.fieldnames or ())]
     if lacking:
         there = ", ".join(reader.fieldnames or ()) or "none"
-        raise InputError("walls", of=name).told(
-            f"it lacks the column {lacking[0]}: there are {there}"
-        )
+        raise InputError("walls", of=name).told(f"no column {lacking[0]}: there are {there}")
     for row in reader:
         where = f"{name}, line {reader.line_num}"
         if None in row:

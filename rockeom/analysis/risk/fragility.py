@@ -446,9 +446,7 @@ def fragility_of(
         analysis.fragility_of(sweep, intensity="pga", demand="theta", limit=0.05)  # rad
     """
     if (limit is None) != (demand is None):
-        raise InputError("limit", of="fragility_of").told(
-            "demand and limit belong together: give both or neither"
-        )
+        raise InputError("limit", limit, "fragility_of").give("demand and limit, or neither")
     check_sweep("fragility_of", sweep)
     coordinate("fragility_of", sweep, intensity)
     check_finished("fragility_of", sweep)

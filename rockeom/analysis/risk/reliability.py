@@ -567,9 +567,7 @@ class _Condition:
     @classmethod
     def of(cls, where: str, demand: str | None, limit: float | None) -> _Condition:
         if (limit is None) != (demand is None):
-            raise InputError("limit", of=where).told(
-                "demand and limit belong together: give both or neither"
-            )
+            raise InputError("limit", limit, where).give("demand and limit, or neither")
         if limit is not None:
             require(limit > 0, where, "limit", limit, "it must be positive, in the demand's unit")
         return cls(demand, limit)

@@ -92,9 +92,7 @@ class Campaign:
                 )
         for test in tests:
             if tests.count(test) > 1:
-                raise InputError("tests", test, "Campaign").told(
-                    f"{tests.count(test)} tests are called {test!r}"
-                )
+                raise InputError("tests", test, "Campaign").so("several tests have this name")
         for record in records:
             if record not in self.motions:
                 known = near(record, self.motions.names)

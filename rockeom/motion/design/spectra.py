@@ -19,7 +19,7 @@ from rockeom.motion.synthetic import JenningsEnvelope, factors
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration, factor
 from rockeom.numbers import explained
 from rockeom.numbers.callers import warn_caller
-from rockeom.numbers.checks import InputError, array_of, described, positive_number, whole_number
+from rockeom.numbers.checks import InputError, array_of, positive_number, whole_number
 
 _STRONG_PART = JenningsEnvelope(rise=3.0, until=13.0, decay=0.3)
 """With the 10 s of stationary motion that EN 1998-1:2004, 3.2.3.1.2(3), asks for."""
@@ -100,9 +100,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
 
     def __post_init__(self) -> None:
         if not 0.0 < self.damping_ratio < 1.0:
-            raise InputError("damping_ratio", self.damping_ratio).give(
-                "a part of the critical one, as 0.05"
-            )
+            raise InputError("damping_ratio", self.damping_ratio).give("less than 1, as 0.05")
 
     @classmethod
     def eurocode_8(
@@ -183,9 +181,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         _question(s_ds, "s_ds", _CATEGORY_A, "seismic design category A, ASCE 7-16, table 11.6-1")
         t_s, last = at_one / short, positive_number("t_l", t_l)
         if last <= t_s:
-            raise InputError("t_l", last).wrong(
-                f"is {last:g} s, not above s_d1/s_ds = {t_s:.4g} s: give T_L"
-            )
+            raise InputError("t_l", last).give(f"T_L, above s_d1/s_ds = {t_s:.4g} s")
         name = f"ASCE 7, S_DS {short:.4g} m/s2, S_D1 {at_one:.4g} m/s2"
         shape = _Branches(0.4 * short, short, 0.2 * t_s, t_s, last)
         return cls(name, 0.05, 0.0, math.inf, shape)
@@ -236,9 +232,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         if not (np.isfinite(t).all() and t[0] >= 0.0 and (np.diff(t) > 0.0).all()):
             raise InputError("periods").wrong("do not rise from 0 or more: sort them, in s")
         if not (np.isfinite(a) & (a > 0.0)).all():
-            raise InputError("accelerations").wrong(
-                "are not all positive: give finite, positive numbers"
-            )
+            raise InputError("accelerations", a).give("finite, positive numbers")
         xi = positive_number("damping_ratio", damping_ratio)
         shape = _Points(tuple(t.tolist()), tuple(a.tolist()))
         return cls(name, xi, float(t[0]), float(t[-1]), shape)
@@ -401,9 +395,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
             )
         own = record.response_spectrum(target.periods, self.damping_ratio).pseudo_acceleration
         if not (own > 0.0).all():
-            raise InputError("record", record).told(
-                f"{record.name} does not shake: give a motion that does"
-            )
+            raise InputError("record", record.name).give("a motion that shakes")
         scale = math.exp(float(np.log(target.accelerations / own).mean()))
         samples = matching.matched(record.samples * scale, record.dt, target)
         made = GroundMotion.from_array(samples, record.dt, name=record.name)
@@ -440,13 +432,9 @@ class DesignSpectrum(metaclass=explained.Constructors):
         try:
             first, last = (positive_number("between", t) for t in between)
         except (TypeError, ValueError) as error:
-            raise InputError("between", between).give(
-                "the shortest and the longest period [s]"
-            ) from error
+            raise InputError("between", between).give("a shorter and a longer period") from error
         if not first < last:
-            raise InputError("between", first).wrong(
-                f"is {first:g} and {last:g} s: give the shorter one first"
-            )
+            raise InputError("between", first).give(f"less than the second period, {last:g} s")
         least, most = _MATCHED
         if not least <= self.damping_ratio <= most:
             raise InputError("damping_ratio", self.damping_ratio).told(
@@ -496,13 +484,9 @@ class DesignSpectrum(metaclass=explained.Constructors):
         several = list(motions)
         for one in several:
             if not isinstance(one, GroundMotion):
-                raise InputError("motions", one).told(
-                    f"{described(one)} is among the motions: give GroundMotions"
-                )
+                raise InputError("motions", one).give("GroundMotions alone")
             if one.is_vertical:
-                raise InputError("motions", one).told(
-                    f"{one.name} is a vertical component: give horizontal ones"
-                )
+                raise InputError("motions", one.name).give("horizontal components")
         if not several:
             raise InputError("motions").told("there are no motions to check: give three or more")
         periods = np.geomspace(BAND[0] * t_1, BAND[1] * t_1, _CHECKED)

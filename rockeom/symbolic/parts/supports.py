@@ -9,7 +9,7 @@ from typing import Any
 
 import sympy as sp
 
-from rockeom.numbers.checks import InputError, InputTypeError
+from rockeom.numbers.checks import InputError, InputTypeError, require_word
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.contact_model import Model
@@ -70,7 +70,7 @@ def two_springs(of: Superstructure, guided: str = "centre") -> Model | RockingMo
     guided : what moves up and down alone, the base's "centre", or the "foot" to whose side it
     leans.
     """
-    valid.known(of.name, "guided", guided, ("centre", "foot"))
+    require_word("guided", guided, ("centre", "foot"), of.name)
     if guided == "foot":
         return _guided_at_the_foot(of)
     return replace(
@@ -149,7 +149,7 @@ SUPPORTS: Mapping[str, Callable[..., Model | RockingModel]] = {
 
 def standing(of: Superstructure, support: str, **details: Any) -> Model | RockingModel:
     """A superstructure on a support by its name, the details those of the support's function."""
-    valid.known(of.name, "support", support, SUPPORTS)
+    require_word("support", support, SUPPORTS, of.name)
     try:
         signature(SUPPORTS[support]).bind(of, **details)
     except TypeError as error:

@@ -68,9 +68,7 @@ def notebook_display(model: HybridModel) -> str:
 
 def _check(form: str) -> None:
     if form not in ("width", "polar"):
-        raise InputError("form").wrong(
-            f'must be "width" (B, H) or "polar" (R, alpha), not {form!r}'
-        )
+        raise InputError("form", form).give('"width" (B, H) or "polar" (R, alpha)')
 
 
 def _equation_lines(
