@@ -339,7 +339,7 @@ def _check_rows(
     curved = (kind == SINE) | (kind == RICKER) | (kind == ANTISYMMETRIC_RICKER) | two_rates
     if not every(linear | curved):
         raise InputError("segments").told(
-            f"their kinds are {', '.join(str(int(k)) for k in SegmentKind)}"
+            f"kinds of segments are {', '.join(str(int(k)) for k in SegmentKind)}"
         )
     if not every(linear | (constants[1] > 0.0)):
         raise InputError("segments").told("c1, the rate of a sine or a wavelet, must be positive")

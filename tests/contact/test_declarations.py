@@ -168,7 +168,7 @@ def test_a_point_between_two_walls_is_refused():
     ("law", "told"),
     [
         ({"restitution": 1.5}, "restitution"),
-        ({"restitution": -0.1}, "friction"),
+        ({"restitution": -0.1}, "restitution"),
         ({"friction": -0.1}, "friction"),
         ({"friction": "0.1"}, "friction"),
     ],

@@ -204,7 +204,7 @@ MOTIONS = [
         "missing seed (Seed; equal seeds give equal motions)",
     ),
     mistake(MISSING, lambda: GM.from_array([0.0, 1.0]), TypeError, "from_array: missing dt"),
-    mistake(SHAPE, lambda: GM.from_array([], 0.01), rk.InputError, "0 sample(s)", "two or more"),
+    mistake(SHAPE, lambda: GM.from_array([], 0.01), rk.InputError, "acceleration is an array", "two samples or more"),
     mistake(
         NAME, lambda: GM.from_array([0, 1, 0], 0.01, unit="g"), TypeError,
         "unknown unit (did you mean units?)",
@@ -240,7 +240,7 @@ MOTIONS = [
     mistake(TYPE, lambda: rk.MotionSet(SINE), rk.InputError, "motions is", "give a list"),
     mistake(
         FILE, lambda: rk.MotionSet.from_folder("nowhere"), rk.InputError,
-        "nowhere is no folder",
+        "path is 'nowhere'",
     ),
     mistake(
         FILE, lambda: rk.MotionSet.from_folder(".", "*.xyz"), rk.InputError,
@@ -343,7 +343,7 @@ RESPONSES = [
     mistake(TYPE, lambda: run().plot(ax=3), TypeError, "ax is 3", "plt.subplots()"),
     mistake(
         VALUE, lambda: run().plot(start=1.0, end=0.5), ValueError,
-        "start is 1 s and end 0.5 s",
+        "start is 1: give less than the end, 0.5 s",
     ),
     mistake(FILE, lambda: run().animate("run.xyz"), ValueError, "run.xyz", ".gif, .html"),
     mistake(NAME, lambda: run().animate(fps=30), TypeError, "unknown fps (give frames_per_second)"),
@@ -379,7 +379,7 @@ SWEEPS = [
     ),
     mistake(
         NAME, lambda: rk.simulate_many(CASE, {"half_widht": [0.1]}), ValueError,
-        "over has 'half_widht' (did you mean half_width?)",
+        "'half_widht', which is unknown (did you mean half_width?)",
     ),
     mistake(
         SIGN, lambda: rk.simulate_many(CASE, {"half_width": [0.1, -1.0]}), ValueError,
@@ -387,7 +387,7 @@ SWEEPS = [
     ),
     mistake(
         VALUE, lambda: rk.simulate_many(CASE, {"restitution": [1.2]}), ValueError,
-        "restitution = 1.2", "between 0",
+        "restitution = 1.2", "0 (no rebound)",
     ),
     mistake(
         NAME, lambda: rk.simulate_many(pulse, {"amplitude": [1.0]}, quantities=["thet"]), KeyError,

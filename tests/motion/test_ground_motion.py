@@ -495,7 +495,7 @@ def test_acceleration_of_a_formula_may_be_a_text_with_its_unit(made):
             lambda: GroundMotion([[0, 1, 0, 0, 0, 0, 0], [1.5, 2, 0, 0, 0, 0, 0]]),
             r"follow each other without gap",
         ),
-        (lambda: GroundMotion([[0, 1, 5, 0, 0, 0, 0]]), "segments is None: give one of 0, 1, 2,"),
+        (lambda: GroundMotion([[0, 1, 5, 0, 0, 0, 0]]), "kinds of segments are 0, 1"),
         (lambda: GroundMotion([[0, 1, 0, math.nan, 0, 0, 0]]), r"NaN"),
         (
             lambda: GroundMotion([[0, 1, SegmentKind.SINE, 1, 0, 0, 0]]),
@@ -516,9 +516,9 @@ def test_bad_input_is_refused_with_the_value_and_the_remedy(call, message):
     [
         (0, -1.0, "without gap"),
         (1, -1.0, "without gap"),
-        (2, 1.5, "segments is None: give one of 0, 1, 2,"),
-        (2, -1.0, "segments is None: give one of 0, 1, 2,"),
-        (2, 5.0, "segments is None: give one of 0, 1, 2,"),
+        (2, 1.5, "kinds of segments are 0, 1"),
+        (2, -1.0, "kinds of segments are 0, 1"),
+        (2, 5.0, "kinds of segments are 0, 1"),
         (4, 0.0, "c1, the rate"),
         (6, math.inf, "NaN or infinity"),
     ],
