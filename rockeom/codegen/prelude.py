@@ -1,4 +1,4 @@
-"""What a generated module says as others do: it is left out of its text, and imported."""
+"""Parts that a generated module has in common with others: it imports them instead."""
 
 from __future__ import annotations
 

@@ -316,7 +316,7 @@ def linked(generated: GeneratedModule, method: str, part: str = LOOP, steps: boo
 
 
 def _prelude_of_lanes(prelude: Text) -> tuple[Text, Text]:
-    """What generated modules have in common, with a sine and a cosine that have no branches."""
+    """The prelude of generated modules with a sine and a cosine that have no branches."""
     from rockeom.integrator.lanes.step import SINES
 
     return without(prelude, "sine_cosine"), Text("sines of lanes", SINES, fused=True)
