@@ -12,9 +12,8 @@ import stat
 import time
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
-from rockeom.numbers.checks import InputError, require_type
+from rockeom.numbers.checks import FilePath, require, require_type
 
 TEMPORARY = ".rockeom.{}.tmp"
 _DAY = 86400.0  # s
@@ -36,11 +35,10 @@ def in_text(path: str | os.PathLike[str]) -> Path:
     return Path(path)
 
 
-def check_path(path: Any) -> None:
+def check_path(path: FilePath) -> None:
     """Raise TypeError for what is no path of a file, ValueError for an empty one."""
     require_type("path", path, str | os.PathLike, "the path of a file, as text or pathlib.Path")
-    if not os.fspath(path):
-        raise InputError("path").wrong("is empty: name a file")
+    require(bool(os.fspath(path)), "", "path", path, "name a file")
 
 
 def check_target(path: str | os.PathLike[str]) -> Path:

@@ -180,10 +180,7 @@ class Assessment:
     def verdict(self) -> str:
         """The answer in a few sentences, those on the records as they are first."""
         if self._in_doubt:
-            return (
-                "No verdict: a unit is in doubt, as the questions say. Mend it, or give "
-                f"{UNITS_CHECKED}."
-            )
+            return f"No verdict: a unit is in doubt. Answer the questions, or give {UNITS_CHECKED}."
         return " ".join(filter(None, (
             self._as_recorded(),
             "It slides before it rocks." if self.slides_first else "",
@@ -625,9 +622,7 @@ class Assessment:
 def check_page(path: str | Path) -> None:
     """Raise ValueError for a name that is not that of a page, OSError where none can be written."""
     if Path(path).suffix.lower() != ".html":
-        raise InputError("path", path).told(
-            f"{path}: an assessment is a page: end the name in .html"
-        )
+        raise InputError("path", Path(path)).give("a page, a name that ends in .html")
     check_target(path)
 
 

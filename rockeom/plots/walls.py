@@ -10,7 +10,7 @@ from matplotlib.figure import Figure, SubFigure
 
 from rockeom.analysis.identification.stone_walls import WallTest
 from rockeom.drawing import style
-from rockeom.numbers.checks import InputError
+from rockeom.numbers.checks import InputError, require_word
 
 _COLUMNS = 4
 
@@ -54,12 +54,9 @@ def wall_envelopes(
     """
     drawn = {name: test for name, test in tests.items() if test.envelope is not None}
     if not drawn:
-        raise InputError("tests", of="wall_envelopes").told(
-            "none of the tests has an envelope: give those of some"
-        )
+        raise InputError("tests", {}, "wall_envelopes").give("walls that have a measured envelope")
     for name in drawn:
-        if name not in paths:
-            raise InputError("paths", name, "wall_envelopes").choose(paths)
+        require_word("paths", name, paths, "wall_envelopes")
     columns = min(_COLUMNS, len(drawn))
     rows = -(-(len(drawn) + 1) // columns)
     if figure is None:

@@ -90,7 +90,7 @@ TYPES_AND_SHAPES = {
     f"sweep $BLOCK {PULSE} --over half_width=a,b": "--over half_width=a,b: 'a' is no number",
     f"sweep $BLOCK {PULSE} --over half_width=0.1,0.1": "a value is named twice",
     f"sweep $BLOCK {PULSE} --over half_width=0.1,0.2 --format xls": "--format: invalid choice",
-    "report $BLOCK --motion two.txt --units g --out x.doc": "give a name that ends in .html or .pdf",
+    "report $BLOCK --motion two.txt --units g --out x.doc": "a name that ends in .html or .pdf",
 }
 UNITS_AND_SIGNS = {
     f"simulate rigid_block --set half_width=0.2m half_height=0.9 {PULSE}": "without a unit",

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis import identification
 from rockeom.plots import wall_envelopes
-from tests.refusals import refuses, told
+from tests.refusals import refuses
 
 TESTS = identification.wall_tests()
 
@@ -44,6 +44,6 @@ def test_walls_are_drawn_into_a_figure_of_ones_own():
 
 
 def test_walls_without_an_envelope_or_a_path_are_refused():
-    assert "none of the tests has an envelope" in told(wall_envelopes, {"E8": TESTS["E8"]}, {})
+    assert refused(wall_envelopes, {"E8": TESTS["E8"]}, {}) == ("tests", {})
     with refuses("paths", "WS.40"):
         wall_envelopes({"WS.40": replace(TESTS["WS.40"])}, {})
