@@ -234,8 +234,7 @@ def test_shared_parameters_are_those_of_the_specimen(campaign):
 )
 def test_wrong_names_and_distributions_are_refused(campaign, how, words):
     case = rk.Case(BLOCK, campaign.motions[0], rk.EnergyRatio(0.85))
-    with refuses(words):
-        simulate_campaign(campaign, case, **how)
+    assert refused(simulate_campaign, campaign, case, **how)[0] == words
 
 
 def test_a_narrow_base_and_a_low_restitution_are_seen_though_they_offset_each_other():

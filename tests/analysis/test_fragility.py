@@ -17,7 +17,7 @@ from rockeom.analysis.risk.fragility import (
     proportion_interval_by_group,
 )
 from rockeom.analysis.sweeps import outcome_labels, peaks_of
-from tests.refusals import refused, refuses, told
+from tests.refusals import refused, told
 
 IM = np.array([0.1, 0.2, 0.3, 0.4, 0.6, 0.8])
 HITS = np.array([0, 2, 5, 4, 9, 19])
@@ -199,12 +199,9 @@ def test_labels_are_the_same_however_outcomes_are_kept():
 
 
 def test_names_that_a_sweep_does_not_have_are_refused_with_those_it_has():
-    with refuses("name", "pgv"):
-        fragility_of(sweep(), intensity="pgv")
-    with refuses("name", "drift"):
-        peaks_of(sweep(), "drift")
-    with refuses("limit", 0.1):
-        fragility_of(sweep(), intensity="pga", limit=0.1)
+    assert refused(fragility_of, sweep(), intensity="pgv") == ("name", "pgv")
+    assert refused(peaks_of, sweep(), "drift") == ("name", "drift")
+    assert refused(fragility_of, sweep(), intensity="pga", limit=0.1) == ("limit", 0.1)
     with pytest.raises(ValueError, match="no `outcome`"):
         outcome_labels(sweep().drop_vars("outcome"))
     odd = sweep(flagged)

@@ -138,8 +138,7 @@ def test_what_is_no_grid_of_numbers_is_refused():
 
 
 def test_structure_without_a_frequency_parameter_asks_for_one():
-    with refuses("p"):
-        dynamics.dimensionless_pulses(rk.LumpedMassStructure(**S1))
+    assert refused(dynamics.dimensionless_pulses, rk.LumpedMassStructure(**S1))[0] == "p"
 
 
 def test_spectrum_of_overturning_asks_for_names_it_has(boundaries):

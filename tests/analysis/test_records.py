@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from rockeom import InputError, analysis
+from rockeom import analysis
 from rockeom.analysis import identification
+from tests.refusals import told
 
 T = np.arange(0.0, 4.0, 0.001)
 
@@ -49,10 +50,9 @@ def test_columns_are_read_in_si_units(tmp_path):
 def test_what_a_file_leaves_open_is_refused_with_its_place(tmp_path, text, arguments, words):
     path = tmp_path / "r.csv"
     path.write_text(text)
-    with pytest.raises(InputError) as error:
-        analysis.MeasuredRecord.from_csv(path, **arguments)
+    message = told(analysis.MeasuredRecord.from_csv, path, **arguments)
     for word in ["r.csv", *words]:
-        assert word in str(error.value)
+        assert word in message
 
 
 @pytest.mark.parametrize(

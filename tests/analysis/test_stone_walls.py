@@ -227,8 +227,7 @@ def test_walls_of_a_file_may_lack_a_direction_and_envelopes(tmp_path):
 def test_bad_envelope_is_refused(tmp_path):
     walls = copied(tmp_path)
     name = "dry_wall_envelopes.csv"
-    with refuses("wall", "WS.100"):
-        identification.wall_tests(walls, copied(tmp_path, name))
+    assert refused(identification.wall_tests, walls, copied(tmp_path, name)) == ("wall", "WS.100")
     assert refused(identification.wall_tests, envelopes=tmp_path / name)[0] == "walls"
     with refuses("displacement", 0.01):
         TESTS["WS.100"].envelope_error([0.0, 0.01], [0.0, 1.0])

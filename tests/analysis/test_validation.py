@@ -230,8 +230,7 @@ def test_outcomes_are_compared_by_the_numbers_that_overturned():
 
 @pytest.mark.parametrize("function", [validation.compare_peaks, validation.compare_outcomes])
 def test_an_unknown_test_comes_with_a_remedy(function):
-    with refuses("test", "fischer"):
-        function(ensemble(0.1), ensemble(0.2), "fischer")
+    assert refused(function, ensemble(0.1), ensemble(0.2), "fischer") == ("test", "fischer")
 
 
 cells = st.sampled_from([0.0, 0.1, 0.2, 0.7, FELL])
@@ -317,8 +316,7 @@ def test_the_means_of_independent_normal_ensembles_are_those_of_welch():
 
 def test_an_interval_of_too_few_campaigns_is_refused():
     simulated = Ensemble(np.random.default_rng(5).uniform(size=(3, 38)))
-    with refuses("level", 0.95):
-        validation.compare_means(ensemble(0.1, 0.3, 0.2), simulated)
+    assert refused(validation.compare_means, ensemble(0.1, 0.3, 0.2), simulated) == ("level", 0.95)
 
 
 # --- scores

@@ -14,7 +14,7 @@ from rockeom.analysis import formulas
 from rockeom.modelling.wall_on_bed import WallPath
 from rockeom.symbolic.parts.walls import wall_on_bed
 from rockeom.symbolic.statics import LOAD, small_rotations
-from tests.refusals import refuses
+from tests.refusals import refused
 
 WEAK = rk.WallOnBed(
     length=1.25, thickness=0.32, shear_span=1.5, axial_force=300e3, bed_modulus=4e9, strength=2.8e6
@@ -237,8 +237,7 @@ def test_events_give_the_limit_of_small_steps():
     ],
 )
 def test_impossible_wall_is_refused(change, message):
-    with refuses(message):
-        replace(WEAK, **change)
+    assert refused(replace, WEAK, **change)[0] == message
 
 
 @pytest.mark.parametrize(

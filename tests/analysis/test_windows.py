@@ -7,7 +7,7 @@ from scipy import signal
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import identification
-from tests.refusals import refuses
+from tests.refusals import refused
 from tests.typical import column
 
 RATE = 200.0
@@ -137,5 +137,4 @@ def test_regimes_of_a_free_decay_of_the_flexible_structure():
     ],
 )
 def test_what_cannot_be_is_refused(arguments, message):
-    with refuses(message):
-        identification.moving_window(recorded(x=T), "x", **arguments)
+    assert refused(identification.moving_window, recorded(x=T), "x", **arguments)[0] == message

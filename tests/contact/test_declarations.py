@@ -12,7 +12,7 @@ from rockeom.symbolic import Body, Contact, Model, Rigid, Unilateral, feet, para
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.modes import sign_of_slip
 from tests.contact import declared
-from tests.refusals import refuses
+from tests.refusals import refused, refuses
 
 B = parameter("b", "half_width", "m", "half of the width")
 WIDTH = B.symbol
@@ -174,8 +174,7 @@ def test_a_point_between_two_walls_is_refused():
     ],
 )
 def test_a_law_is_refused(law, told):
-    with refuses(told):
-        Rigid(**law)
+    assert refused(Rigid, **law)[0] == told
 
 
 def test_a_mode_that_is_none_is_refused():

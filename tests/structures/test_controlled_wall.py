@@ -408,8 +408,7 @@ def test_bad_laws_and_walls_are_refused_with_the_remedy():
             impact=LAWS.equation_4_31(), initial={"theta": 0.1},
         )  # fmt: skip
     assert "last one be infinite" in told(LAWS, ((0.3, 0.85, 0.0),))
-    with refuses("pieces below 0.3 m/s", 1.15):
-        LAWS(((0.3, 0.85, 1.0), (np.inf, 0.8, 0.0)))
+    assert refused(LAWS, ((0.3, 0.85, 1.0), (np.inf, 0.8, 0.0))) == ("pieces below 0.3 m/s", 1.15)
     with refuses("initial_force", 200000.0):
         replace(rk.ControlledWall.thesis(), initial_force=2e5)
     assert refused(rk.ControlledWallOscillator.thesis, 1.2) == ("energy_ratio", 1.2)
