@@ -204,7 +204,7 @@ def public_names(package: str) -> int:
 
 
 BOUNDS = {
-    "rockeom": 65_616, "tests": 46_310, "generated": 15_778,
+    "rockeom": 65_616, "tests": 46_320, "generated": 15_778,
     "/.": 299, "/analysis": 7_997, "/assessment": 1_048, "/browser": 3_612, "/cli": 2_854,
     "/codegen": 2_138, "/compiler": 2_103, "/drawing": 1_416, "/exports": 1_929, "/generated": 56,
     "/integrator": 6_759, "/modelling": 558, "/motion": 3_526, "/numbers": 925, "/plots": 1_197,

@@ -32,6 +32,7 @@ from rockeom.integrator.provided import (
     standing,
 )
 from rockeom.integrator.records import Batch, Case, Recorder
+from rockeom.integrator.tolerances import AT_REST, REST_AFTER_MOTION
 
 
 @entry
@@ -41,7 +42,7 @@ def at_rest(mode: int, y: Floats, p: Floats) -> bool:
         return False
     energy = np.empty(3)
     energies(mode, y, p, energy)
-    return energy[0] <= 1e-9 * abs(energy[1])
+    return energy[0] <= AT_REST * abs(energy[1])
 
 
 @entry
@@ -134,7 +135,11 @@ def integrate_many(first: int, batch: Batch) -> int:
         if code == COMPLETED and batch.quiet_from[n] <= batch.t_end[n]:
             still = batch.horizontal[:0]
             free = case._replace(
-                horizontal=still, vertical=still, h_max=np.inf, fixed=0, rest_tolerance=1e-6
+                horizontal=still,
+                vertical=still,
+                h_max=np.inf,
+                fixed=0,
+                rest_tolerance=REST_AFTER_MOTION,
             )
             if falls(status[MODE], y, free, 0.1 * batch.t_end[n]):
                 code = OVERTURNED

@@ -12,6 +12,7 @@ from rockeom.integrator.provided import (
     can_move,
     guards,
 )
+from rockeom.integrator.tolerances import STAYS_ON_FEET
 
 
 @inlined
@@ -45,6 +46,6 @@ def stands_until(mode, t, end, y, p, gx, gy, g):
         for n in range(GUARDS[mode]):
             size += abs(g[n])
         for n in range(GUARDS[mode]):
-            if not g[n] > 1e-9 * size:
+            if not g[n] > STAYS_ON_FEET * size:
                 return False
     return True

@@ -10,6 +10,7 @@ import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import ROUNDER
 from rockeom.integrator.provided import STAGE_TIMES
+from rockeom.integrator.tolerances import JUMP_OF_GROUND
 
 
 @inlined
@@ -127,7 +128,7 @@ def straight(gx, gy):
 @inlined
 def jumps(before, after):
     """Whether the ground's acceleration jumps between two laws, by more than rounding."""
-    return not abs(after - before) <= 1e-10 * (abs(before) + abs(after))
+    return not abs(after - before) <= JUMP_OF_GROUND * (abs(before) + abs(after))
 
 
 @inlined

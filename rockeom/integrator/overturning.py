@@ -3,7 +3,10 @@
 import math
 
 from rockeom.compiler.decorators import inlined
-from rockeom.integrator.bernstein import EXACT, NEVER, first_fall
+from rockeom.integrator.bernstein import (
+    NEVER,
+    first_fall,
+)
 from rockeom.integrator.polynomials import polynomial_of, power_sum, quintic_of
 from rockeom.integrator.provided import (
     FALLS,
@@ -12,6 +15,7 @@ from rockeom.integrator.provided import (
     opening_acceleration,
     overturns_at,
 )
+from rockeom.integrator.tolerances import EXACT
 
 
 @inlined

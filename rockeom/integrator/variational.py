@@ -45,12 +45,13 @@ from rockeom.integrator.provided import (
     value,
 )
 from rockeom.integrator.records import Case, Ground, Recorder, State
+from rockeom.integrator.tolerances import BEND_OF_GUARD, SAME_RATES, SOON_IN_STEP
 from rockeom.integrator.transitions.candidates import ground_now_and_later, pass_on
 from rockeom.integrator.transitions.declared import stand, time_to_rest
 from rockeom.integrator.transitions.restitution import velocity_ratio_at
 from rockeom.integrator.transitions.zeno import time_of_bounces
 
-DIGITS = 1e4
+DIGITS = 10_000.0
 """How many times the tolerance a guard must have sunk below zero, had nothing happened there:
 below, less than two digits of its derivatives are known."""
 
@@ -338,7 +339,7 @@ def moves_by(e, length, recorder, shaken, case, varied, y, floats, duals):
     later, rate_soon = floats[2 * N_STATES : 3 * N_STATES], floats[3 * N_STATES :]
     # how fast the guard falls, and how fast that changes
     falls = rate_along_motion(mode, guard, t, before, rate_there, ground, p, state, g)
-    ahead = 1e-3 * length
+    ahead = BEND_OF_GUARD * length
     for j in range(N_STATES):
         later[j] = before[j] + ahead * rate_there[j]
     soon = t + ahead
@@ -387,7 +388,7 @@ def goes_on(e, t, ground, p, recorder, floats):
         y[j] = recorder.event_states[e, 0, j]
         same = same and recorder.event_states[e, 1, j] == y[j]
         size = abs(rate_there[j]) + abs(rate_behind[j])
-        same = same and abs(rate_behind[j] - rate_there[j]) <= 1e-8 * size
+        same = same and abs(rate_behind[j] - rate_there[j]) <= SAME_RATES * size
     return same
 
 
@@ -403,7 +404,7 @@ def passed(e, now, length, impacts, recorder, ground, case, varied, duals):
         ratio = velocity_ratio_at(case.law, varied.ratio[0], impacts, y[ROTATION_RATE], p)
         follows = jump(mode, guard, case.law, ratio, y, p, out)
     else:
-        ahead, known = 1e-5 * length, duals[_KNOWN_POINTS:]
+        ahead, known = SOON_IN_STEP * length, duals[_KNOWN_POINTS:]
         ax, ay = ground_accelerations(ground, now)
         later_ax, later_ay = ground_accelerations(ground, value(now) + ahead)
         accelerations = np.empty(5)

@@ -2,9 +2,11 @@
 
 import ast
 import importlib
+import io
 import os
 import subprocess
 import sys
+import tokenize
 from collections import defaultdict
 from pathlib import Path
 
@@ -99,6 +101,16 @@ def test_every_constant_and_function_of_the_integrator_has_one_home():
             homes[name].add(module)
     twice = {name: modules for name, modules in homes.items() if len(modules) > 1}
     assert not {name for name in twice if not name.startswith("__")}
+
+
+def test_powers_of_ten_stand_among_the_tolerances_or_the_coefficients():
+    of_series = {"3.1415926534682512", "1.2154201013012384e-10"}  # pi in parts, of the sine
+    for module, file in TEXTS.items():
+        if module.endswith(("tolerances", "coefficients", "tableau")):
+            continue
+        tokens = tokenize.generate_tokens(io.StringIO(file.read_text()).readline)
+        numbers = {token.string for token in tokens if token.type == tokenize.NUMBER}
+        assert not {number for number in numbers - of_series if "e" in number}, module
 
 
 def test_a_name_with_two_homes_is_refused_with_both():

@@ -168,7 +168,7 @@ def _sampled(generated: GeneratedModule) -> str:
         text += f"        open_{f} = True\n"
         for row in samples_to_bernstein():
             coefficient = _sum(row, f"g{f}_{{}}", " " * 12)
-            text += f"        open_{f} &= (\n            {coefficient}\n        ) > 1e-3 * most\n"
+            text += f"        open_{f} &= (\n            {coefficient}\n        ) > CLEAR * most\n"
     text += "        held = True\n"
     for guard in range(generated.N_GUARDS):
         text += f"        clear = open_{guard}\n"
@@ -223,7 +223,7 @@ _IMPORTS = """import math
 
 import numpy as np
 from rockeom.compiler.decorators import Floats, entry, inlined
-from rockeom.integrator.bernstein import EPS
+from rockeom.integrator.tolerances import CLEAR, EPS, LEAST_ERROR
 from rockeom.integrator.ground import sine
 from rockeom.integrator.lanes.loop import (
     DOUBTFUL, REFUSED, REPEATED, STANDS, TURNS, Z_AX, Z_AY, Z_CLOSED, Z_DAMP, Z_EQUAL, Z_ERROR,
@@ -300,7 +300,7 @@ def control_lanes(z: Floats):
     are products of roots.
     """
     for lane in range(LANES):
-        h, error, last = z[Z_H + lane], max(z[Z_ERROR + lane], 1e-10), z[Z_DAMP + lane]
+        h, error, last = z[Z_H + lane], max(z[Z_ERROR + lane], LEAST_ERROR), z[Z_DAMP + lane]
         equal = z[Z_EQUAL + lane] > 0.0
 {roots}        refused = (error > 1.0) & ~equal
         cut, first = z[Z_T_NEW + lane] >= z[Z_LAST + lane], z[Z_LANDING + lane] == 0.0

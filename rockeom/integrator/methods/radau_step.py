@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from rockeom.integrator.bernstein import EPS
 from rockeom.integrator.ground import ground_acceleration
 from rockeom.integrator.provided import (
     A_SQUARED,
@@ -21,6 +20,7 @@ from rockeom.integrator.provided import (
     G,
     rates,
 )
+from rockeom.integrator.tolerances import EPS, JACOBIAN_STEP, LEAST_JACOBIAN_STEP
 
 N = N_STATES // 2
 SIZE = 3 * N
@@ -86,7 +86,7 @@ def differences(mode, y, p, ax, ay, w, f, other, jacobian):
         w[j] = y[j]
     for j in range(N_STATES):
         # far above rounding errors, far below all lengths in which a structure is not linear
-        width = 1e-7 + 1e-6 * abs(y[j])
+        width = LEAST_JACOBIAN_STEP + JACOBIAN_STEP * abs(y[j])
         above, below = y[j] + width, y[j] - width
         w[j] = above
         rates(mode, w, p, ax, ay, f)

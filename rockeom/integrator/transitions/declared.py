@@ -6,7 +6,6 @@ import numpy as np
 
 from rockeom.codes import RATIO, UNEVEN
 from rockeom.compiler.decorators import inlined
-from rockeom.integrator.bernstein import EPS
 from rockeom.integrator.ground import ground_acceleration
 from rockeom.integrator.provided import (
     N_STATES,
@@ -17,6 +16,7 @@ from rockeom.integrator.provided import (
     rates,
     take_step,
 )
+from rockeom.integrator.tolerances import EPS, FADED
 from rockeom.integrator.transitions.restitution import velocity_ratio_at
 
 
@@ -81,7 +81,7 @@ def time_to_rest(mode, y, p, law, ratio, impacts, ax, ay, tolerance, out):
                 kick[i] += flight * (out[i] - smooth[i])
         w[ROTATION] = 0.0
         # what is left of them counts by the speed that is left
-        small = 1e-13 * start
+        small = FADED * start
         alike = abs(a - a_before) * v <= small * a and abs(loss - last_loss) * v <= small
         if v <= EPS * start or turn == 999 or (pairs and turn > 2 and alike):
             # what a constant loss leaves of the two series of flights

@@ -28,9 +28,18 @@ from rockeom.integrator.provided import (
     POINT_STATES,
     point_numbers,
 )
-from rockeom.integrator.transitions.candidates import FITS, fitting_states, sizes_of, squared
-from rockeom.integrator.transitions.friction import (
+from rockeom.integrator.tolerances import (
+    FITS,
     NOTHING_LEFT,
+    SAME_LANDING_RATE,
+    SAME_VELOCITIES,
+)
+from rockeom.integrator.transitions.candidates import (
+    fitting_states,
+    sizes_of,
+    squared,
+)
+from rockeom.integrator.transitions.friction import (
     Meeting,
     choose,
     grip,
@@ -43,7 +52,6 @@ from rockeom.integrator.transitions.springs import grow
 __fused__ = False
 
 MOST_STAGES = 100000  # of an impact, and impacts of single points in one
-SAME_RATE = 1e-9  # relative: rates of points that are alike differ by rounding, some 1e-15 a step
 
 
 def landed(mode, near, y, p, ground, known, out):
@@ -131,7 +139,7 @@ def by_moreau(mode, near, whole, along, known, sizes, rate, change):
         wanted[2 * i + 1] = -(1.0 + e_t) * rate[2 * i + 1]
     fitting[0] = -1
     found, _ = fitting_states(
-        mode, near, sliding, wanted, known, sizes, FITS, 1e-18 * whole, fitting, change
+        mode, near, sliding, wanted, known, sizes, FITS, SAME_VELOCITIES * whole, fitting, change
     )
     return found
 
@@ -246,7 +254,9 @@ def one_by_one(m, stiffness, whole, known):
             return True
         alike = 0
         for i in range(N_POINTS):
-            closes = m.near[i] == 1 and m.rate[2 * i] <= (1.0 - SAME_RATE) * m.rate[2 * which]
+            closes = (
+                m.near[i] == 1 and m.rate[2 * i] <= (1.0 - SAME_LANDING_RATE) * m.rate[2 * which]
+            )
             next_[i] = 1 if closes and stiffness[i] == stiffness[which] else 0
             alike += next_[i]
         if alike == 1 and not meet_alone(which, apart, known):

@@ -17,12 +17,13 @@ from rockeom.codes import (
     SWITCH,
 )
 from rockeom.compiler.decorators import inlined
-from rockeom.integrator.bernstein import EPS, NEVER
+from rockeom.integrator.bernstein import NEVER
 from rockeom.integrator.ground import ground_accelerations
 from rockeom.integrator.provided import KINDS, N_STAGES, N_STATES
 from rockeom.integrator.recorder import enter_mode
 from rockeom.integrator.records import Rest, State
 from rockeom.integrator.rounding import noise_of
+from rockeom.integrator.tolerances import SAME_INSTANT, SOON_IN_STEP
 from rockeom.integrator.transitions.candidates import (
     fits_by_forces,
     ground_now_and_later,
@@ -60,7 +61,7 @@ def free_flight(mode, closed, t, y, p, k):
     if not closed > 0:
         return 0, np.inf
     hop, flight = single_hop(mode, closed, y, p, k)
-    return hop, flight if 1e3 * EPS * t < flight else np.inf
+    return hop, flight if SAME_INSTANT * t < flight else np.inf
 
 
 @inlined
@@ -111,7 +112,7 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
         if rest.stepped:
             return after_step_over(motion, rest), rest
     length = max(h, min(motion.h_next, end - motion.t))
-    tau = 1e-5 * length
+    tau = SOON_IN_STEP * length
     ax, ay = ground_accelerations(ground, motion.t)
     later_ax, later_ay = ground_accelerations(ground, motion.t + tau)
     accelerations = np.empty(5)

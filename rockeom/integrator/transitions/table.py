@@ -32,6 +32,7 @@ from rockeom.integrator.provided import (
 from rockeom.integrator.recorder import enter_mode
 from rockeom.integrator.records import Rest, records_steps
 from rockeom.integrator.rounding import noise_of
+from rockeom.integrator.tolerances import LEAST_PRODUCT
 from rockeom.integrator.transitions.declared import may_fade, stand, time_to_rest
 from rockeom.integrator.transitions.restitution import velocity_ratio_at
 
@@ -65,7 +66,7 @@ def free_flight(mode, closed, t, y, p, k):
         return 0, np.inf
     flight = -2.0 * y[ROTATION_RATE] / k[ROTATION_RATE]
     height = SIDES[mode] * y[ROTATION_RATE] * flight  # not lost among the smallest numbers
-    return 0, flight if flight > 0.0 and height > 1e-290 else np.inf
+    return 0, flight if flight > 0.0 and height > LEAST_PRODUCT else np.inf
 
 
 @inlined
