@@ -61,7 +61,7 @@ def dims_of_starts(function: str, sections: xr.Dataset, *names: str) -> tuple[st
     starts = tuple(name for name in str(sections.attrs.get("starts")).split() if name in dims)
     others = [name for name in dims if name not in (*starts, *names)]
     if others:
-        raise InputError("sections", of=function).told(
+        raise InputError("sections", of=function).says(
             f"the sections vary {', '.join(others)} as well: choose one value, as in sections.isel("
             f"{others[0]}=0)"
         )

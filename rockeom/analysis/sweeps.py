@@ -28,7 +28,7 @@ def check_sweep(function: str, sweep: Any) -> None:
 def coordinate(function: str, sweep: xr.Dataset, name: str) -> xr.DataArray:
     """A coordinate of a sweep; raises ValueError, naming all there are, where there is none."""
     if name not in sweep.coords:
-        raise InputError("name", name, function).told(
+        raise InputError("name", name, function).says(
             f"the sweep has no coordinate {name!r}{near(name, map(str, sweep.coords))}: it has "
             f"{', '.join(map(str, sweep.coords))}"
         )
@@ -56,7 +56,7 @@ def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
     """
     check_sweep("outcome_labels", sweep)
     if "outcome" not in sweep:
-        raise InputError("sweep", of="outcome_labels").told(
+        raise InputError("sweep", of="outcome_labels").says(
             "the dataset has no `outcome`: give one of simulate_many"
         )
     outcome = sweep["outcome"]
@@ -68,7 +68,7 @@ def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
     word_of = dict(zip(values.tolist(), words, strict=False))
     strange = set(np.unique(outcome.values).tolist()) - set(word_of)
     if len(values) != len(words) or strange:
-        raise InputError("sweep", of="outcome_labels").told(
+        raise InputError("sweep", of="outcome_labels").says(
             f"outcome is {min(strange, default='numbers')}, and its flag_values {values.tolist()} "
             f"with flag_meanings {meanings!r} do not name it"
         )
@@ -82,7 +82,7 @@ def check_finished(function: str, sweep: xr.Dataset) -> None:
     labels = outcome_labels(sweep).values
     missing = int((labels == NOT_RUN).sum())
     if missing:
-        raise InputError("sweep", of=function).told(
+        raise InputError("sweep", of=function).says(
             f"{missing} of {labels.size} cases were not run, and no answer follows from the others "
             "alone: run them all again, with the same store if there is one, or select the cases "
             "that were run"
@@ -129,7 +129,7 @@ def peaks_of(sweep: xr.Dataset, name: str) -> xr.DataArray:
             there += names
     if name in sweep.data_vars:
         return sweep[name]
-    raise InputError("name", name).told(
+    raise InputError("name", name).says(
         f"the sweep has no {name!r}{near(name, there)}: choose among {', '.join(there)}, or give "
         f"simulate_many quantities=[{name!r}]"
     )

@@ -117,13 +117,13 @@ def statics_of(structure: Structure) -> Statics:
     """
     if isinstance(structure, StackedBlocks):
         if structure.support:
-            raise InputError("structure", of="assess").told(
+            raise InputError("structure", of="assess").says(
                 "corners that slide are not judged: leave out the support of the stack"
             )
         return _of_stack(structure)
     thresholds = structure.uplift_accelerations
     if thresholds is None or structure.module.STATE_UNITS[structure.module.ROTATION] != "rad":
-        raise InputError("structure", of="assess").told(
+        raise InputError("structure", of="assess").says(
             f"{structure.model} has no feet that lift from rigid ground, in metres and seconds: "
             "take a RigidBlock, with friction= where it may slide, StackedBlocks, "
             "LumpedMassStructure, FlexibleStructure or ShearFrame"

@@ -212,7 +212,7 @@ def slider(name: str, given: Any, number: Any) -> Slider:
     """
     several = isinstance(given, tuple | list) and 2 <= len(given) <= len(Slider._fields)
     if not (several and all(map(is_number, given[:3])) and all(map(_is_text, given[3:]))):
-        raise InputTypeError("sliders", given).told(
+        raise InputTypeError("sliders", given).says(
             f"slider {name!r} is {described(given)}: give (lowest, highest) or (lowest, highest, "
             "first), or rk.Slider(lowest, highest, first, unit, words)"
         )
@@ -221,7 +221,7 @@ def slider(name: str, given: Any, number: Any) -> Slider:
         value = number.value if number else None
         start = (low + high) / 2 if value is None else min(max(value, low), high)
     if not (-math.inf < low < high < math.inf and low <= start <= high):
-        raise InputError("sliders").told(
+        raise InputError("sliders").says(
             f"slider {name!r} goes from {low:g} to {high:g}, first {start:g}: give two finite "
             "numbers, the lower one first, and a first value between them"
         )
@@ -243,7 +243,7 @@ def check_mapping(name: str, given: Any) -> None:
 def _menu(name: str, given: Any) -> Menu:
     """A menu of options by label."""
     if not (isinstance(given, Mapping) and all(map(_is_text, given)) and len(given) > 1):
-        raise InputTypeError("menus", given).told(
+        raise InputTypeError("menus", given).says(
             f"menu {name!r} is {described(given)}: give two options or more by their labels, such "
             'as {"Housner": rk.AngularMomentum(), "r = 0.8": rk.EnergyRatio(0.8)}'
         )
@@ -259,7 +259,7 @@ def controls_of(
     """
     menu_of = {name: _menu(name, given) for name, given in menus.items()}
     if not sliders or len(sliders) + len(menus) > MOST_CONTROLS:
-        raise InputError("sliders").told(
+        raise InputError("sliders").says(
             f"{len(sliders)} sliders and {len(menus)} menus: give a slider or more, and at most "
             f"{MOST_CONTROLS} of both"
         )
@@ -267,7 +267,7 @@ def controls_of(
         raise InputError("menus", min(both)).so("it is a slider, too: name one of both")
     combinations = math.prod(len(one.options) for one in menu_of.values())
     if combinations > MOST_COMBINATIONS:
-        raise InputError("menus").told(
+        raise InputError("menus").says(
             f"the menus have {combinations} combinations of their options: give at most "
             f"{MOST_COMBINATIONS}"
         )

@@ -152,7 +152,7 @@ def ends_of(
         run = simulated(longer, longer.problem(), SolverOptions(method=METHOD))
         python.append(readings_of(run)[kind])
     if not np.allclose(here, python, rtol=SAME, atol=0.0) or _change(*here) != _change(*python):
-        raise InputError("questions").told(
+        raise InputError("questions").says(
             f"question {question.text!r}: {question.compare} before and after is {here} on the "
             f"page and {python} by rk.simulate: the motions are too sensitive, ask of others"
         )
@@ -169,7 +169,7 @@ def _settled(question: Question, page: Motions, place: np.ndarray, end: float) -
         if np.isclose(now, later, rtol=1e-9, atol=0.0) and outcome in FATES:
             return end
         end *= 2.0
-    raise InputError("questions").told(
+    raise InputError("questions").says(
         f"question {question.text!r}: {question.compare} of a motion is {now:g} until {end / 2:g} "
         f"s, {later:g} until {LONGER * end / 2:g} s (nan: there is none), and it ends as "
         f"{outcome!r}: ask of motions that come to rest, or compare something else"

@@ -32,7 +32,7 @@ def _changed(where: str, own: Mapping[str, Any], given: Any) -> dict[str, Any]:
     table = dict(own)
     for name, text in given.items():
         if name not in own:
-            raise InputError("texts", name, where).told(f"a page has no {name!r}{near(name, own)}")
+            raise InputError("texts", name, where).says(f"a page has no {name!r}{near(name, own)}")
         if isinstance(own[name], dict):
             table[name] = _changed(f"{where}[{name!r}]", own[name], text)
         elif isinstance(text, str) and _places(text) == _places(own[name]):

@@ -16,7 +16,7 @@ class UsageError(InputError):
 
     def __init__(self, message: str) -> None:
         super().__init__("")
-        self.told(message)
+        self.says(message)
 
 
 def message(error: Exception, args: argparse.Namespace) -> str:

@@ -114,7 +114,7 @@ def check_file(path: str | os.PathLike[str]) -> None:
     kind = Path(path).suffix.lower()
     if kind not in FILES:
         endings = f"{', '.join(FILES[:-1])} or {FILES[-1]}"
-        raise InputError("path", path).told(f"{path}: the name of an animation ends in {endings}")
+        raise InputError("path", path).says(f"{path}: the name of an animation ends in {endings}")
     check_target(path)
     if kind == ".mp4":
         film.ffmpeg()
@@ -138,7 +138,7 @@ def _times(
     n = math.floor((last - first) / step * (1 + 1e-12)) + 1
     if n > MOST_FRAMES:
         faster = f"{{speed:{speed * n / MOST_FRAMES:.2g}}}"
-        raise InputError("frames_per_second", frames_per_second).told(
+        raise InputError("frames_per_second", frames_per_second).says(
             f"{n} frames are more than {MOST_FRAMES}: show a part by {{start}} and {{end}}, run it "
             f"faster by {faster}, or draw fewer by {{frames_per_second}}"
         )

@@ -68,7 +68,7 @@ def plot_comparison(
     if not runs or len(labels) != len(runs):
         raise InputError("labels", labels).give(f"one for each of {len(runs)} runs")
     if len({style.is_dimensionless(run) for run in runs}) > 1:
-        raise InputError("runs").told("some have units and some none: compare them apart")
+        raise InputError("runs").says("some have units and some none: compare them apart")
     feet = ("left", "right") if any("left_uplift" in run.names for run in runs) else ()
     heights = [0.8, 1.6, *(0.9 for _ in feet), 0.1 + 0.28 * len(runs)]
     if figure is None:

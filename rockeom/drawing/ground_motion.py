@@ -124,12 +124,12 @@ def plot_spectra(
     if not isinstance(spectra, Sequence):
         raise InputTypeError("spectra", spectra).give("a list, as [motion.response_spectrum()]")
     if not spectra:
-        raise InputError("spectra").told("no spectra: give one or more")
+        raise InputError("spectra").says("no spectra: give one or more")
     first = spectra[0]
     for one in spectra[1:]:
         same = np.array_equal(one.periods, first.periods)
         if not same or one.damping_ratio != first.damping_ratio:
-            raise InputError("spectra").told(
+            raise InputError("spectra").says(
                 f"the spectra of {first.name!r} and {one.name!r} have other periods or damping: "
                 "draw them in figures of their own"
             )

@@ -105,7 +105,7 @@ def _separatrix(structure: Structure) -> Iterator[tuple[np.ndarray, np.ndarray]]
     """
     m = structure.module
     if m.N_STATES != 2:
-        raise InputError("separatrix", True, "plot_phase_portrait").told(
+        raise InputError("separatrix", True, "plot_phase_portrait").says(
             f"{structure.model} has {m.N_STATES} states, and its separatrix is no line in this "
             "plane: leave separatrix=True out"
         )
@@ -119,7 +119,7 @@ def _separatrix(structure: Structure) -> Iterator[tuple[np.ndarray, np.ndarray]]
         wide = side * structure.overturning_rotation * np.linspace(0.0, 1.0, _POINTS)[1:]
         top = int(potential(wide).argmax())
         if top in (0, len(wide) - 1):
-            raise InputError("separatrix", True, "plot_phase_portrait").told(
+            raise InputError("separatrix", True, "plot_phase_portrait").says(
                 f"{structure.model} has no balance before it has fallen, and no separatrix: leave "
                 "separatrix=True out"
             )

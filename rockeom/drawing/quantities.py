@@ -28,7 +28,7 @@ def plot_quantities(
         units = {name: run.units[name] for name in names}
         if len({*units.values()}) > 1:
             of_each = ", ".join(f"{name} [{unit}]" for name, unit in units.items())
-            raise InputError("names").told(f"{of_each} have not one unit: give each its own axes")
+            raise InputError("names").says(f"{of_each} have not one unit: give each its own axes")
         what = _word(names[0]) if len(names) == 1 else ""
         draw_curves(ax, run, {name: _word(name) for name in names}, what)
         return style.parent_figure(ax), [ax]
@@ -72,7 +72,7 @@ def _word(name: str) -> str:
 def require_axes(ax: Any, figure: Any) -> None:
     """Raise TypeError or ValueError for what cannot be drawn in."""
     if ax is not None and figure is not None:
-        raise InputError("ax").told("ax and figure are both given: give one of them")
+        raise InputError("ax").says("ax and figure are both given: give one of them")
     if not (ax is None or isinstance(ax, Axes)):
         raise InputTypeError("ax", ax).give("one axes of matplotlib, as of plt.subplots()[1]")
     if not (figure is None or isinstance(figure, Figure | SubFigure)):

@@ -228,12 +228,12 @@ def code(module: GeneratedModule, language: str) -> str:
     if not isinstance(language, str):
         raise InputTypeError("language", language).choose(LANGUAGES)
     if impact_law(module) not in (NEWTON, MOREAU):
-        raise InputError("structure", of=module.NAME).told(
+        raise InputError("structure", of=module.NAME).says(
             f"its contacts have the impact law {name_of_law(module)!r}, which is not written in "
             'other languages: give law="newton" or "moreau"'
         )
     if language not in LANGUAGES:
-        raise InputError("language", language).told(
+        raise InputError("language", language).says(
             f"no language {language!r}{near(language, LANGUAGES)}: there are {', '.join(LANGUAGES)}"
         )
     return LANGUAGES[language](_described(module))

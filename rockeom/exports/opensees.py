@@ -156,7 +156,7 @@ def script(
     """
     values, elastic = _values(structure)
     if values.pop("foundation_damping") != 0.0:
-        raise InputError("structure", of=type(structure).__name__).told(
+        raise InputError("structure", of=type(structure).__name__).says(
             "OpenSees has no spring and damper that press together and never pull: give feet "
             "without dampers, foundation_damping=0"
         )
@@ -215,7 +215,7 @@ def _values(structure: Structure) -> tuple[dict[str, float], bool]:
     support = getattr(structure, "support", None)
     if structure.model in ("flexible_structure", "lumped_mass_structure"):
         if support is None or type(support).__name__ != "TwoSprings":
-            raise InputError("support", support).told(
+            raise InputError("support", support).says(
                 f"{type(structure).__name__} stands on rigid ground or a bed, and a finite-element "
                 "model rocks on springs: give it the support two_springs with foundation_damping 0",
                 "support=rk.TwoSprings(stiffness=..., damping=0)",
@@ -225,7 +225,7 @@ def _values(structure: Structure) -> tuple[dict[str, float], bool]:
                 'OpenSees is given the base guided at its "centre" alone'
             )
         return values, structure.model == "flexible_structure"
-    raise InputError("structure").told(
+    raise InputError("structure").says(
         f"{type(structure).__name__} is not written for OpenSees: give a TwoSpringStructure, or a "
         "FlexibleStructure or LumpedMassStructure on TwoSprings"
     )

@@ -51,7 +51,7 @@ class LawNotSaved:
     name: str
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
-        raise InputError("impact").told(
+        raise InputError("impact").says(
             f"the impact law of this response was a {self.name}, a class that is not of rockeom "
             "and that files cannot hold: give it again, as impact="
         )
@@ -295,7 +295,7 @@ class _File:
 def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     """Attributes and arrays of a netCDF file; raises ValueError for what is none."""
     if path.exists() and not path.is_file():  # a pipe is waited for
-        raise InputError("path", path).told(
+        raise InputError("path", path).says(
             f"{path} cannot be loaded: it is a folder, a pipe or a device, not a file"
         )
     try:
@@ -307,6 +307,6 @@ def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     except (FileNotFoundError, PermissionError, MemoryError):
         raise
     except Exception as error:
-        raise InputError("path", path).told(
+        raise InputError("path", path).says(
             f"{path} cannot be loaded: it is no file of a response, or was cut off: {error}"
         ) from None

@@ -41,7 +41,7 @@ class Pinned(Support):
 def _turns(what: str, inertia: float) -> None:
     """Raise ValueError where nothing resists that the base turns about its middle."""
     if not inertia > 0:
-        raise InputError("base_inertia", of=what).told(
+        raise InputError("base_inertia", of=what).says(
             "on this support the base must have an inertia of its own, and base_inertia, the "
             "inertias above and base_mass base_height**2 are zero: give one of them"
         )
@@ -74,7 +74,7 @@ def _of_soil(what: str, springs: int, match: str, footing: Mapping[str, Any]) ->
     given = dict(footing)
     young = given.pop("youngs_modulus")
     if (young is None) == (given["shear_modulus"] is None):
-        raise InputError("shear_modulus", of=what).told(
+        raise InputError("shear_modulus", of=what).says(
             "give one of shear_modulus and youngs_modulus of the soil [Pa]"
         )
     if young is not None:
@@ -434,7 +434,7 @@ class ShearFrame(SupportedStructure):
             set_(name, values)
         for i in range(1, len(self.heights)):
             if not self.heights[i] > self.heights[i - 1]:
-                raise InputError("heights", self.heights[i], "ShearFrame").told(
+                raise InputError("heights", self.heights[i], "ShearFrame").says(
                     f"heights[{i}] is {self.heights[i]}, not above heights[{i - 1}], "
                     f"{self.heights[i - 1]}: give the height of each floor above the feet, from "
                     "the lowest up"

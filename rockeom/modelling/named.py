@@ -78,7 +78,7 @@ def structure(model: Any, /, **parameters: Any) -> Structure:
         made = class_named(model)
         return made(**_supported(made, parameters))
     if not hasattr(model, "check_values"):
-        raise InputTypeError("model", model).told(
+        raise InputTypeError("model", model).says(
             "structure() takes the name of a structure, or a RockingModel or Model, not "
             f"{described(model)}"
         )
@@ -94,7 +94,7 @@ def class_named(name: str) -> type[Structure]:
         if name in classes:
             return classes[name]
     every = (*SHIPPED, *FAMILIES)
-    raise InputError("name", name).told(
+    raise InputError("name", name).says(
         f"no structure named {name!r}{near(name, every)}: there are {', '.join(every)}"
     )
 
@@ -120,7 +120,7 @@ def _supported(made: type[Structure], parameters: Mapping[str, Any]) -> dict[str
     support = arguments.get("support")
     if not isinstance(support, str):
         if beside:
-            raise InputTypeError("support", of=made.__name__).told(
+            raise InputTypeError("support", of=made.__name__).says(
                 f'{beside[0]} is a parameter of a support: name that, as in support="'
                 f'{_that_takes(beside)}"'
             )
@@ -136,7 +136,7 @@ def _supported(made: type[Structure], parameters: Mapping[str, Any]) -> dict[str
     wrong = [f"missing {', '.join(missing)}"] if missing else []
     wrong += [f"unknown {name}{near(name, own)}" for name in beside if name not in own]
     if wrong:
-        raise InputTypeError("support", support).told(
+        raise InputTypeError("support", support).says(
             f"{made.__name__} on the support {support!r}: {'; '.join(wrong)}. Besides its own "
             f"parameters it takes {', '.join(own) or 'none'}"
         )

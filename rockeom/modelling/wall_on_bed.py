@@ -253,7 +253,7 @@ class WallOnBed:
 
         ends = np.log([_SOFTEST, _STIFFEST])
         if not surplus(ends[0]) < 0 < surplus(ends[1]):
-            raise InputError("stiffness", stiffness, "WallOnBed.of_test").told(
+            raise InputError("stiffness", stiffness, "WallOnBed.of_test").says(
                 f"no bed of {_SOFTEST:g} to {_STIFFEST:g} N/m3 gives the stiffness {stiffness:.4g} "
                 f"N/m at a force of {force:.4g} N: give it in N/m"
             )
@@ -284,7 +284,7 @@ class WallOnBed:
         force = SECANT * self.rocking_strength
         path = self.pushover(self.length / 2)
         if path.strength < force:
-            raise InputError("bed", of="WallOnBed.effective_stiffness").told(
+            raise InputError("bed", of="WallOnBed.effective_stiffness").says(
                 f"up to a displacement of {self.length / 2:.4g} m, half the length, the force "
                 f"stays below {force:.4g} N, {SECANT} of the rocking strength: give a stiffer bed"
             )

@@ -152,7 +152,7 @@ def _participation(given: ArrayLike | None, modes: int, height: float) -> np.nda
             f"is {described(given)} for {modes} period(s): give a number for each"
         )
     if height != 1.0:
-        raise InputError("participation").told(
+        raise InputError("participation").says(
             "height and participation exclude one another: participation says where the floor is"
         )
     return found

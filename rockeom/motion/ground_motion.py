@@ -159,7 +159,7 @@ class GroundMotion(metaclass=explained.Constructors):
             if not isinstance(getattr(self, field), str):
                 raise InputError(field, getattr(self, field)).give("a text")
         if (self.dt is None) != (self.samples is None):
-            raise InputError("dt").told("dt and samples belong together: give both or neither")
+            raise InputError("dt").says("dt and samples belong together: give both or neither")
 
     # -- made from a formula
 
@@ -1257,7 +1257,7 @@ class GroundMotion(metaclass=explained.Constructors):
             spectrum = self.response_spectrum(wanted.period, damping_ratio)
             found = spectrum.pseudo_acceleration[0]
         if found == 0.0:
-            raise InputError("pga", of=self.name).told(
+            raise InputError("pga", of=self.name).says(
                 "no factor makes a motion of zero acceleration shake"
             )
         return self.scaled(wanted.value / found)

@@ -23,7 +23,7 @@ def records() -> dict[str, Stored]:
         for title, record in collection.titles().items()
     }
     if not found:
-        raise InputError("words").told(
+        raise InputError("words").says(
             f"recorded ground motions come from packages that are not installed{_not_installed()}"
         )
     return found
@@ -39,7 +39,7 @@ def names(words: str) -> tuple[str, ...]:
     wanted = set(_words(words))
     matches = tuple(name for name in records() if wanted <= set(name.split("_")))
     if not matches:
-        raise InputError("words", words).told(
+        raise InputError("words", words).says(
             f"no record has all the words of {words!r}{_nearest(wanted)}"
         )
     return matches
@@ -55,7 +55,7 @@ def find(words: str) -> Stored:
         return records()[words]
     matches = names(words)
     if len(matches) > 1:
-        raise InputError("words", words).told(
+        raise InputError("words", words).says(
             f"several records have all the words of {words!r}{_choose(matches)}"
         )
     return records()[matches[0]]

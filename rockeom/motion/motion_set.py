@@ -88,13 +88,13 @@ class MotionSet(Sequence[GroundMotion]):
         self._motions = tuple(motions)
         self.name = name
         if not self._motions:
-            raise InputError("motions").told("a set of no motions: give one or more")
+            raise InputError("motions").says("a set of no motions: give one or more")
         for one in self._motions:
             if not isinstance(one, GroundMotion):
                 raise InputError("motions", one).give("GroundMotions alone")
         for given in self.names:
             if not given or self.names.count(given) > 1:
-                raise InputError("motions", given).told(
+                raise InputError("motions", given).says(
                     f"{self.names.count(given)} motion(s) of a set have the name {given!r}: name "
                     "each once",
                     "dataclasses.replace(motion, name=...) gives another name",
@@ -153,7 +153,7 @@ class MotionSet(Sequence[GroundMotion]):
         wanted = [p for p in files if fnmatch(p.name.lower(), pattern.lower())]
         if not wanted:
             endings = ", ".join(sorted({p.suffix for p in files if p.suffix})) or "none at all"
-            raise InputError("pattern", pattern).told(
+            raise InputError("pattern", pattern).says(
                 f"{folder} holds no file like {pattern!r} among {len(files)}: name the files "
                 f"themselves; the endings are {endings}",
                 "or give another pattern",
@@ -168,7 +168,7 @@ class MotionSet(Sequence[GroundMotion]):
         if faults:
             text = f"{len(faults)} of {len(wanted)} files cannot be read, and none is left out"
             mend = "mend them, or name those that can be read"
-            raise InputError("path", path).told(text).so("\n  ".join([mend, *faults]))
+            raise InputError("path", path).says(text).so("\n  ".join([mend, *faults]))
         made = cls(motions, in_text(folder).name)
         kept = chosen(dict(zip(made.names, made, strict=True)), components, str(folder))
         return cls(kept.values(), made.name)
@@ -416,7 +416,7 @@ class MotionSet(Sequence[GroundMotion]):
         if callable(intensity) and not np.isclose(
             measure(scaled[0]), found[0] * factors[0], rtol=1e-6, atol=0.0
         ):
-            raise InputError("intensity").told(
+            raise InputError("intensity").says(
                 f"{described(intensity)} is {found[0]:g} of {self.names[0]}, and "
                 f"{measure(scaled[0]):g} of {factors[0]:g} times that: give an intensity "
                 "proportional to the accelerations"
@@ -429,7 +429,7 @@ class MotionSet(Sequence[GroundMotion]):
         counts = ~vertical | vertical.all()
         for motion, one in zip(self, np.where(counts, found, wanted), strict=True):
             if not (np.isfinite(one) and one > 0.0):
-                raise InputError("value", wanted).told(
+                raise InputError("value", wanted).says(
                     f"{motion.name} has an intensity of {one:g}: no factor makes it {wanted:g}"
                 )
         if of in _MIDDLES:
@@ -447,7 +447,7 @@ class MotionSet(Sequence[GroundMotion]):
             words = ", ".join(("each", "recording", *_MIDDLES))
             raise InputError("of", of).so(f"choose one of {words}")
         if vertical.any() and not vertical.all():
-            raise InputError("of").told(
+            raise InputError("of").says(
                 f"{self.names[int(vertical.argmax())]} is a vertical component, which is scaled "
                 'along with its recording: give of="recording"'
             )
@@ -525,7 +525,7 @@ def _function(
     word = _word(intensity)
     if word not in _NAMES:
         hint = near(word, _NAMES)
-        raise InputError("intensity", intensity).told(
+        raise InputError("intensity", intensity).says(
             f"intensity {described(intensity)} is unknown{hint}: choose one of {', '.join(_NAMES)}"
             ", or give a function of a motion"
         )

@@ -47,7 +47,7 @@ has it."""
 def baseline_corrected(motion: Motion, degree: int, of: str) -> Processed:
     """See `GroundMotion.baseline_corrected`."""
     if not isinstance(of, str) or of not in _INTEGRALS:
-        raise InputError("of", of).told(
+        raise InputError("of", of).says(
             f"a baseline of {described(of)} is unknown: choose one of {', '.join(_INTEGRALS)}"
         )
     first = _INTEGRALS[of]
@@ -73,7 +73,7 @@ def filtered(motion: Motion, low: float | None, high: float | None, order: int) 
     samples, dt = _samples(motion, "a filter")
     n = whole_number("order", order, 1)
     if low is None and high is None:
-        raise InputError("low").told("a filter has no corner: give low, high or both [Hz]")
+        raise InputError("low").says("a filter has no corner: give low, high or both [Hz]")
     nyquist, slowest = 0.5 / dt, _SLOWEST / motion.duration
     given = {"low": low, "high": high}
     corners = {
@@ -157,7 +157,7 @@ def rotated(motion: Motion, other: Motion, turn: float) -> tuple[np.ndarray, np.
         or other.samples is None
         or not np.array_equal(motion.segments[:, times], other.segments[:, times])
     ):
-        raise InputError("other", other).told(
+        raise InputError("other", other).says(
             f"{motion!r} and {other!r} were not recorded at the same times: give two components of "
             "one record; if one is longer, cut its samples and use GroundMotion.from_array"
         )
@@ -170,7 +170,7 @@ def rotated(motion: Motion, other: Motion, turn: float) -> tuple[np.ndarray, np.
 def _samples(motion: Motion, what: str) -> tuple[np.ndarray, float]:
     """The samples of a record, with zeros for the quiet time after it, and their step [s]."""
     if motion.samples is None or motion.dt is None:
-        raise InputError("motion").told(
+        raise InputError("motion").says(
             f"{motion.name or 'the motion'} has no samples for {what}: resampled(dt) gives it some"
         )
     n = math.floor(motion.duration / motion.dt * (1.0 + 1e-12)) + 1

@@ -70,11 +70,11 @@ class Recording:
         object.__setattr__(self, "horizontal", horizontal)
         for motion in (*horizontal, *(() if self.vertical is None else (self.vertical,))):
             if not isinstance(motion, GroundMotion):
-                raise InputError("horizontal", motion).told(
+                raise InputError("horizontal", motion).says(
                     f"the recording {self.name!r} has {described(motion)}: give ground motions"
                 )
         if not 1 <= len(horizontal) <= 2:
-            raise InputError("horizontal").told(
+            raise InputError("horizontal").says(
                 f"the recording {self.name!r} has {len(horizontal)} horizontal components: give "
                 "one or two"
             )
@@ -115,7 +115,7 @@ class Recording:
         the result says.
         """
         if len(self.horizontal) == 1:
-            raise InputError("horizontal").told(
+            raise InputError("horizontal").says(
                 f"the recording {self.name!r} has one horizontal component: two have others between"
             )
         one, other = self._of_one_length()
@@ -194,7 +194,7 @@ class Recording:
             spectrum = self.response_spectrum(wanted.period, damping_ratio, of)
             (found,) = spectrum.pseudo_acceleration
         if found == 0.0:
-            raise InputError("pga", of=self.name).told(
+            raise InputError("pga", of=self.name).says(
                 "no factor makes a recording without shaking shake"
             )
         return self.scaled(wanted.value / found)

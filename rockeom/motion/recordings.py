@@ -44,7 +44,7 @@ def _recording(name: str, group: Sequence[GroundMotion]) -> Recording:
     vertical = [motion for motion in group if motion.is_vertical]
     members = ", ".join(motion.name for motion in group)
     if not horizontal:
-        raise InputError("components").told(
+        raise InputError("components").says(
             f"{members} has no horizontal component in this set: read the set with "
             '{components:"all"}, or leave it out'
         )
@@ -53,7 +53,7 @@ def _recording(name: str, group: Sequence[GroundMotion]) -> Recording:
     if len(horizontal) > 2 or len(vertical) > 1 or skew:
         counted = f"{len(horizontal)} horizontal and {len(vertical)} vertical components"
         what = "two components at no right angle" if skew else counted
-        raise InputError("motions").told(
+        raise InputError("motions").says(
             f"the recording {name!r} has {what}: {members}. Name the motions by recording and "
             'component, as in "ELC-180"',
             "dataclasses.replace(motion, name=...) gives another name",
@@ -76,7 +76,7 @@ def chosen(
     kept = {name: motion for name, motion in motions.items() if motion.is_vertical == wanted}
     if not kept:
         other = "horizontal" if wanted else "vertical"
-        raise InputError("components", "all").told(
+        raise InputError("components", "all").says(
             f'{where} holds {other} components only, {_shortened(motions)}: give components="'
             f'{other}" for them'
         )

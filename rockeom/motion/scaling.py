@@ -39,7 +39,7 @@ def target(
     given = {name: value for name, value in given.items() if value is not None}
     if len(given) != 1:
         named = " and ".join(f"{name}={value!r}" for name, value in given.items())
-        raise InputError("pga", pga, "scaled_to").told(
+        raise InputError("pga", pga, "scaled_to").says(
             f"it has {named or 'no intensity'}: give exactly one, such as "
             '{pga:"0.4 g"}, or {sa:3.0} [m/s2] with {period:1.0} [s]'
         )
@@ -60,7 +60,7 @@ def multiplier(value: Any, done: str = "multiplied") -> Any:
     Raises InputTypeError for anything else, and InputError where zero divides.
     """
     if not (is_number(value) or isinstance(value, Compound)):
-        raise InputTypeError("factor", value).told(
+        raise InputTypeError("factor", value).says(
             f"a ground motion is {done} by {described(value)}: give a number, as in 2 * motion"
         )
     if done == "divided" and value == 0.0:

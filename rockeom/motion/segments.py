@@ -338,11 +338,11 @@ def _check_rows(
     two_rates = kind == MAVROEIDIS_PAPAGEORGIOU
     curved = (kind == SINE) | (kind == RICKER) | (kind == ANTISYMMETRIC_RICKER) | two_rates
     if not every(linear | curved):
-        raise InputError("segments").told(
+        raise InputError("segments").says(
             f"kinds of segments are {', '.join(str(int(k)) for k in SegmentKind)}"
         )
     if not every(linear | (constants[1] > 0.0)):
-        raise InputError("segments").told("c1, the rate of a sine or a wavelet, must be positive")
+        raise InputError("segments").says("c1, the rate of a sine or a wavelet, must be positive")
     slower = (constants[3] > 0.0) & (constants[3] < constants[1])
     if not every((kind != MAVROEIDIS_PAPAGEORGIOU) | slower):
-        raise InputError("segments").told("c3, the rate of an envelope, must lie between 0 and c1")
+        raise InputError("segments").says("c3, the rate of an envelope, must lie between 0 and c1")

@@ -155,7 +155,7 @@ def factors(envelope: Callable[[np.ndarray], ArrayLike], t: np.ndarray) -> np.nd
         )
     found = array_of("envelope(t)", envelope(t))
     if found.shape != t.shape:
-        raise InputError("envelope").told(
+        raise InputError("envelope").says(
             f"the envelope returned the shape {found.shape} for {len(t)} times: return one number "
             "for each"
         )

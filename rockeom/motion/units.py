@@ -42,7 +42,7 @@ def factor(units: str, gravity: float = STANDARD_GRAVITY) -> float:
     if not (is_number(gravity) and math.isfinite(gravity) and gravity > 0):
         raise InputError("gravity", gravity).give("a positive number of m/s2, such as 9.81")
     if not isinstance(units, str) or not is_known(units):
-        raise InputError("units", units).told(
+        raise InputError("units", units).says(
             f"units {described(units)} are unknown: choose one of {', '.join(NAMES)}"
         )
     plain = _plain(units)

@@ -27,8 +27,8 @@ _ARGUMENT = re.compile(r"\{([a-z]\w*)(?::([^{}]*))?\}")
 class InputError(ValueError):
     """Input that is refused, with the remedy.
 
-    An argument stands in a remedy as ``{dt}``, or with a value as ``{dt:0.01}``, and is printed as
-    the border writes it: ``dt=0.01`` in Python, ``--dt 0.01`` on the command line.
+    A remedy has an argument as ``{dt}``, or with a value as ``{dt:0.01}``, and each border writes
+    it in its own way: ``dt=0.01`` in Python, ``--dt 0.01`` on the command line.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ class InputError(ValueError):
         self.what, remedy = _parts(text)
         return self.so(remedy, python)
 
-    def told(self, text: str, python: str = "") -> Self:
+    def says(self, text: str, python: str = "") -> Self:
         """With "what is wrong: what to do", the first of which is a sentence of its own."""
         self._sentence, remedy = _parts(text)
         return self.so(remedy, python)
@@ -152,7 +152,7 @@ def _parts(text: str) -> tuple[str, str]:
 
 
 class InputTypeError(InputError, TypeError):
-    """Input of another type than the one that is taken."""
+    """Input of a type that the argument does not take."""
 
 
 class _Words(str):
@@ -161,7 +161,7 @@ class _Words(str):
 
 
 def in_template(name: str, value: str | None) -> str:
-    """An argument as it stands in a remedy, for an error that quotes another one; see `Write`."""
+    """An argument as a remedy has it, for an error that quotes another one; see `Write`."""
     return name if value is None else f"{{{name}:{value}}}" if value else f"{{{name}}}"
 
 
@@ -379,7 +379,7 @@ def numbers(of: str, **values: ArrayLike) -> list[np.ndarray]:
         np.broadcast_shapes(*(array.shape for array in arrays))
     except ValueError:
         shapes = ", ".join(f"{n} {a.shape}" for n, a in zip(values, arrays, strict=True))
-        raise InputError(", ".join(values), of=of).told(
+        raise InputError(", ".join(values), of=of).says(
             f"the shapes of {shapes} do not broadcast"
         ) from None
     return arrays

@@ -37,7 +37,7 @@ def in_radians(what: str, values: Mapping[str, Any], units: Mapping[str, str]) -
             converted[name] = value
             continue
         if plain in values:
-            raise InputError(name, of=what).told(
+            raise InputError(name, of=what).says(
                 f"{plain} and {name} are both given, which are one angle in two units: leave one "
                 "out"
             )

@@ -39,7 +39,7 @@ def _through(
     if len(parts) == 1:
         return _dual(np.float64(found), parts[0])
     if len(parts[0]) != len(parts[1]):
-        raise InputError("duals").told(
+        raise InputError("duals").says(
             f"duals of {len(parts[0])} and of {len(parts[1])} directions meet in one calculation: "
             "make all of them by one call of `rk.duals`"
         )

@@ -23,7 +23,7 @@ def only(function: str, values: xr.DataArray, sweep: xr.Dataset, *names: str) ->
     if others:
         told = ", ".join(f"{name} ({n} values)" for name, n in others.items())
         first = next(iter(others))
-        raise InputError("sweep", of=function).told(
+        raise InputError("sweep", of=function).says(
             f"the sweep varies {told} as well: choose one, as in sweep.isel({first}=0), or name it"
         )
     return values.squeeze([d for d in values.dims if d not in wanted], drop=True)

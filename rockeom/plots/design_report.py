@@ -428,9 +428,9 @@ def design_report(
     if isinstance(motions, GroundMotion):
         raise InputTypeError("motions").wrong("is one motion: give a list of motions, [motion]")
     if not motions:
-        raise InputError("motions").told("a report needs a motion: give one or more, as a list")
+        raise InputError("motions").says("a report needs a motion: give one or more, as a list")
     if "left_uplift" not in structure.module.KINEMATICS or structure.module.STATE_UNITS[0] == "-":
-        raise InputError("structure").told(
+        raise InputError("structure").says(
             f"{structure.model} has no feet that lift, in metres: there is no report of it; take a "
             "RigidBlock, LumpedMassStructure, FlexibleStructure or a wall"
         )

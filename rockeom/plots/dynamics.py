@@ -147,7 +147,7 @@ def _looks(function: str, sections: xr.Dataset, name: str, at: str, *names: str)
     """(starts, ..., looks) values at all looks of a kind, over the names in between."""
     require_word("at", at, _MOMENTS, function)
     if at != "period" and "impact_state" not in sections:
-        raise InputError("at", of=function).told(
+        raise InputError("at", of=function).says(
             "the sections have no impacts: give analysis.dynamics.poincare_sections impacts=, the "
             "most in a cycle"
         )
@@ -294,7 +294,7 @@ def basins_of_attraction(basins: xr.Dataset, *, x: str, y: str, ax: Axes | None 
     """
     function = "basins_of_attraction"
     if "fate" not in basins:
-        raise InputError("basins", of=function).told(
+        raise InputError("basins", of=function).says(
             "the sections have no fates: give analysis.dynamics.basins(sections)"
         )
     fate = coordinates.only(function, basins["fate"], basins, x, y)

@@ -158,7 +158,7 @@ def _draw_boundaries(ax: Axes, boundaries: xr.Dataset, sweep: xr.Dataset, x: str
     """Lines through the cells of a grid, dots where none leads on; returns what stands for them."""
     for name in (x, y):
         if name not in boundaries.coords or sweep[name].dims != (name,):
-            raise InputError("boundaries", of="overturning_map").told(
+            raise InputError("boundaries", of="overturning_map").says(
                 f"the boundaries of a grid over {x!r} and {y!r} are wanted: give those of this "
                 "sweep"
             )
@@ -514,7 +514,7 @@ def incremental_dynamic_analysis(
     curves, names = _by_record(function, sweep, intensity, demand, record)
     peaks = np.concatenate([d[np.isfinite(d)] for _, d in curves])
     if not len(peaks):
-        raise InputError("demand", of=function).told("no case has one: all fell, or gave no answer")
+        raise InputError("demand", of=function).says("no case has one: all fell, or gave no answer")
     last = 1.04 * peaks.max() or 1.0
     edge = 1.14 * last
     if ax is None:
@@ -559,7 +559,7 @@ def _by_record(
     others = [str(d) for d in labels.dims if d not in im.dims]
     others = others or [str(d) for d in labels.dims if sweep[d].dtype.kind in "OTU"]
     if record is None and not others:
-        raise InputError("record", of=function).told(
+        raise InputError("record", of=function).says(
             f"the sweep varies {', '.join(map(str, labels.dims))}, and no record: give record=, "
             "the name of its coordinate that tells one"
         )

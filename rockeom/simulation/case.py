@@ -161,7 +161,7 @@ class ProblemTangents(NamedTuple):
 def without_duals(problem: Problem) -> Problem:
     """The problem; raises TypeError where its numbers have derivatives, which would be lost."""
     if directions(*problem):
-        raise InputTypeError("case").told(
+        raise InputTypeError("case").says(
             "the case holds duals, and a simulation has no derivatives: give it to `rk.tangents`, "
             "or simulate it with the `.value` of each"
         )
@@ -259,7 +259,7 @@ class Case:
     def __post_init__(self) -> None:
         swapped: tuple[object, object] = self.structure, self.motion
         if isinstance(swapped[0], GroundMotion) and isinstance(swapped[1], Structure):
-            raise InputTypeError("structure").told(
+            raise InputTypeError("structure").says(
                 "structure and motion are swapped: the structure comes first"
             )
         if not isinstance(self.structure, Structure):
@@ -285,7 +285,7 @@ class Case:
                 "recording.horizontal[0] as motion"
             )
         if len(recording.horizontal) > 1:
-            raise InputTypeError("motion", recording).told(
+            raise InputTypeError("motion", recording).says(
                 f"the recording {recording.name!r} has two horizontal components, and a plane "
                 "structure takes one: give one of recording.in_plane(), or recording.along(angle)"
             )
@@ -312,7 +312,7 @@ class Case:
             if abs(value) > fallen * (1.0 + AT_THE_END):
                 unit = structure.module.STATE_UNITS[structure.states.index(name)]
                 degrees = f", or give degrees as {name}_degrees" if unit == "rad" else ""
-                raise InputError(name, value).told(
+                raise InputError(name, value).says(
                     f"initial {name} is {value}: the structure lies on the ground from {fallen:.6g}"
                     f" on; start below{degrees}"
                 )

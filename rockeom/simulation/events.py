@@ -105,7 +105,7 @@ class Events(Sequence[Event]):
         except IndexError:
             raise IndexError(f"no event {which}: there are {len(self)}, from 0 on") from None
         except TypeError:
-            raise InputTypeError("event", which).told(
+            raise InputTypeError("event", which).says(
                 f"{described(which)} is no number of an event: give one from 0 on, or select by "
                 "kind, as in [event for event in run.events if event.kind == 'uplift']"
             ) from None

@@ -132,7 +132,7 @@ class Quantities:
         """The dense record; raises ValueError where only samples were kept."""
         if isinstance(self.record, Steps):
             return self.record
-        raise InputError("keep").told(
+        raise InputError("keep").says(
             f"{needs_them} needs every step of the motion, and of this one only samples were kept: "
             'simulate it with keep="all"'
         )

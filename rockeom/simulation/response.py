@@ -306,7 +306,7 @@ class Response:
         times = array_of("times", times)
         flat = times.ravel()
         if flat.size and (flat.min() < self.t[0] or flat.max() > self.t[-1]):
-            raise InputError("times").told(
+            raise InputError("times").says(
                 f"times reach from {flat.min()} to {flat.max()} s, the response from {self.t[0]} "
                 f"to {self.t[-1]} s"
             )

@@ -76,7 +76,7 @@ def encode(what: str, value: Any) -> Any:
     if isinstance(value, DeclaredStructure):
         declared = {"is": DECLARED, "of": encoded, "name": value.model}
         return declared | {"source_hash": value.module.SOURCE_HASH}
-    raise InputTypeError(what, value).told(
+    raise InputTypeError(what, value).says(
         f"{what} is {described(value)}, and files hold no code: save knows shipped, composed and "
         "declared structures, not classes of your own"
     )
@@ -171,7 +171,7 @@ def save(path: str | os.PathLike[str], made: Mapping[str, Any]) -> None:
     check_target(path)
     ending = Path(path).suffix.lower()
     if ending in OTHER_FORMATS:
-        raise InputError("path", path).told(
+        raise InputError("path", path).says(
             f"{path}: a response is saved as netCDF, not as {ending}: name the file .nc, or write "
             "the quantities as a table, run.to_dataframe().to_csv(path)"
         )

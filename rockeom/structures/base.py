@@ -221,7 +221,7 @@ class Structure(metaclass=explained.Constructors):
         unknown = [n for n in values if n not in self.states]
         known = [*self.states, *(f"{n}_degrees" for n in self.states)]
         if unknown:
-            raise InputError("state", unknown).told(
+            raise InputError("state", unknown).says(
                 f"unknown state {', '.join(f'{n!r}{near(n, known)}' for n in unknown)}: "
                 f"{self.model} has {', '.join(self.states)}"
             )
@@ -431,14 +431,14 @@ class Structure(metaclass=explained.Constructors):
         """
         m, p = self.module, self.vector
         if self.has_landings:
-            raise InputError("impact").told(
+            raise InputError("impact").says(
                 f"{self.model} has an impact law for each of its points: simulate it, its events "
                 "hold the states before and after each landing"
             )
         y = self.state(state)
         number = self.mode_number(y, mode)
         if m.KINDS[number][0] != IMPACT or m.GUARDS[number] == 0:
-            raise InputError("mode", mode).told(f"no impact ends the mode {mode!r} of {self.model}")
+            raise InputError("mode", mode).says(f"no impact ends the mode {mode!r} of {self.model}")
         law, ratio = self.law(impact)
         table = np.array(self.impact_table(impact), float)
         ratio = velocity_ratio_at(law, ratio, impact_number, float(y[m.ROTATION_RATE]), table)
@@ -471,14 +471,14 @@ class Structure(metaclass=explained.Constructors):
         m = self.module
         if not self.has_impacts:
             if impact is not None and self.has_landings:
-                raise InputError("impact", impact).told(
+                raise InputError("impact", impact).says(
                     f"{self.model} has an impact law for its points, as it is declared: leave "
                     "{impact} out",
                     "and give law= to the support, rk.Sliding(..., law='lzb'), or to the "
                     "contacts, Rigid(..., law='lzb')",
                 )
             if impact is not None:
-                raise InputError("impact", impact).told(
+                raise InputError("impact", impact).says(
                     f"{self.model} has no impacts, forces take their place: leave {{impact}} out"
                 )
             return 0, 1.0
@@ -550,7 +550,7 @@ class Structure(metaclass=explained.Constructors):
         """
         m, p = self.module_for(self.vector), self.vector
         if m.STATE_UNITS[m.ROTATION_RATE] != "rad/s":
-            raise InputTypeError("impact").told(
+            raise InputTypeError("impact").says(
                 f"the rate of {self.model} is in {m.STATE_UNITS[m.ROTATION_RATE]}: a loss of "
                 "energy in joules says nothing of it; give an energy ratio"
             )

@@ -60,7 +60,7 @@ def mode_of(
         for number, value in margins.items():
             if value >= least:
                 return number
-    raise InputError("state").told(
+    raise InputError("state").says(
         f"no mode of {m.NAME} holds {state_in_words(m.STATES, y)}: each of "
         f"{', '.join(m.MODES[number] for number in margins)} would have ended before; correct the "
         "state"
@@ -78,13 +78,13 @@ def named_mode(module: GeneratedModule, mode: Any, y: np.ndarray, p: np.ndarray)
         (turned and side * rotation <= 0) or (side == 0 and rate != 0)
     ):
         name = m.STATES[m.ROTATION]
-        raise InputError("mode", mode).told(
+        raise InputError("mode", mode).says(
             f"the mode {mode!r} of {m.NAME} contradicts {name} = {rotation}, {name}_dot = {rate}: "
             "leave `mode` out, it follows from them"
         )
     # where each mode leans to a side, all end upright
     if all(m.SIDES) and -side * rotation > 1e-6 * m.overturning(value_of(p)):
-        raise InputError("mode", mode).told(
+        raise InputError("mode", mode).says(
             f"the mode {mode!r} of {m.NAME} contradicts {state_in_words(m.STATES, y)}: it would "
             "have ended before; leave `mode` out, it follows from the state"
         )

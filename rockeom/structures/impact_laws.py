@@ -365,7 +365,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
 
     def __post_init__(self) -> None:
         if not _are_pieces(self.pieces):
-            raise InputTypeError("pieces", self.pieces).told(
+            raise InputTypeError("pieces", self.pieces).says(
                 f"pieces of an energy ratio are {described(self.pieces)}: give three numbers for "
                 "each, (limit [m/s], r at no speed, slope [s/m]), as ((math.inf, 0.865, 0.0441),)"
             )
@@ -374,7 +374,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         limits = [limit for limit, _, _ in self.pieces]
         rises = all(a < b for a, b in pairwise(limits))
         if not limits or limits[-1] != math.inf or not rises:
-            raise InputError("pieces").told(
+            raise InputError("pieces").says(
                 f"energy ratio in pieces with the limits {limits} m/s: they must increase, and the "
                 "last one be infinite"
             )
@@ -482,7 +482,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         for start, end in zip([0.0, *ends], ends, strict=False):
             inside = (v >= start) & (v < end)
             if len(set(v[inside].tolist())) < 1 + slopes:
-                raise InputError("limits", of="EnergyRatioAtSpeed.from_data").told(
+                raise InputError("limits", of="EnergyRatioAtSpeed.from_data").says(
                     f"{inside.sum()} impacts from {start} to {end} m/s are too few for a piece: "
                     "move the limits, or take slopes=False"
                 )
@@ -525,7 +525,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         """
         lever = self.height if self.height is not None else structure.speed_height
         if lever is None:
-            raise InputError("height").told(
+            raise InputError("height").says(
                 f"the energy ratio depends on a speed, and {structure.model} does not tell of "
                 "which point: give EnergyRatioAtSpeed(..., height=...)"
             )
@@ -578,7 +578,7 @@ class EnergyLossAtSpeed(TabulatedLaw):
         for foot in ("left", "right"):
             given = getattr(self, foot)
             if not (isinstance(given, Sequence) and len(given) == 3 and all(map(is_number, given))):
-                raise InputTypeError(foot, given).told(
+                raise InputTypeError(foot, given).says(
                     f"energy loss of the {foot} foot is {described(given)}: give three numbers, "
                     "those of |w|, w2 and |w|3 [J s, J s2, J s3], as (0.0, 9.7, 0.0)"
                 )
@@ -642,7 +642,7 @@ class EnergyLossAtSpeed(TabulatedLaw):
         for foot, rows in (("left", w < 0), ("right", w > 0)):
             size = np.abs(w[rows])
             if len(set(size.tolist())) < 3:
-                raise InputError("rate", of="EnergyLossAtSpeed.from_data").told(
+                raise InputError("rate", of="EnergyLossAtSpeed.from_data").says(
                     f"{rows.sum()} impacts of the {foot} foot are too few for three numbers: "
                     "measure more"
                 )
@@ -757,7 +757,7 @@ class RandomEnergyRatio(TabulatedLaw):
                 continue
             ratios = array_of(name, given, "RandomEnergyRatio", "measured energy ratios")
             if ratios.ndim != 1 or not np.any((ratios >= 0) & (ratios <= 1)):
-                raise InputError(name, given).told(
+                raise InputError(name, given).says(
                     f"{name} of RandomEnergyRatio is {described(given)} without one from 0 (no "
                     "rebound) to 1 (no loss): give a list of measured energy ratios"
                 )
@@ -796,7 +796,7 @@ class RandomEnergyRatio(TabulatedLaw):
             raise InputError("mean", mean).give(f"a finite mean, and a positive std, not {std}")
         low, high = ndtr((0.0 - middle) / width), ndtr((1.0 - middle) / width)
         if not high - low > 1e-6:
-            raise InputError("std", std).told(
+            raise InputError("std", std).says(
                 f"a normal distribution of mean {mean} and std {std} has nothing from 0 to 1"
             )
         places = low + (high - low) * (np.arange(1000) + 0.5) / 1000
@@ -884,7 +884,7 @@ class EnergyRatioByImpact(TabulatedLaw):
         listed = isinstance(self.values, list | tuple | np.ndarray)
         given = tuple(self.values) if listed else ()
         if not given:
-            raise InputTypeError("values", self.values).told(
+            raise InputTypeError("values", self.values).says(
                 f"values of EnergyRatioByImpact is {described(self.values)}: give the ratio of "
                 "each impact, such as [0.82, 0.77, 0.9], or EnergyRatio(0.8) for all"
             )
@@ -938,7 +938,7 @@ def one_or_each_foot(what: str, name: str, one: Any, left: Any, right: Any) -> N
     """Raise TypeError unless one is given for all impacts, or one for each foot."""
     feet = [value is not None for value in (left, right)]
     if (one is not None and any(feet)) or (one is None and not all(feet)):
-        raise InputTypeError("impact").told(
+        raise InputTypeError("impact").says(
             f"{what} takes {name} for all impacts, or left and right for those in which that foot "
             f"lands: give {what}({name}) or {what}(left=..., right=...)"
         )

@@ -80,7 +80,7 @@ def check_names(
     for name in unknown:
         hint = near(name, {**synonyms, **dict.fromkeys(known)}, synonyms)
         text.append(f"unknown {name}{others(name) or hint}")
-    raise InputTypeError((missing or unknown)[0], of=what).told(
+    raise InputTypeError((missing or unknown)[0], of=what).says(
         f"{'; '.join(text)}: its parameters are {', '.join(known)}"
     )
 
@@ -90,7 +90,7 @@ def check_named(
 ) -> None:
     """Raise InputTypeError for parameters that are given by their place."""
     if unnamed:
-        raise InputTypeError("", unnamed[0], what).told(
+        raise InputTypeError("", unnamed[0], what).says(
             f"it takes its parameters by name, and {described(unnamed[0])} has none: they are "
             f"{listed(known, doc)}"
         )
@@ -142,7 +142,7 @@ def check_contact_law(what: str, restitution: float, law: str) -> None:
             "the ratio of rates after and before a landing, 0 to 1"
         )
     if not isinstance(law, str) or law not in CONTACT_LAWS:
-        raise InputError("law", law, what).told(
+        raise InputError("law", law, what).says(
             f"law is {described(law)}{near(str(law), CONTACT_LAWS)}: give the impact law of the "
             f"feet, one of {', '.join(CONTACT_LAWS)}"
         )

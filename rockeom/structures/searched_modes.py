@@ -300,7 +300,7 @@ def drawn_out(
         if z not in named:
             y[i] = _DRAWN * drawn[i]
         elif abs(drawn[i] - y[i]) > _BEYOND * size:
-            raise InputError(z, y[i], module.NAME).told(
+            raise InputError(z, y[i], module.NAME).says(
                 f"{z} is {y[i]:g} in this state, which leaves more than the strength: give "
                 f"{drawn[i]:.6g}, or leave it out"
             )
@@ -326,7 +326,7 @@ def mode_of(
     states = []
     for i, name in enumerate(module.POINTS):
         if points.gap[i] < least_gap[i]:
-            raise InputError(name, points.gap[i], module.NAME).told(
+            raise InputError(name, points.gap[i], module.NAME).says(
                 f"the gap of {name} is {points.gap[i]:g} in this state: it must not be negative; "
                 "leave the heights out, they follow from the rest"
             )
@@ -341,7 +341,7 @@ def mode_of(
         described = ", ".join(
             f"{name} {_WORDS[state]}" for name, state in zip(module.POINTS, states, strict=True)
         )
-        raise InputError("state").told(
+        raise InputError("state").says(
             f"{module.NAME} has no mode in which {described}: correct the state"
         )
     return _with_elements(module, points_as, y, p)
@@ -379,7 +379,7 @@ def mode_under_forces(
     follows = _searching(module)["fits_by_forces"](mode, y, p, *ground)
     if follows < 0:
         none = "no" if follows == IMPOSSIBLE else "more than one"
-        raise InputError("state").told(
+        raise InputError("state").says(
             f"{none} mode of {module.NAME} fits the forces in this state, since "
             f"{assumption(module, p)}: or give another state"
         )

@@ -322,7 +322,7 @@ def _factors(motion: GroundMotion, own: Mapping[_Path, Any]) -> dict[_Path, Any]
         if ("scale",) in factors:
             raise InputError("over", "scale").so("pga is the same factor: name one of both")
         if motion.peak == 0.0:
-            raise InputError("over", "pga").told("no factor makes a motion without shaking shake")
+            raise InputError("over", "pga").says("no factor makes a motion without shaking shake")
         factors["scale",] = target(None, own["pga",], None, None).value / motion.peak
     return factors
 

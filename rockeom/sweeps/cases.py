@@ -173,7 +173,7 @@ def _of_rows(over: Sequence[Mapping[Any, Any]]) -> dict[str, list[Any]]:
     _check_names(names)
     for i, row in enumerate(over):
         if {*row} != {*names}:
-            raise InputError(f"over[{i}]").told(
+            raise InputError(f"over[{i}]").says(
                 f"over[{i}] has {', '.join(map(str, row)) or 'no names'}, and over[0] has "
                 f"{', '.join(map(str, names))}: give all rows of a table the same names"
             )
@@ -281,7 +281,7 @@ def made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
     """The case that the function makes of one value of each name; TypeError for anything else."""
     one = case(**named)
     if not isinstance(one, Case):
-        raise InputTypeError("case", one).told(
+        raise InputTypeError("case", one).says(
             f"the function of the sweep returned {described(one)}: let it return a case, "
             "rk.Case(structure, motion)"
         )
@@ -429,7 +429,7 @@ class Source:
     def problem(self, named: Mapping[str, Any]) -> tuple[Case, Problem]:
         case = made(self.case, named)
         if case.structure.module is not self.module:
-            raise InputError("case").told(
+            raise InputError("case").says(
                 f"a case is a {case.structure.module.NAME}, the first one a {self.module.NAME}: "
                 "simulate each model by itself"
             )

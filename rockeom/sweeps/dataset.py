@@ -119,7 +119,7 @@ def check_names(task: Task, cases: Cases, labels: Labels) -> None:
     own = {*variables}.union(*(variable[0] for variable in variables.values())) - {ROW}
     for name in cases.values:
         if name in own:
-            raise InputError("over", name).told(
+            raise InputError("over", name).says(
                 f"over has the name {name!r}, by which the dataset calls its own results: give the "
                 "argument of the function another name"
             )

@@ -281,7 +281,7 @@ def _in_lanes(lanes: bool | None, module: GeneratedModule, method: str) -> bool:
     if lanes is None:
         return pay and explicit
     if lanes and not pay:
-        raise InputError("lanes", True).told(
+        raise InputError("lanes", True).says(
             f"lanes gain too little for {module.NAME}, whose modes change too often: leave "
             "lanes=True out"
         )

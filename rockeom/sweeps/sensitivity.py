@@ -197,7 +197,7 @@ def sensitivity(
 def _check_plain(case: Any) -> None:
     check_case(case)
     if directions(*case.problem()):
-        raise InputTypeError("case").told("the case holds duals already: give it to `rk.tangents`")
+        raise InputTypeError("case").says("the case holds duals already: give it to `rk.tangents`")
 
 
 def _names(what: str, names: Sequence[str]) -> tuple[str, ...]:
@@ -240,7 +240,7 @@ def answer(name: str, found: Tangents) -> Dual:
         if match := re.fullmatch(pattern, name):
             return asked(motion, *match.groups())
     if name in ("number of impacts", "number of events", "outcome"):
-        raise InputError("of", name).told(
+        raise InputError("of", name).says(
             f"the {name} has no derivative: it stays or it jumps. The time of an impact has, as "
             '"impact 3 time"'
         )
@@ -348,7 +348,7 @@ def _told(module: Any, name: str) -> tuple[str, int, int]:
         for k, part in enumerate(OF_ELEMENT, 4 * i):
             places[f"{element}_{part}"] = "elements", k, k + 1
     if name not in places:
-        raise InputError("of", name).told(
+        raise InputError("of", name).says(
             f"there are derivatives of {', '.join(places)}: {name!r} is none of them"
             f"{near(name, places)}"
         )
@@ -363,7 +363,7 @@ def _extreme(motion: _Moving, which: str, name: str) -> Dual:
     t, value = (of.maximum_time, of.maximum) if sided else (of.minimum_time, of.minimum)
     bound = motion.run.structure.falls.get(name, math.inf)
     if motion.path.falls and abs(value) >= bound * (1.0 - 1e-9):
-        raise InputError("of", name).told(
+        raise InputError("of", name).says(
             f"{which} {name} is {bound:.4g}, at which the motion ends as overturned, whatever the "
             'numbers are, and has no derivatives: ask for "overturning time"'
         )
@@ -393,7 +393,7 @@ def _where_it_turns(motion: _Moving, name: str, t: float, tolerance: float) -> f
 def _at_time(motion: _Moving, name: str, time: str) -> Dual:
     t = float(time)
     if not 0.0 <= t <= motion.path.last_time:
-        raise InputError("of", time).told(
+        raise InputError("of", time).says(
             f"{name} at {time}: the motion is known from 0 to {motion.path.last_time:.6g} s"
         )
     return motion.at_time(name, t)
@@ -408,7 +408,7 @@ def _of_event(motion: _Moving, what: str, number: str, name: str, side: str | No
 
 def _overturning_time(motion: _Moving) -> Dual:
     if not motion.path.falls:
-        raise InputError("of").told(
+        raise InputError("of").says(
             f"there is no overturning time: within its duration the motion {motion.run.outcome}"
         )
     return Dual(motion.path.last_time, motion.found.end_time)

@@ -61,14 +61,14 @@ class Store:
         self.arrays = _not_empty(results)
         lost = [name for name in self.arrays if name not in group]
         if lost:
-            raise InputError("store", path).told(
+            raise InputError("store", path).says(
                 f"{str(path / lost[0])!r} is missing: the store is damaged, give another one"
             )
         with zarr.config.set({"array.write_empty_chunks": True}):
             self.on_disk = {name: group[name] for name in self.arrays}
         for name, array in self.arrays.items():
             if self.on_disk[name].shape != array.shape:
-                raise InputError("store", path).told(
+                raise InputError("store", path).says(
                     f"{str(path / name)!r} has the shape {self.on_disk[name].shape}, not "
                     f"{array.shape}: the store is damaged, give another one"
                 )
@@ -160,7 +160,7 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     for name in about["coordinates"]:
         array, here = group["labels"][name], named[name]
         if array.nchunks_initialized < array.nchunks:
-            raise InputError("store", path).told(
+            raise InputError("store", path).says(
                 f"{str(path / 'labels' / name)!r} lacks a file: the store is damaged"
             )
         values = here.values.tolist() if here.dtype.kind in "OT" else here.values
@@ -195,12 +195,12 @@ def _group(path: Path, mode: str) -> Any:
     except Exception as error:
         raise InputError("store", path).so("it is no store of a sweep") from error
     if form != str(FORMAT):
-        raise InputError("store", path).told(
+        raise InputError("store", path).says(
             f"{str(path)!r} is a sweep in format {form}, which another version of rockeom wrote, "
             f"and this one reads format {FORMAT}: remove it, or give another path, and sweep again"
         )
     if "labels" not in group.attrs:
-        raise InputError("store", path).told(
+        raise InputError("store", path).says(
             f"{str(path)!r} lacks its labels: the store is damaged, give another one"
         )
     return group
@@ -343,7 +343,7 @@ def _check_same(path: Path, there: Mapping[str, str], here: Mapping[str, str]) -
         if there.get(name) != here.get(name)
     ]
     if differ:
-        raise InputError("store", path).told(
+        raise InputError("store", path).says(
             f"{str(path)!r} holds another sweep: {'; '.join(differ)}. Give another store, or "
             "remove this one to begin again"
         )

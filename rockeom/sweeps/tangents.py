@@ -172,7 +172,7 @@ def states_at(
 def _with_duals(case: Case) -> tuple[Problem, ProblemTangents]:
     problem, along = parted(case.problem())
     if not along.end.size:
-        raise InputError("case").told(
+        raise InputError("case").says(
             "the case holds no duals: make its numbers by rk.duals, as in "
             "rk.RigidBlock(**rk.duals(half_width=0.1), half_height=0.4)"
         )
@@ -195,7 +195,7 @@ def of_problem(
 
 def _motion(case: Case, problem: Problem, along: ProblemTangents, options: SolverOptions) -> Motion:
     if case.structure.jumps_between_events:
-        raise InputError("case", of="tangents").told(
+        raise InputError("case", of="tangents").says(
             f"a force of {type(case.structure).__name__} jumps between its events, and derivatives "
             "with it: give it one law for all speeds, or the speed of the last impact"
         )

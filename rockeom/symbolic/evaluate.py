@@ -178,7 +178,7 @@ class NumpyMode:
         missing = [name for name in self.parameters if name not in parameters]
         unknown = [name for name in parameters if name not in self.parameters]
         if missing or unknown:
-            raise InputError("parameters").told(
+            raise InputError("parameters").says(
                 f"parameters missing: {', '.join(missing) or 'none'}; unknown: "
                 f"{', '.join(unknown) or 'none'}; all are {', '.join(self.parameters)}"
             )

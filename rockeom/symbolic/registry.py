@@ -134,7 +134,7 @@ def derive(name: str, **arguments: str | int) -> RockingModel:
     try:
         signature(every[name]).bind(**arguments)
     except TypeError:
-        raise InputTypeError("arguments").told(
+        raise InputTypeError("arguments").says(
             explained.misfit(every[name], (), arguments)
         ) from None
     return _derived(every[name], **arguments)

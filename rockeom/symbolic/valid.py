@@ -63,7 +63,7 @@ def points(what: str, **items: Any) -> None:
 def corners(what: str, outline: Any) -> None:
     """Three points or more, or none."""
     if not isinstance(outline, tuple) or len(outline) in (1, 2):
-        raise InputError("outline", outline, what).told(
+        raise InputError("outline", outline, what).says(
             f"its outline is {outline!r}: give three corners (x, y) or more from its centre, such "
             "as `rectangle(half_width, half_height)`"
         )
@@ -82,7 +82,7 @@ def _typeset(what: str, name: str) -> None:
     known = set(re.findall(r"\\[A-Za-z]*", name)) <= _LETTERS
     balanced = name.count("{") == name.count("}")
     if not (_SYMBOL.fullmatch(name) and len(name) <= LONGEST and known and balanced):
-        raise InputError("symbol", name, what).told(
+        raise InputError("symbol", name, what).says(
             f"the symbol {name[:LONGEST]!r} must consist of letters, digits, _, primes, braces and "
             "TeX's names of letters and accents, such as theta, M_b, k_{f,1} or \\dot{x}, and "
             f"have 1 to {LONGEST} letters"
@@ -96,7 +96,7 @@ def texts(what: str, **items: Any) -> None:
         for mathematics in re.findall(r"\$([^$]*)\$", value):
             unknown = set(re.findall(r"\\[A-Za-z]+", mathematics)) - _NOTATION - _LETTERS
             if unknown or "^^" in mathematics:
-                raise InputError(item, value, what).told(
+                raise InputError(item, value, what).says(
                     f"the mathematics of {item}, {mathematics!r}, holds "
                     f"{', '.join(sorted(unknown)) or '^^'}: write letters and the usual notation"
                 )
@@ -105,7 +105,7 @@ def texts(what: str, **items: Any) -> None:
 def name(what: str, name: Any) -> None:
     """A name must be one that Python's keywords can be, `lambda` and the like included."""
     if not isinstance(name, str) or not name.isidentifier() or len(name) > LONGEST:
-        raise InputError("name", name, what).told(
+        raise InputError("name", name, what).says(
             f"the name {str(name)[:LONGEST]!r} must consist of letters, digits and underscores, "
             f"not begin with a digit, and have 1 to {LONGEST} letters"
         )
@@ -125,7 +125,7 @@ def laws(what: str, symbol: Any) -> None:
     """The symbol of a named function, a plain one or a function of one coordinate."""
     function = isinstance(symbol, AppliedUndef) and len(symbol.args) == 1
     if not (isinstance(symbol, sp.Symbol) or function):
-        raise InputError("symbol", symbol, what).told(
+        raise InputError("symbol", symbol, what).says(
             f"its symbol is {symbol}: give a symbol, or a function of one coordinate"
         )
     _typeset(what, symbol.func.__name__ if function else symbol.name)

@@ -37,7 +37,7 @@ def equation(number: str) -> Equation:
         chapter = asked.partition("-")[0].upper()
         there = [n for n in EQUATIONS if n.startswith(f"{chapter}-")]
         hint = f"chapter {chapter} has {there[0]} to {there[-1]}" if there else _chapters()
-        raise InputError("number", number).told(f"there is no equation {number!r}: {hint}")
+        raise InputError("number", number).says(f"there is no equation {number!r}: {hint}")
     return match
 
 

@@ -71,7 +71,7 @@ def intended_motion(run: str) -> rk.GroundMotion:
         return rk.GroundMotion.from_library("El Centro 1940 180").scaled(**scales)
     if source == "Northridge Sylmar 360":
         return sylmar_360().scaled(**scales)
-    raise rk.InputError("run", run).told(f"{source} is among the records of no package at hand")
+    raise rk.InputError("run", run).says(f"{source} is among the records of no package at hand")
 
 
 @cache

@@ -26,7 +26,7 @@ WORDS = {
     "a parameter": (InputError("half_width", -1.0, "RigidBlock").give("a positive number"),
         "RigidBlock: half_width is -1: give a positive number",
         "--set half_width is -1: give a positive number"),
-    "a value": (InputError("").told('it is still: give {pga:"0.4 g"}', "or scale the array"),
+    "a value": (InputError("").says('it is still: give {pga:"0.4 g"}', "or scale the array"),
         'it is still: give pga="0.4 g"; or scale the array', "it is still: give --pga 0.4g"),
     "words": (InputError("law", "lbz", "Sliding").choose(["lzb", "newton"]), MISSPELT, MISSPELT),
     "a file": (InputError.at("r.txt", 3, "sample 8 is NaN", "see {columns} and {dt:0.01}"),

@@ -131,7 +131,7 @@ def restitution_envelope(
     lost = np.argwhere(~np.isin(outcome, ANSWERS))
     if len(lost):
         i, j = lost[0]
-        raise InputError("motions", of=where).told(
+        raise InputError("motions", of=where).says(
             f"{len(lost)} of {outcome.size} motions give no answer, so no largest one is known: "
             f"with r = {r[i]:g} {motions[j].name!r} ends {str(outcome[i, j])!r} at "
             f"{sweep.final_time.values[i, j]:.4g} s: leave it out, or change the structure"

@@ -167,7 +167,7 @@ def demands(run: Response) -> Demands:
         For a response without forces on feet.
     """
     if "left_uplift" not in run.names:
-        raise InputError("run").told(
+        raise InputError("run").says(
             f"{run.structure.model} has no feet: its response has no base shear and no uplift"
         )
     rotation = run.structure.module.ROTATION

@@ -245,7 +245,7 @@ class OrbitBranch:
         which are one motion a cycle later, or two mirror images.
         """
         if at.kind not in (*FLIPS, "branch point"):
-            raise InputError("at", of="switched").told(
+            raise InputError("at", of="switched").says(
                 f"at a {at.kind} no other branch begins: choose a period doubling, a symmetry "
                 "breaking or a branch point"
             )

@@ -395,7 +395,7 @@ class StroboscopicMap:
         if directions(motion.segments, self.period):  # the same in numbers was looked at
             return
         if motion.duration < 2 * period * (1 - 1e-12):
-            raise InputError("motion", of="StroboscopicMap").told(
+            raise InputError("motion", of="StroboscopicMap").says(
                 f"the motion lasts {motion.duration} s: give two periods of {period} s, or more"
             )
         early = period * np.linspace(0.03, 0.97, 12)
@@ -403,7 +403,7 @@ class StroboscopicMap:
         if np.abs(later - now).max() > 1e-6 * motion.peak:
             raise InputError("period", period, "StroboscopicMap").so("the motion has another one")
         if self.mirrored and np.abs(half + now).max() > 1e-6 * motion.peak:
-            raise InputError("mirrored", True, "StroboscopicMap").told(
+            raise InputError("mirrored", True, "StroboscopicMap").says(
                 "mirrored, but the motion is not its own negative half a period later: leave "
                 "`mirrored` out"
             )
@@ -588,7 +588,7 @@ class StroboscopicMap:
         run = self._simulated(shot.x[0], self.period)
         apart = np.abs(run.end[self._columns] - self._next(self._next(shot.x[0])))
         if (apart / shot.scale).max() > _SAME * max(1.0, np.abs(shot.by_state).max()):
-            raise InputError("mirrored", True, "StroboscopicMap").told(
+            raise InputError("mirrored", True, "StroboscopicMap").says(
                 "mirrored, but the mirror image moves otherwise: name in `upward` the states that "
                 "keep their sign, such as heights, or leave `mirrored` out where structure or "
                 "impact prefer a side"
@@ -602,13 +602,13 @@ class StroboscopicMap:
         if isinstance(state, Mapping):
             unknown = [name for name in state if name not in self.states]
             if unknown:
-                raise InputError("state", unknown[0], "StroboscopicMap").told(
+                raise InputError("state", unknown[0], "StroboscopicMap").says(
                     f"unknown state {unknown[0]!r}: it follows {', '.join(self.states)}"
                 )
             state = [state.get(name, 0.0) for name in self.states]
         (vector,) = numbers("StroboscopicMap", state=state)
         if vector.shape != (len(self.states),):
-            raise InputError("state", of="StroboscopicMap").told(
+            raise InputError("state", of="StroboscopicMap").says(
                 f"a state has the shape {vector.shape}: give one number for each of "
                 f"{', '.join(self.states)}"
             )

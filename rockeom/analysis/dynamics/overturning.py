@@ -338,7 +338,7 @@ def _along(sweep: xr.Dataset, asked: str | Sequence[str]) -> list[str]:
             )
     taken = {"along", *_NUMBERS}.intersection(dims)
     if taken:
-        raise InputError("over", min(taken), where).told(
+        raise InputError("over", min(taken), where).says(
             f"the sweep calls a name {min(taken)!r}: give it another one"
         )
     return names
@@ -449,19 +449,19 @@ def minimum_overturning(boundaries: xr.Dataset, x: str, y: str) -> xr.DataArray:
         dynamics.minimum_overturning(borders, x="frequency", y="amplitude")
     """
     if boundaries.attrs.get("interrupted"):
-        raise InputError("boundaries", of="minimum_overturning").told(
+        raise InputError("boundaries", of="minimum_overturning").says(
             "the search for the boundaries was interrupted: give them to overturning_boundaries, "
             "which continues from there"
         )
     for name in (x, y):
         if name not in boundaries.coords:
-            raise InputError("boundaries", name, "minimum_overturning").told(
+            raise InputError("boundaries", name, "minimum_overturning").says(
                 f"the boundaries have no {name!r}: they have "
                 f"{', '.join(map(str, boundaries.coords))}"
             )
     onset = (boundaries["along"] == y) & np.isinf(boundaries["below"])
     if not onset.any():
-        raise InputError("boundaries", of="minimum_overturning").told(
+        raise InputError("boundaries", of="minimum_overturning").says(
             f"nothing that stands overturns along {y}"
         )
     onsets = boundaries.isel({_DIM: np.flatnonzero(onset.values)})

@@ -348,7 +348,7 @@ class _Plan:
         from_where = Cases.of(starts)
         maps = _maps(stroboscope, values)
         if values is not None and (twice := {*values.values} & {*from_where.values}):
-            raise InputError("starts", min(twice), "poincare_sections").told(
+            raise InputError("starts", min(twice), "poincare_sections").says(
                 f"{min(twice)!r} is a name of both `over` and `starts`: let the function call its "
                 "argument by another one"
             )
@@ -423,7 +423,7 @@ def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
     for i, one in enumerate(stroboscopes):
         require_type("stroboscope", one, StroboscopicMap, "an analysis.dynamics.StroboscopicMap")
         if one.structure.module is not stroboscopes[0].structure.module:
-            raise InputError("stroboscope", of="poincare_sections").told(
+            raise InputError("stroboscope", of="poincare_sections").says(
                 f"{one.structure.model} comes after {stroboscopes[0].structure.model}: follow each "
                 "model by itself"
             )

@@ -128,7 +128,7 @@ def energy_ratio_of_block(
     missing = [name for name, value in properties.items() if value is None]
     if inertia is None or mass is None or radius is None:
         if len(missing) < 3:
-            raise InputError(missing[0], of=where).told(
+            raise InputError(missing[0], of=where).says(
                 f"{', '.join(missing)} is missing: give inertia, mass and radius together, or none "
                 "of them for a homogeneous rectangle"
             )
@@ -315,7 +315,7 @@ def energy_ratios_from_peaks(
     energies = _rise(sizes, alpha)
     if rotational_stiffness:
         if mass is None or radius is None:
-            raise InputError("mass", of=where).told(
+            raise InputError("mass", of=where).says(
                 "mass or radius is missing: with a rotational_stiffness the energy of gravity "
                 "counts in joules, so give both"
             )

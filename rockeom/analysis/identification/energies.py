@@ -165,7 +165,7 @@ class _Path:
         m = structure.module
         self._names = (*m.STATES[: m.N_STATES // 2], *m.KINEMATICS)
         if quantity not in self._names:
-            raise InputError("quantity", quantity).told(
+            raise InputError("quantity", quantity).says(
                 f"no quantity {quantity!r}{near(quantity, self._names)} determines the position of "
                 f"{structure.model}: choose among {', '.join(self._names)}"
             )
@@ -190,7 +190,7 @@ class _Path:
         high = 1.1 * (size - least) / slope + little if slope > 0 else self._overturning
         while not beyond(min(high, self._overturning)) > 0:
             if high >= self._overturning:
-                raise InputError("value", value).told(
+                raise InputError("value", value).says(
                     f"{self._structure.model} overturns before its {self._quantity} is {value}: "
                     "give a smaller one, in SI units"
                 )

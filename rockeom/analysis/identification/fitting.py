@@ -315,7 +315,7 @@ class _LeastSquares:
         value = self.model(**self.parameters(z))
         (y,) = numbers("fit", **{"the value of the model": value})
         if y.shape != self.measured.shape:
-            raise InputError("model", of="fit").told(
+            raise InputError("model", of="fit").says(
                 f"the model returned the shape {y.shape}, measured is {self.measured.shape}: "
                 "return one value for each that was measured"
             )
@@ -331,7 +331,7 @@ class _LeastSquares:
         (slopes,) = numbers("fit", **{"the value of derivatives": value})
         shape = (len(self.measured), len(self.start))
         if slopes.shape != shape:
-            raise InputError("derivatives", of="fit").told(
+            raise InputError("derivatives", of="fit").says(
                 f"derivatives returned the shape {slopes.shape}: return {shape}, a row for each "
                 "value and a column for each parameter"
             )
@@ -362,7 +362,7 @@ def _bounds(
     pairs = np.array([bounds.get(name, (-np.inf, np.inf)) for name in start], dtype=float)
     for name, guess, (low, high) in zip(start, start.values(), pairs, strict=True):
         if not low < guess < high:
-            raise InputError("start", guess, "fit").told(
+            raise InputError("start", guess, "fit").says(
                 f"the first guess of {name} is {guess}, its bounds {low} and {high}: begin between "
                 "them"
             )
@@ -492,7 +492,7 @@ class _MeasuredSwings(NamedTuple):
         values = measured_swings(where, offered)
         errors = [uncertainty if name == "peaks" else time_uncertainty for name in values]
         if len({name == "peaks" for name in values}) == 2 and None in errors:
-            raise InputError("uncertainty", of=where).told(
+            raise InputError("uncertainty", of=where).says(
                 "peaks and times are in units of their own: give the uncertainty of both"
             )
         if None in errors:

@@ -132,7 +132,7 @@ class FreeVibration:
         for field in fields(self):
             value = getattr(self, field.name)
             if value is not None and np.shape(value) != shape:
-                raise InputError(field.name, of="FreeVibration").told(
+                raise InputError(field.name, of="FreeVibration").says(
                     f"{field.name} has the shape {np.shape(value)}, time has {shape}: give one "
                     "value for each peak and crossing"
                 )
@@ -325,7 +325,7 @@ class FreeVibration:
         elif len(wall.tendons) == 1:
             elastic = wall.tendons[0].energy_at_force(self.tendon_force)
         else:
-            raise InputError("wall", of="FreeVibration.energies").told(
+            raise InputError("wall", of="FreeVibration.energies").says(
                 f"one tendon_force does not determine the energies of {len(wall.tendons)} tendons: "
                 "leave it out of the record"
             )
@@ -392,7 +392,7 @@ class FreeVibration:
         that of the smaller uplift.
         """
         if self.left_uplift is None or self.right_uplift is None:
-            raise InputError("record", of="FreeVibration.rotation_centre").told(
+            raise InputError("record", of="FreeVibration.rotation_centre").says(
                 "the record has no uplifts: give both"
             )
         (b,) = positive("FreeVibration.rotation_centre", half_width=half_width)

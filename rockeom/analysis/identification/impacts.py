@@ -514,7 +514,7 @@ class Impacts:
 
         r, n = self.energy_ratio, len(self)
         if not n:
-            raise InputError("threshold", of="Impacts.mean").told("no impact is left: lower it")
+            raise InputError("threshold", of="Impacts.mean").says("no impact is left: lower it")
         scatter = float(np.std(r, ddof=1)) if n > 1 else 0.0
         sigma = self.half_width / COVERED
         if np.all(sigma > 0):
@@ -580,7 +580,7 @@ class Impacts:
         There is no constant: no energy is lost without speed.
         """
         if len(self) < degree + 1:
-            raise InputError("degree", degree, "Impacts.energy_loss_fit").told(
+            raise InputError("degree", degree, "Impacts.energy_loss_fit").says(
                 f"{len(self)} impacts do not determine a polynomial of degree {degree}: lower it, "
                 "or join impacts of more tests"
             )
@@ -625,7 +625,7 @@ def record_energies(record: MeasuredRecord, structure: Structure) -> Energies:
     rotation, rate = m.STATES[m.ROTATION], m.STATES[m.ROTATION_RATE]
     missing = [n for n in (rotation, rate) if n not in record.channels]
     if missing:
-        raise InputError("record", of="record_energies").told(
+        raise InputError("record", of="record_energies").says(
             f"the record has no {', '.join(missing)}: add it, the rate by with_derivatives("
             f"{rotation!r})"
         )
@@ -705,7 +705,7 @@ def fitted_rotational_spring(
         weight.append(s @ s)
     k, w = np.array(stiffness), np.array(weight)
     if len(k) < 2:
-        raise InputError("record", of="fitted_rotational_spring").told(
+        raise InputError("record", of="fitted_rotational_spring").says(
             f"{len(k)} half-cycles between crossings of {channel}: give a record with at least two"
         )
     mean = float(np.average(k, weights=w))

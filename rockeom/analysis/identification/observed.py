@@ -371,7 +371,7 @@ class _History(NamedTuple):
             along[inside] = of_quantity[:, :-1]
         end = float(run.steps.span[-1].sum())
         if run.outcome is Outcome.COMPLETED and end < self.time[-1] * (1 - 1e-12):
-            raise InputError("case").told(
+            raise InputError("case").says(
                 f"the case ends at {end:.6g} s, the record at {self.time[-1]:.6g} s: let it last "
                 "as long as the record"
             )
@@ -443,7 +443,7 @@ class _Formula(NamedTuple):
     def __call__(self, **parameters: Any) -> PredictedReadings:
         found = np.asarray(self.function(**parameters))
         if found.shape != (self.number,):
-            raise InputError("model").told(
+            raise InputError("model").says(
                 f"the formula returned the shape {found.shape}, measured is ({self.number},): "
                 "return one value for each that was measured"
             )

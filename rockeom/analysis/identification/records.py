@@ -111,7 +111,7 @@ class MeasuredRecord:
             channels[name] = x
         unknown = [n for n in self.noise if n not in channels]
         if unknown:
-            raise InputError("noise", unknown, where).told(
+            raise InputError("noise", unknown, where).says(
                 f"noise of {unknown}, which are no channels of {[*channels]}"
             )
         noise = {n: self._own_noise(t, n, x) for n, x in channels.items()}

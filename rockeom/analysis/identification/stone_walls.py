@@ -180,7 +180,7 @@ class WallTest:
             For a wall without an envelope, and for a curve that ends before it does.
         """
         if self.envelope is None:
-            raise InputError("wall", self.wall, "WallTest.envelope_error").told(
+            raise InputError("wall", self.wall, "WallTest.envelope_error").says(
                 f"{self.wall!r} has no measured envelope"
             )
         u, f = numbers("WallTest.envelope_error", displacement=displacement, force=force)
@@ -310,11 +310,11 @@ def _rows(name: str, text: str, columns: Sequence[str]) -> Iterator[_Row]:
     lacking = [c for c in columns if c not in (reader.fieldnames or ())]
     if lacking:
         there = ", ".join(reader.fieldnames or ()) or "none"
-        raise InputError("walls", of=name).told(f"no column {lacking[0]}: there are {there}")
+        raise InputError("walls", of=name).says(f"no column {lacking[0]}: there are {there}")
     for row in reader:
         where = f"{name}, line {reader.line_num}"
         if None in row:
-            raise InputError("walls", of=where).told(
+            raise InputError("walls", of=where).says(
                 "it has more cells than there are columns: quote commas"
             )
         yield _Row(where, row)

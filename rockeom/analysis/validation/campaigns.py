@@ -96,7 +96,7 @@ class Campaign:
         for record in records:
             if record not in self.motions:
                 known = near(record, self.motions.names)
-                raise InputError("motions", record, "Campaign").told(
+                raise InputError("motions", record, "Campaign").says(
                     f"no motion is called {record!r}{known}"
                 )
         object.__setattr__(self, "tests", tests)

@@ -189,7 +189,7 @@ def compare_means(
     require(0.0 < level < 1.0, "compare_means", "level", level, "it lies between 0 and 1")
     x, y = measured.censored(limit), simulated.censored(limit)
     if len(x) < 2 or len(y) < 2:
-        raise InputError("ensembles", of="compare_means").told(
+        raise InputError("ensembles", of="compare_means").says(
             "an interval needs two motions or more of each ensemble"
         )
     if y.ndim == 1:

@@ -109,7 +109,7 @@ class Ensemble:
         labels = outcome_labels(sweep)
         fell = labels == FALLS
         if lost := unanswered(labels):
-            raise InputError("sweep", of="Ensemble.from_sweep").told(
+            raise InputError("sweep", of="Ensemble.from_sweep").says(
                 f"of {labels.size} cases {lost}: run them with other solver options, or select the "
                 "cases with an answer and state how many were left out"
             )
@@ -238,7 +238,7 @@ class Ensemble:
         if limit is not None:
             return np.minimum(self.peaks, positive("Ensemble.censored", limit=limit)[0])
         if self.overturned.any():
-            raise InputError("limit").told(
+            raise InputError("limit").says(
                 f"{self.overturned.sum()} of {self.number} motions overturned and have no peak: "
                 "give limit=, the rotation at which they count, such as the slenderness of the "
                 "block; none is left out"

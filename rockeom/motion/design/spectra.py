@@ -247,7 +247,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         t = array_of("periods", periods)
         outside = ~((t >= self.shortest) & (t <= self.longest))
         if outside.any():
-            raise InputError("periods").told(
+            raise InputError("periods").says(
                 f"{self.name} is defined from {self.shortest:g} to {self.longest:g} s, and not at "
                 f"{t[outside].flat[-1]:g} s"
             )
@@ -384,12 +384,12 @@ class DesignSpectrum(metaclass=explained.Constructors):
     def _matched(self, record: GroundMotion, target: matching.Target) -> GroundMotion:
         """The record as its wavelets make it, with its name and source."""
         if record.samples is None or record.dt is None:
-            raise InputError("record", record).told(
+            raise InputError("record", record).says(
                 f"{record.name} has no samples to be matched: resampled(dt) gives it some"
             )
         first, last = float(target.periods[0]), float(target.periods[-1])
         if record.dt > 0.5 * first:
-            raise InputError("record", record).told(
+            raise InputError("record", record).says(
                 f"the samples of {record.name} are {record.dt:g} s apart, too coarse for a period "
                 f"of {first:g} s: give between=({2.0 * record.dt:g}, {last:g})"
             )
@@ -410,7 +410,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         differences = np.abs(spectrum.pseudo_acceleration / self(finer) - 1.0)
         at, anywhere = float(differences[::_FINER].max()), float(differences.max())
         if not at <= _WORST_MATCH:
-            raise InputError("record").told(
+            raise InputError("record").says(
                 f"{motion.name} differs by {100.0 * at:.0f} % from {self.name} after matching: "
                 "give another record, or a narrower band by between="
             )
@@ -437,7 +437,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
             raise InputError("between", first).give(f"less than the second period, {last:g} s")
         least, most = _MATCHED
         if not least <= self.damping_ratio <= most:
-            raise InputError("damping_ratio", self.damping_ratio).told(
+            raise InputError("damping_ratio", self.damping_ratio).says(
                 f"damping_ratio of {self.name} is {self.damping_ratio:g}: motions are matched to "
                 f"spectra with {least:g} to {most:g}, make one with damping_ratio=0.05"
             )
@@ -475,7 +475,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         """
         t_1 = positive_number("period", period)
         if self.damping_ratio != DAMPING:
-            raise InputError("damping_ratio", self.damping_ratio).told(
+            raise InputError("damping_ratio", self.damping_ratio).says(
                 f"{self.name} is for {100.0 * self.damping_ratio:g} % damping, and the rule is one "
                 "of spectra for 5 %: make it with damping_ratio=0.05"
             )
@@ -488,7 +488,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
             if one.is_vertical:
                 raise InputError("motions", one.name).give("horizontal components")
         if not several:
-            raise InputError("motions").told("there are no motions to check: give three or more")
+            raise InputError("motions").says("there are no motions to check: give three or more")
         periods = np.geomspace(BAND[0] * t_1, BAND[1] * t_1, _CHECKED)
         spectra = [one.response_spectrum(periods, DAMPING).pseudo_acceleration for one in several]
         return SpectrumCheck(

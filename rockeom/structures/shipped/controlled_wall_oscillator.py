@@ -137,7 +137,7 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
             For a displacement beyond the height.
         """
         if not abs(y[0]) < self.height:
-            raise InputError("u", y[0]).told(
+            raise InputError("u", y[0]).says(
                 f"state u is {y[0]}, beyond the height of {self.height:.6g} m: u/height is the "
                 "sine of the rotation"
             )

@@ -66,7 +66,7 @@ class StackedBlocks(SupportedStructure, declared.StackedBlocks):
                 )
             parts = {f"{name}_{part}": getattr(block, part) for part in _OF_A_BLOCK}
             for part in parts.keys() & given.keys():
-                raise InputTypeError(part, of="StackedBlocks").told(
+                raise InputTypeError(part, of="StackedBlocks").says(
                     f"{part} is given, and so is {name}: leave one out"
                 )
             given |= parts

@@ -113,7 +113,7 @@ def of_wall(what: str, wall: TendonedWall) -> dict[str, float]:
     if isinstance(wall, type) or not hasattr(wall, "tendons"):
         raise InputTypeError("wall", wall).give("a wall, such as rockeom.analysis.Wall.thesis()")
     if len(wall.tendons) != 1:
-        raise InputError("wall", wall).told(
+        raise InputError("wall", wall).says(
             f"{what} has one tendon, the wall has {len(wall.tendons)}: for several derive a model, "
             "rockeom.symbolic.controlled_wall"
         )

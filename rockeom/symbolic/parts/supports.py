@@ -155,7 +155,7 @@ def standing(of: Superstructure, support: str, **details: Any) -> Model | Rockin
     except TypeError as error:
         names = [*signature(SUPPORTS[support]).parameters][1:]
         takes = ", ".join(f"{n}=" for n in names) or "nothing"
-        raise InputTypeError("support", support, of.name).told(
+        raise InputTypeError("support", support, of.name).says(
             f"on the support {support!r} {error}: besides its own arguments it takes {takes}"
         ) from None
     return SUPPORTS[support](of, **details)
