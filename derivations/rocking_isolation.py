@@ -441,7 +441,7 @@ assert lifted < further < wide
 for kind in ("near field pulse", "near field no pulse"):
     try:
         names = rk.GroundMotion.library(kind)
-    except rk.MotionError as error:  # the extra `fema` is not installed
+    except rk.InputError as error:  # the extra `fema` is not installed
         print(f"exercise 6 is not checked: {error}")
         break
     outcomes = [

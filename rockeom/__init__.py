@@ -29,8 +29,9 @@ _NAMES_OF = {
     "rockeom.browser.page": ("Explorer", "explorer"),
     "rockeom.modelling.composed": ("Pinned", "ShearFrame", "Sliding", "TwoSprings", "Winkler"),
     "rockeom.modelling.wall_on_bed": ("WallOnBed",),
+    "rockeom.numbers.checks": ("InputError",),
     "rockeom.numbers.dual": ("Dual", "duals"),
-    "rockeom.motion": ("DesignSpectrum", "GroundMotion", "MotionError", "MotionSet", "Recording"),
+    "rockeom.motion": ("DesignSpectrum", "GroundMotion", "MotionSet", "Recording"),
     "rockeom.motion.floor": ("floor_motion",),
     "rockeom.modelling.named": ("structure",),
     "rockeom.simulation.case": ("Case",),
@@ -135,11 +136,11 @@ if TYPE_CHECKING:
     from rockeom.motion import (
         DesignSpectrum as DesignSpectrum,
         GroundMotion as GroundMotion,
-        MotionError as MotionError,
         MotionSet as MotionSet,
         Recording as Recording,
     )
     from rockeom.motion.floor import floor_motion as floor_motion
+    from rockeom.numbers.checks import InputError as InputError
     from rockeom.numbers.dual import Dual as Dual, duals as duals
     from rockeom.simulation.case import Case as Case
     from rockeom.simulation.events import Event as Event

@@ -13,6 +13,8 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
+from rockeom.numbers.checks import FilePath, require, require_type
+
 TEMPORARY = ".rockeom.{}.tmp"
 _DAY = 86400.0  # s
 _KINDS = {
@@ -33,12 +35,10 @@ def in_text(path: str | os.PathLike[str]) -> Path:
     return Path(path)
 
 
-def check_path(path: object) -> None:
+def check_path(path: FilePath) -> None:
     """Raise TypeError for what is no path of a file, ValueError for an empty one."""
-    if not isinstance(path, str | os.PathLike):
-        raise TypeError(f"path is {path!r:.60}: give the path of a file, as text or pathlib.Path")
-    if not os.fspath(path):
-        raise ValueError("path is empty: name a file")
+    require_type("path", path, str | os.PathLike, "the path of a file, as text or pathlib.Path")
+    require(bool(os.fspath(path)), "", "path", path, "name a file")
 
 
 def check_target(path: str | os.PathLike[str]) -> Path:

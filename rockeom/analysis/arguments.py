@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.numbers.arguments import numbers, require
+from rockeom.numbers.checks import InputError, numbers, require
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -48,9 +48,7 @@ def measured_swings(
     """
     given = {name: x for name, x in offered.items() if x is not None}
     if not given:
-        raise ValueError(
-            f"{function}: nothing was measured: give peaks, peak_times, crossing_times"
-        )
+        raise InputError("peaks", None, function).give("peaks, peak_times or crossing_times")
     return {name: np.atleast_1d(numbers(function, **{name: x})[0]) for name, x in given.items()}
 
 
@@ -63,8 +61,8 @@ def dims_of_starts(function: str, sections: xr.Dataset, *names: str) -> tuple[st
     starts = tuple(name for name in str(sections.attrs.get("starts")).split() if name in dims)
     others = [name for name in dims if name not in (*starts, *names)]
     if others:
-        raise ValueError(
-            f"{function}: the sections vary {', '.join(others)} as well: choose one value, as in "
-            f"sections.isel({others[0]}=0)"
+        raise InputError("sections", of=function).says(
+            f"the sections vary {', '.join(others)} as well: choose one value, as in sections.isel("
+            f"{others[0]}=0)"
         )
     return starts

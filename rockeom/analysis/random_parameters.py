@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from scipy.special import ndtr
 
+from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import Dual
 
 
@@ -31,13 +32,13 @@ class RandomParameters:
     ) -> RandomParameters:
         """argument : of the function `where`, that holds the distributions, for its errors."""
         if not random:
-            raise ValueError(f"{where}: {argument} is empty: give a distribution of each parameter")
+            raise InputError(argument, {}, where).give("a distribution of each parameter")
         for name, marginal in random.items():
             if not all(hasattr(marginal, part) for part in ("ppf", "isf", "logpdf")):
-                raise ValueError(
-                    f"{where}: {argument} has {name} = {marginal!r}: give a continuous "
-                    "distribution with its parameters, such as scipy.stats.norm(0.1, 0.01), and "
-                    "let the function that takes it have the numbers that are known"
+                raise InputError(argument, of=where).wrong(
+                    f"has {name} = {marginal!r}: give a continuous distribution with its "
+                    "parameters, such as scipy.stats.norm(0.1, 0.01), and let the function that "
+                    "takes it have the numbers that are known"
                 )
         return cls(tuple(random), tuple(random.values()))
 

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
-from rockeom.numbers.checks import described, near
+from rockeom.numbers.checks import InputError, near, require_type
 
 RESTS = "came to rest"
 STANDS = ("completed", RESTS)
@@ -22,18 +22,15 @@ NOT_RUN = "not run"
 
 def check_sweep(function: str, sweep: Any) -> None:
     """Raise TypeError for anything but a dataset."""
-    if not isinstance(sweep, xr.Dataset):
-        raise TypeError(
-            f"{function}: sweep is {described(sweep)}: give the dataset of rk.simulate_many"
-        )
+    require_type("sweep", sweep, xr.Dataset, "the dataset of rk.simulate_many", function)
 
 
 def coordinate(function: str, sweep: xr.Dataset, name: str) -> xr.DataArray:
     """A coordinate of a sweep; raises ValueError, naming all there are, where there is none."""
     if name not in sweep.coords:
-        raise ValueError(
-            f"{function}: the sweep has no coordinate {name!r}"
-            f"{near(name, map(str, sweep.coords))}; it has {', '.join(map(str, sweep.coords))}"
+        raise InputError("name", name, function).says(
+            f"the sweep has no coordinate {name!r}{near(name, map(str, sweep.coords))}: it has "
+            f"{', '.join(map(str, sweep.coords))}"
         )
     return sweep[name]
 
@@ -59,7 +56,9 @@ def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
     """
     check_sweep("outcome_labels", sweep)
     if "outcome" not in sweep:
-        raise ValueError("outcome_labels: the dataset has no `outcome`: give one of simulate_many")
+        raise InputError("sweep", of="outcome_labels").says(
+            "the dataset has no `outcome`: give one of simulate_many"
+        )
     outcome = sweep["outcome"]
     if outcome.dtype.kind in "OTU":
         return outcome.astype(str)
@@ -69,9 +68,9 @@ def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
     word_of = dict(zip(values.tolist(), words, strict=False))
     strange = set(np.unique(outcome.values).tolist()) - set(word_of)
     if len(values) != len(words) or strange:
-        raise ValueError(
-            f"outcome_labels: outcome is {min(strange, default='numbers')}, and its flag_values "
-            f"{values.tolist()} with flag_meanings {meanings!r} do not name it"
+        raise InputError("sweep", of="outcome_labels").says(
+            f"outcome is {min(strange, default='numbers')}, and its flag_values {values.tolist()} "
+            f"with flag_meanings {meanings!r} do not name it"
         )
     order = np.argsort(values)
     labels = np.array(words)[order][np.searchsorted(values[order], outcome.values)]
@@ -83,10 +82,10 @@ def check_finished(function: str, sweep: xr.Dataset) -> None:
     labels = outcome_labels(sweep).values
     missing = int((labels == NOT_RUN).sum())
     if missing:
-        raise ValueError(
-            f"{function}: {missing} of {labels.size} cases were not run, and no answer follows "
-            "from the others alone: run them all again, with the same store if there is one, or "
-            "select the cases that were run"
+        raise InputError("sweep", of=function).says(
+            f"{missing} of {labels.size} cases were not run, and no answer follows from the others "
+            "alone: run them all again, with the same store if there is one, or select the cases "
+            "that were run"
         )
 
 
@@ -130,7 +129,7 @@ def peaks_of(sweep: xr.Dataset, name: str) -> xr.DataArray:
             there += names
     if name in sweep.data_vars:
         return sweep[name]
-    raise ValueError(
+    raise InputError("name", name).says(
         f"the sweep has no {name!r}{near(name, there)}: choose among {', '.join(there)}, or give "
         f"simulate_many quantities=[{name!r}]"
     )

@@ -22,15 +22,14 @@ from rockeom.assessment.remedies import remedies
 from rockeom.assessment.result import Assessment
 from rockeom.assessment.statics import is_symmetric, statics_of
 from rockeom.assessment.trials import Conditions, as_recorded, scaled
-from rockeom.motion import GroundMotion, MotionError
+from rockeom.motion import GroundMotion
 from rockeom.motion.components import split
 from rockeom.motion.motion_set import MotionSet
 from rockeom.motion.recording import Recording
 from rockeom.motion.recordings import recordings
 from rockeom.motion.units import acceleration
 from rockeom.numbers import explained
-from rockeom.numbers.arguments import not_negative, positive, require
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, InputTypeError, not_negative, positive, require
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import ImpactLaw
 
@@ -95,7 +94,7 @@ def assess(
         For a structure whose feet do not lift from rigid ground and for values that cannot be.
     TypeError
         For anything but a structure, or records.
-    MotionError
+    InputError
         For a motion that is there twice, and for files that cannot be read.
 
     Notes
@@ -125,9 +124,8 @@ def assess(
         answer.pga_at(0.05)  # m/s2, with its interval
     """
     if not isinstance(structure, Structure):
-        raise TypeError(
-            f"assess: structure is {described(structure)}: give a structure, such as "
-            "rk.RigidBlock.from_dimensions(width=0.6, height=2.0)"
+        raise InputTypeError("structure", structure, "assess").give(
+            "a structure, such as rk.RigidBlock.from_dimensions(width=0.6, height=2.0)"
         )
     require(0.0 < level < 1.0, "assess", "level", level, "it lies between 0 and 1, as 0.95")
     if friction is not None:
@@ -159,18 +157,18 @@ def _given(records: Any) -> tuple[GroundMotion | Recording, ...]:
             return (GroundMotion.read(records),)
         try:
             return tuple(MotionSet.from_folder(records))
-        except MotionError as error:
-            raise MotionError(
-                f"{error}; other files of a folder are read by "
-                f'rk.MotionSet.from_folder({os.fspath(records)!r}, pattern="*.txt", units="g")'
+        except InputError as error:
+            raise error.so(
+                f"{error.remedy}; other files of a folder are read by rk.MotionSet.from_folder("
+                f'{os.fspath(records)!r}, pattern="*.txt", units="g")'
             ) from None
     if isinstance(records, GroundMotion | Recording):
         return (records,)
     given = tuple(records) if isinstance(records, Iterable) else ()
     if not given or not all(isinstance(one, GroundMotion | Recording) for one in given):
-        raise TypeError(
-            f"assess: records is {described(records)}: give ground motions, such as "
-            'rk.MotionSet.from_folder("records"), [rk.GroundMotion.read("one.at2")], or a folder'
+        raise InputTypeError("records", records, "assess").give(
+            'ground motions, such as rk.MotionSet.from_folder("records"), '
+            '[rk.GroundMotion.read("one.at2")], or a folder'
         )
     return given
 
@@ -199,7 +197,7 @@ def _whole(alike: list[GroundMotion]) -> tuple[Recording, ...]:
     """The recording of two components; none for names that tell of more, as "seed 100" to 130."""
     try:
         return recordings(alike, "") if len(alike) == 2 else ()
-    except MotionError:
+    except InputError:
         return ()
 
 
@@ -209,7 +207,7 @@ def _in_plane(
     """Recordings of one horizontal component, and the number of the recording of each (n,).
 
     both_ways : whether each is there reversed, too, with the same vertical component. Raises
-    MotionError for a motion that is given twice: it would count as two.
+    InputError for a motion that is given twice: it would count as two.
     """
     motions: dict[bytes, Recording] = {}
     numbers = []
@@ -217,9 +215,9 @@ def _in_plane(
         for pair in one.in_plane() if isinstance(one, Recording) else ():
             table = pair.horizontal[0].segments.tobytes()
             if table in motions:
-                raise MotionError(
-                    f"assess: records has one motion twice, as {motions[table].name!r} and as "
-                    f"{pair.name!r}: give each once"
+                raise InputError("records", of="assess").wrong(
+                    f"has one motion twice, as {motions[table].name!r} and as {pair.name!r}: give "
+                    "each once"
                 )
             motions[table] = pair
             numbers += [number] * (1 + both_ways)
@@ -240,5 +238,5 @@ def _levels(pga: Any, threshold: float) -> np.ndarray:
     peaks = [acceleration("pga", value) for value in ([pga] if one else pga)]
     (levels,) = positive("assess", pga=peaks)
     if not levels.size:
-        raise ValueError("assess: pga is empty: give one intensity or more")
+        raise InputError("pga", of="assess").wrong("is empty: give one intensity or more")
     return np.unique(levels)

@@ -35,7 +35,7 @@ from rockeom.assessment.words import count, in_g, in_mm, newton, percent, plural
 from rockeom.drawing import page
 from rockeom.files import check_target, write
 from rockeom.numbers import explained
-from rockeom.numbers.arguments import require
+from rockeom.numbers.checks import InputError, require
 from rockeom.plots.design_report import facts_of
 from rockeom.simulation.plausible import LIKE_G, default_masses, forces, shaking
 from rockeom.simulation.response import Response
@@ -51,6 +51,10 @@ _SHOWN = 60
 """Records that the page lists."""
 _STILL = 5e-4
 """Distance below which a structure stays in its place [m]."""
+
+
+UNITS_CHECKED = "units_checked=True"
+"""The argument of `assess` by which the caller vouches for the units."""
 
 
 @explained.attributes(fragility="trials.fragility", pga="pga_at(probability)")
@@ -157,8 +161,8 @@ class Assessment:
         """Sentences on values to check before the answer is believed."""
         friction, vertical = self.conditions.friction, self.conditions.left_out
         left_out = (
-            f"Vertical components are left out: {'; '.join(vertical)}. Those of recordings shake "
-            "along, see MotionSet.recordings().",
+            f"Vertical components are left out: {'; '.join(vertical)}. Those of whole "
+            "recordings, with all components, shake along.",
         )
         both = (*self.units_in_doubt, *self.records_in_doubt, *self.structure.hints())
         rough = plausible.friction(0.0 if friction is None else friction)
@@ -176,10 +180,7 @@ class Assessment:
     def verdict(self) -> str:
         """The answer in a few sentences, those on the records as they are first."""
         if self._in_doubt:
-            return (
-                "No verdict: a unit is in doubt, as the questions say. Mend it, or give "
-                "units_checked=True."
-            )
+            return f"No verdict: a unit is in doubt. Answer the questions, or give {UNITS_CHECKED}."
         return " ".join(filter(None, (
             self._as_recorded(),
             "It slides before it rocks." if self.slides_first else "",
@@ -621,7 +622,7 @@ class Assessment:
 def check_page(path: str | Path) -> None:
     """Raise ValueError for a name that is not that of a page, OSError where none can be written."""
     if Path(path).suffix.lower() != ".html":
-        raise ValueError(f"{path}: an assessment is a page: end the name in .html")
+        raise InputError("path", Path(path)).give("a page, a name that ends in .html")
     check_target(path)
 
 

@@ -21,6 +21,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from rockeom.numbers.checks import InputError
 from rockeom.structures.base import Structure
 from rockeom.structures.shipped.stacked_blocks import StackedBlocks
 
@@ -180,19 +181,19 @@ def statics_of(structure: Structure) -> Statics:
     """
     if isinstance(structure, StackedBlocks):
         if structure.support:
-            raise ValueError(
-                "assess: corners that slide are not judged: leave out the support of the stack"
+            raise InputError("structure", of="assess").says(
+                "corners that slide are not judged: leave out the support of the stack"
             )
         return _of_stack(structure)
     thresholds = structure.uplift_accelerations
     if thresholds is None or structure.module.STATE_UNITS[structure.module.ROTATION] != "rad":
-        raise ValueError(
-            f"assess: {structure.model} has no feet that lift from rigid ground, in metres and "
-            "seconds: take a RigidBlock, with friction= where it may slide, StackedBlocks, "
+        raise InputError("structure", of="assess").says(
+            f"{structure.model} has no feet that lift from rigid ground, in metres and seconds: "
+            "take a RigidBlock, with friction= where it may slide, StackedBlocks, "
             "LumpedMassStructure, FlexibleStructure or ShearFrame"
         )
     if not math.isfinite(min(thresholds)):
-        raise ValueError(f"assess: no horizontal acceleration lifts {structure.model}")
+        raise InputError("structure", structure.model, "assess").so("no acceleration lifts it")
     feet, lifted = _feet(structure), _feet(structure, 1.0)
     pushed = structure.reactions({}, ground_acceleration=1.0)["horizontal_reaction"]
     mass = abs(float(pushed)) + _moving_mass(structure)

@@ -13,8 +13,9 @@ from typing import Any
 from rockeom.browser.controls import Controls, Menu, Slider
 from rockeom.browser.program import METHOD
 from rockeom.browser.traced import SIGNS, Node, Tape, Traced, node_of
-from rockeom.motion import GroundMotion, MotionError
+from rockeom.motion import GroundMotion
 from rockeom.motion.formula import formula_of
+from rockeom.numbers.checks import InputError
 from rockeom.simulation.case import Case
 from rockeom.structures.declared import DeclaredStructure
 from rockeom.sweeps.case_numbers import OtherCase
@@ -148,7 +149,7 @@ def _motion(motion: GroundMotion) -> str:
 
 def _record(motion: GroundMotion) -> str:
     """A record by its name in the library, if it has one; the file of another is the reader's."""
-    with suppress(MotionError, ImportError):
+    with suppress(InputError, ImportError):
         words = " ".join(re.findall(r"\w+", _DATE.sub("", motion.name)))
         if GroundMotion.from_library(words) == motion:
             return f"rk.GroundMotion.from_library({words!r})"

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rockeom.browser.traced import Tape
-from rockeom.numbers.checks import described, is_number, near
+from rockeom.numbers.checks import InputError, InputTypeError, described, is_number, require
 from rockeom.simulation.case import Case
 from rockeom.sweeps.case_numbers import OtherCase, function_of
 
@@ -178,19 +178,17 @@ class Controls:
 
     def _known(self, where: str, name: str) -> str:
         if name not in self.of:
-            raise ValueError(f"{where}: {name!r} is no slider and no menu{near(name, self.of)}")
+            raise InputError(where, name).wrong(f"has {name!r}").choose(self.of)
         return name
 
     def _value(self, where: str, name: str, x: Any) -> float:
         control = self.of[name]
         if isinstance(control, Menu):
-            if x not in control.options:
-                raise ValueError(f"{where}: {name} is {x!r}: give one of {control.labels}")
+            require(x in control.options, where, name, x, f"give one of {control.labels}")
             return float(control.labels.index(x))
         if not (is_number(x) and control.low <= x <= control.high):
-            raise ValueError(
-                f"{where}: {name} is {described(x)}: give a number from {control.low:g} to "
-                f"{control.high:g}, the range of the slider"
+            raise InputError(name, x, where).give(
+                f"a number from {control.low:g} to {control.high:g}, the range of the slider"
             )
         return float(x)
 
@@ -209,7 +207,7 @@ def slider(name: str, given: Any, number: Any) -> Slider:
     """
     several = isinstance(given, tuple | list) and 2 <= len(given) <= len(Slider._fields)
     if not (several and all(map(is_number, given[:3])) and all(map(_is_text, given[3:]))):
-        raise TypeError(
+        raise InputTypeError("sliders", given).says(
             f"slider {name!r} is {described(given)}: give (lowest, highest) or (lowest, highest, "
             "first), or rk.Slider(lowest, highest, first, unit, words)"
         )
@@ -218,7 +216,7 @@ def slider(name: str, given: Any, number: Any) -> Slider:
         value = number.value if number else None
         start = (low + high) / 2 if value is None else min(max(value, low), high)
     if not (-math.inf < low < high < math.inf and low <= start <= high):
-        raise ValueError(
+        raise InputError("sliders").says(
             f"slider {name!r} goes from {low:g} to {high:g}, first {start:g}: give two finite "
             "numbers, the lower one first, and a first value between them"
         )
@@ -234,13 +232,13 @@ def check_mapping(name: str, given: Any) -> None:
     """Raise TypeError for what does not go by names."""
     if not (isinstance(given, Mapping) and all(map(_is_text, given))):
         example = '{"half_width": (0.05, 0.4)}' if name == "sliders" else "{name: ...}"
-        raise TypeError(f"{name} is {described(given)}: give it by names, as {example}")
+        raise InputTypeError(name, given).give(f"it by names, as {example}")
 
 
 def _menu(name: str, given: Any) -> Menu:
     """A menu of options by label."""
     if not (isinstance(given, Mapping) and all(map(_is_text, given)) and len(given) > 1):
-        raise TypeError(
+        raise InputTypeError("menus", given).says(
             f"menu {name!r} is {described(given)}: give two options or more by their labels, such "
             'as {"Housner": rk.AngularMomentum(), "r = 0.8": rk.EnergyRatio(0.8)}'
         )
@@ -256,15 +254,15 @@ def controls_of(
     """
     menu_of = {name: _menu(name, value) for name, value in menus.items()}
     if not sliders or len(sliders) + len(menus) > MOST_CONTROLS:
-        raise ValueError(
+        raise InputError("sliders").says(
             f"{len(sliders)} sliders and {len(menus)} menus: give a slider or more, and at most "
             f"{MOST_CONTROLS} of both"
         )
     if both := sliders.keys() & menus.keys():
-        raise ValueError(f"{min(both)!r} is a slider and a menu: name one of both")
+        raise InputError("menus", min(both)).so("it is a slider, too: name one of both")
     combinations = math.prod(len(one.options) for one in menu_of.values())
     if combinations > MOST_COMBINATIONS:
-        raise ValueError(
+        raise InputError("menus").says(
             f"the menus have {combinations} combinations of their options: give at most "
             f"{MOST_COMBINATIONS}"
         )

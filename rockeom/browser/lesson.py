@@ -10,6 +10,7 @@ import numpy as np
 
 from rockeom.browser.controls import Controls
 from rockeom.browser.program import METHOD
+from rockeom.numbers.checks import InputError, require_word
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
@@ -80,8 +81,7 @@ class Question:
     explanation: str = ""
 
     def __post_init__(self) -> None:
-        if self.compare not in COMPARED:
-            raise ValueError(f"compare is {self.compare!r}: give one of {', '.join(COMPARED)}")
+        require_word("compare", self.compare, COMPARED)
 
     def motions(self, controls: Controls) -> list[dict[int, float]]:
         """Values of the motions before and after, by their place among those of the page.
@@ -152,7 +152,7 @@ def ends_of(
         run = simulated(longer, longer.problem(), SolverOptions(method=METHOD))
         python.append(readings_of(run)[kind])
     if not np.allclose(here, python, rtol=SAME, atol=0.0) or _change(*here) != _change(*python):
-        raise ValueError(
+        raise InputError("questions").says(
             f"question {question.text!r}: {question.compare} before and after is {here} on the "
             f"page and {python} by rk.simulate: the motions are too sensitive, ask of others"
         )
@@ -169,7 +169,7 @@ def _settled(question: Question, page: Motions, place: np.ndarray, end: float) -
         if np.isclose(now, later, rtol=1e-9, atol=0.0) and outcome in FATES:
             return end
         end *= 2.0
-    raise ValueError(
+    raise InputError("questions").says(
         f"question {question.text!r}: {question.compare} of a motion is {now:g} until {end / 2:g} "
         f"s, {later:g} until {LONGER * end / 2:g} s (nan: there is none), and it ends as "
         f"{outcome!r}: ask of motions that come to rest, or compare something else"

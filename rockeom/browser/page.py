@@ -33,7 +33,7 @@ from rockeom.browser.widget import widget_of
 from rockeom.codes import OUTCOMES
 from rockeom.compiler.modules import Text
 from rockeom.compiler.types import Array
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputTypeError
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
@@ -123,11 +123,11 @@ def explorer(
     >>> page.save("block.html")  # doctest: +SKIP
     """
     if not (isinstance(case, Case) or callable(case)):
-        raise TypeError(f"case is {described(case)}: give a case, or a function of the sliders")
+        raise InputTypeError("case", case).give("a case, or a function of the sliders")
     for name, given in (("sliders", sliders), ("menus", menus or {}), ("presets", presets or {})):
         check_mapping(name, given)
     if isinstance(questions, Question) or not all(isinstance(q, Question) for q in questions):
-        raise TypeError(f"questions is {described(questions)}: give a list of rk.Question(...)")
+        raise InputTypeError("questions", questions).give("a list of rk.Question(...)")
     function, controls = controls_of(case, sliders, menus or {})
     return Explorer(
         function,

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from rockeom.browser.controls import check_mapping
-from rockeom.numbers.checks import near
+from rockeom.numbers.checks import InputError, near
 
 _TABLE = re.compile(r"(?<=^const TEXTS = )\{.*?^\}(?=;)", re.DOTALL | re.MULTILINE)
 
@@ -32,13 +32,13 @@ def _changed(where: str, own: Mapping[str, Any], others: Any) -> dict[str, Any]:
     table = dict(own)
     for name, text in others.items():
         if name not in own:
-            raise ValueError(f"{where}: a page has no {name!r}{near(name, own)}")
+            raise InputError("texts", name, where).says(f"a page has no {name!r}{near(name, own)}")
         if isinstance(own[name], dict):
             table[name] = _changed(f"{where}[{name!r}]", own[name], text)
         elif isinstance(text, str) and _places(text) == _places(own[name]):
             table[name] = text
         else:
-            raise ValueError(f"{where}: {name!r} is {text!r}: give a text like {own[name]!r}")
+            raise InputError(name, text, where).give(f"a text like {own[name]!r}")
     return table
 
 

@@ -7,10 +7,10 @@ import os
 import sys
 import warnings
 from collections.abc import Mapping, Sequence
+from types import ModuleType
 from typing import Any
 
 from rockeom.cli.commands import GROUPS, HELP, OF_THESIS, command
-from rockeom.cli.errors import UsageError, in_options
 from rockeom.version import VERSION
 
 
@@ -56,7 +56,7 @@ def _run(argv: Sequence[str]) -> int:
         parser = _parser(argv)
         args, unknown = parser.parse_known_args(argv)
         if unknown:  # an error of the command itself, with its own usage
-            getattr(args, "parser", parser).error(_unknown(unknown))
+            getattr(args, "parser", parser).error(_errors().unknown(unknown))
         if getattr(args, "run", None) is None:  # `rockeom` or `rockeom thesis` alone
             getattr(args, "group", parser).print_help()
             return 2
@@ -73,23 +73,9 @@ def _answer(args: argparse.Namespace) -> int:
     except BrokenPipeError:  # `rockeom derive rigid_block | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
-    except (ValueError, UsageError, OSError) as error:
-        print(f"{args.parser.prog}: {_message(error)}", file=sys.stderr)
+    except (ValueError, OSError) as error:
+        print(f"{args.parser.prog}: {_errors().message(error, args)}", file=sys.stderr)
         return 2
-    except TypeError as error:
-        if not isinstance(error, _of_arguments()):
-            raise
-        print(f"{args.parser.prog}: {_message(error)}", file=sys.stderr)
-        return 2
-
-
-def _of_arguments() -> tuple[type, ...]:
-    """The errors of arguments that say what is wrong, of the modules that the command loaded."""
-    homes = {
-        "rockeom.structures.parameters": "ParameterError",
-        "rockeom.symbolic.valid": "ArgumentError",
-    }
-    return tuple(getattr(sys.modules[home], e) for home, e in homes.items() if home in sys.modules)
 
 
 def _parser(words: Sequence[str] = ("completion",)) -> argparse.ArgumentParser:
@@ -108,7 +94,7 @@ def _parser(words: Sequence[str] = ("completion",)) -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"rockeom {VERSION}")
     if first is not None and first not in HELP:
         names = {name: f"thesis {name}" for name in OF_THESIS} | {name: name for name in HELP}
-        parser.error(f"no command {_meant(first, names)}; rockeom --help lists them")
+        parser.error(f"no command {_errors().meant(first, names)}; rockeom --help lists them")
     commands = parser.add_subparsers(metavar="COMMAND", help=argparse.SUPPRESS, prog="rockeom")
     for name in HELP:
         if name == "thesis":
@@ -122,6 +108,7 @@ def _add_thesis(commands: Any, asked: Sequence[str], program: argparse.ArgumentP
     """The group of commands on the thesis."""
     group = commands.add_parser(
         "thesis",
+        help=HELP["thesis"],
         usage="rockeom thesis COMMAND ...",
         description=_THESIS,
         formatter_class=_PLAIN,
@@ -130,7 +117,7 @@ def _add_thesis(commands: Any, asked: Sequence[str], program: argparse.ArgumentP
     name = asked[1] if asked[0:1] == ["thesis"] and len(asked) > 1 else None
     if name is not None and name not in OF_THESIS:
         names = {name: name for name in OF_THESIS}
-        group.error(f"no command {_meant(name, names)}; there are {', '.join(OF_THESIS)}")
+        group.error(f"no command {_errors().meant(name, names)}; there are {', '.join(OF_THESIS)}")
     of_group = group.add_subparsers(
         metavar="COMMAND", help=argparse.SUPPRESS, prog="rockeom thesis"
     )
@@ -143,12 +130,14 @@ def _add(
     commands: Any, name: str, wanted: bool, program: argparse.ArgumentParser, module: str = ""
 ) -> None:
     """One command; with its arguments where they are wanted, which loads its module."""
+    line = {**HELP, **OF_THESIS}[name]
     if not wanted:
-        commands.add_parser(name)
+        commands.add_parser(name, help=line)
         return
     home = command(module or name)
     parser = commands.add_parser(
         name,
+        help=line,
         description=home.DESCRIPTION,
         epilog=home.EPILOG,
         formatter_class=_PLAIN,
@@ -158,13 +147,6 @@ def _add(
     parser.set_defaults(run=home.run, parser=parser, program=program)
 
 
-def _meant(name: str, known: Mapping[str, str]) -> str:
-    """An unknown command, and what to type for the known one that is most like it."""
-    from rockeom.numbers.checks import near
-
-    return f"{name!r}{near(name, known, known)}"
-
-
 def _write_any_letter() -> None:
     """Greek letters must not end a command whose output goes to a pipe of few letters."""
     for stream in (sys.stdout, sys.stderr):
@@ -172,21 +154,12 @@ def _write_any_letter() -> None:
             stream.reconfigure(errors="replace")
 
 
-def _unknown(words: Sequence[str]) -> str:
-    """An error of words that no option takes."""
-    from rockeom.motion import units  # NumPy, as `near`: only where there is an error
+def _errors() -> ModuleType:
+    """The words of errors, which load NumPy: only where there is one."""
+    from rockeom.cli import errors
 
-    said = f"unrecognized arguments: {' '.join(words)}"
-    if units.is_known(words[0]):
-        said += f"; write a number and its unit without a blank, as 0.4{words[0]}"
-    return said
-
-
-def _message(error: Exception) -> str:
-    if isinstance(error, OSError) and error.filename is not None:
-        return f"{error.filename}: {error.strerror}. Check the path and the permissions."
-    return str(error) if isinstance(error, UsageError) else in_options(str(error))
+    return errors
 
 
 def _show_warning(message, category, filename, lineno, file=None, line=None) -> None:
-    print(f"warning: {in_options(str(message))}", file=sys.stderr)
+    print(f"warning: {message}", file=sys.stderr)

@@ -8,8 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from rockeom.assessment.assess import assess, by_recording
-from rockeom.assessment.result import check_page
-from rockeom.cli.errors import in_options
+from rockeom.assessment.result import UNITS_CHECKED, check_page
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, accelerations, add_records, records
 from rockeom.cli.simulate import impact_law
@@ -86,7 +85,7 @@ def run(args: argparse.Namespace) -> int:
         structure, shaking, pga=pga, friction=args.friction, impact=law, level=args.level,
         units_checked=args.units_checked,
     )  # fmt: skip
-    print(in_options(str(answer)))
+    print(str(answer).replace(UNITS_CHECKED, "--units-checked"))
     if args.out is not None:
         answer.save(args.out)
         print(f"wrote {args.out}")

@@ -51,7 +51,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         derive_and_check(folder / "equations.txt")
         start = time.perf_counter()
         runs = simulate_all(motion)
-    except (rk.MotionError, OSError) as error:
+    except (rk.InputError, OSError) as error:
         print(f"rockeom.cli.demo: {error}", file=sys.stderr)
         return 2
     print("3. Simulated the column under the record, its time scaled to 1/5 and its peak to 0.8 g,")

@@ -7,11 +7,12 @@ import sys
 from pathlib import Path
 
 from rockeom.cli.errors import UsageError
-from rockeom.cli.models import add_details, class_of, details
+from rockeom.cli.models import add_details, details
 from rockeom.cli.text.plain import to_text
 from rockeom.cli.text.terminal import width
 from rockeom.codegen import module_text
 from rockeom.files import check_target, write
+from rockeom.modelling.named import class_named
 from rockeom.symbolic import derive
 from rockeom.symbolic.write.typeset import content
 
@@ -47,7 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    class_of(args.name)
+    class_named(args.name)
     arguments = details(args.arguments)
     if args.form and (args.markdown or args.code):
         kind = "--markdown" if args.markdown else "--code"

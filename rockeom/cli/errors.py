@@ -1,86 +1,89 @@
-"""Errors of words that no command understands, and remedies in the words of the command line."""
+"""Errors of words that no command understands, and those of the package in options."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable
+import argparse
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from rockeom.files import check_target
+from rockeom.motion import units
+from rockeom.numbers.checks import InputError, in_python, near
 
 
-class UsageError(ValueError):
+class UsageError(InputError):
     """The message says what was typed, and what to type instead."""
 
+    def __init__(self, message: str) -> None:
+        super().__init__("")
+        self.says(message)
 
-_OPTIONS = (
-    "columns|components|damping_ratio|dt|duration|end|frames_per_second|impact|initial|layout|"
-    "output_step|period|pga|sa|speed|start|units|vertical"
-)
-"""Arguments of Python that an option of the same name gives."""
 
-_REMEDIES = (
-    (r"GroundMotion\.from_csv\(path, dt=(\S+)\)", r"--dt \1, with the time step of the file"),
-    (r'GroundMotion\.from_csv\(path, dt=(\S+), layout="(\w+)"\)', r"--dt \1 --layout \2"),
-    (r"with GroundMotion\.from_csv", "by --columns"),
-    (r"with GroundMotion\.from_columns", "from a file whose name does not end in .AT2"),
-    (r"read it with GroundMotion\.from_at2", "let its name end in .AT2"),
-    (r"^start and end are", "--start and --end are"),
-    (rf"^({_OPTIONS}) (?=is|has|needs)", r"--\1 "),
-    (r"^over: ", "--over: "),
-    (r"^periods are", "--floor: periods are"),
-    (r"^assess: (?=level|friction)", "--"),
-    (r"units_checked=True", "--units-checked"),
-    (r"see MotionSet\.recordings\(\)", "with --components all of a folder"),
-    (r"^time is", "--time-scale is"),
-    (r"^acceleration is", "--acceleration-scale is"),
-    (r"\(start, end\)", "(--start, --end)"),
-    (r"draw fewer frames_per_second", "draw fewer --frames-per-second"),
-    (r"name acceleration_column", "name it by --columns"),
-    (r" \(numpy\.interp\) and give the arrays", ""),
-    (r"give another pattern", "name the files themselves"),
-    (r"give each one of its own, by dataclasses.replace\(motion, name=\.\.\.\)", "name it once"),
-    (r'scaled_to\("([\d.]+) (\S+)"\)', r"--pga \1\2"),
-    (r"got an unexpected keyword argument", "no argument is called"),
-    (r"(?:rk\.)?GroundMotion\.none\(duration\)", "--free --duration S"),
-    (r"support=rk\.Sliding\(\.\.\.\)", "--set support=sliding"),
-    (r"rk\.SlidingBlock", "sliding_block"),
-    (r"\bAngularMomentum\(\)", "angular-momentum"),
-    (r"\bImpulsive\(\)", "impulsive"),
-    (r"\bEnergyRatio\(r=([^)]*)\)", r"energy-ratio=\1"),
-    (r"\bEnergyRatio\(left=([^,)]*), right=([^)]*)\)", r"energy-ratio=\1,\2"),
-    (r"\bVelocityRatio\(e=([^)]*)\)", r"velocity-ratio=\1"),
-    (rf'\b({_OPTIONS})="([\d.]+) (\S+)"', r"--\1 \2\3"),
-    (rf"\b({_OPTIONS})=(?=[,.;:)\s]|$)", r"--\1"),
-    (rf"\b({_OPTIONS})=(?=[\w(\"'.-])", r"--\1 "),
-    ("--([a-z]+)_([a-z]+)(?:_([a-z]+))?", lambda m: "--" + "-".join(filter(None, m.groups()))),
-)
-"""Words of Python in errors, and those of the command line."""
+def message(error: Exception, args: argparse.Namespace) -> str:
+    """An error of a command that was understood."""
+    if isinstance(error, OSError) and error.filename is not None:
+        return f"{error.filename}: {error.strerror}. Check the path and the permissions."
+    return in_options(error, args) if isinstance(error, InputError) else str(error)
 
+
+def meant(name: str, commands: Mapping[str, str]) -> str:
+    """An unknown command, and what to type for the one that is most like it."""
+    return f"{name!r}{near(name, commands, commands)}"
+
+
+def unknown(words: Sequence[str]) -> str:
+    """An error of words that no option takes."""
+    text = f"unrecognized arguments: {' '.join(words)}"
+    if units.is_known(words[0]):
+        text += f"; write a number and its unit without a blank, as 0.4{words[0]}"
+    return text
+
+
+_CALLED = {
+    "acceleration": "acceleration_scale",
+    "time": "time_scale",
+    "periods": "floor",
+    "height": "floor_height",
+    "time_column": "columns",
+    "acceleration_column": "columns",
+    "column": "columns",
+    "path": "out",
+}
+"""Arguments of Python whose option has another name."""
 _MOST_LISTED = 6
 
 
-def in_options(message: str) -> str:
-    """An error or a hint of the package, its remedies in the words of the command line.
+def in_options(error: InputError, args: argparse.Namespace) -> str:
+    """An error of the package as the options of a command say it.
 
     Long lists of records are cut: a command shows them.
-
-    >>> in_options("the file does not say its units. Remedy: say units=, one of m/s2, g.")
-    'the file does not say its units. Remedy: say --units, one of m/s2, g.'
     """
-    for python, here in _REMEDIES:
-        message = re.sub(python, here, message)
-    first, *listed = message.split("\n  ")
-    if len(listed) <= _MOST_LISTED or not first.endswith("choose from"):
-        return message
-    shown = [*listed[:_MOST_LISTED], "... (rockeom records lists all, and searches them by words)"]
-    return "\n  ".join([first, *shown])
+    settings = {pair.partition("=")[0] for pair in getattr(args, "set", [])}
+    options = args.parser._option_string_actions
+
+    def option(name: str, value: str | None) -> str:
+        flag = f"--{name}".replace("_", "-")
+        if name in settings:
+            flag = f"--set {name}"
+        elif flag not in options:
+            flag = f"--{_CALLED.get(name, name)}".replace("_", "-")
+            if flag not in options:
+                return in_python(name, value)
+        return f"{flag} {(value or '').replace(chr(34), '').replace(' ', '')}".rstrip()
+
+    is_option = option(error.argument, None) != error.argument
+    text = error.in_words(option, error.of if error.of[:2] == "--" or not is_option else "")
+    first, *records = text.split("\n  ") if error.argument == "words" else [text]
+    if len(records) > _MOST_LISTED:
+        more = "... (rockeom records lists all, and searches them by words)"
+        records = [*records[:_MOST_LISTED], more]
+    return "\n  ".join([first, *records])
 
 
 def numbers(pairs: list[str], option: str, example: str) -> dict[str, float]:
     """name -> number of words such as "mass=122.6".
 
-    Raises UsageError, naming the option and the word, for anything else and for a name given
+    Raises InputError, naming the option and the word, for anything else and for a name given
     twice.
     """
     given = words(pairs, option, example)
@@ -93,7 +96,7 @@ def numbers(pairs: list[str], option: str, example: str) -> dict[str, float]:
 def words(pairs: list[str], option: str, example: str) -> dict[str, str]:
     """name -> what stands behind its =, of words such as "support=winkler".
 
-    Raises UsageError, naming the option and the word, for anything else and for a name given
+    Raises InputError, naming the option and the word, for anything else and for a name given
     twice.
     """
     found: dict[str, str] = {}
@@ -116,7 +119,7 @@ def lists(text: str, said: str, option: str, example: str) -> list[float]:
 def spread(text: str, said: str, example: str, of: Callable[[str], float] = float) -> list[float]:
     """The numbers of "0.1:0.3:5", five from 0.1 to 0.3 at even distances, or of "1,2,3".
 
-    of : reads one number. Raises UsageError, naming `said`, for another form, for what is no
+    of : reads one number. Raises InputError, naming `said`, for another form, for what is no
     number, and for one that is named twice.
     """
     parts = text.split(":")
@@ -150,7 +153,7 @@ PICTURES = (".png", ".pdf", ".svg")
 
 
 def check_picture(path: Path) -> None:
-    """Raise UsageError for a file that is no picture, OSError for one that cannot be written."""
+    """Raise InputError for a file that is no picture, OSError for one that cannot be written."""
     if path.suffix.lower() not in PICTURES:
         raise UsageError(f"--out {path}: the name must end in {', '.join(PICTURES)}")
     check_target(path)

@@ -12,9 +12,10 @@ from rockeom.browser.controls import slider
 from rockeom.browser.page import explorer
 from rockeom.browser.traced import UntracedError
 from rockeom.cli.errors import UsageError, words
-from rockeom.cli.models import class_of, dimensions_of, made
+from rockeom.cli.models import dimensions_of, made
 from rockeom.cli.simulate import add_case, case
 from rockeom.files import check_target
+from rockeom.modelling.named import class_named
 from rockeom.simulation.case import Case
 from rockeom.sweeps.case_numbers import Number, OtherCase
 
@@ -72,7 +73,7 @@ def run(args: argparse.Namespace) -> int:
 def _page(args: argparse.Namespace, ranges: Mapping[str, Any]) -> tuple[Any, Mapping[str, Any]]:
     """A case and its sliders; where a full dimension varies, a function that makes the case."""
     one = case(args)
-    full = dimensions_of(class_of(args.name), ranges)
+    full = dimensions_of(class_named(args.name), ranges)
     if not full:
         return one, ranges
     rest = OtherCase(one, tuple(name for name in ranges if name not in full))
@@ -88,7 +89,7 @@ def _page(args: argparse.Namespace, ranges: Mapping[str, Any]) -> tuple[Any, Map
 
 
 def _range(name: str, text: str) -> tuple[float, float]:
-    """The ends of "0.1..0.4"; raises UsageError for anything else."""
+    """The ends of "0.1..0.4"; raises InputError for anything else."""
     low, dots, high = text.partition("..")
     try:
         if dots:

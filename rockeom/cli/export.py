@@ -7,12 +7,13 @@ import sys
 from pathlib import Path
 
 from rockeom.cli.errors import UsageError, numbers
-from rockeom.cli.models import add_details, class_of, details, made
+from rockeom.cli.models import add_details, details, made
 from rockeom.cli.motions import add_motion, motions
 from rockeom.exports.code import code, file_name
 from rockeom.exports.opensees import script
 from rockeom.files import check_target, write
 from rockeom.modelling.declared import module_of
+from rockeom.modelling.named import class_named
 
 DESCRIPTION = """\
 Write what is simulated for another program, as one self-contained file.
@@ -64,7 +65,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    class_of(args.name)
+    class_named(args.name)
     if args.language == "opensees":
         if args.arguments:
             raise UsageError(
@@ -116,7 +117,7 @@ def _code(args: argparse.Namespace) -> tuple[str, str]:
         del arguments["support"]
     if arguments:
         print(f"deriving {' '.join([args.name, *args.arguments])} ...", file=sys.stderr)
-    module = module_of(class_of(args.name).model, **arguments)
+    module = module_of(class_named(args.name).model, **arguments)
     return code(module, args.language), file_name(module, args.language)
 
 

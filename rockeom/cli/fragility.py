@@ -140,7 +140,7 @@ def _intensity(args: argparse.Namespace) -> Intensity:
 
 
 def _fit(sweep: xr.Dataset, args: argparse.Namespace, intensity: Intensity) -> Fragility:
-    """The curve; raises UsageError, with the option to change, where there is none."""
+    """The curve; raises InputError, with the option to change, where there is none."""
     try:
         return fragility_of(sweep, intensity=intensity.name, demand=args.demand, limit=args.limit)
     except ValueError as error:

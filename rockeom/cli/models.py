@@ -18,10 +18,10 @@ from rockeom.modelling.named import (
     structure,
     takes_support,
 )
+from rockeom.numbers.checks import InputTypeError
 from rockeom.structures.base import Structure
 from rockeom.structures.classes import SHIPPED
 from rockeom.structures.impact_laws import Impulsive, default_law
-from rockeom.structures.parameters import ParameterError
 
 DESCRIPTION = """\
 List the structures, or explain one: its states, its parameters with units and meanings, and its
@@ -53,7 +53,7 @@ def run(args: argparse.Namespace) -> int:
     if args.name is None:
         print(_list())
         return 0
-    made = class_of(args.name)
+    made = class_named(args.name)
     print(_explain(made, details(args.arguments) or _EXAMPLES.get(args.name, {})))
     return 0
 
@@ -89,17 +89,9 @@ def details(pairs: list[str]) -> dict[str, int | str]:
     return {name: int(text) if text.isdecimal() else text for name, text in arguments.items()}
 
 
-def class_of(name: str) -> type[Structure]:
-    """The class of a structure; raises UsageError naming all of them if it is unknown."""
-    try:
-        return class_named(name)
-    except ValueError as error:
-        raise UsageError(str(error)) from None
-
-
 def made(args: argparse.Namespace, **others: Any) -> Structure:
     """The structure of the arguments of `add_structure`; others : values in place of theirs."""
-    of, example = class_of(args.name), "mass=122.6"
+    of, example = class_named(args.name), "mass=122.6"
     values: dict[str, Any] = {}
     for name, text in words(args.set, "--set", example).items():
         said = f"--set {name}={text}"
@@ -114,7 +106,7 @@ def made(args: argparse.Namespace, **others: Any) -> Structure:
         if dimensions_of(of, values):
             return _of_dimensions(of, values)
         return structure(args.name, **values)
-    except ParameterError as error:
+    except InputTypeError as error:
         raise UsageError(
             f"{error}. Write --set NAME=VALUE ...; rockeom models {args.name} explains them"
         ) from None

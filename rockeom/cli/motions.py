@@ -9,11 +9,11 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rockeom.cli.errors import UsageError, in_options, spread, words
+from rockeom.cli.errors import UsageError, spread, words
 from rockeom.files import in_text
-from rockeom.motion import GroundMotion, MotionError, MotionSet, units
-from rockeom.motion.arguments import COMPONENTS, positive
-from rockeom.numbers.checks import near
+from rockeom.motion import GroundMotion, MotionSet, units
+from rockeom.motion.recordings import COMPONENTS
+from rockeom.numbers.checks import InputError, near, positive_number
 from rockeom.structures.parameters import check_names
 
 PULSES: dict[str, tuple[Callable[..., GroundMotion], set[str], set[str]]] = {
@@ -164,26 +164,27 @@ def _factor(motion: GroundMotion, args: argparse.Namespace) -> float:
         raise UsageError(f"{option} {text}: there is no acceleration to scale")
     if args.pga is not None:
         return wanted / motion.peak
-    spectrum = _times(motion, 1.0, args).response_spectrum([positive("--period", args.period)])
+    period = positive_number("period", args.period)
+    spectrum = _times(motion, 1.0, args).response_spectrum([period])
     return wanted / float(spectrum.pseudo_acceleration[0])
 
 
 def acceleration(text: str, option: str) -> float:
     """The acceleration [m/s2] that "2.5", "0.4g" or "0.4 g" says.
 
-    Raises MotionError for another text, and for what is not positive and finite.
+    Raises InputError for another text, and for what is not positive and finite.
     """
     try:
         value = float(text)
     except ValueError:
         value = units.acceleration(option, text)
-    return positive(option, value)
+    return positive_number(option, value)
 
 
 def accelerations(texts: Sequence[str], option: str) -> list[float]:
     """Accelerations [m/s2], such as "0.2g", "0.4g", or "0.1g:1.0g:10", ten of them.
 
-    Raises UsageError, or MotionError as `acceleration`.
+    Raises InputError as `acceleration`.
     """
     read = partial(acceleration, option=option)
     example = f"{option} 0.1g:1.0g:10 or {option} 0.2g 0.4g 0.8g"
@@ -218,9 +219,9 @@ def _of_folder(path: str, args: argparse.Namespace) -> MotionSet:
     components = args.components or "horizontal"
     try:
         return MotionSet.from_folder(path, units=args.units, components=components)
-    except MotionError as error:
+    except InputError as error:
         files = f"--motion {path}/*.txt --units g"
-        raise UsageError(f"{in_options(str(error))}; other files are given by {files}") from None
+        raise error.so(f"{error.remedy}; other files are given by {files}") from None
 
 
 def from_file(path: str, args: argparse.Namespace) -> GroundMotion:
@@ -247,7 +248,7 @@ def from_file(path: str, args: argparse.Namespace) -> GroundMotion:
 
 
 def _check_no_files(args: argparse.Namespace) -> None:
-    """Raise UsageError for options that say how to read a file, where there is none."""
+    """Raise InputError for options that say how to read a file, where there is none."""
     for option in ("units", "columns", "dt", "layout"):
         if getattr(args, option) is not None:
             raise UsageError(f"--{option} is for a file: leave it out, or give --motion FILE")
@@ -268,7 +269,7 @@ def _horizontal(args: argparse.Namespace) -> GroundMotion:
 def pulse(kind: str, *pairs: str) -> GroundMotion:
     """The pulse that "single-sine", "amplitude=4", "period=0.5" name.
 
-    Raises UsageError for an unknown kind and for what is no number, ParameterError for missing
+    Raises InputError for an unknown kind and for what is no number, InputTypeError for missing
     and unknown names.
     """
     if kind not in PULSES:
@@ -276,9 +277,10 @@ def pulse(kind: str, *pairs: str) -> GroundMotion:
     make, required, optional = PULSES[kind]
     given = words(list(pairs), "--pulse", f"{kind} amplitude=4 period=0.5")
     check_names(f"--pulse {kind}", required, required | optional, given)
+    numbers = {name: _of_pulse(name, text) for name, text in given.items()}
     try:
-        return make(**{name: _of_pulse(name, text) for name, text in given.items()})
-    except MotionError as error:
+        return make(**numbers)
+    except InputError as error:
         raise UsageError(f"--pulse {kind}: {error}") from None
 
 

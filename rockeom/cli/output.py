@@ -6,13 +6,13 @@ import csv
 import io
 import json
 import math
+import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from rockeom.cli.errors import in_options
 from rockeom.files import write
 from rockeom.motion import GroundMotion
 from rockeom.simulation.events import MEASURABLE
@@ -28,7 +28,15 @@ from rockeom.version import VERSION
 def in_words(run: Response) -> str:
     """The summary of the response, with its largest displacement and uplifts."""
     head, tail = (lines := run.summary().split("\n"))[:3], lines[3:]
-    return in_options("\n".join([*head, *_lengths(run), *tail]))
+    law = str(run.statistics.get("impact_law", "")).partition(", by default")[0]
+    return "\n".join([*head, *_lengths(run), *tail]).replace(law or "\0", as_option(law))
+
+
+def as_option(law: str) -> str:
+    """An impact law as --impact takes it: "energy-ratio=0.8" for "EnergyRatio(r=0.8)"."""
+    name = re.sub(r"(?<=[a-z])(?=[A-Z])", "-", law.partition("(")[0]).lower()
+    values = ",".join(re.findall(r"=([^,)]+)", law))
+    return f"{name}={values}" if values else name
 
 
 def _lengths(run: Response) -> list[str]:

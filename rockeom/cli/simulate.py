@@ -168,7 +168,7 @@ def simulated(one: Case, options: SolverOptions) -> Response:
 
 
 def check_folder(path: Path) -> None:
-    """Raise UsageError for what cannot become a folder, before anything is simulated."""
+    """Raise InputError for what cannot become a folder, before anything is simulated."""
     if "\0" in str(path):
         raise UsageError(
             f"--out {str(path)!r}: no folder has a zero byte in its name; leave it out"
@@ -198,7 +198,7 @@ def _write(response: Response, one: Case, args: argparse.Namespace) -> list[Path
 def impact_law(text: str | None) -> ImpactLaw | None:
     """The law that "energy-ratio=0.74" and the like name; None for None.
 
-    Raises UsageError naming all laws for another text, and for a ratio that cannot be.
+    Raises InputError naming all laws for another text, and for a ratio that cannot be.
     """
     try:
         return None if text is None else _law(text)

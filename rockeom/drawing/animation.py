@@ -25,7 +25,7 @@ from rockeom.drawing.sketch import Sketch, all_points
 from rockeom.files import check_path, check_target, write
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described, number
+from rockeom.numbers.checks import InputError, number, require
 from rockeom.simulation.events import Impacts
 from rockeom.simulation.response import Response
 from rockeom.structures.positions import places
@@ -114,7 +114,7 @@ def check_file(path: str | os.PathLike[str]) -> None:
     kind = Path(path).suffix.lower()
     if kind not in FILES:
         endings = f"{', '.join(FILES[:-1])} or {FILES[-1]}"
-        raise ValueError(f"{path}: the name of an animation ends in {endings}")
+        raise InputError("path", path).says(f"{path}: the name of an animation ends in {endings}")
     check_target(path)
     if kind == ".mp4":
         film.ffmpeg()
@@ -126,21 +126,21 @@ def _times(
     """(n,) times of the frames [s], the last of which may fall short of the end."""
     rates = {"frames_per_second": frames_per_second, "speed": speed}
     for name, value in rates.items():
-        if not 0.0 < number(name, value) < math.inf:
-            raise ValueError(f"{name} is {described(value)}: give a number above zero")
+        require(0.0 < number(name, value) < math.inf, "", name, value, "give a number above zero")
     ends = run.t[0] if start is None else start, run.t[-1] if end is None else end
     first, last = (number(n, value) for n, value in zip(("start", "end"), ends, strict=True))
     if not run.t[0] <= first < last <= run.t[-1]:
-        raise ValueError(
-            f"start and end are {first:g} and {last:g} s: they lie within the response, from "
+        raise InputError("start", first).wrong(
+            f"is {first:g} s, and the end {last:g} s: they lie within the response, from "
             f"{run.t[0]:g} to {run.t[-1]:g} s, start before end"
         )
     step = speed / frames_per_second
     n = math.floor((last - first) / step * (1 + 1e-12)) + 1
     if n > MOST_FRAMES:
-        raise ValueError(
-            f"{n} frames are more than {MOST_FRAMES}: show a part (start, end), run it faster "
-            f"(speed={speed * n / MOST_FRAMES:.2g}), or draw fewer frames_per_second"
+        faster = f"{{speed:{speed * n / MOST_FRAMES:.2g}}}"
+        raise InputError("frames_per_second", frames_per_second).says(
+            f"{n} frames are more than {MOST_FRAMES}: show a part by {{start}} and {{end}}, run it "
+            f"faster by {faster}, or draw fewer by {{frames_per_second}}"
         )
     return np.minimum(first + step * np.arange(n), last)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from rockeom.motion.ground_motion import GroundMotion
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import require_type
 from rockeom.simulation.response import Response
 from rockeom.structures.base import Structure
 
@@ -18,5 +18,4 @@ _REMEDIES = {
 
 def check_drawn(name: str, value: Any, cls: type) -> None:
     """Raise TypeError for an argument that is no response, structure or ground motion."""
-    if not isinstance(value, cls):
-        raise TypeError(f"{name} is {described(value)}: give {_REMEDIES[cls]}")
+    require_type(name, value, cls, _REMEDIES[cls])

@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 
 from rockeom.drawing import style
 from rockeom.drawing.checks import check_drawn
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, require_type
 from rockeom.simulation.response import Response
 
 
@@ -61,15 +61,14 @@ def plot_comparison(
     >>> runs = [rk.simulate(block, pulse, impact=rk.EnergyRatio(r)) for r in (0.8, 0.95)]
     >>> figure = plots.plot_comparison(runs, ["r = 0.8", "r = 0.95"])
     """
-    if not isinstance(runs, Sequence):
-        raise TypeError(f"runs is {described(runs)}: give a list of responses")
+    require_type("runs", runs, Sequence, "a list of responses")
     for i, run in enumerate(runs):
         check_drawn(f"runs[{i}]", run, Response)
     labels = [style.name_of(run) for run in runs] if labels is None else labels
     if not runs or len(labels) != len(runs):
-        raise ValueError(f"{len(runs)} runs and {len(labels)} labels: give one label for each run")
+        raise InputError("labels", labels).give(f"one for each of {len(runs)} runs")
     if len({style.is_dimensionless(run) for run in runs}) > 1:
-        raise ValueError("runs with and without units have no common axes: compare them apart")
+        raise InputError("runs").says("some have units and some none: compare them apart")
     feet = ("left", "right") if any("left_uplift" in run.names for run in runs) else ()
     heights = [0.8, 1.6, *(0.9 for _ in feet), 0.1 + 0.28 * len(runs)]
     if figure is None:

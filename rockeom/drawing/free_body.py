@@ -23,6 +23,7 @@ from matplotlib.path import Path
 from numpy.typing import ArrayLike
 
 from rockeom.drawing.style import INK, LINES
+from rockeom.numbers.checks import InputError, require
 
 Point = Sequence[float] | np.ndarray
 
@@ -286,8 +287,7 @@ def arrow(
     ax.annotate("", _xy(tip), _xy(tail), arrowprops=style, zorder=8)
     ax.plot(*np.transpose([tail, tip]), lw=0)  # an annotation does not widen the limits
     places = {"tip": 1.0, "tail": 0.0, "middle": 0.5}
-    if label_at not in places:
-        raise ValueError(f"label_at is {label_at!r}: choose 'tip', 'tail' or 'middle'")
+    require(label_at in places, "", "label_at", label_at, "choose 'tip', 'tail' or 'middle'")
     where = places[label_at]
     at = (1 - where) * np.asarray(tail, float) + where * np.asarray(tip, float)
     _text(ax, at, label, offset, color=color)
@@ -402,7 +402,7 @@ def _along(start: Point, end: Point, along: np.ndarray, across: np.ndarray) -> n
     way = np.asarray(end, float) - origin
     length = float(np.hypot(*way))
     if length == 0.0:
-        raise ValueError(f"start and end are the same point, {tuple(origin)}: nothing to draw")
+        raise InputError("end", tuple(origin)).so("start is the same point: nothing to draw")
     normal = np.array([-way[1], way[0]]) / length
     return origin + np.outer(along, way) + np.outer(across, normal)
 

@@ -13,7 +13,7 @@ from rockeom.drawing.checks import check_drawn
 from rockeom.motion.design.spectra import DesignSpectrum
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.spectra import ResponseSpectrum
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.numbers.constants import STANDARD_GRAVITY
 
 _POINTS = 4000
@@ -122,17 +122,14 @@ def plot_spectra(
         For no spectra, and for spectra of several dampings or periods.
     """
     if not isinstance(spectra, Sequence):
-        raise TypeError(
-            f"spectra is {described(spectra)}: give a list of spectra, such as "
-            "[motion.response_spectrum()]"
-        )
+        raise InputTypeError("spectra", spectra).give("a list, as [motion.response_spectrum()]")
     if not spectra:
-        raise ValueError("no spectra: give one or more")
+        raise InputError("spectra").says("no spectra: give one or more")
     first = spectra[0]
     for one in spectra[1:]:
         same = np.array_equal(one.periods, first.periods)
         if not same or one.damping_ratio != first.damping_ratio:
-            raise ValueError(
+            raise InputError("spectra").says(
                 f"the spectra of {first.name!r} and {one.name!r} have other periods or damping: "
                 "draw them in figures of their own"
             )

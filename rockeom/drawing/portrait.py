@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 
 from rockeom.drawing import style
 from rockeom.drawing.checks import check_drawn
+from rockeom.numbers.checks import InputError
 from rockeom.simulation.response import Response
 from rockeom.structures.base import Structure
 
@@ -53,7 +54,7 @@ def plot_phase_portrait(
     """
     runs = list(run) if isinstance(run, Sequence) else [run]
     if not runs:
-        raise ValueError("plot_phase_portrait: there is no response: give one at least")
+        raise InputError("runs", runs, "plot_phase_portrait").give("one response at least")
     for one in runs:
         check_drawn("run", one, Response)
     first = runs[0]
@@ -104,9 +105,9 @@ def _separatrix(structure: Structure) -> Iterator[tuple[np.ndarray, np.ndarray]]
     """
     m = structure.module
     if m.N_STATES != 2:
-        raise ValueError(
-            f"plot_phase_portrait: {structure.model} has {m.N_STATES} states, and its separatrix "
-            "is no line in this plane: leave separatrix=True out"
+        raise InputError("separatrix", True, "plot_phase_portrait").says(
+            f"{structure.model} has {m.N_STATES} states, and its separatrix is no line in this "
+            "plane: leave separatrix=True out"
         )
     name, rate = (m.STATES[i] for i in (m.ROTATION, m.ROTATION_RATE))
 
@@ -118,9 +119,9 @@ def _separatrix(structure: Structure) -> Iterator[tuple[np.ndarray, np.ndarray]]
         wide = side * structure.overturning_rotation * np.linspace(0.0, 1.0, _POINTS)[1:]
         top = int(potential(wide).argmax())
         if top in (0, len(wide) - 1):
-            raise ValueError(
-                f"plot_phase_portrait: {structure.model} has no balance before it has fallen, and "
-                "no separatrix: leave separatrix=True out"
+            raise InputError("separatrix", True, "plot_phase_portrait").says(
+                f"{structure.model} has no balance before it has fallen, and no separatrix: leave "
+                "separatrix=True out"
             )
         near = np.linspace(wide[top - 1], wide[top + 1], _POINTS)
         balance = near[potential(near).argmax()]

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
 from rockeom.drawing import style
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.simulation.response import Response
 
 Names = Mapping[str, str]
@@ -28,7 +28,7 @@ def plot_quantities(
         units = {name: run.units[name] for name in names}
         if len({*units.values()}) > 1:
             of_each = ", ".join(f"{name} [{unit}]" for name, unit in units.items())
-            raise ValueError(f"{of_each} have not one unit: give each axes of its own")
+            raise InputError("names").says(f"{of_each} have not one unit: give each its own axes")
         what = _word(names[0]) if len(names) == 1 else ""
         draw_curves(ax, run, {name: _word(name) for name in names}, what)
         return style.parent_figure(ax), [ax]
@@ -72,10 +72,8 @@ def _word(name: str) -> str:
 def require_axes(ax: Any, figure: Any) -> None:
     """Raise TypeError or ValueError for what cannot be drawn in."""
     if ax is not None and figure is not None:
-        raise ValueError("ax and figure are both given: give one of them")
+        raise InputError("ax").says("ax and figure are both given: give one of them")
     if not (ax is None or isinstance(ax, Axes)):
-        raise TypeError(
-            f"ax is {described(ax)}: give one axes of matplotlib, as of plt.subplots()[1]"
-        )
+        raise InputTypeError("ax", ax).give("one axes of matplotlib, as of plt.subplots()[1]")
     if not (figure is None or isinstance(figure, Figure | SubFigure)):
-        raise TypeError(f"figure is {described(figure)}: give a figure of matplotlib")
+        raise InputTypeError("figure", figure).give("a figure of matplotlib")

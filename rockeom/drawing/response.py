@@ -13,7 +13,7 @@ from rockeom.codes import SLIP_LEFT, SLIP_RIGHT
 from rockeom.drawing import style
 from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.quantities import draw_curves, plot_quantities, require_axes
-from rockeom.numbers.checks import number
+from rockeom.numbers.checks import InputError, number
 from rockeom.simulation.response import Response
 
 Draw = Callable[[Axes, Response], None]
@@ -94,7 +94,7 @@ def _limits(run: Response, start: float | None, end: float | None) -> tuple[floa
     first = float(run.t[0]) if start is None else number("start", start)
     last = float(run.t[-1]) if end is None else number("end", end)
     if not first < last:
-        raise ValueError(f"start is {first:g} s and end {last:g} s: give the smaller one first")
+        raise InputError("start", first).give(f"less than the end, {last:g} s")
     return first, last
 
 

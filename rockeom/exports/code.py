@@ -30,7 +30,7 @@ from rockeom.integrator.schema import (
 )
 from rockeom.integrator.texts import source
 from rockeom.modelling.declared import class_of_model
-from rockeom.numbers.checks import described, near
+from rockeom.numbers.checks import InputError, InputTypeError, near
 from rockeom.version import VERSION
 
 WHOLE = ("mode", "guard", "law", "number")
@@ -239,15 +239,15 @@ def code(module: GeneratedModule, language: str) -> str:
     contacts whose impact law is followed through an impact: "poisson", "lzb" and "pairwise".
     """
     if not isinstance(language, str):
-        raise TypeError(f"language is {described(language)}: give one of {', '.join(LANGUAGES)}")
+        raise InputTypeError("language", language).choose(LANGUAGES)
     if impact_law(module) not in (NEWTON, MOREAU):
-        raise ValueError(
-            f"{module.NAME}: its contacts have the impact law {name_of_law(module)!r}, which is "
-            'not written in other languages: give law="newton" or "moreau"'
+        raise InputError("structure", of=module.NAME).says(
+            f"its contacts have the impact law {name_of_law(module)!r}, which is not written in "
+            'other languages: give law="newton" or "moreau"'
         )
     if language not in LANGUAGES:
-        raise ValueError(
-            f"no language {language!r}{near(language, LANGUAGES)}; there are {', '.join(LANGUAGES)}"
+        raise InputError("language", language).says(
+            f"no language {language!r}{near(language, LANGUAGES)}: there are {', '.join(LANGUAGES)}"
         )
     return LANGUAGES[language](_described(module))
 

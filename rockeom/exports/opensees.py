@@ -14,7 +14,7 @@ from string import Template
 import numpy as np
 
 from rockeom.motion import GroundMotion
-from rockeom.numbers.checks import number
+from rockeom.numbers.checks import InputError, number, require
 from rockeom.structures.base import Structure
 from rockeom.structures.parameters import named_states
 from rockeom.version import VERSION
@@ -179,9 +179,9 @@ def script(
     """
     values, elastic = _values(structure)
     if values.pop("foundation_damping") != 0.0:
-        raise ValueError(
-            f"{type(structure).__name__}: OpenSees has no spring and damper that press together "
-            "and never pull: give feet without dampers, foundation_damping=0"
+        raise InputError("structure", of=type(structure).__name__).says(
+            "OpenSees has no spring and damper that press together and never pull: give feet "
+            "without dampers, foundation_damping=0"
         )
     state = _initial_state(structure, initial or {}, elastic)
     step = _positive("step", step)
@@ -237,19 +237,18 @@ def _values(structure: Structure) -> tuple[dict[str, float], bool]:
         return values, False
     support = getattr(structure, "support", None)
     if structure.model in ("flexible_structure", "lumped_mass_structure"):
-        if type(support).__name__ != "TwoSprings":
-            raise ValueError(
-                f"{type(structure).__name__} stands on rigid ground or a bed: a finite-element "
-                "model rocks on springs; give support=rk.TwoSprings(stiffness=..., damping=0), on "
-                "the command line support=two_springs foundation_stiffness= foundation_damping=0"
+        if support is None or type(support).__name__ != "TwoSprings":
+            raise InputError("support", support).says(
+                f"{type(structure).__name__} stands on rigid ground or a bed, and a finite-element "
+                "model rocks on springs: give it the support two_springs with foundation_damping 0",
+                "support=rk.TwoSprings(stiffness=..., damping=0)",
             )
-        if support.guided != "centre":  # type: ignore[union-attr]
-            raise ValueError(
-                f"TwoSprings: guided is {support.guided!r}: "  # type: ignore[union-attr]
+        if support.guided != "centre":
+            raise InputError("guided", support.guided, "TwoSprings").so(
                 'OpenSees is given the base guided at its "centre" alone'
             )
         return values, structure.model == "flexible_structure"
-    raise ValueError(
+    raise InputError("structure").says(
         f"{type(structure).__name__} is not written for OpenSees: give a TwoSpringStructure, or a "
         "FlexibleStructure or LumpedMassStructure on TwoSprings"
     )
@@ -263,17 +262,15 @@ def _initial_state(
     places = ("theta", "heave", *(("u",) if elastic else ()))
     for name in initial:
         if name not in places:
-            raise ValueError(
-                f"initial: {name} is not written for OpenSees, which starts at rest: "
-                f"give {', '.join(places)}"
+            raise InputError(name, of="initial").wrong(
+                f"is not written for OpenSees, which starts at rest: give {', '.join(places)}"
             )
     return {name: float(initial.get(name, 0.0)) for name in places}
 
 
 def _positive(name: str, value: float) -> float:
     size = number(name, value)
-    if not (np.isfinite(size) and size > 0.0):
-        raise ValueError(f"{name} is {value}: it must be finite and positive")
+    require(np.isfinite(size) and size > 0.0, "", name, value, "it must be finite and positive")
     return size
 
 

@@ -22,7 +22,7 @@ from rockeom.modelling.named import FAMILIES, SUPPORTS
 from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
 from rockeom.numbers.callers import warn_caller
-from rockeom.numbers.checks import described, is_number
+from rockeom.numbers.checks import InputError, InputTypeError, described, is_number
 from rockeom.simulation.events import KINDS, EventColumns, Events
 from rockeom.simulation.extremes import Extremes
 from rockeom.simulation.outcome import Outcome
@@ -51,7 +51,7 @@ class LawNotSaved:
     name: str
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
-        raise ValueError(
+        raise InputError("impact").says(
             f"the impact law of this response was a {self.name}, a class that is not of rockeom "
             "and that files cannot hold: give it again, as impact="
         )
@@ -139,9 +139,7 @@ def load(
     if not (
         structure is None or isinstance(structure, Structure) or hasattr(structure, "check_values")
     ):
-        raise TypeError(
-            f"structure is {described(structure)}: give a declaration, or a structure of it"
-        )
+        raise InputTypeError("structure", structure).give("a declaration, or a structure of it")
     check_path(path)
     if not os.path.exists(path):
         raise FileNotFoundError(
@@ -297,7 +295,9 @@ class _File:
 def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     """Attributes and arrays of a netCDF file; raises ValueError for what is none."""
     if path.exists() and not path.is_file():  # a pipe is waited for
-        raise ValueError(f"{path} cannot be loaded: it is a folder, a pipe or a device, not a file")
+        raise InputError("path", path).says(
+            f"{path} cannot be loaded: it is a folder, a pipe or a device, not a file"
+        )
     try:
         with xr.open_dataset(path, engine="h5netcdf", decode_cf=False, phony_dims="sort") as data:
             size = path.stat().st_size
@@ -307,6 +307,6 @@ def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     except (FileNotFoundError, PermissionError, MemoryError):
         raise
     except Exception as error:
-        raise ValueError(
+        raise InputError("path", path).says(
             f"{path} cannot be loaded: it is no file of a response, or was cut off: {error}"
         ) from None

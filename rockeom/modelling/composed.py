@@ -14,7 +14,7 @@ from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described, number, whole_number
+from rockeom.numbers.checks import InputError, InputTypeError, number, require, whole_number
 from rockeom.structures.modal import rayleigh_damping
 from rockeom.structures.parameters import check_contact_law, check_values
 from rockeom.structures.supports import Support, SupportedStructure
@@ -41,9 +41,9 @@ class Pinned(Support):
 def _turns(what: str, inertia: float) -> None:
     """Raise ValueError where nothing resists that the base turns about its middle."""
     if not inertia > 0:
-        raise ValueError(
-            f"{what}: on this support the base must have an inertia of its own, and base_inertia, "
-            "the inertias above and base_mass base_height**2 are zero: give one of them"
+        raise InputError("base_inertia", of=what).says(
+            "on this support the base must have an inertia of its own, and base_inertia, the "
+            "inertias above and base_mass base_height**2 are zero: give one of them"
         )
 
 
@@ -74,12 +74,13 @@ def _of_soil(what: str, springs: int, match: str, footing: Mapping[str, Any]) ->
     given = dict(footing)
     young = given.pop("youngs_modulus")
     if (young is None) == (given["shear_modulus"] is None):
-        raise ValueError(f"{what}: give one of shear_modulus and youngs_modulus of the soil [Pa]")
+        raise InputError("shear_modulus", of=what).says(
+            "give one of shear_modulus and youngs_modulus of the soil [Pa]"
+        )
     if young is not None:
         check_values(what, {"youngs_modulus": young, "poisson_ratio": given["poisson_ratio"]})
         given["shear_modulus"] = young / (2 * (1 + given["poisson_ratio"]))
-    if match not in ("rotation", "heave"):
-        raise ValueError(f'{what}: match is {described(match)}: give "rotation" or "heave"')
+    require(match in ("rotation", "heave"), what, "match", match, 'give "rotation" or "heave"')
     stiffness = rectangular_footing(**given)
     if match == "heave":
         return float(stiffness.vertical) / springs
@@ -183,9 +184,7 @@ class TwoSprings(_Springs):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.guided not in ("centre", "foot"):
-            raise ValueError(
-                f'TwoSprings: guided is {described(self.guided)}: give "centre" or "foot"'
-            )
+            raise InputError("guided", self.guided, "TwoSprings").give('"centre" or "foot"')
 
     def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
         return module_of(superstructure, **arguments, support="two_springs", guided=self.guided)
@@ -276,17 +275,17 @@ class Winkler(_Springs):
             "shear_modulus": shear_modulus, "youngs_modulus": youngs_modulus,
         }  # fmt: skip
         what = "Winkler.from_soil"
-        stiffness = _of_soil(what, whole_number(f"{what}: springs", springs, 2), match, footing)
+        stiffness = _of_soil(what, whole_number("springs", springs, 2, what), match, footing)
         return cls(springs=springs, stiffness=stiffness, damping=damping)
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        n = whole_number("Winkler: springs", self.springs, 2)
+        n = whole_number("springs", self.springs, 2, "Winkler")
         sets = n * (n + 1) // 2 + 1
         if sets > MOST_MODES:
-            raise ValueError(
-                f"Winkler: springs is {n}, which press in {sets} sets of neighbours, more than the "
-                f"{MOST_MODES} modes of a structure: give 90 or fewer"
+            raise InputError("springs", n, "Winkler").wrong(
+                f"is {n}, which press in {sets} sets of neighbours, more than the {MOST_MODES} "
+                "modes of a structure: give 90 or fewer"
             )
         object.__setattr__(self, "springs", n)
 
@@ -334,9 +333,7 @@ class Sliding(Support):
 
     def check_base(self, what: str, mass: float, inertia: float) -> None:
         if not mass > 0:
-            raise ValueError(
-                f"{what}: base_mass is {mass}: a base that may slide must have a mass of its own"
-            )
+            raise InputError("base_mass", mass, what).so("a base that slides has a mass of its own")
         _turns(what, inertia)
 
     def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
@@ -430,15 +427,15 @@ class ShearFrame(SupportedStructure):
         for name in ("heights", "stiffnesses", "dampings", "inertias"):
             values = _each(name, getattr(self, name), may_vanish=name in ("dampings", "inertias"))
             if len(values) != len(self.masses):
-                raise ValueError(
-                    f"ShearFrame: masses are {len(self.masses)} and {name} {len(values)}: give one "
-                    "for each storey, from the lowest up"
+                raise InputError("masses", len(self.masses), "ShearFrame").wrong(
+                    f"are {len(self.masses)} and {name} {len(values)}: give one for each storey, "
+                    "from the lowest up"
                 )
             set_(name, values)
         for i in range(1, len(self.heights)):
             if not self.heights[i] > self.heights[i - 1]:
-                raise ValueError(
-                    f"ShearFrame: heights[{i}] is {self.heights[i]}, not above heights[{i - 1}], "
+                raise InputError("heights", self.heights[i], "ShearFrame").says(
+                    f"heights[{i}] is {self.heights[i]}, not above heights[{i - 1}], "
                     f"{self.heights[i - 1]}: give the height of each floor above the feet, from "
                     "the lowest up"
                 )
@@ -477,15 +474,14 @@ class ShearFrame(SupportedStructure):
         ValueError
             For a negative ratio, and for a mode that the frame has not.
         """
-        mode = whole_number("ShearFrame.damped: mode", mode, 1)
+        mode = whole_number("mode", mode, 1, "ShearFrame.damped")
         if mode > len(self.masses):
-            raise ValueError(
-                f"ShearFrame.damped: mode is {mode}: a frame of {len(self.masses)} storeys has as "
-                "many"
+            raise InputError("mode", mode, "ShearFrame.damped").so(
+                f"a frame of {len(self.masses)} storeys has as many"
             )
         free = dataclasses.replace(self, dampings=[0.0] * len(self.masses), support=None)
         period = free.fixed_base().periods[mode - 1]
-        beta = rayleigh_damping(period, number("ShearFrame.damped: ratio", ratio)).beta
+        beta = rayleigh_damping(period, number("ratio", ratio, "ShearFrame.damped")).beta
         return dataclasses.replace(self, dampings=[beta * k for k in self.stiffnesses])
 
     def parameters(self) -> dict[str, float]:
@@ -503,9 +499,9 @@ def _each(name: str, values: Any, may_vanish: bool = False) -> tuple[float, ...]
     """One number a storey."""
     remedy = "give a list with a number for each storey, from the lowest up"
     if isinstance(values, str) or not hasattr(values, "__iter__") or hasattr(values, "keys"):
-        raise TypeError(f"ShearFrame: {name} is {described(values)}: {remedy}")
-    named = {f"{name}[{i}]": number(f"ShearFrame: {name}[{i}]", v) for i, v in enumerate(values)}
+        raise InputTypeError(name, values, "ShearFrame").so(f"{remedy}")
+    named = {f"{name}[{i}]": number(f"{name}[{i}]", v, "ShearFrame") for i, v in enumerate(values)}
     if not named:
-        raise ValueError(f"ShearFrame: {name} is empty: {remedy}")
+        raise InputError(name, of="ShearFrame").wrong(f"is empty: {remedy}")
     check_values("ShearFrame", named, frozenset(named) if may_vanish else frozenset())
     return tuple(named.values())

@@ -16,10 +16,9 @@ from typing import Any
 from rockeom.modelling.composed import Pinned, ShearFrame, Sliding, TwoSprings, Winkler
 from rockeom.modelling.declared import class_of_model
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described, near
+from rockeom.numbers.checks import InputError, InputTypeError, described, near
 from rockeom.structures.base import Structure
 from rockeom.structures.classes import SHIPPED
-from rockeom.structures.parameters import ParameterError
 from rockeom.structures.supports import Support
 
 FAMILIES: Mapping[str, type[Structure]] = {"shear_frame": ShearFrame}
@@ -50,7 +49,7 @@ def structure(model: Any, /, **parameters: Any) -> Structure:
 
     Raises
     ------
-    ParameterError
+    InputTypeError
         For missing or unknown parameters.
     ValueError
         For values that are not finite or negative, for a model that cannot be simulated, and where
@@ -79,7 +78,7 @@ def structure(model: Any, /, **parameters: Any) -> Structure:
         made = class_named(model)
         return made(**_supported(made, parameters))
     if not hasattr(model, "check_values"):
-        raise TypeError(
+        raise InputTypeError("model", model).says(
             "structure() takes the name of a structure, or a RockingModel or Model, not "
             f"{described(model)}"
         )
@@ -95,8 +94,8 @@ def class_named(name: str) -> type[Structure]:
         if name in classes:
             return classes[name]
     every = (*SHIPPED, *FAMILIES)
-    raise ValueError(
-        f"no structure named {name!r}{near(name, every)}; there are {', '.join(every)}"
+    raise InputError("name", name).says(
+        f"no structure named {name!r}{near(name, every)}: there are {', '.join(every)}"
     )
 
 
@@ -121,15 +120,14 @@ def _supported(made: type[Structure], parameters: Mapping[str, Any]) -> dict[str
     support = arguments.get("support")
     if not isinstance(support, str):
         if beside:
-            raise ParameterError(
-                f"{made.__name__}: {beside[0]} is a parameter of a support: name that, as in "
-                f'support="{_that_takes(beside)}"'
+            raise InputTypeError("support", of=made.__name__).says(
+                f'{beside[0]} is a parameter of a support: name that, as in support="'
+                f'{_that_takes(beside)}"'
             )
         return arguments
     if support not in SUPPORTS:
-        raise ValueError(
-            f"{made.__name__}: support is {support!r}{near(support, SUPPORTS)}; there are "
-            f"{', '.join(SUPPORTS)}"
+        raise InputError("support", support, made.__name__).wrong(
+            f"is {support!r}{near(support, SUPPORTS)}; there are {', '.join(SUPPORTS)}"
         )
     own = parameters_of(support)
     missing = [
@@ -138,7 +136,7 @@ def _supported(made: type[Structure], parameters: Mapping[str, Any]) -> dict[str
     wrong = [f"missing {', '.join(missing)}"] if missing else []
     wrong += [f"unknown {name}{near(name, own)}" for name in beside if name not in own]
     if wrong:
-        raise ParameterError(
+        raise InputTypeError("support", support).says(
             f"{made.__name__} on the support {support!r}: {'; '.join(wrong)}. Besides its own "
             f"parameters it takes {', '.join(own) or 'none'}"
         )

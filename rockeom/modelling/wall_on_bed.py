@@ -23,8 +23,7 @@ from rockeom.analysis.design.hysteresis import HysteresisLoop
 from rockeom.analysis.formulas.masonry import rocking_strength
 from rockeom.analysis.identification.stone_walls import WallTest
 from rockeom.numbers import explained
-from rockeom.numbers.arguments import numbers, positive, require
-from rockeom.numbers.checks import described, number, whole_number
+from rockeom.numbers.checks import InputError, number, numbers, positive, require, whole_number
 from rockeom.symbolic.parts import walls
 from rockeom.symbolic.statics import small_rotations
 
@@ -167,14 +166,12 @@ class WallOnBed:
     def __post_init__(self) -> None:
         what = type(self).__name__
         for name in ("length", "thickness", "shear_span", "axial_force", "bed_modulus", "strength"):
-            value = number(f"{what}: {name}", getattr(self, name))
+            value = number(name, getattr(self, name), what)
             positive(what, **{name: value})
             object.__setattr__(self, name, value)
         if not isinstance(self.following, bool):
-            raise ValueError(
-                f"{what}: following is {described(self.following)}: give True or False"
-            )
-        object.__setattr__(self, "springs", whole_number(f"{what}: springs", self.springs, 1))
+            raise InputError("following", self.following, what).give("True or False")
+        object.__setattr__(self, "springs", whole_number("springs", self.springs, 1, what))
         limit = self.strength * self.length * self.thickness
         require(
             self.axial_force < limit, what, "axial_force", self.axial_force,
@@ -266,9 +263,9 @@ class WallOnBed:
 
         ends = np.log([_SOFTEST, _STIFFEST])
         if not surplus(ends[0]) < 0 < surplus(ends[1]):
-            raise ValueError(
-                f"WallOnBed.of_test: no bed of {_SOFTEST:g} to {_STIFFEST:g} N/m3 gives the "
-                f"stiffness {stiffness:.4g} N/m at a force of {force:.4g} N: give it in N/m"
+            raise InputError("stiffness", stiffness, "WallOnBed.of_test").says(
+                f"no bed of {_SOFTEST:g} to {_STIFFEST:g} N/m3 gives the stiffness {stiffness:.4g} "
+                f"N/m at a force of {force:.4g} N: give it in N/m"
             )
         return wall(brentq(surplus, *ends, xtol=1e-9))
 
@@ -297,10 +294,9 @@ class WallOnBed:
         force = SECANT * self.rocking_strength
         path = self.pushover(self.length / 2)
         if path.strength < force:
-            raise ValueError(
-                f"WallOnBed.effective_stiffness: up to a displacement of {self.length / 2:.4g} m, "
-                f"half the length, the force stays below {force:.4g} N, {SECANT} of the rocking "
-                "strength: give a stiffer bed"
+            raise InputError("bed", of="WallOnBed.effective_stiffness").says(
+                f"up to a displacement of {self.length / 2:.4g} m, half the length, the force "
+                f"stays below {force:.4g} N, {SECANT} of the rocking strength: give a stiffer bed"
             )
         end = int(np.argmax(path.force >= force)) + 1
         return force / float(np.interp(force, path.force[:end], path.displacement[:end]))
@@ -318,7 +314,7 @@ class WallOnBed:
         WallPath
             Displacements and forces.
         """
-        return self.along([number("WallOnBed.pushover: displacement", displacement)])
+        return self.along([number("displacement", displacement, "WallOnBed.pushover")])
 
     def cycles(self, amplitudes: Sequence[float], repeat: int = 1) -> WallPath:
         """Path of cycles to and fro.
@@ -343,7 +339,7 @@ class WallOnBed:
             For an amplitude that is not positive.
         """
         (sizes,) = positive("WallOnBed.cycles", amplitudes=amplitudes)
-        turns = whole_number("WallOnBed.cycles: repeat", repeat, 1)
+        turns = whole_number("repeat", repeat, 1, "WallOnBed.cycles")
         return self.along([x for a in np.ravel(sizes) for x in (a, *(-a, a) * turns)])
 
     def along(self, displacements: Sequence[float]) -> WallPath:

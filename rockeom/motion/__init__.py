@@ -1,12 +1,11 @@
 """Ground motions: pulses, harmonic motion, records, synthetic ones and sets of them, in SI units.
 
-Type: `GroundMotion`, a table of analytic segments. Error: `MotionError`.
+Type: `GroundMotion`, a table of analytic segments. Error: `InputError`.
 """
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.segments import SegmentKind
 from rockeom.motion.units import STANDARD_GRAVITY
@@ -25,7 +24,6 @@ __all__ = [
     "GroundMotion",
     "JenningsEnvelope",
     "Measures",
-    "MotionError",
     "MotionSet",
     "Recording",
     "SegmentKind",

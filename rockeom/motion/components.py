@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable
 
 from rockeom.files import in_text
-from rockeom.motion.errors import FilePath
+from rockeom.numbers.checks import FilePath
 
 _CHANNEL = r"[bcdefhlms][hnlg]"
 """Band and instrument of a SEED channel code, such as HNZ; its third letter is the orientation."""

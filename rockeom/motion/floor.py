@@ -16,13 +16,11 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.motion.arguments import array, finite, positive
-from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.recording import Recording
 from rockeom.motion.spectra import oscillator_history
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, array_of, described, finite_number, positive_number
 
 _PER_PERIOD = 32
 """Samples in the shortest period, at least: lines between them miss its peaks by half a percent."""
@@ -68,7 +66,7 @@ def floor_motion(
 
     Raises
     ------
-    MotionError
+    InputError
         For values that are not in these ranges, for periods that do not fall, for another number of
         participations than of periods, and for a vertical record.
 
@@ -100,15 +98,13 @@ def floor_motion(
         rk.floor_motion(record, periods=[0.6, 0.2], participation=[0.9, 0.3])
     """
     if not isinstance(record, GroundMotion | Recording):
-        raise MotionError(f"record is {described(record)}: give a GroundMotion or a Recording")
+        raise InputError("record", record).give("a GroundMotion or a Recording")
     of_modes = _periods(periods)
-    xi, z = positive("damping_ratio", damping_ratio), finite("height", height)
+    xi, z = positive_number("damping_ratio", damping_ratio), finite_number("height", height)
     if xi >= 1.0:
-        raise MotionError(f"damping_ratio is {xi:g}: give a part of the critical one, such as 0.05")
+        raise InputError("damping_ratio", xi).give("a part of the critical one, such as 0.05")
     if not 0.0 <= z <= 1.0:
-        raise MotionError(
-            f"height is {z:g}: give the part of the height of the building, from 0 to 1, the roof"
-        )
+        raise InputError("height", z).give("a part of the height of the building, from 0 to 1")
     shares = _participation(participation, len(of_modes), z)
     where = f"floor at {z:g} of the height" if participation is None else "floor"
     if isinstance(record, GroundMotion):
@@ -122,7 +118,7 @@ def _of_modes(
 ) -> GroundMotion:
     """The motion of a floor to which modes contribute these shares."""
     if record.is_vertical:
-        raise MotionError(f"{record.name} is a vertical component: give a horizontal one")
+        raise InputError("record", record.name).give("a horizontal component")
     ground = _refined(record, periods, xi)
     assert ground.samples is not None
     assert ground.dt is not None
@@ -137,13 +133,11 @@ def _of_modes(
 
 def _periods(periods: ArrayLike) -> np.ndarray:
     """(n,) positive periods that fall [s]."""
-    found = np.atleast_1d(array("periods", periods))
+    found = np.atleast_1d(array_of("periods", periods))
     if found.ndim != 1 or not len(found) or not (np.isfinite(found) & (found > 0.0)).all():
-        raise MotionError(
-            f"periods are {found.tolist()} s: give positive numbers, one for each mode"
-        )
+        raise InputError("periods", found.tolist()).give("positive numbers, one for each mode")
     if (np.diff(found) >= 0.0).any():
-        raise MotionError(f"periods are {found.tolist()} s: give the longest first")
+        raise InputError("periods", found.tolist()).give("the longest first")
     return found
 
 
@@ -152,13 +146,13 @@ def _participation(given: ArrayLike | None, modes: int, height: float) -> np.nda
     if given is None:
         beta = (2.0 * np.arange(modes) + 1.0) * (math.pi / 2.0)
         return 2.0 / beta * np.sin(beta * height)
-    found = np.atleast_1d(array("participation", given))
+    found = np.atleast_1d(array_of("participation", given))
     if found.shape != (modes,) or not np.isfinite(found).all():
-        raise MotionError(
-            f"participation is {described(given)} for {modes} period(s): give a number for each"
+        raise InputError("participation", given).wrong(
+            f"is {described(given)} for {modes} period(s): give a number for each"
         )
     if height != 1.0:
-        raise MotionError(
+        raise InputError("participation").says(
             "height and participation exclude one another: participation says where the floor is"
         )
     return found

@@ -7,10 +7,8 @@ from collections.abc import Callable, Mapping
 from functools import cache, wraps
 from typing import Any, NamedTuple, TypeVar
 
-from rockeom.motion.arguments import positive
-from rockeom.motion.errors import MotionError
 from rockeom.motion.units import acceleration
-from rockeom.numbers.checks import is_number
+from rockeom.numbers.checks import InputError, is_number, positive_number
 
 C = TypeVar("C", bound=type)
 
@@ -44,13 +42,13 @@ class Formula(NamedTuple):
         return found
 
     def with_numbers(self, changes: Mapping[str, Any]) -> Any:
-        """The motion with other numbers; raises MotionError for a period with its frequency."""
+        """The motion with other numbers; raises InputError for a period with its frequency."""
         if {*_RECIPROCALS} <= changes.keys():
-            raise MotionError("period and frequency are one number of a motion: name one of both")
+            raise InputError("frequency").wrong("is 1/period: name one of both")
         arguments = dict(self.arguments)
         for name, x in changes.items():
             if arguments.get(name) is None and name in _RECIPROCALS:
-                arguments[_RECIPROCALS[name]] = 1 / positive(name, x)
+                arguments[_RECIPROCALS[name]] = 1 / positive_number(name, x)
             else:
                 arguments[name] = x
         return self.make(**arguments)

@@ -11,13 +11,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.motion.arguments import (
-    accelerations as _accelerations,
-    array as _array,
-    finite as _finite,
-    positive as _positive,
-)
-from rockeom.motion.errors import MEANT, FilePath, MotionError
 from rockeom.motion.formula import call_of, with_formulas
 from rockeom.motion.scaling import Acceleration, multiplier, named, scaled_name, target
 from rockeom.motion.segments import (
@@ -47,8 +40,16 @@ from rockeom.motion.units import STANDARD_GRAVITY, factor
 from rockeom.numbers import explained
 from rockeom.numbers.batch import one_of
 from rockeom.numbers.callers import warn_caller
-from rockeom.numbers.checks import described, number
-from rockeom.numbers.dual import nominal
+from rockeom.numbers.checks import (
+    FilePath,
+    InputError,
+    array_of,
+    finite_number,
+    number,
+    positive_number,
+    require,
+)
+from rockeom.numbers.dual import nominal, value_of
 from rockeom.numbers.pictures import picture
 
 if TYPE_CHECKING:
@@ -62,6 +63,33 @@ decides whether a structure overturns."""
 
 _RICKER_HALF_WINDOW = 2  # periods; beyond, the wavelet is below 1e-8 of its peak
 _ABSURD_PEAK = 10 * STANDARD_GRAVITY  # the strongest recorded one is about 4 g
+
+MEANT = {
+    "load": "read(path)",
+    "open": "read(path)",
+    "from_file": "read(path)",
+    "from_txt": "from_columns(path)",
+    "from_peer": "from_at2(path)",
+    "from_list": "from_array(values, dt)",
+    "from_numpy": "from_array(values, dt)",
+    "sine": "single_sine",
+    "cosine": "single_cosine",
+    "sinusoidal": "harmonic",
+    "pulse": "single_sine",
+    "noise": "kanai_tajimi",
+    "pga": "peak",
+    "pgv": "peak_velocity",
+    "pgd": "peak_displacement",
+    "t": "sampled(dt)",
+    "time": "sampled(dt)",
+    "times": "sampled(dt)",
+    "a": "acceleration(t)",
+    "values": "samples",
+    "scale": "scaled_to(pga=...)",
+    "spectrum": "response_spectrum(periods)",
+    "filter": "filtered(low, high)",
+}
+"""Names that people ask a ground motion or its class for, and what to write for each."""
 
 
 @explained.attributes(**MEANT)
@@ -95,7 +123,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
     Raises
     ------
-    MotionError
+    InputError
         For a table of another form.
 
     Notes
@@ -123,15 +151,15 @@ class GroundMotion(metaclass=explained.Constructors):
         # Adding zero copies, and makes -0.0 plain 0.0: equal tables have equal bytes.
         for field in ("segments", "samples"):
             if (values := getattr(self, field)) is not None:
-                values = _array(field, values) + 0.0
+                values = array_of(field, values) + 0.0
                 values.setflags(write=False)
                 object.__setattr__(self, field, values)
         _check_table(self.segments)
         for field in ("name", "source"):
             if not isinstance(getattr(self, field), str):
-                raise MotionError(f"{field} is {described(getattr(self, field))}: give a text")
+                raise InputError(field, getattr(self, field)).give("a text")
         if (self.dt is None) != (self.samples is None):
-            raise MotionError("dt and samples belong together: give both or neither")
+            raise InputError("dt").says("dt and samples belong together: give both or neither")
 
     # -- made from a formula
 
@@ -151,7 +179,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a duration that is not positive.
 
         Examples
@@ -162,7 +190,7 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> print(run.outcome)
         came to rest
         """
-        return _analytic("no shaking", [(_positive("duration", duration), LINEAR)])
+        return _analytic("no shaking", [(positive_number("duration", duration), LINEAR)])
 
     @classmethod
     def constant(
@@ -186,7 +214,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a duration that is not positive.
 
         Examples
@@ -197,7 +225,7 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> float(rk.simulate(block, push)["theta"].max())
         0.0
         """
-        a, end = _finite("acceleration", acceleration), _positive("duration", duration)
+        a, end = finite_number("acceleration", acceleration), positive_number("duration", duration)
         total = end if total_duration is None else total_duration
         name = named("constant, {:.4g} m/s2, {:.4g} s", a, end)
         return _analytic(name, [(end, LINEAR, a)]).padded_to(total)
@@ -225,7 +253,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a period that is not positive, and a duration shorter than the pulse.
 
         Examples
@@ -260,7 +288,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a period that is not positive, and a duration shorter than the pulse.
 
         Examples
@@ -295,7 +323,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a period that is not positive, and a duration shorter than the pulse.
         """
         return _pulse("single cosine", amplitude, period, 1.0, 0.5 * math.pi, duration)
@@ -337,7 +365,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For none or several of the three, and for numbers that are not positive.
 
         Examples
@@ -347,16 +375,18 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> shaking.duration  # s
         20.0
         """
-        a, phase = _finite("amplitude", amplitude), _finite("phase", phase)
-        end = _positive("duration", duration)
+        a, phase = finite_number("amplitude", amplitude), finite_number("phase", phase)
+        end = positive_number("duration", duration)
         values = {"frequency": frequency, "angular_frequency": angular_frequency, "period": period}
         stated = [name for name, value in values.items() if value is not None]
         if len(stated) != 1:
-            raise MotionError(
-                f"harmonic has {' and '.join(stated) or 'no frequency'}: give exactly one of "
-                "frequency [Hz], angular_frequency [rad/s] and period [s]"
+            has = f"has {' and '.join(stated) or 'no frequency'}"
+            raise (
+                InputError("harmonic")
+                .wrong(has)
+                .give("exactly one of frequency [Hz], angular_frequency [rad/s] and period [s]")
             )
-        value = _positive(stated[0], values[stated[0]])
+        value = positive_number(stated[0], values[stated[0]])
         omega = {
             "frequency": 2.0 * math.pi * value,
             "angular_frequency": value,
@@ -395,7 +425,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a period that is not positive, and a duration shorter than the wavelet.
 
         Notes
@@ -415,7 +445,7 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> round(wavelet.peak, 3)
         4.0
         """
-        a, t_p = _finite("amplitude", amplitude), _positive("period", period)
+        a, t_p = finite_number("amplitude", amplitude), positive_number("period", period)
         centre = _RICKER_HALF_WINDOW * t_p
         kind, c0, c1 = RICKER, a, math.pi / t_p
         if antisymmetric:
@@ -459,7 +489,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a period that is not positive, a gamma that is not above 1, and a duration shorter
             than the pulse.
 
@@ -474,12 +504,9 @@ class GroundMotion(metaclass=explained.Constructors):
         Mavroeidis and Papageorgiou, Bulletin of the Seismological Society of America 93 (2003)
         1099-1131.
         """
-        a, t_p = _finite("velocity", velocity), _positive("period", period)
-        g, nu = _finite("gamma", gamma), _finite("phase", phase)
-        if g <= 1.0:
-            raise MotionError(
-                f"gamma is {g:g}: give more than 1, the envelope is longer than a period"
-            )
+        a, t_p = finite_number("velocity", velocity), positive_number("period", period)
+        g, nu = finite_number("gamma", gamma), finite_number("phase", phase)
+        require(g > 1.0, "", "gamma", g, "give more than 1, the envelope is longer than a period")
         omega, end = 2.0 * math.pi / t_p, g * t_p
         pulse = (
             end, MAVROEIDIS_PAPAGEORGIOU, 0.5 * a * omega, omega, nu - math.pi * g, omega / g
@@ -529,7 +556,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For numbers that are not positive.
 
         Notes
@@ -552,8 +579,8 @@ class GroundMotion(metaclass=explained.Constructors):
         from rockeom.motion.synthetic import noise
 
         ground = (
-            _positive("angular_frequency", angular_frequency),
-            _positive("damping_ratio", damping_ratio),
+            positive_number("angular_frequency", angular_frequency),
+            positive_number("damping_ratio", damping_ratio),
         )
         made = noise("Kanai-Tajimi", spectral_intensity, ground, None, duration, seed, envelope, dt)
         return _of_noise(made)
@@ -602,7 +629,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For numbers that are not positive.
 
         Notes
@@ -617,12 +644,12 @@ class GroundMotion(metaclass=explained.Constructors):
         from rockeom.motion.synthetic import noise
 
         ground = (
-            _positive("angular_frequency", angular_frequency),
-            _positive("damping_ratio", damping_ratio),
+            positive_number("angular_frequency", angular_frequency),
+            positive_number("damping_ratio", damping_ratio),
         )
         high_pass = (
-            _positive("high_pass_angular_frequency", high_pass_angular_frequency),
-            _positive("high_pass_damping_ratio", high_pass_damping_ratio),
+            positive_number("high_pass_angular_frequency", high_pass_angular_frequency),
+            positive_number("high_pass_damping_ratio", high_pass_damping_ratio),
         )
         made = noise(
             "Clough-Penzien", spectral_intensity, ground, high_pass, duration, seed, envelope, dt
@@ -663,7 +690,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For NaN or infinity (with its index) and for other than one dimension.
 
         Examples
@@ -705,7 +732,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             With file, line, value and remedy, for anything the file does not state.
 
         Examples
@@ -745,7 +772,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             With file, line, value and remedy, for anything the file does not state, and for a time
             step that is not uniform.
 
@@ -803,7 +830,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             As `from_columns`.
 
         Examples
@@ -843,7 +870,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             With file, line, value and remedy, for anything the file does not state.
 
         Examples
@@ -870,7 +897,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             If none or several match, or if no extra is installed.
 
         Examples
@@ -899,7 +926,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             If none has the words, or if no extra is installed.
 
         Examples
@@ -948,7 +975,7 @@ class GroundMotion(metaclass=explained.Constructors):
             Acceleration [m/s2], in the shape of t. At a breakpoint the value is that of the segment
             which starts there.
         """
-        time = _array("t", t)
+        time = array_of("t", t)
         flat = time.ravel()
         index, tau = self._at(flat)
         result = _acceleration(self.segments[index], tau)
@@ -976,7 +1003,7 @@ class GroundMotion(metaclass=explained.Constructors):
             Velocity [m/s], in the shape of t. After the end it keeps its last value, which is zero
             only for a corrected motion.
         """
-        time = _array("t", t)
+        time = array_of("t", t)
         flat = np.clip(time.ravel(), 0.0, self.duration)
         index, tau = self._at(flat)
         result = _at_starts(self.segments)[0][index] + _velocity(self.segments[index], tau)
@@ -995,7 +1022,7 @@ class GroundMotion(metaclass=explained.Constructors):
         float or ndarray
             Displacement [m], in the shape of t.
         """
-        time = _array("t", t)
+        time = array_of("t", t)
         flat = np.clip(time.ravel(), 0.0, self.duration)
         index, tau = self._at(flat)
         v, d = _at_starts(self.segments)
@@ -1056,7 +1083,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For parts that are not between 0 and 1, and for no shaking.
         """
         return _intensity().significant_interval(self, lower, upper)
@@ -1128,10 +1155,10 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a step that is not positive.
         """
-        steps = math.floor(self.duration / _positive("dt", dt) * (1.0 + 1e-12))
+        steps = math.floor(self.duration / positive_number("dt", dt) * (1.0 + 1e-12))
         t = np.minimum(dt * np.arange(steps + 1), self.duration)
         return t, self.acceleration(t)
 
@@ -1155,7 +1182,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a factor of the times that is not positive.
 
         Examples
@@ -1166,7 +1193,7 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> weaker.peak, weaker.duration  # m/s2, s
         (1.75, 8.0)
         """
-        a, s = _finite("acceleration", acceleration), _positive("time", time)
+        a, s = finite_number("acceleration", acceleration), positive_number("time", time)
         if len(self.segments) > SHORT:
             a, s = one_of(a), one_of(s)  # one such table at a time, also of columns
         return GroundMotion(
@@ -1212,7 +1239,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For none or two of the three, sa without a period, a value that is not positive, and a
             motion without shaking.
 
@@ -1230,7 +1257,9 @@ class GroundMotion(metaclass=explained.Constructors):
             spectrum = self.response_spectrum(wanted.period, damping_ratio)
             found = spectrum.pseudo_acceleration[0]
         if found == 0.0:
-            raise MotionError(f"{self.name}: no factor makes a motion of zero acceleration shake")
+            raise InputError("pga", of=self.name).says(
+                "no factor makes a motion of zero acceleration shake"
+            )
         return self.scaled(wanted.value / found)
 
     def padded_to(self, duration: float) -> GroundMotion:
@@ -1248,14 +1277,14 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a duration shorter than that of the motion.
         """
-        wanted = _positive("duration", duration)
+        wanted = positive_number("duration", duration)
         if wanted < self.duration:
-            raise MotionError(
-                f"duration is {wanted:g} s, but {self.name or 'the motion'} lasts "
-                f"{self.duration:g} s: give a longer duration"
+            raise InputError("duration", wanted).wrong(
+                f"is {wanted:g} s, but {self.name or 'the motion'} lasts {self.duration:g} s: give "
+                "a longer duration"
             )
         if wanted == self.duration:
             return self
@@ -1277,10 +1306,10 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a time that is not positive.
         """
-        return self.padded_to(self.duration + _positive("quiet", quiet))
+        return self.padded_to(self.duration + positive_number("quiet", quiet))
 
     # -- processed
 
@@ -1303,7 +1332,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a motion without samples and for a degree that such a polynomial cannot have.
         """
         return self._changed(_processing().baseline_corrected(self, degree, of))
@@ -1330,7 +1359,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a motion without samples, and for corners in wrong order, above half of the rate of
             sampling, or so low that a hundredth of a period fills the record.
 
@@ -1362,7 +1391,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a step that is not positive, another method, or a ratio of steps that the method
             cannot have.
         """
@@ -1386,7 +1415,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For times outside the motion, for fewer than two samples, and where a
             Mavroeidis-Papageorgiou pulse would lose its beginning.
 
@@ -1429,7 +1458,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For motions without samples, or with other times.
 
         Examples
@@ -1444,8 +1473,8 @@ class GroundMotion(metaclass=explained.Constructors):
         8.272833079011688
         """
         if not isinstance(other, GroundMotion):
-            raise MotionError(f"other is {described(other)}: give a GroundMotion")
-        turn = _finite("angle", angle)
+            raise InputError("other", other).give("a GroundMotion")
+        turn = finite_number("angle", angle)
         segments, samples = _processing().rotated(self, other, turn)
         name = (
             f"{named('{:.4g} degrees from ', turn * (180.0 / math.pi))}{self.name} to {other.name}"
@@ -1502,6 +1531,20 @@ class GroundMotion(metaclass=explained.Constructors):
 # -- construction --------------------------------------------------------------------------------
 
 
+def _accelerations(acceleration: ArrayLike) -> np.ndarray:
+    """Accelerations of a record as finite numbers (n,).
+
+    Raises InputError for other than one dimension, and for NaN or infinity, with the index.
+    """
+    values = array_of(
+        "acceleration", acceleration, bounds="numbers; GroundMotion.read reads a file"
+    )
+    require(values.ndim == 1, "", "acceleration", values, "give one dimension, (n,)")
+    finite = np.isfinite(value_of(values))
+    require(finite, "", "acceleration", values, "give finite numbers, or cut the record there")
+    return values
+
+
 def _analytic(name: str, segments: list[tuple[float, ...]]) -> GroundMotion:
     """Segments one after the other, each by its end, kind and constants."""
     rows = []
@@ -1521,11 +1564,11 @@ def _pulse(
     duration: float | None,
 ) -> GroundMotion:
     """A sine with a phase angle for a number of periods, and quiet time after it."""
-    a, t_p = _finite("amplitude", amplitude), _positive("period", period)
+    a, t_p = finite_number("amplitude", amplitude), positive_number("period", period)
     end = periods * t_p
     pulse = (end, SINE, a, 2.0 * math.pi / t_p, angle)
     name = named(shape + ", {:.4g} m/s2, {:.4g} s", a, t_p)
-    total = end + QUIET_PERIODS * t_p if duration is None else _positive("duration", duration)
+    total = end + QUIET_PERIODS * t_p if duration is None else positive_number("duration", duration)
     if total > end:  # both at once: maps make many of them
         return _analytic(name, [pulse, (total, LINEAR)])
     return _analytic(name, [pulse]).padded_to(total)
@@ -1567,9 +1610,9 @@ def _from_record(
     a: np.ndarray, dt: float, name: str, source: str, is_vertical: bool = False
 ) -> GroundMotion:
     """A record as linear segments between samples."""
-    dt = _positive("dt", dt)
+    dt = positive_number("dt", dt)
     if len(a) < 2:
-        raise MotionError(f"{source}: {len(a)} sample(s), where a record needs two or more")
+        raise InputError("acceleration", a, source).give("two samples or more")
     largest = np.abs(a).max()
     if largest > _ABSURD_PEAK:
         warn_caller(

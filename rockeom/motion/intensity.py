@@ -15,11 +15,10 @@ from functools import cached_property
 import numpy as np
 
 from rockeom.motion import segments as table
-from rockeom.motion.arguments import finite, positive
-from rockeom.motion.errors import MotionError
 from rockeom.motion.segments import Motion
 from rockeom.motion.spectra import response_spectrum
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.checks import InputError, finite_number, positive_number
 from rockeom.numbers.functions import gauss_rule
 
 BRACKET = 0.05 * STANDARD_GRAVITY
@@ -168,7 +167,7 @@ def arias_intensity(motion: Motion, gravity: float = STANDARD_GRAVITY) -> float:
     float
         Intensity [m/s].
     """
-    return _Parts(motion).arias_intensity(positive("gravity", gravity))
+    return _Parts(motion).arias_intensity(positive_number("gravity", gravity))
 
 
 def cumulative_absolute_velocity(motion: Motion) -> float:
@@ -210,17 +209,17 @@ def significant_interval(
 
     Raises
     ------
-    MotionError
+    InputError
         For other parts and for a motion that does not shake.
     """
-    parts = finite("lower", lower), finite("upper", upper)
+    parts = finite_number("lower", lower), finite_number("upper", upper)
     if not 0.0 <= parts[0] < parts[1] <= 1.0:
-        raise MotionError(
-            f"lower is {parts[0]:g} and upper {parts[1]:g}: give parts of the Arias intensity "
-            "between 0 and 1, the smaller one first, such as 0.05 and 0.95"
+        raise InputError("lower", parts[0]).wrong(
+            f"is {parts[0]:g} and upper {parts[1]:g}: give parts of the Arias intensity between 0 "
+            "and 1, the smaller one first, such as 0.05 and 0.95"
         )
     if motion.peak == 0.0:
-        raise MotionError(f"{motion.name or 'the motion'} does not shake: it has no duration")
+        raise InputError("motion", motion.name).so("it does not shake, and has no duration")
     return _Parts(motion).significant_interval(*parts)
 
 
@@ -260,7 +259,7 @@ def bracketed_duration(motion: Motion, threshold: float = BRACKET) -> float:
     float
         Time [s]; 0.0 if it never does.
     """
-    return _Parts(motion).bracketed_duration(positive("threshold", threshold))
+    return _Parts(motion).bracketed_duration(positive_number("threshold", threshold))
 
 
 def mean_period(motion: Motion) -> float:

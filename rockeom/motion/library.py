@@ -6,16 +6,15 @@ import re
 from collections.abc import Iterable
 from functools import cache
 
-from rockeom.motion.errors import MotionError
 from rockeom.motion.stored import COLLECTIONS, Stored
-from rockeom.numbers.checks import described, installed_by, near
+from rockeom.numbers.checks import InputError, installed_by, near, require_type
 
 
 @cache
 def records() -> dict[str, Stored]:
     """Each record by a name made of its words: earthquake, year, station, component, set.
 
-    Raises MotionError where no package that carries records is installed.
+    Raises InputError where no package that carries records is installed.
     """
     found = {
         "_".join(_words(title)): record
@@ -24,7 +23,7 @@ def records() -> dict[str, Stored]:
         for title, record in collection.titles().items()
     }
     if not found:
-        raise MotionError(
+        raise InputError("words").says(
             f"recorded ground motions come from packages that are not installed{_not_installed()}"
         )
     return found
@@ -33,29 +32,32 @@ def records() -> dict[str, Stored]:
 def names(words: str) -> tuple[str, ...]:
     """Names of the records that have all these words, such as "far field"; all for no words.
 
-    Raises MotionError if none has them, with the names there are, and TypeError for what is no
+    Raises InputError if none has them, with the names there are, and TypeError for what is no
     text.
     """
-    if not isinstance(words, str):
-        raise TypeError(f"words is {described(words)}: give a text, such as 'El Centro 1940 180'")
+    require_type("words", words, str, "a text, such as 'El Centro 1940 180'")
     wanted = set(_words(words))
     matches = tuple(name for name in records() if wanted <= set(name.split("_")))
     if not matches:
-        raise MotionError(f"no record has all the words of {words!r}{_nearest(wanted)}")
+        raise InputError("words", words).says(
+            f"no record has all the words of {words!r}{_nearest(wanted)}"
+        )
     return matches
 
 
 def find(words: str) -> Stored:
     """The one record whose name has all these words, such as "El Centro 1940 180".
 
-    Raises MotionError if none or several have them, with the names there are, and TypeError for
+    Raises InputError if none or several have them, with the names there are, and TypeError for
     what is no text.
     """
     if isinstance(words, str) and words in records():
         return records()[words]
     matches = names(words)
     if len(matches) > 1:
-        raise MotionError(f"several records have all the words of {words!r}{_choose(matches)}")
+        raise InputError("words", words).says(
+            f"several records have all the words of {words!r}{_choose(matches)}"
+        )
     return records()[matches[0]]
 
 
@@ -75,14 +77,13 @@ def _nearest(wanted: set[str]) -> str:
 
 def _choose(among: Iterable[str]) -> str:
     listed = "\n  ".join(among)
-    return f". Remedy: choose from\n  {listed}{_not_installed()}"
+    return f": choose from\n  {listed}{_not_installed()}"
 
 
 def _not_installed() -> str:
     """A line for each collection that could be had."""
     return "".join(
-        f"\nThose of {collection.package} are not installed. "
-        f"Remedy: {installed_by(collection.extra)}."
+        f"\nThose of {collection.package} are not installed: {installed_by(collection.extra)}"
         for collection in COLLECTIONS
         if not collection.is_installed
     )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fnmatch import fnmatch
@@ -14,9 +13,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.files import in_text
 from rockeom.motion import intensity as measured, library
-from rockeom.motion.arguments import positive
 from rockeom.motion.components import name_of
-from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.recording import Recording
 from rockeom.motion.recordings import chosen, recordings
@@ -24,7 +21,14 @@ from rockeom.motion.scaling import Acceleration, target
 from rockeom.motion.spectra import ResponseSpectrum
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described, near
+from rockeom.numbers.checks import (
+    FilePath,
+    InputError,
+    described,
+    in_template,
+    near,
+    positive_number,
+)
 from rockeom.numbers.pictures import picture
 
 Intensity = str | Callable[[GroundMotion], float]
@@ -58,7 +62,7 @@ class MotionSet(Sequence[GroundMotion]):
 
     Raises
     ------
-    MotionError
+    InputError
         For no motions, and for two of one name.
 
     Examples
@@ -80,19 +84,20 @@ class MotionSet(Sequence[GroundMotion]):
 
     def __init__(self, motions: Iterable[GroundMotion], name: str = "") -> None:
         if isinstance(motions, GroundMotion) or not isinstance(motions, Iterable):
-            raise MotionError(f"motions is {described(motions)}: give a list of motions")
+            raise InputError("motions", motions).give("a list of motions")
         self._motions = tuple(motions)
         self.name = name
         if not self._motions:
-            raise MotionError("a set of no motions: give one or more")
+            raise InputError("motions").says("a set of no motions: give one or more")
         for one in self._motions:
             if not isinstance(one, GroundMotion):
-                raise MotionError(f"{described(one)} is in a set of motions: give GroundMotions")
+                raise InputError("motions", one).give("GroundMotions alone")
         for given in self.names:
             if not given or self.names.count(given) > 1:
-                raise MotionError(
-                    f"{self.names.count(given)} motion(s) of a set have the name {given!r}: give "
-                    "each one of its own, by dataclasses.replace(motion, name=...)"
+                raise InputError("motions", given).says(
+                    f"{self.names.count(given)} motion(s) of a set have the name {given!r}: name "
+                    "each once",
+                    "dataclasses.replace(motion, name=...) gives another name",
                 )
 
     @classmethod
@@ -130,7 +135,7 @@ class MotionSet(Sequence[GroundMotion]):
 
         Raises
         ------
-        MotionError
+        InputError
             Where no file has such a name or is of such a component, and where one cannot be read:
             the message names all that cannot.
 
@@ -141,30 +146,29 @@ class MotionSet(Sequence[GroundMotion]):
         """
         folder = Path(path)
         if not folder.is_dir():
-            raise MotionError(f"{os.fspath(path)} is no folder: give one that holds records")
+            raise InputError("path", folder).give("a folder that holds records")
         files = sorted(p for p in folder.iterdir() if p.is_file())
         if not isinstance(pattern, str):
-            raise MotionError(f'pattern is {described(pattern)}: give a text, such as "*.at2"')
+            raise InputError("pattern", pattern).give('a text, such as "*.at2"')
         wanted = [p for p in files if fnmatch(p.name.lower(), pattern.lower())]
         if not wanted:
             endings = ", ".join(sorted({p.suffix for p in files if p.suffix})) or "none at all"
-            raise MotionError(
-                f"{folder} holds no file like {pattern!r} among {len(files)}: give another "
-                f"pattern; the endings are {endings}"
+            raise InputError("pattern", pattern).says(
+                f"{folder} holds no file like {pattern!r} among {len(files)}: name the files "
+                f"themselves; the endings are {endings}",
+                "or give another pattern",
             )
         motions, faults = [], []
         for file in wanted:
             name = name_of(file)
             try:
                 motions.append(GroundMotion.read(file, units=units, gravity=gravity, name=name))
-            except (MotionError, OSError) as error:
-                faults.append(str(error))
+            except InputError as error:
+                faults.append(error.in_words(in_template))
         if faults:
-            raise MotionError(
-                f"{len(faults)} of {len(wanted)} files cannot be read, and none is left out "
-                "silently: mend them, or give a pattern that they do not have\n  "
-                + "\n  ".join(faults)
-            )
+            text = f"{len(faults)} of {len(wanted)} files cannot be read, and none is left out"
+            mend = "mend them, or name those that can be read"
+            raise InputError("path", path).says(text).so("\n  ".join([mend, *faults]))
         made = cls(motions, in_text(folder).name)
         kept = chosen(dict(zip(made.names, made, strict=True)), components, str(folder))
         return cls(kept.values(), made.name)
@@ -193,7 +197,7 @@ class MotionSet(Sequence[GroundMotion]):
 
         Raises
         ------
-        MotionError
+        InputError
             If none has the words, if no extra is installed, and where a record has no such factor.
         """
         read = {name: GroundMotion.from_library(name) for name in library.names(words)}
@@ -204,9 +208,9 @@ class MotionSet(Sequence[GroundMotion]):
                 stored = library.records()[name]
                 factor = getattr(stored, "normalization", None)
                 if factor is None:
-                    raise MotionError(
-                        f"{name} is in no set of FEMA P695, which has factors: leave out "
-                        "normalized, or give words of such a set"
+                    raise InputError(name).wrong(
+                        "is in no set of FEMA P695, which has factors: leave out normalized, or "
+                        "give words of such a set"
                     )
                 source = f"{motion.source}, normalized"
                 motion = replace(motion.scaled(factor), name=motion.name, source=source)
@@ -273,7 +277,7 @@ class MotionSet(Sequence[GroundMotion]):
 
         Raises
         ------
-        MotionError
+        InputError
             For a vertical component without a horizontal one, for more components than three of one
             name, and for two azimuths that are not at right angles.
 
@@ -328,7 +332,7 @@ class MotionSet(Sequence[GroundMotion]):
 
         Raises
         ------
-        MotionError
+        InputError
             For another word, and where a period is missing or of no use.
         """
         of = _function(intensity, period, damping_ratio)
@@ -377,7 +381,7 @@ class MotionSet(Sequence[GroundMotion]):
 
         Raises
         ------
-        MotionError
+        InputError
             For impossible arguments, where a motion has none of that intensity, where a function
             proves not to be proportional, and for "each" of a set that has vertical components
             among horizontal ones.
@@ -412,7 +416,7 @@ class MotionSet(Sequence[GroundMotion]):
         if callable(intensity) and not np.isclose(
             measure(scaled[0]), found[0] * factors[0], rtol=1e-6, atol=0.0
         ):
-            raise MotionError(
+            raise InputError("intensity").says(
                 f"{described(intensity)} is {found[0]:g} of {self.names[0]}, and "
                 f"{measure(scaled[0]):g} of {factors[0]:g} times that: give an intensity "
                 "proportional to the accelerations"
@@ -425,7 +429,7 @@ class MotionSet(Sequence[GroundMotion]):
         counts = ~vertical | vertical.all()
         for motion, one in zip(self, np.where(counts, found, wanted), strict=True):
             if not (np.isfinite(one) and one > 0.0):
-                raise MotionError(
+                raise InputError("value", wanted).says(
                     f"{motion.name} has an intensity of {one:g}: no factor makes it {wanted:g}"
                 )
         if of in _MIDDLES:
@@ -441,9 +445,9 @@ class MotionSet(Sequence[GroundMotion]):
             return np.array([reached[name] for name in self.names])
         if of != "each":
             words = ", ".join(("each", "recording", *_MIDDLES))
-            raise MotionError(f"of is {described(of)}: choose one of {words}")
+            raise InputError("of", of).so(f"choose one of {words}")
         if vertical.any() and not vertical.all():
-            raise MotionError(
+            raise InputError("of").says(
                 f"{self.names[int(vertical.argmax())]} is a vertical component, which is scaled "
                 'along with its recording: give of="recording"'
             )
@@ -505,11 +509,11 @@ def _asked(
         wanted = target(intensity, pga, sa, period)
         return wanted.intensity, wanted.value
     if pga is not None or sa is not None:
-        raise MotionError("scaled_to has two intensities: give a word with its value, pga or sa")
+        raise InputError("intensity", intensity).so("there are two: give a word, pga or sa")
     measure: Any = intensity
     if word in ("pga", "sa"):
         value = acceleration("value", value)
-    return measure, positive("value", value)
+    return measure, positive_number("value", value)
 
 
 def _function(
@@ -521,17 +525,17 @@ def _function(
     word = _word(intensity)
     if word not in _NAMES:
         hint = near(word, _NAMES)
-        raise MotionError(
-            f"intensity {described(intensity)} is unknown{hint}: choose one of "
-            f"{', '.join(_NAMES)}, or give a function of a motion"
+        raise InputError("intensity", intensity).says(
+            f"intensity {described(intensity)} is unknown{hint}: choose one of {', '.join(_NAMES)}"
+            ", or give a function of a motion"
         )
     if word != "sa":
         if period is not None:
-            raise MotionError(f"{intensity} has no period: leave it out, or give sa")
+            raise InputError("period", period).so(f"{intensity} has none: leave it out, or give sa")
         return _OF_MOTION[word]
     if period is None:
-        raise MotionError("sa needs the period of its oscillator [s]: give period=")
-    t = positive("period", period)
+        raise InputError("sa").wrong("needs the period of its oscillator [s]: give {period}")
+    t = positive_number("period", period)
     return lambda motion: float(motion.response_spectrum(t, damping_ratio).pseudo_acceleration[0])
 
 

@@ -8,10 +8,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rockeom.motion.arguments import finite, positive, whole
-from rockeom.motion.errors import MotionError
 from rockeom.motion.segments import C0, KIND, START, Motion, cut
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import (
+    InputError,
+    described,
+    finite_number,
+    positive_number,
+    whole_number,
+)
 from rockeom.numbers.functions import mathematics
 
 
@@ -43,18 +47,16 @@ has it."""
 def baseline_corrected(motion: Motion, degree: int, of: str) -> Processed:
     """See `GroundMotion.baseline_corrected`."""
     if not isinstance(of, str) or of not in _INTEGRALS:
-        raise MotionError(
+        raise InputError("of", of).says(
             f"a baseline of {described(of)} is unknown: choose one of {', '.join(_INTEGRALS)}"
         )
     first = _INTEGRALS[of]
-    n = whole("degree", degree, first)
+    n = whole_number("degree", degree, first)
     if n > _MOST_DEGREE:
-        raise MotionError(
-            f"degree is {n}: give at most {_MOST_DEGREE}, filtered(low=) takes out what is faster"
-        )
+        raise InputError("degree", n).give(f"at most {_MOST_DEGREE}; filtered(low=) takes out more")
     samples, dt = _samples(motion, "a baseline")
     if len(samples) <= n + 1:
-        raise MotionError(f"{len(samples)} samples have no polynomial of degree {n}: give less")
+        raise InputError("degree", n).give(f"less: there are {len(samples)} samples")
     t = dt * np.arange(len(samples))
     x = t / t[-1]
     powers = np.arange(first, n + 1)
@@ -69,22 +71,24 @@ def baseline_corrected(motion: Motion, degree: int, of: str) -> Processed:
 def filtered(motion: Motion, low: float | None, high: float | None, order: int) -> Processed:
     """See `GroundMotion.filtered`."""
     samples, dt = _samples(motion, "a filter")
-    n = whole("order", order, 1)
+    n = whole_number("order", order, 1)
     if low is None and high is None:
-        raise MotionError("a filter has no corner: give low, high or both [Hz]")
+        raise InputError("low").says("a filter has no corner: give low, high or both [Hz]")
     nyquist, slowest = 0.5 / dt, _SLOWEST / motion.duration
     given = {"low": low, "high": high}
-    corners = {name: finite(name, value) for name, value in given.items() if value is not None}
+    corners = {
+        name: finite_number(name, value) for name, value in given.items() if value is not None
+    }
     for name, corner in corners.items():
         if not slowest < corner < nyquist:
-            raise MotionError(
-                f"{name} is {corner:g} Hz: give a corner below {nyquist:g} Hz, half of the rate of "
-                f"sampling, and above {slowest:g} Hz, of which the record has nothing to tell"
+            raise InputError(name, corner).give(
+                f"a corner below {nyquist:g} Hz, half of the rate of sampling, and above "
+                f"{slowest:g} Hz, of which the record has nothing to tell"
             )
     if len(corners) == 2 and corners["low"] >= corners["high"]:
-        raise MotionError(
-            f"low is {corners['low']:g} Hz and high {corners['high']:g} Hz: what lies between them "
-            "is kept, give the smaller one as low"
+        raise InputError("low", corners["low"]).wrong(
+            f"is {corners['low']:g} Hz and high {corners['high']:g} Hz: what lies between them is "
+            "kept, give the smaller one as low"
         )
     from scipy.signal import butter, sosfiltfilt  # takes long to import
 
@@ -100,18 +104,18 @@ def filtered(motion: Motion, low: float | None, high: float | None, order: int) 
 
 def resampled(motion: Motion, dt: float, method: str) -> Processed:
     """See `GroundMotion.resampled`."""
-    new = positive("dt", dt)
+    new = positive_number("dt", dt)
     if new > motion.duration:
-        raise MotionError(f"dt is {new:g} s: give less than the motion's {motion.duration:g} s")
+        raise InputError("dt", new).give(f"less than the motion's {motion.duration:g} s")
     if method == "linear":
         return Processed(f"taken every {new:g} s", motion.sampled(new)[1], new)
     if method != "band limited":
-        raise MotionError(f'method is {described(method)}: give "linear" or "band limited"')
+        raise InputError("method", method).give('"linear" or "band limited"')
     samples, old = _samples(motion, "a band-limited interpolation")
     ratio = Fraction(old / new).limit_denominator(_LARGEST_RATIO)
     if abs(ratio * new / old - 1) > 1e-9 or ratio.numerator > _LARGEST_RATIO:
-        raise MotionError(
-            f"dt is {new:g} s and that of the record {old:g} s, which are in no ratio of whole "
+        raise InputError("dt", new).wrong(
+            f"is {new:g} s and that of the record {old:g} s, which are in no ratio of whole "
             f'numbers up to {_LARGEST_RATIO}: give another one, or method="linear"'
         )
     from scipy.signal import resample_poly  # takes long to import
@@ -124,10 +128,10 @@ def resampled(motion: Motion, dt: float, method: str) -> Processed:
 
 def trimmed(motion: Motion, start: float, end: float) -> Processed:
     """See `GroundMotion.trimmed`."""
-    first, last = finite("start", start), finite("end", end)
+    first, last = finite_number("start", start), finite_number("end", end)
     if not 0.0 <= first < last <= motion.duration * (1.0 + 1e-12):
-        raise MotionError(
-            f"start is {first:g} s and end {last:g} s: give times between 0 and the motion's "
+        raise InputError("start", first).wrong(
+            f"is {first:g} s and end {last:g} s: give times between 0 and the motion's "
             f"{motion.duration:g} s, the smaller one first"
         )
     done = f"from {first:g} to {last:g} s"
@@ -138,9 +142,9 @@ def trimmed(motion: Motion, start: float, end: float) -> Processed:
     try:
         segments = cut(motion.segments, first, last)
     except ValueError:
-        raise MotionError(
-            f"start is {first:g} s, within a Mavroeidis-Papageorgiou pulse, which has no end "
-            "without its beginning: make a record of it first, by resampled(dt)"
+        raise InputError("start", first).wrong(
+            f"is {first:g} s, within a Mavroeidis-Papageorgiou pulse, which has no end without its "
+            "beginning: make a record of it first, by resampled(dt)"
         ) from None
     return Processed(done, segments=segments)
 
@@ -153,9 +157,9 @@ def rotated(motion: Motion, other: Motion, turn: float) -> tuple[np.ndarray, np.
         or other.samples is None
         or not np.array_equal(motion.segments[:, times], other.segments[:, times])
     ):
-        raise MotionError(
-            f"{motion!r} and {other!r} were not recorded at the same times: give two components "
-            "of one record; if one is longer, cut its samples and use GroundMotion.from_array"
+        raise InputError("other", other).says(
+            f"{motion!r} and {other!r} were not recorded at the same times: give two components of "
+            "one record; if one is longer, cut its samples and use GroundMotion.from_array"
         )
     cosine, sine = mathematics.cos(turn), mathematics.sin(turn)
     segments = motion.segments.astype(np.result_type(motion.segments, type(turn)))
@@ -166,7 +170,7 @@ def rotated(motion: Motion, other: Motion, turn: float) -> tuple[np.ndarray, np.
 def _samples(motion: Motion, what: str) -> tuple[np.ndarray, float]:
     """The samples of a record, with zeros for the quiet time after it, and their step [s]."""
     if motion.samples is None or motion.dt is None:
-        raise MotionError(
+        raise InputError("motion").says(
             f"{motion.name or 'the motion'} has no samples for {what}: resampled(dt) gives it some"
         )
     n = math.floor(motion.duration / motion.dt * (1.0 + 1e-12)) + 1

@@ -1,6 +1,6 @@
 """Readers of records: accelerations (PEER .AT2, columns of text) and the channels of a test.
 
-A reader returns what the file says, in SI units, or raises `MotionError`: it fills no gap, drops no
+A reader returns what the file says, in SI units, or raises `InputError`: it fills no gap, drops no
 value and guesses no unit.
 
 The bytes of a file are held once, and its lines are made one at a time. The time is in proportion
@@ -29,10 +29,15 @@ import numpy as np
 
 from rockeom.files import in_text
 from rockeom.motion import components
-from rockeom.motion.arguments import positive
-from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.units import CHANNEL_UNITS, NAMES, channel_factor, factor, is_known
-from rockeom.numbers.checks import described, is_number
+from rockeom.numbers.checks import (
+    FilePath,
+    InputError,
+    InputTypeError,
+    described,
+    is_number,
+    positive_number,
+)
 
 Column = str | int
 
@@ -94,26 +99,30 @@ def read_csv(
     refuses what looks like these.
     """
     if layout not in (None, "columns", "wrapped"):
-        raise MotionError(f'layout is {described(layout)}: choose "columns" or "wrapped"')
+        raise InputError("layout", layout).so('choose "columns" or "wrapped"')
     table = _table(_open(path))
     if (time_column is None) == (dt is None):
         what = "time_column and dt are both given, or neither"
         remedy = "give the column of the times, or the time step [s] of a file without one"
-        raise MotionError.at(path, None, what, remedy)
+        raise InputError.at(path, None, what, remedy, "dt")
     if layout == "wrapped":
         if dt is None or acceleration_column is not None:
-            what = 'layout="wrapped" has no columns to name'
-            raise MotionError.at(path, None, what, "give dt, and no column")
-        return _record(table, positive("dt", dt), 0, units, gravity, name, _in_sequence(table))
+            what = "a wrapped layout has no columns to name"
+            raise InputError.at(path, None, what, "give {dt}, and no column", "layout")
+        return _record(
+            table, positive_number("dt", dt), 0, units, gravity, name, _in_sequence(table)
+        )
     if layout is None and dt is not None and not table.names and _runs_on(table):
         what = f"its {len(table.first)} columns look like one sequence of values, line by line"
-        remedy = 'say layout="wrapped" if it is one, or layout="columns" if each is a channel'
-        raise MotionError.at(path, table.first_line, what, remedy)
+        remedy = 'say {layout:"wrapped"} if it is one, or {layout:"columns"} if each is a channel'
+        raise InputError.at(path, table.first_line, what, remedy, "layout")
     if acceleration_column is None and (len(table.first) > 1 or dt is None):
         what = f"no column of {len(table.first)} is named as that of the acceleration"
-        raise MotionError.at(path, table.first_line, what, "name acceleration_column")
+        raise InputError.at(
+            path, table.first_line, what, "name it by {acceleration_column}", "acceleration_column"
+        )
     acceleration = 0 if acceleration_column is None else _column(table, acceleration_column)
-    time = positive("dt", dt) if time_column is None else _column(table, time_column)
+    time = positive_number("dt", dt) if time_column is None else _column(table, time_column)
     return _record(table, time, acceleration, units, gravity, name)
 
 
@@ -132,7 +141,7 @@ def read_channels(
     table = _table(_open(path))
     if not table.names:
         remedy = "write a first line with a name for each column, such as time (s), theta (deg)"
-        raise MotionError.at(path, None, "the columns have no names", remedy)
+        raise InputError.at(path, None, "the columns have no names", remedy)
     time = _column(
         table, time_column if isinstance(time_column, int) else _full(table, time_column)
     )
@@ -143,11 +152,11 @@ def read_channels(
         if times[name] != 1 or places[name] == time:
             known = ", ".join(_short(n) for i, n in enumerate(bare) if i != time)
             what = f"no single channel is called {described(name)}; the names are {known}"
-            raise MotionError.at(path, table.header_line, what, "use one of these names")
+            raise InputError.at(path, table.header_line, what, "use one of these names")
     columns = {places[name]: name for name in wanted}
     if len(columns) < len(wanted):
         what = f"a channel is named twice in {wanted}"
-        raise MotionError.at(path, table.header_line, what, "name each once")
+        raise InputError.at(path, table.header_line, what, "name each once")
     factors = [_channel_factor(table, i, n, units.get(n), gravity) for i, n in columns.items()]
     start, dt, values = _sampled(table, time, columns)
     scaled = {n: v * f for n, v, f in zip(wanted, values, factors, strict=True)}
@@ -170,13 +179,15 @@ def _channel_factor(
     known = ", ".join(CHANNEL_UNITS)
     if stated is None:
         remedy = f"say units={{{name!r}: ...}} with one of {known}, or leave the channel out"
-        raise MotionError.at(path, line, f"nothing says the unit of {_short(name)}", remedy)
+        raise InputError.at(path, line, f"nothing says the unit of {_short(name)}", remedy, "units")
     if not isinstance(stated, str) or (found := channel_factor(stated, gravity)) is None:
         what = f"the unit of {_short(name)} is {described(stated)}, which is unknown"
-        raise MotionError.at(path, line, what, f"give one of {known}")
+        raise InputError.at(path, line, what, f"give one of {known}", "units")
     if in_file is not None and asked is not None and channel_factor(in_file, gravity) != found:
         what = f"the heading states {_short(name)} in {in_file!r}, the caller in {asked!r}"
-        raise MotionError.at(path, line, what, "leave it out of units=, or correct the file")
+        raise InputError.at(
+            path, line, what, "leave it out of {units}, or correct the file", "units"
+        )
     return found
 
 
@@ -211,7 +222,7 @@ class _Text:
         for number, line in enumerate(file, 1):
             if len(line) > _LONGEST_LINE:
                 what = f"a line of {len(line)} letters, where {_LONGEST_LINE} are the most"
-                raise MotionError.at(self.path, number, what, "break it into shorter lines")
+                raise InputError.at(self.path, number, what, "break it into shorter lines")
             yield number, line
 
     def content(self) -> Iterator[list[tuple[int, str]]]:
@@ -225,13 +236,12 @@ class _Text:
 def _open(path: FilePath) -> _Text:
     """A text file that can hold a record of acceleration.
 
-    Raises MotionError for a file that is missing, empty, binary, a web page, or a PEER record of
+    Raises InputError for a file that is missing, empty, binary, a web page, or a PEER record of
     velocity or displacement by its name, and TypeError for what is no path.
     """
     if not isinstance(path, str | os.PathLike) or isinstance(os.fspath(path), bytes):
-        raise TypeError(
-            f"path is {described(path)}: give the path of a file, as text or pathlib.Path; "
-            "GroundMotion.from_array takes numbers"
+        raise InputTypeError("path", path).give(
+            "the path of a file, as text or pathlib.Path; GroundMotion.from_array takes numbers"
         )
     quantity = _OTHER_QUANTITY.get(Path(path).suffix.lower())
     if quantity:
@@ -239,25 +249,25 @@ def _open(path: FilePath) -> _Text:
     # A mark at the start, of UTF-8; an end of file under DOS.
     raw = _bytes(path).removeprefix(codecs.BOM_UTF8).rstrip(b"\x1a")
     if not raw or raw.isspace():
-        raise MotionError.at(path, None, f"the file is empty ({len(raw)} bytes)", _GET_AGAIN)
+        raise InputError.at(path, None, f"the file is empty ({len(raw)} bytes)", _GET_AGAIN)
     if junk := _CONTROL.search(raw):
         before = sum(1 for _ in _LINE_END.finditer(raw, 0, junk.start()))
         what = f"the file is not plain text (byte {junk[0][0]})"
         remedy = "unpack it if it is an archive, or export it as text (UTF-8)"
-        raise MotionError.at(path, 1 + before, what, remedy)
+        raise InputError.at(path, 1 + before, what, remedy)
     text = _Text(path, raw, _encoding(raw))
     for number, line in text.lines():
         if first := line.strip():
             if first.startswith("<"):
                 what = f"this is a web page (HTML), not a record: {_short(first)}"
                 remedy = "download the record itself; a site often sends its sign-in page instead"
-                raise MotionError.at(path, number, what, remedy)
+                raise InputError.at(path, number, what, remedy)
             break
     return text
 
 
 def _bytes(path: FilePath) -> bytes:
-    """The text of a file; raises MotionError where it cannot be read, is too long or no file."""
+    """The text of a file; raises InputError where it cannot be read, is too long or no file."""
     most = _LARGEST_FILE // _BLOCK
     try:
         with open(path, "rb", opener=_open_at_once) as file:
@@ -266,19 +276,19 @@ def _bytes(path: FilePath) -> bytes:
                 blocks = list(islice(iter(lambda: file.read(_BLOCK), b""), most + 1))
     except FileNotFoundError:
         remedy = f"check the path (relative paths start at {Path.cwd()})"
-        raise MotionError.at(path, None, "there is no such file", remedy) from None
+        raise InputError.at(path, None, "there is no such file", remedy) from None
     except OSError as error:
         what = f"the file cannot be read ({error.strerror})"
-        raise MotionError.at(path, None, what, "check the path and the permissions") from None
+        raise InputError.at(path, None, what, "check the path and the permissions") from None
     except ValueError as error:  # a zero byte in the path, or half of a letter
         remedy = "give the path as the file system has it"
-        raise MotionError.at(path, None, f"no file has such a name ({error})", remedy) from None
+        raise InputError.at(path, None, f"no file has such a name ({error})", remedy) from None
     if not is_file:
         what = "this is a pipe or a device, not a file"
-        raise MotionError.at(path, None, what, "write the record to a file, and give that")
+        raise InputError.at(path, None, what, "write the record to a file, and give that")
     if len(blocks) > most:
         what = f"the file holds more than {_LARGEST_FILE} bytes"
-        raise MotionError.at(path, None, what, "cut it into records of one earthquake each")
+        raise InputError.at(path, None, what, "cut it into records of one earthquake each")
     return b"".join(blocks)
 
 
@@ -295,11 +305,9 @@ def _encoding(raw: bytes) -> str:
     return "utf-8"
 
 
-def _other_quantity(path: FilePath, line: int | None, quantity: str, why: str) -> MotionError:
+def _other_quantity(path: FilePath, line: int | None, quantity: str, why: str) -> InputError:
     what = f"this is a record of {quantity}, not of acceleration: {why}"
-    return MotionError.at(
-        path, line, what, "use the acceleration record (.AT2) of the same station"
-    )
+    return InputError.at(path, line, what, "use the acceleration record (.AT2) of the same station")
 
 
 def _cut(text: str) -> str:
@@ -334,11 +342,11 @@ def _number(text: str, path: FilePath, line: int, what: str) -> float:
     """The finite number that `text` says; `what` names it in the error."""
     if not _looks_numeric(text):
         remedy = "give plain numbers with a decimal point, or correct this line"
-        raise MotionError.at(path, line, f"{what} is {_short(text)}, which is no number", remedy)
+        raise InputError.at(path, line, f"{what} is {_short(text)}, which is no number", remedy)
     value = float(_pythonic(text)) if _NUMBER.fullmatch(text) else math.nan
     if not math.isfinite(value):
         remedy = "take the record from its source again, or decide yourself what belongs here"
-        raise MotionError.at(path, line, f"{what} is {_cut(text)}, not a finite number", remedy)
+        raise InputError.at(path, line, f"{what} is {_cut(text)}, not a finite number", remedy)
     return value
 
 
@@ -363,15 +371,16 @@ def _factor(
     """The factor to m/s2 from the units that the file or the caller states."""
     stated = asked if asked is not None else in_file
     if stated is None:
-        remedy = f"say units=, one of {', '.join(NAMES)}"
-        raise MotionError.at(path, None, "the file does not say its units of acceleration", remedy)
+        remedy = f"say {{units}}, one of {', '.join(NAMES)}"
+        what = "the file does not say its units of acceleration"
+        raise InputError.at(path, None, what, remedy, "units")
     if in_file is not None and not is_known(in_file):
         what = f"the file states accelerations in {_short(in_file)}, which is unknown"
-        raise MotionError.at(path, line, what, f"correct it to one of {', '.join(NAMES)}")
+        raise InputError.at(path, line, what, f"correct it to one of {', '.join(NAMES)}")
     found = factor(stated, gravity)
     if in_file is not None and factor(in_file, gravity) != found:
         what = f"the file states accelerations in {in_file!r}, the caller in {asked!r}"
-        raise MotionError.at(path, line, what, "leave units= out, or correct the file")
+        raise InputError.at(path, line, what, "leave {units} out, or correct the file", "units")
     return found
 
 
@@ -395,8 +404,9 @@ def _at2(text: _Text, units: str | None, gravity: float, name: str | None) -> Re
     last = _last_header_line(head)
     if last is None:
         what = f"no line with NPTS and DT among the first {len(head)}"
-        remedy = "a PEER record has one; read two columns with GroundMotion.from_columns"
-        raise MotionError.at(path, None, what, remedy)
+        remedy = "a PEER record has one; two columns are read from a file whose name ends otherwise"
+        error = InputError.at(path, None, what, remedy)
+        raise error.so(remedy, "GroundMotion.from_columns reads them under any name")
     header = head[: last - 1]
     for number, line in enumerate(header, 1):
         if found := _QUANTITY.search(line):
@@ -414,7 +424,7 @@ def _at2(text: _Text, units: str | None, gravity: float, name: str | None) -> Re
     if str(len(samples)) != npts:
         what = f"NPTS says {_cut(npts)} values, but the file holds {len(samples)}"
         remedy = "the file is cut short or edited; download it again or correct NPTS"
-        raise MotionError.at(path, last, what, remedy)
+        raise InputError.at(path, last, what, remedy)
 
     titled = len(header) >= 2 and unit_line != 2 and header[1].strip()
     title = " ".join(header[1].split()) if titled else in_text(path).stem
@@ -460,16 +470,16 @@ def _npts_and_dt(path: FilePath, line: int, text: str) -> tuple[str, float]:
         npts, dt_text, dt_unit = *old, ""
     if not (npts.isascii() and npts.isdecimal()):
         what = f"NPTS is {_short(npts)} in {_short(text)}, not a whole number"
-        raise MotionError.at(path, line, what, "correct the header or download the record again")
+        raise InputError.at(path, line, what, "correct the header or download the record again")
     dt = _number(dt_text, path, line, "DT") if _NUMBER.fullmatch(dt_text) else 0.0
     if dt <= 0.0:
         missing = f"DT is missing: no number follows it in {_short(text)}"
         what = f"DT is {_cut(dt_text)} s, not positive" if _NUMBER.fullmatch(dt_text) else missing
         remedy = "write the time step in seconds, as in DT= .0100 SEC"
-        raise MotionError.at(path, line, what, remedy)
+        raise InputError.at(path, line, what, remedy)
     if dt_unit not in ("", *_SECONDS):
         what = f"DT is in {_short(dt_unit)} in {_short(text)}"
-        raise MotionError.at(path, line, what, "write the time step in seconds")
+        raise InputError.at(path, line, what, "write the time step in seconds")
     return npts.lstrip("0") or "0", dt
 
 
@@ -482,7 +492,8 @@ _NAME = re.compile(r"[^\d+\-.]*[^\W\d_]|.*[^\W\d_eEdD]")
 _BRACKETED = re.compile(r"[\[(]([^\[\]()]+)[\])]")
 _NAME_WITH_UNIT = re.compile(r"[^\s\[(]+(?:\s*[\[(][^\[\]()]*[\])])?")
 _EXACT = Context(prec=28)  # not the caller's
-_WRAPPED = '; GroundMotion.from_csv(path, dt=0.01, layout="wrapped") reads values that run on'
+_FROM_CSV = "see GroundMotion.from_csv"
+_WRAPPED = '; {dt:0.01} and {layout:"wrapped"} read values that run on'
 
 
 _Block = list[tuple[int, list[str]]]
@@ -513,7 +524,7 @@ class _Table:
                     what = f"{len(row)} columns, where line {self.first_line} has {width}"
                     remedy = "complete this line, or write comments behind #"
                     remedy += "" if self.names else _WRAPPED
-                    raise MotionError.at(path, number, what, remedy)
+                    raise InputError.at(path, number, what, remedy)
             if rows:
                 yield rows
 
@@ -526,17 +537,16 @@ def _columns(text: _Text, units: str | None, gravity: float, name: str | None) -
     table = _table(text)
     width = len(table.first)
     if width < 2:
-        remedy = "for accelerations alone use GroundMotion.from_csv(path, dt=0.01)"
-        what = "one column, where two are needed"
-        raise MotionError.at(text.path, table.first_line, what, remedy)
+        what, remedy = "one column, where two are needed", "for accelerations alone give {dt:0.01}"
+        raise InputError.at(text.path, table.first_line, what, remedy, "dt").so(remedy, _FROM_CSV)
     if width > 2:
         what = f"{width} columns ({_short(' | '.join(table.first))}), where two are needed"
         remedy = (
-            "name the columns of time and acceleration with GroundMotion.from_csv, "
-            "and write numbers with a decimal point"
+            "name the columns of time and acceleration by {time_column}, and write numbers with a "
         )
-        remedy += "" if table.names else _WRAPPED
-        raise MotionError.at(text.path, table.first_line, what, remedy)
+        remedy += "decimal point" if table.names else f"decimal point{_WRAPPED}"
+        error = InputError.at(text.path, table.first_line, what, remedy, "time_column")
+        raise error.so(remedy, _FROM_CSV)
     return _record(table, 0, 1, units, gravity, name)
 
 
@@ -544,10 +554,11 @@ def _table(text: _Text) -> _Table:
     path, head = text.path, _head(text)
     if last := _last_header_line(head):
         what = f"this is the header of a PEER record: {_short(head[last - 1])}"
-        raise MotionError.at(path, last, what, "read it with GroundMotion.from_at2")
+        remedy = "let its name end in .AT2"
+        raise InputError.at(path, last, what, remedy).so(remedy, "or take GroundMotion.from_at2")
     start = list(islice(chain.from_iterable(text.content()), 2))  # a heading perhaps, and a row
     if not start:
-        raise MotionError.at(path, None, "the file holds nothing but comments", _GET_AGAIN)
+        raise InputError.at(path, None, "the file holds nothing but comments", _GET_AGAIN)
     # The second holds numbers for certain; a heading may hold commas of its own.
     delimiter = next((d for d in ";," if d in start[-1][1]), None)
 
@@ -558,7 +569,7 @@ def _table(text: _Text) -> _Table:
     if any(first) and all(_is_name(field) or not field for field in first):
         header_line, names = number, _names(path, number, line, delimiter)
         if len(start) < 2:
-            raise MotionError.at(path, number, "no numbers follow the heading", _GET_AGAIN)
+            raise InputError.at(path, number, "no numbers follow the heading", _GET_AGAIN)
         number, line = start[1]
         first = _fields(path, number, line, delimiter)
     return _Table(text, delimiter, header_line, names, number, first)
@@ -580,7 +591,7 @@ def _fields(path: FilePath, number: int, line: str, delimiter: str | None) -> li
         except csv.Error as error:
             what = f"the fields of {_short(line)} cannot be told apart ({error})"
             remedy = f"write plain numbers with {delimiter!r} between them, without quotes"
-            raise MotionError.at(path, number, what, remedy) from None
+            raise InputError.at(path, number, what, remedy) from None
     fields = [field.strip() for field in fields]
     return fields[:-1] if len(fields) > 1 and not fields[-1] else fields
 
@@ -599,7 +610,7 @@ def _column(table: _Table, wanted: Column) -> int:
         if 0 <= (index := int(wanted)) < width:
             return index
         what = f"column {wanted} does not exist: there are {width}"
-        raise MotionError.at(path, table.first_line, what, f"count from 0 to {width - 1}")
+        raise InputError.at(path, table.first_line, what, f"count from 0 to {width - 1}", "column")
     if table.names.count(str(wanted)) == 1:
         return table.names.index(str(wanted))
     known = ", ".join(map(_short, table.names[:20])) or "none: the file has no heading"
@@ -607,7 +618,7 @@ def _column(table: _Table, wanted: Column) -> int:
         known += f", and {len(table.names) - 20} more"
     what = f"no single column is called {described(wanted)}; the names are {known}"
     remedy = "use one of these names, or the column's number (the first is 0)"
-    raise MotionError.at(path, table.header_line, what, remedy)
+    raise InputError.at(path, table.header_line, what, remedy)
 
 
 def _record(
@@ -668,7 +679,7 @@ def _in_sequence(table: _Table) -> np.ndarray:
             continue
         if len(values) % len(table.first):
             what = f"{len(values)} values stand above, and the first line has {len(table.first)}"
-            raise MotionError.at(path, line, what, "complete the line above")
+            raise InputError.at(path, line, what, "complete the line above")
         fields = _fields(path, line, text, table.delimiter)
         values.extend(_numbers(fields) or _glued(fields, path, line, len(values)))
     return np.array(values)
@@ -695,7 +706,7 @@ def _sampled(
     time_unit = _unit_in_heading(table, time)
     if time_unit is not None and time_unit.lower() in _OTHER_TIMES:
         what = f"time is in {time_unit!r}"
-        raise MotionError.at(path, table.header_line, what, "convert the time column to seconds")
+        raise InputError.at(path, table.header_line, what, "convert the time column to seconds")
 
     called = {time: "time"} | dict(columns)
     found = {column: array("d") for column in called}
@@ -712,7 +723,7 @@ def _sampled(
     t = np.array(found[time])
     if len(t) < 2:
         what = "one sample, where a record needs two or more"
-        raise MotionError.at(path, table.first_line, what, _GET_AGAIN)
+        raise InputError.at(path, table.first_line, what, _GET_AGAIN)
     mean = _EXACT.divide(_EXACT.subtract(*reversed(ends)), len(t) - 1)
     dt = float(mean)  # 0.02, not 0.019999999999999997
     digit = _last_printed_digit(np.array(last_digits), np.array(leading))
@@ -726,7 +737,7 @@ def _decimal(path: FilePath, line: int, text: str) -> Decimal:
         return Decimal(_pythonic(text), _EXACT)
     except InvalidOperation:  # "0E99999999999999999999"
         what = f"time is {_cut(text)}, whose exponent no time has"
-        raise MotionError.at(path, line, what, "write the time in seconds, as 0.01") from None
+        raise InputError.at(path, line, what, "write the time in seconds, as 0.01") from None
 
 
 def _unit_in_heading(table: _Table, column: int) -> str | None:
@@ -740,7 +751,7 @@ def _unit_in_heading(table: _Table, column: int) -> str | None:
 def _check_steps(
     table: _Table, column: int, times: np.ndarray, dt: float, digit: np.ndarray
 ) -> None:
-    """Raise MotionError where the step of a time column is not even.
+    """Raise InputError where the step of a time column is not even.
 
     times : (n,) [s]; dt : their mean step [s]; digit : (n,) unit of the last digit of each.
 
@@ -761,7 +772,7 @@ def _check_steps(
         (before, earlier), (line, text) = row(n), row(n + 1)
         what = f"time {_cut(text)} s does not come after {_cut(earlier)} s of line {before}"
         remedy = "give increasing times, printed with enough digits, of one record only"
-        raise MotionError.at(path, line, what, remedy)
+        raise InputError.at(path, line, what, remedy)
 
     allowed = np.where(digit < dt / 3, np.maximum(digit, 0.01 * dt), 0.01 * dt)
     of_mean = max(allowed[0], allowed[-1]) / len(steps)
@@ -784,8 +795,8 @@ def _check_steps(
         before, after = steps[:n].mean(), steps[n:].mean()
         found = f"up to {_cut(text)} s the mean step is {before:.6g} s, after it {after:.6g} s"
     what = f"the time column is not uniform: {found}"
-    remedy = "resample to a uniform step (numpy.interp) and give the arrays"
-    raise MotionError.at(path, line, what, remedy)
+    remedy = "resample to a uniform step"
+    raise InputError.at(path, line, what, remedy).so(remedy, "numpy.interp does, for from_array")
 
 
 def _last_printed_digit(last_digits: np.ndarray, leading: np.ndarray) -> np.ndarray:
@@ -815,10 +826,10 @@ class TextTable:
     rows: tuple[tuple[int, list[str]], ...]
     _table: _Table
 
-    def error(self, row: int | None, what: str, remedy: str) -> MotionError:
+    def error(self, row: int | None, what: str, remedy: str) -> InputError:
         """The error of a row, or of the heading."""
         line = self._table.header_line if row is None else self.rows[row][0]
-        return MotionError.at(self._table.text.path, line, what, remedy)
+        return InputError.at(self._table.text.path, line, what, remedy)
 
     def text(self, row: int, name: str) -> str:
         """The cell of a row below a name, without blanks around it."""
@@ -838,18 +849,18 @@ class TextTable:
 def read_table(path: FilePath) -> TextTable:
     """A table of words and numbers, whose first line names its columns.
 
-    Raises MotionError for a file without such a line, for two columns of one name, and for a row
+    Raises InputError for a file without such a line, for two columns of one name, and for a row
     that has more or fewer cells than names.
     """
     table = _table(_open(path))
     names = Counter(_BRACKETED.sub("", name).strip() for name in table.names)
     if not names or table.header_line is None:
         remedy = "write a first line with a name for each column, such as test, peak (deg), outcome"
-        raise MotionError.at(path, None, "the columns have no names", remedy)
+        raise InputError.at(path, None, "the columns have no names", remedy)
     for name, times in names.items():
         if not name or times > 1:
             what = f"{times} column(s) are called {_short(name)}"
-            raise MotionError.at(path, table.header_line, what, "give each a name of its own")
+            raise InputError.at(path, table.header_line, what, "give each a name of its own")
     rows = []
     for number, line in chain.from_iterable(table.text.content()):
         if number <= table.header_line:
@@ -860,7 +871,7 @@ def read_table(path: FilePath) -> TextTable:
         if len(cells) != len(names):
             what = f"{len(cells)} cells, where the heading has {len(names)}"
             remedy = "complete this line; put what holds a comma in double quotes"
-            raise MotionError.at(path, number, what, remedy)
+            raise InputError.at(path, number, what, remedy)
         rows.append((number, cells))
     width = replace(table, first=[""] * len(names))  # as the heading has it
     return TextTable({name: i for i, name in enumerate(names)}, tuple(rows), width)

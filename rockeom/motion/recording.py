@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.scaling import Acceleration, multiplier, target
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, described, require_word
 
 if TYPE_CHECKING:
     from rockeom.motion.spectra import ResponseSpectrum
@@ -45,7 +44,7 @@ class Recording:
 
     Raises
     ------
-    MotionError
+    InputError
         For none or more than two horizontal components, and for anything but ground motions.
 
     Examples
@@ -66,18 +65,16 @@ class Recording:
     def __post_init__(self) -> None:
         one = isinstance(self.horizontal, GroundMotion)
         if not (one or isinstance(self.horizontal, Iterable)):
-            raise MotionError(
-                f"horizontal is {described(self.horizontal)}: give one ground motion or two"
-            )
+            raise InputError("horizontal", self.horizontal).give("one ground motion or two")
         horizontal = (self.horizontal,) if one else tuple(self.horizontal)
         object.__setattr__(self, "horizontal", horizontal)
         for motion in (*horizontal, *(() if self.vertical is None else (self.vertical,))):
             if not isinstance(motion, GroundMotion):
-                raise MotionError(
+                raise InputError("horizontal", motion).says(
                     f"the recording {self.name!r} has {described(motion)}: give ground motions"
                 )
         if not 1 <= len(horizontal) <= 2:
-            raise MotionError(
+            raise InputError("horizontal").says(
                 f"the recording {self.name!r} has {len(horizontal)} horizontal components: give "
                 "one or two"
             )
@@ -109,7 +106,7 @@ class Recording:
 
         Raises
         ------
-        MotionError
+        InputError
             Where there is one horizontal component only.
 
         Notes
@@ -118,7 +115,7 @@ class Recording:
         the result says.
         """
         if len(self.horizontal) == 1:
-            raise MotionError(
+            raise InputError("horizontal").says(
                 f"the recording {self.name!r} has one horizontal component: two have others between"
             )
         one, other = self._of_one_length()
@@ -187,7 +184,7 @@ class Recording:
 
         Raises
         ------
-        MotionError
+        InputError
             As `GroundMotion.scaled_to` and `response_spectrum`.
         """
         wanted = target(peak, pga, sa, period)
@@ -197,7 +194,9 @@ class Recording:
             spectrum = self.response_spectrum(wanted.period, damping_ratio, of)
             (found,) = spectrum.pseudo_acceleration
         if found == 0.0:
-            raise MotionError(f"{self.name}: no factor makes a recording without shaking shake")
+            raise InputError("pga", of=self.name).says(
+                "no factor makes a recording without shaking shake"
+            )
         return self.scaled(wanted.value / found)
 
     def __mul__(self, factor: float) -> Recording:
@@ -235,7 +234,7 @@ class Recording:
 
         Raises
         ------
-        MotionError
+        InputError
             For another word.
 
         References
@@ -258,8 +257,7 @@ class Recording:
 
     def _combined(self, of: str, measure: Callable[[GroundMotion], np.ndarray]) -> np.ndarray:
         """A measure of both horizontal components together."""
-        if of not in _COMBINED:
-            raise MotionError(f"of is {described(of)}: choose one of {', '.join(_COMBINED)}")
+        require_word("of", of, _COMBINED)
         components = self.horizontal
         if len(components) == 2 and of.startswith("rotd"):
             turns = np.radians(np.arange(_HALF_TURN)).tolist()

@@ -6,15 +6,15 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
-from rockeom.motion.arguments import COMPONENTS
 from rockeom.motion.components import channel, split
-from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.recording import Recording
 from rockeom.motion.scaling import SCALE_IN_NAME
 from rockeom.numbers.callers import warn_caller
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, require_word
 
+COMPONENTS = ("horizontal", "vertical", "all")
+"""Components of records that a set may hold."""
 _RIGHT_ANGLE = 10.0  # degrees by which the angle between two azimuths may differ from a right one
 _SHOWN = 5
 _OF_SCALED = re.compile(f"({SCALE_IN_NAME.pattern.rstrip('$')})?( \\(\\d+\\))?$")
@@ -39,23 +39,24 @@ def recording_of(name: object) -> str:
 
 
 def _recording(name: str, group: Sequence[GroundMotion]) -> Recording:
-    """The recording with these components; raises MotionError for what is none."""
+    """The recording with these components; raises InputError for what is none."""
     horizontal = tuple(motion for motion in group if not motion.is_vertical)
     vertical = [motion for motion in group if motion.is_vertical]
     members = ", ".join(motion.name for motion in group)
     if not horizontal:
-        raise MotionError(
+        raise InputError("components").says(
             f"{members} has no horizontal component in this set: read the set with "
-            'components="all", or leave it out'
+            '{components:"all"}, or leave it out'
         )
     azimuths = [int(at) for motion in horizontal if (at := split(motion.name)[1]).isdigit()]
     skew = len(azimuths) == 2 and abs((azimuths[0] - azimuths[1]) % 180 - 90) > _RIGHT_ANGLE
     if len(horizontal) > 2 or len(vertical) > 1 or skew:
         counted = f"{len(horizontal)} horizontal and {len(vertical)} vertical components"
         what = "two components at no right angle" if skew else counted
-        raise MotionError(
+        raise InputError("motions").says(
             f"the recording {name!r} has {what}: {members}. Name the motions by recording and "
-            'component, as in "ELC-180", by dataclasses.replace(motion, name=...)'
+            'component, as in "ELC-180"',
+            "dataclasses.replace(motion, name=...) gives another name",
         )
     return Recording(name, horizontal, vertical[0] if vertical else None)
 
@@ -65,26 +66,25 @@ def chosen(
 ) -> dict[str, GroundMotion]:
     """The motions of these components by their names; a warning names the vertical ones left out.
 
-    where : what an error calls the set. Raises MotionError where none is left, and for a word that
+    where : what an error calls the set. Raises InputError where none is left, and for a word that
     is none of COMPONENTS.
     """
-    if components not in COMPONENTS:
-        raise MotionError(f"components is {described(components)}: choose {', '.join(COMPONENTS)}")
+    require_word("components", components, COMPONENTS)
     if components == "all":
         return dict(motions)
     wanted = components == "vertical"
     kept = {name: motion for name, motion in motions.items() if motion.is_vertical == wanted}
     if not kept:
         other = "horizontal" if wanted else "vertical"
-        raise MotionError(
-            f"{where} holds {other} components only, {_shortened(motions)}: give "
-            f'components="{other}" for them'
+        raise InputError("components", "all").says(
+            f'{where} holds {other} components only, {_shortened(motions)}: give components="'
+            f'{other}" for them'
         )
     if not wanted and len(kept) < len(motions):
         warn_caller(
             f"{len(motions) - len(kept)} of {len(motions)} records of {where} are vertical "
             f"components and left out: {_shortened(motions.keys() - kept.keys())}; "
-            'components="vertical" or "all" takes them',
+            'ask for the components "vertical" or "all" to have them',
         )
     return kept
 

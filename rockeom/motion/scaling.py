@@ -5,11 +5,9 @@ from __future__ import annotations
 import re
 from typing import Any, NamedTuple
 
-from rockeom.motion.arguments import positive
-from rockeom.motion.errors import MotionError
 from rockeom.motion.units import acceleration
 from rockeom.numbers.batch import Many
-from rockeom.numbers.checks import described, is_number
+from rockeom.numbers.checks import InputError, InputTypeError, described, is_number, positive_number
 from rockeom.numbers.functions import Compound
 
 Acceleration = float | str
@@ -36,35 +34,37 @@ def target(
     sa: Acceleration | None,
     period: float | None,
 ) -> Target:
-    """The one intensity that the arguments of `scaled_to` name; else MotionError."""
+    """The one intensity that the arguments of `scaled_to` name; else InputError."""
     given = {"peak": peak, "pga": pga, "sa": sa}
     given = {name: value for name, value in given.items() if value is not None}
     if len(given) != 1:
         named = " and ".join(f"{name}={value!r}" for name, value in given.items())
-        raise MotionError(
-            f"scaled_to has {named or 'no intensity'}: give exactly one, such as "
-            'pga="0.4 g", or sa=3.0 [m/s2] with period=1.0 [s]'
+        raise InputError("pga", pga, "scaled_to").says(
+            f"it has {named or 'no intensity'}: give exactly one, such as "
+            '{pga:"0.4 g"}, or {sa:3.0} [m/s2] with {period:1.0} [s]'
         )
     ((name, value),) = given.items()
     if name != "sa" and period is not None:
-        raise MotionError(f"{name} has no period: leave it out, or give sa")
+        raise InputError(name).wrong("has no period: leave it out, or give sa")
     if name == "sa" and period is None:
-        raise MotionError("sa needs the period of its oscillator [s]: give period=")
+        raise InputError("sa").wrong("needs the period of its oscillator [s]: give {period}")
     wanted = acceleration(name, value)
-    return Target(positive(name, wanted), None if period is None else positive("period", period))
+    return Target(
+        positive_number(name, wanted), None if period is None else positive_number("period", period)
+    )
 
 
 def multiplier(value: Any, done: str = "multiplied") -> Any:
     """The number that a motion is multiplied or divided by.
 
-    Raises TypeError for anything else, and MotionError where zero divides.
+    Raises InputTypeError for anything else, and InputError where zero divides.
     """
     if not (is_number(value) or isinstance(value, Compound)):
-        raise TypeError(
+        raise InputTypeError("factor", value).says(
             f"a ground motion is {done} by {described(value)}: give a number, as in 2 * motion"
         )
     if done == "divided" and value == 0.0:
-        raise MotionError("a ground motion is divided by 0: give another number")
+        raise InputError("factor", value).so("no motion is divided by it")
     return value
 
 

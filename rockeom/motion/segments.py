@@ -16,7 +16,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from rockeom.motion.errors import MotionError
+from rockeom.numbers.checks import InputError
 
 START, END, KIND, C0, C1, C2, C3 = range(7)
 COLUMNS = 7
@@ -310,15 +310,15 @@ def cut(segments: np.ndarray, start: float, end: float) -> np.ndarray:
 def check(segments: np.ndarray) -> None:
     """Check the shape of a table, its values, and the order and the constants of its rows.
 
-    Raises MotionError.
+    Raises InputError.
     """
     if segments.ndim != 2 or segments.shape[1] != COLUMNS or not len(segments):
-        raise MotionError(
-            f"segments have shape {segments.shape}: they must be (n, {COLUMNS}); "
-            "GroundMotion.from_array takes accelerations, GroundMotion.read a file"
+        raise InputError("segments").wrong(
+            f"have shape {segments.shape}: they must be (n, {COLUMNS}); GroundMotion.from_array "
+            "takes accelerations, GroundMotion.read a file"
         )
     if segments.dtype == float and np.count_nonzero(np.isfinite(segments)) < segments.size:
-        raise MotionError("segments hold NaN or infinity")
+        raise InputError("segments").wrong("hold NaN or infinity")
     if len(segments) > SHORT:
         _check_rows(np.all, np.append(0.0, segments[:-1, END]), *segments.T)
         return
@@ -333,14 +333,16 @@ def _check_rows(
 ) -> None:
     """Check one row of a table, or all rows at once; `before`: the end of the row before."""
     if not every((start == before) & (end > start)):
-        raise MotionError("segments must follow each other without gap from time 0 on")
+        raise InputError("segments").wrong("must follow each other without gap from time 0 on")
     linear = kind == LINEAR
     two_rates = kind == MAVROEIDIS_PAPAGEORGIOU
     curved = (kind == SINE) | (kind == RICKER) | (kind == ANTISYMMETRIC_RICKER) | two_rates
     if not every(linear | curved):
-        raise MotionError(f"kinds of segments are {', '.join(str(int(k)) for k in SegmentKind)}")
+        raise InputError("segments").says(
+            f"kinds of segments are {', '.join(str(int(k)) for k in SegmentKind)}"
+        )
     if not every(linear | (constants[1] > 0.0)):
-        raise MotionError("c1, the rate of a sine or a wavelet, must be positive")
+        raise InputError("segments").says("c1, the rate of a sine or a wavelet, must be positive")
     slower = (constants[3] > 0.0) & (constants[3] < constants[1])
     if not every((kind != MAVROEIDIS_PAPAGEORGIOU) | slower):
-        raise MotionError("c3, the rate of a pulse's envelope, must be positive and below c1")
+        raise InputError("segments").says("c3, the rate of an envelope, must lie between 0 and c1")

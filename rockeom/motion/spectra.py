@@ -36,8 +36,7 @@ from rockeom.motion.segments import (
     within,
 )
 from rockeom.numbers import explained
-from rockeom.numbers.arguments import not_negative, positive, require
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputTypeError, not_negative, positive, require
 from rockeom.numbers.functions import gauss_rule
 from rockeom.numbers.pictures import picture
 
@@ -159,9 +158,8 @@ def response_spectrum(
     array([5.68, 7.89, 2.74])
     """
     if not hasattr(type(motion), "segments") and not hasattr(motion, "segments"):
-        raise TypeError(
-            f"motion is {described(motion)}: give a ground motion, such as "
-            "rk.GroundMotion.from_array(values, dt)"
+        raise InputTypeError("motion", motion).give(
+            "a ground motion, such as rk.GroundMotion.from_array(values, dt)"
         )
     (periods,) = positive("response_spectrum", periods=np.atleast_1d(periods))
     xi = _damping("response_spectrum", damping_ratio)

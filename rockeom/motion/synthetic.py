@@ -10,9 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.motion.arguments import positive, whole
-from rockeom.motion.errors import MotionError
-from rockeom.numbers.checks import described, numbers
+from rockeom.numbers.checks import InputError, array_of, positive_number, whole_number
 
 Filter = tuple[float, float]
 """Angular frequency [rad/s] and damping ratio of an oscillator."""
@@ -33,7 +31,7 @@ class JenningsEnvelope:
 
     Raises
     ------
-    MotionError
+    InputError
         For values that are not positive, and for `until` before `rise`.
 
     References
@@ -47,10 +45,10 @@ class JenningsEnvelope:
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
-            positive(name, value)
+            positive_number(name, value)
         if self.until < self.rise:
-            raise MotionError(
-                f"until is {self.until:g} s, before the end of the rise, {self.rise:g} s: give more"
+            raise InputError("until", self.until).wrong(
+                f"is {self.until:g} s, before the end of the rise, {self.rise:g} s: give more"
             )
 
     def __call__(self, t: np.ndarray) -> np.ndarray:
@@ -73,7 +71,7 @@ class ShinozukaSatoEnvelope:
 
     Raises
     ------
-    MotionError
+    InputError
         For values that are not positive, and for a rise not above the decay.
 
     References
@@ -86,10 +84,10 @@ class ShinozukaSatoEnvelope:
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():
-            positive(name, value)
+            positive_number(name, value)
         if self.rise <= self.decay:
-            raise MotionError(
-                f"rise is {self.rise:g} 1/s, not above the decay, {self.decay:g} 1/s: give more"
+            raise InputError("rise", self.rise).wrong(
+                f"is {self.rise:g} 1/s, not above the decay, {self.decay:g} 1/s: give more"
             )
 
     def __call__(self, t: np.ndarray) -> np.ndarray:
@@ -140,11 +138,14 @@ def noise(
     dt: float,
 ) -> Noise:
     """See `GroundMotion.kanai_tajimi` and `GroundMotion.clough_penzien`."""
-    s_0, length = positive("spectral_intensity", spectral_intensity), positive("duration", duration)
-    dt, start = positive("dt", dt), whole("seed", seed, 0)
+    s_0, length = (
+        positive_number("spectral_intensity", spectral_intensity),
+        positive_number("duration", duration),
+    )
+    dt, start = positive_number("dt", dt), whole_number("seed", seed, 0)
     n = round(length / dt) + 1
     if n < 2:
-        raise MotionError(f"dt is {dt:g} s and the duration {length:g} s: give a shorter dt")
+        raise InputError("dt", dt).give(f"a step shorter than the duration, {length:g} s")
     a = _stationary(n, dt, s_0, ground, high_pass, start)
     if envelope is not None:
         a = a * factors(envelope, dt * np.arange(n))
@@ -173,18 +174,14 @@ def _stationary(
 
 
 def factors(envelope: Callable[[np.ndarray], ArrayLike], t: np.ndarray) -> np.ndarray:
-    """An envelope (n,) at times t (n,) [s]; raises MotionError for what is none."""
+    """An envelope (n,) at times t (n,) [s]; raises InputError for what is none."""
     if not callable(envelope):
-        raise MotionError(
-            f"envelope is {described(envelope)}: give a function of times, such as "
-            "JenningsEnvelope(rise=2.0, until=10.0, decay=0.3)"
+        raise InputError("envelope", envelope).give(
+            "a function of times, such as JenningsEnvelope(rise=2.0, until=10.0, decay=0.3)"
         )
-    try:
-        found = numbers("what the envelope returned", envelope(t))
-    except TypeError as error:
-        raise MotionError(str(error)) from None
+    found = array_of("envelope(t)", envelope(t))
     if found.shape != t.shape:
-        raise MotionError(
+        raise InputError("envelope").says(
             f"the envelope returned the shape {found.shape} for {len(t)} times: return one number "
             "for each"
         )

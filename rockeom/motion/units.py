@@ -6,8 +6,7 @@ import math
 import re
 from typing import Any
 
-from rockeom.motion.errors import MotionError
-from rockeom.numbers.checks import described, is_number
+from rockeom.numbers.checks import InputError, described, is_number
 from rockeom.numbers.constants import STANDARD_GRAVITY as STANDARD_GRAVITY
 
 # In the spelling that `_plain` leaves; "g" is not here because its value is the user's.
@@ -38,14 +37,14 @@ def factor(units: str, gravity: float = STANDARD_GRAVITY) -> float:
 
     gravity : the value of 1 g [m/s2], used for units="g" only.
 
-    Raises MotionError for unknown units and for a gravity that is not finite and positive.
+    Raises InputError for unknown units and for a gravity that is not finite and positive.
     """
     if not (is_number(gravity) and math.isfinite(gravity) and gravity > 0):
-        raise MotionError(
-            f"gravity is {described(gravity)}: give a positive number of m/s2, such as 9.81"
-        )
+        raise InputError("gravity", gravity).give("a positive number of m/s2, such as 9.81")
     if not isinstance(units, str) or not is_known(units):
-        raise MotionError(f"units {described(units)} are unknown: choose one of {', '.join(NAMES)}")
+        raise InputError("units", units).says(
+            f"units {described(units)} are unknown: choose one of {', '.join(NAMES)}"
+        )
     plain = _plain(units)
     return float(gravity) if plain == "g" else _FACTORS[plain]
 
@@ -61,20 +60,19 @@ def acceleration(name: str, value: Any, gravity: float = STANDARD_GRAVITY) -> An
     >>> acceleration("pga", "250 cm/s2")
     2.5
 
-    Raises MotionError for a text without a number, or without a unit that is known.
+    Raises InputError for a text without a number, or without a unit that is known.
     """
     if not isinstance(value, str):
         return value
     found = _WITH_UNIT.fullmatch(value)
     if not found:
-        raise MotionError(
-            f"{name} is {described(value)}: give a number of m/s2, or a text with its unit, such "
-            'as "0.4 g" or "250 cm/s2"'
+        raise InputError(name, value).give(
+            'a number of m/s2, or a text with its unit, such as "0.4 g" or "250 cm/s2"'
         )
     try:
         return float(found[1]) * factor(found[2], gravity)
-    except MotionError as error:
-        raise MotionError(f"{name} is {described(value)}: {error}") from None
+    except InputError as error:
+        raise InputError(name, value).so(f"{error}") from None
 
 
 # --- what a test measures

@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from rockeom.numbers.checks import number, numbers
+from rockeom.numbers.checks import InputError, array_of, number
 
 F = TypeVar("F", bound=Callable[..., Any])
 SUFFIX = "_degrees"
@@ -37,11 +37,11 @@ def in_radians(what: str, values: Mapping[str, Any], units: Mapping[str, str]) -
             converted[name] = value
             continue
         if plain in values:
-            raise ValueError(
-                f"{what}: {plain} and {name} are both given, which are one angle in two units: "
-                "leave one out"
+            raise InputError(name, of=what).says(
+                f"{plain} and {name} are both given, which are one angle in two units: leave one "
+                "out"
             )
-        read = number if np.ndim(value) == 0 else numbers
+        read = number if np.ndim(value) == 0 else array_of
         converted[plain] = read(f"{what}: {name}", value) * RADIANS
     return converted
 

@@ -18,7 +18,7 @@ import numpy as np
 
 from rockeom.numbers import explained
 from rockeom.numbers.batch import OPERATORS, boxed
-from rockeom.numbers.checks import described, number, numbers
+from rockeom.numbers.checks import InputError, InputTypeError, array_of, number
 from rockeom.numbers.functions import FUNCTIONS, IN_MATH, Compound
 
 Slope = Callable[..., Any]
@@ -39,9 +39,9 @@ def _through(
     if len(parts) == 1:
         return _dual(np.float64(value), parts[0])
     if len(parts[0]) != len(parts[1]):
-        raise ValueError(
-            f"duals of {len(parts[0])} and of {len(parts[1])} directions meet in one "
-            "calculation: make all of them by one call of `rk.duals`"
+        raise InputError("duals").says(
+            f"duals of {len(parts[0])} and of {len(parts[1])} directions meet in one calculation: "
+            "make all of them by one call of `rk.duals`"
         )
     return _dual(np.float64(value), parts[0] + parts[1])
 
@@ -177,11 +177,11 @@ class Dual(Compound):
 
     def __init__(self, value: float, tangent: Any) -> None:
         if isinstance(value, Compound):
-            raise TypeError(f"value is {described(value)}: give a plain number")
-        along = numbers("tangent", tangent)
+            raise InputTypeError("value", value).give("a plain number")
+        along = array_of("tangent", tangent)
         if along.ndim != 1:
-            raise ValueError(
-                f"tangent has the shape {along.shape}: give a derivative for each direction, (m,)"
+            raise InputError("tangent").wrong(
+                f"has the shape {along.shape}: give a derivative for each direction, (m,)"
             )
         self.value, self.tangent = np.float64(number("value", value)), along
 

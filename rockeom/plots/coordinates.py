@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 
 from rockeom.analysis.sweeps import coordinate
 from rockeom.drawing import style
+from rockeom.numbers.checks import InputError
 
 
 def only(function: str, values: xr.DataArray, sweep: xr.Dataset, *names: str) -> xr.DataArray:
@@ -22,9 +23,8 @@ def only(function: str, values: xr.DataArray, sweep: xr.Dataset, *names: str) ->
     if others:
         told = ", ".join(f"{name} ({n} values)" for name, n in others.items())
         first = next(iter(others))
-        raise ValueError(
-            f"{function}: the sweep varies {told} as well: choose one, as in "
-            f"sweep.isel({first}=0), or name it"
+        raise InputError("sweep", of=function).says(
+            f"the sweep varies {told} as well: choose one, as in sweep.isel({first}=0), or name it"
         )
     return values.squeeze([d for d in values.dims if d not in wanted], drop=True)
 

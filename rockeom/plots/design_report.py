@@ -27,6 +27,7 @@ from rockeom.drawing.style import digits
 from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
 from rockeom.numbers import explained
+from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.numbers.degrees import with_degrees
 from rockeom.simulation.plausible import ROUGHEST, default_masses, forces, shaking
 from rockeom.simulation.reserve import Reserve, reserve_of
@@ -394,7 +395,7 @@ def facts_of(structure: Structure, impact: ImpactLaw | None) -> tuple[tuple[str,
 def check_name(path: Path) -> None:
     """Raise ValueError for a name that says no format."""
     if path.suffix.lower() not in FILES:
-        raise ValueError(f"{path}: a report is a {' or a '.join(FILES)} file; end the name so")
+        raise InputError("path", path).give(f"a name that ends in {' or '.join(FILES)}")
 
 
 @explained.calls()
@@ -433,11 +434,11 @@ def design_report(
     """
     check_drawn("structure", structure, Structure)
     if isinstance(motions, GroundMotion):
-        raise TypeError("motions is one motion: give a list of motions, [motion]")
+        raise InputTypeError("motions").wrong("is one motion: give a list of motions, [motion]")
     if not motions:
-        raise ValueError("a report needs a motion: give one or more, as a list")
+        raise InputError("motions").says("a report needs a motion: give one or more, as a list")
     if "left_uplift" not in structure.module.KINEMATICS or structure.module.STATE_UNITS[0] == "-":
-        raise ValueError(
+        raise InputError("structure").says(
             f"{structure.model} has no feet that lift, in metres: there is no report of it; take a "
             "RigidBlock, LumpedMassStructure, FlexibleStructure or a wall"
         )

@@ -17,6 +17,7 @@ from rockeom.analysis.arguments import dims_of_starts
 from rockeom.analysis.dynamics.sections import FALLEN, NOT_PERIODIC, UNKNOWN
 from rockeom.analysis.sweeps import check_finished, coordinate
 from rockeom.drawing import style
+from rockeom.numbers.checks import InputError, require_word
 from rockeom.plots import coordinates
 
 if TYPE_CHECKING:
@@ -144,19 +145,18 @@ def bifurcation_diagram(
 
 def _looks(function: str, sections: xr.Dataset, name: str, at: str, *names: str) -> np.ndarray:
     """(starts, ..., looks) values at all looks of a kind, over the names in between."""
-    if at not in _MOMENTS:
-        raise ValueError(f"{function}: at is {at!r}: choose {', '.join(map(repr, _MOMENTS))}")
+    require_word("at", at, _MOMENTS, function)
     if at != "period" and "impact_state" not in sections:
-        raise ValueError(
-            f"{function}: the sections have no impacts: give "
-            "analysis.dynamics.poincare_sections impacts=, the most in a cycle"
+        raise InputError("at", of=function).says(
+            "the sections have no impacts: give analysis.dynamics.poincare_sections impacts=, the "
+            "most in a cycle"
         )
     check_finished(function, sections)
     states = sections["state"].values.tolist()
     if at != "period" and name == "impact_time":
         values = sections[name]
     elif name not in states:
-        raise ValueError(f"{function}: no state {name!r}; there are {', '.join(states)}")
+        raise InputError("state", name, function).choose(states)
     elif at == "period":
         values = sections["strobe"].sel(state=name)
     else:
@@ -233,9 +233,9 @@ def _of_orbit(orbit: PeriodicOrbit, y: str, at: str) -> np.ndarray:
     if at == "before":
         return orbit.at_impacts(y)
     if at == "after" or orbit.mirror is not None:
-        raise ValueError(
-            "bifurcation_diagram: branches are drawn before their impacts, and those of maps that "
-            "are not mirrored at the period, too: choose at='before'"
+        raise InputError("branches", of="bifurcation_diagram").wrong(
+            "are drawn before their impacts, and those of maps that are not mirrored at the "
+            "period, too: choose at='before'"
         )
     return orbit.looks[:, orbit.states.index(y)]
 
@@ -294,8 +294,8 @@ def basins_of_attraction(basins: xr.Dataset, *, x: str, y: str, ax: Axes | None 
     """
     function = "basins_of_attraction"
     if "fate" not in basins:
-        raise ValueError(
-            f"{function}: the sections have no fates: give analysis.dynamics.basins(sections)"
+        raise InputError("basins", of=function).says(
+            "the sections have no fates: give analysis.dynamics.basins(sections)"
         )
     fate = coordinates.only(function, basins["fate"], basins, x, y)
     if ax is None:

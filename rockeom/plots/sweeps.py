@@ -29,7 +29,7 @@ from rockeom.analysis.sweeps import (
     unanswered,
 )
 from rockeom.drawing import style
-from rockeom.numbers.arguments import positive
+from rockeom.numbers.checks import InputError, positive
 from rockeom.plots import coordinates
 
 _STYLES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 3)))
@@ -158,9 +158,9 @@ def _draw_boundaries(ax: Axes, boundaries: xr.Dataset, sweep: xr.Dataset, x: str
     """Lines through the cells of a grid, dots where none leads on; returns what stands for them."""
     for name in (x, y):
         if name not in boundaries.coords or sweep[name].dims != (name,):
-            raise ValueError(
-                f"overturning_map: the boundaries of a grid over {x!r} and {y!r} are wanted; give "
-                "those of this sweep"
+            raise InputError("boundaries", of="overturning_map").says(
+                f"the boundaries of a grid over {x!r} and {y!r} are wanted: give those of this "
+                "sweep"
             )
     points = np.stack([boundaries[name].values for name in (x, y)], axis=1)
     lines, alone = _joined(points, boundaries, sweep, (x, y))
@@ -514,7 +514,7 @@ def incremental_dynamic_analysis(
     curves, names = _by_record(function, sweep, intensity, demand, record)
     peaks = np.concatenate([d[np.isfinite(d)] for _, d in curves])
     if not len(peaks):
-        raise ValueError(f"{function}: no case has a demand: all overturned, or gave no answer")
+        raise InputError("demand", of=function).says("no case has one: all fell, or gave no answer")
     last = 1.04 * peaks.max() or 1.0
     edge = 1.14 * last
     if ax is None:
@@ -559,9 +559,9 @@ def _by_record(
     others = [str(d) for d in labels.dims if d not in im.dims]
     others = others or [str(d) for d in labels.dims if sweep[d].dtype.kind in "OTU"]
     if record is None and not others:
-        raise ValueError(
-            f"{function}: the sweep varies {', '.join(map(str, labels.dims))}, and no record: "
-            "give record=, the name of its coordinate that tells one"
+        raise InputError("record", of=function).says(
+            f"the sweep varies {', '.join(map(str, labels.dims))}, and no record: give record=, "
+            "the name of its coordinate that tells one"
         )
     keys = [record] if record is not None else others
     columns = [coordinate(function, sweep, key) for key in keys]

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.drawing import style
-from rockeom.numbers.arguments import require
+from rockeom.numbers.checks import require
 
 if TYPE_CHECKING:  # which import scipy.stats, and that takes long
     from rockeom.analysis.validation.calibration import Calibration
@@ -61,8 +61,8 @@ def peak_distributions(
         peak_distributions({"measured": measured, "nominal": simulated}, limit=0.24)
     """
     function = "peak_distributions"
-    rule = f"give 1 to {_NAMED}"
-    require(1 <= len(ensembles) <= _NAMED, function, "number of ensembles", len(ensembles), rule)
+    rule = f"give 1 to {_NAMED} of them"
+    require(1 <= len(ensembles) <= _NAMED, function, "ensembles", len(ensembles), rule)
     finite = [one.peaks[np.isfinite(one.peaks)] for one in ensembles.values()]
     end = limit if limit is not None else max((p.max() for p in finite if p.size), default=0.0)
     require(end > 0, function, "limit", end, "no motion has a peak above zero: give limit=")

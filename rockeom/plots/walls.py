@@ -10,7 +10,7 @@ from matplotlib.figure import Figure, SubFigure
 
 from rockeom.analysis.identification.stone_walls import WallTest
 from rockeom.drawing import style
-from rockeom.numbers.checks import near
+from rockeom.numbers.checks import InputError, require_word
 
 _COLUMNS = 4
 
@@ -54,10 +54,9 @@ def wall_envelopes(
     """
     drawn = {name: test for name, test in tests.items() if test.envelope is not None}
     if not drawn:
-        raise ValueError("wall_envelopes: none of the tests has an envelope: give those of some")
+        raise InputError("tests", {}, "wall_envelopes").give("walls that have a measured envelope")
     for name in drawn:
-        if name not in paths:
-            raise ValueError(f"wall_envelopes: no path is called {name!r}{near(name, paths)}")
+        require_word("paths", name, paths, "wall_envelopes")
     columns = min(_COLUMNS, len(drawn))
     rows = -(-(len(drawn) + 1) // columns)
     if figure is None:

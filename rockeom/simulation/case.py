@@ -14,7 +14,7 @@ from rockeom.motion.recording import Recording
 from rockeom.motion.segments import LINEAR, within
 from rockeom.numbers import explained
 from rockeom.numbers.batch import values
-from rockeom.numbers.checks import described, number
+from rockeom.numbers.checks import InputError, InputTypeError, number, require, require_type
 from rockeom.numbers.dual import directions, tangent_of, value_of
 from rockeom.numbers.functions import isfinite
 from rockeom.structures.base import Structure
@@ -161,9 +161,9 @@ class ProblemTangents(NamedTuple):
 def without_duals(problem: Problem) -> Problem:
     """The problem; raises TypeError where its numbers have derivatives, which would be lost."""
     if directions(*problem):
-        raise TypeError(
-            "the case holds duals, and a simulation has no derivatives: give it to "
-            "`rk.tangents`, or simulate it with the `.value` of each"
+        raise InputTypeError("case").says(
+            "the case holds duals, and a simulation has no derivatives: give it to `rk.tangents`, "
+            "or simulate it with the `.value` of each"
         )
     return problem
 
@@ -259,11 +259,13 @@ class Case:
     def __post_init__(self) -> None:
         swapped: tuple[object, object] = self.structure, self.motion
         if isinstance(swapped[0], GroundMotion) and isinstance(swapped[1], Structure):
-            raise TypeError("structure and motion are swapped: the structure comes first")
+            raise InputTypeError("structure").says(
+                "structure and motion are swapped: the structure comes first"
+            )
         if not isinstance(self.structure, Structure):
-            raise TypeError(
-                f"structure is {described(self.structure)}: give a structure, such as "
-                "rk.RigidBlock(half_width=0.1, half_height=0.4) or rk.structure(model, ...)"
+            raise InputTypeError("structure", self.structure).give(
+                "a structure, such as rk.RigidBlock(half_width=0.1, half_height=0.4) or "
+                "rk.structure(model, ...)"
             )
         motion: object = self.motion
         if isinstance(motion, Recording):
@@ -278,12 +280,12 @@ class Case:
     def _take_components(self, recording: Recording) -> None:
         """The motions of a recording; raises TypeError where it leaves open which."""
         if self.vertical is not None:
-            raise TypeError(
-                f"vertical is given along with the recording {recording.name!r}: leave it out, or "
-                "give recording.horizontal[0] as motion"
+            raise InputTypeError("vertical").wrong(
+                f"is given along with the recording {recording.name!r}: leave it out, or give "
+                "recording.horizontal[0] as motion"
             )
         if len(recording.horizontal) > 1:
-            raise TypeError(
+            raise InputTypeError("motion", recording).says(
                 f"the recording {recording.name!r} has two horizontal components, and a plane "
                 "structure takes one: give one of recording.in_plane(), or recording.along(angle)"
             )
@@ -310,13 +312,12 @@ class Case:
             if abs(value) > fallen * (1.0 + AT_THE_END):
                 unit = structure.module.STATE_UNITS[structure.states.index(name)]
                 degrees = f", or give degrees as {name}_degrees" if unit == "rad" else ""
-                raise ValueError(
-                    f"initial {name} is {value}: the structure lies on the ground from "
-                    f"{fallen:.6g} on; start below{degrees}"
+                raise InputError(name, value).says(
+                    f"initial {name} is {value}: the structure lies on the ground from {fallen:.6g}"
+                    f" on; start below{degrees}"
                 )
         end = motion.duration if self.duration is None else number("duration", self.duration)
-        if not (isfinite(end) and end > 0):
-            raise ValueError(f"duration is {end} s: it must be finite and positive")
+        require(isfinite(end) and end > 0, "", "duration", end, "it must be finite and positive")
         law, ratio = structure.law(self.impact)
         quiet = max(m.shaking_ends for m in (motion, self.vertical) if m is not None)
         if abs(quiet - end) <= 1e-12 * abs(end):
@@ -358,16 +359,14 @@ class Case:
 
 def check_case(case: Any) -> None:
     """Raise TypeError for anything but a case."""
-    if not isinstance(case, Case):
-        raise TypeError(f"case is {described(case)}: give a case, rk.Case(structure, motion)")
+    require_type("case", case, Case, "a case, rk.Case(structure, motion)")
 
 
 def _check_motion(name: str, motion: Any) -> None:
     if not isinstance(motion, GroundMotion):
-        raise TypeError(
-            f"{name} is {described(motion)}: give a ground motion, such as "
-            "GroundMotion.from_array(values, dt) of accelerations, GroundMotion.read(path) of a "
-            "file, or GroundMotion.none(duration) of no shaking"
+        raise InputTypeError(name, motion).give(
+            "a ground motion, such as GroundMotion.from_array(values, dt) of accelerations, "
+            "GroundMotion.read(path) of a file, or GroundMotion.none(duration) of no shaking"
         )
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from rockeom.codes import ENERGY_ROUNDING, IMPACT, KIND_OF, LANDING, REST
 from rockeom.integrator.schema import has_landings
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputTypeError, described
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import filled
 from rockeom.structures.modes import modes_of
@@ -116,7 +116,7 @@ class Events(Sequence[Event]):
         except IndexError:
             raise IndexError(f"no event {which}: there are {len(self)}, from 0 on") from None
         except TypeError:
-            raise TypeError(
+            raise InputTypeError("event", which).says(
                 f"{described(which)} is no number of an event: give one from 0 on, or select by "
                 "kind, as in [event for event in run.events if event.kind == 'uplift']"
             ) from None

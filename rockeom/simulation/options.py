@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from rockeom.integrator.methods.coefficients import PAIRS
 from rockeom.numbers import explained
-from rockeom.numbers.checks import near, number, options_of, whole_number
+from rockeom.numbers.checks import InputError, near, number, options_of, require, whole_number
 
 METHODS = (*PAIRS, "Radau")
 """Explicit ones, and the implicit one of implicit.py."""
@@ -103,21 +103,19 @@ class SolverOptions:
         if self.method is not None and self.method not in METHODS:
             *others, last = map(repr, METHODS)
             hint = near(self.method, METHODS)
-            raise ValueError(
-                f"method is {self.method!r}{hint}: choose {', '.join(others)} or {last}"
+            raise InputError("method", self.method).wrong(
+                f"is {self.method!r}{hint}: choose {', '.join(others)} or {last}"
             )
         # Compiled code knows a number by its type: kept are float and int, whatever was given.
         for name in ("rtol", "atol", "max_step", "rest_tolerance", "output_step"):
             if name == "output_step" and self.output_step is None:
                 continue
-            value = number(name, getattr(self, name), "give a positive number")
-            if not value > 0:
-                raise ValueError(f"{name} is {value}: it must be positive")
+            value = number(name, getattr(self, name), bounds="a positive number")
+            require(value > 0, "", name, value, "it must be positive")
             object.__setattr__(self, name, value)
         for name, least in (("max_impacts", 1), ("max_steps", 1), ("steps_per_segment", 0)):
             object.__setattr__(self, name, whole_number(name, getattr(self, name), least))
-        if self.rtol < 1e-15:
-            raise ValueError(f"rtol is {self.rtol}: below 1e-15 rounding errors rule")
+        require(self.rtol >= 1e-15, "", "rtol", self.rtol, "below 1e-15 rounding errors rule")
 
     def spacing(self, duration: float) -> float:
         """Largest spacing of the samples of a response.

@@ -37,7 +37,7 @@ def shaking(structure: Structure, motion: GroundMotion, stood: bool) -> tuple[st
     remedy = (
         f'{motion.peak:.4g} g are given by GroundMotion.from_array(values, dt, units="g")'
         if motion.source == "array"
-        else f'{peak:.4g} g are {peak * 9.81:.4g} m/s2, or scaled_to("{peak:.4g} g")'
+        else f'{peak:.4g} g are {peak * 9.81:.4g} m/s2: scale it to a pga of "{peak:.4g} g"'
     )
     return (
         f"The largest ground acceleration, {peak:.4g} m/s2, is {peak / threshold:.2g} of that "
@@ -100,8 +100,7 @@ def friction(structure: Structure, support: Support) -> tuple[str, ...]:
         else "No friction coefficient would have kept it from sliding"
     )
     return (
-        f"{beyond}: hold the feet, or let them slide, as rk.SlidingBlock and "
-        "support=rk.Sliding(...) do.",
+        f"{beyond}: hold the feet, or let them slide, by a sliding block or a sliding support.",
     )
 
 
@@ -119,7 +118,9 @@ def gained(structure: Structure, impacts: Impacts, law: str) -> tuple[str, ...]:
         cause = "which friction with a restitution above zero can cause"
         return (f"{text}, {cause}; by the laws 'lzb' and 'pairwise' none does.",)
     exact = isinstance(structure.default_impact, Impulsive)
-    return (f"{text}, by {law}." + " Impulsive() conserves the momenta, and gains none." * exact,)
+    return (
+        f"{text}, by {law}." + " The impulsive law conserves the momenta, and gains none." * exact,
+    )
 
 
 def tie(motion: GroundMotion, events: EventColumns) -> tuple[str, ...]:

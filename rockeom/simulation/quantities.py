@@ -17,7 +17,7 @@ import numpy as np
 from rockeom.integrator.program import Program, program
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.motion import GroundMotion
-from rockeom.numbers.checks import described, near
+from rockeom.numbers.checks import InputError, described, near
 from rockeom.simulation.case import ground_table
 from rockeom.simulation.events import EventColumns
 from rockeom.simulation.extremes import Extremes, extremes
@@ -132,7 +132,7 @@ class Quantities:
         """The dense record; raises ValueError where only samples were kept."""
         if isinstance(self.record, Steps):
             return self.record
-        raise ValueError(
+        raise InputError("keep").says(
             f"{needs_them} needs every step of the motion, and of this one only samples were kept: "
             'simulate it with keep="all"'
         )

@@ -13,7 +13,7 @@ import numpy as np
 
 from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
-from rockeom.numbers.checks import numbers
+from rockeom.numbers.checks import InputError, array_of, require
 from rockeom.numbers.degrees import with_degrees
 from rockeom.numbers.pictures import picture
 from rockeom.simulation import plausible
@@ -72,7 +72,7 @@ def _offers() -> dict[str, str]:
 def _listed(names: Sequence[str]) -> Sequence[str]:
     """Names of quantities; raises ValueError for one word, which is a sequence of letters."""
     if isinstance(names, str):
-        raise ValueError(f"names is the word {names!r}: give a list of names, [{names!r}]")
+        raise InputError("names").wrong(f"is the word {names!r}: give a list of names, [{names!r}]")
     return names
 
 
@@ -302,14 +302,13 @@ class Response:
         array([0.1   , 0.0869])
         """
         self._quantities.steps("at")
-        if side not in ("left", "right"):
-            raise ValueError(f"side is {side!r}: choose 'left' or 'right'")
-        times = numbers("times", times)
+        require(side in ("left", "right"), "", "side", side, "choose 'left' or 'right'")
+        times = array_of("times", times)
         flat = times.ravel()
         if flat.size and (flat.min() < self.t[0] or flat.max() > self.t[-1]):
-            raise ValueError(
-                f"times reach from {flat.min()} to {flat.max()} s, the response from "
-                f"{self.t[0]} to {self.t[-1]} s"
+            raise InputError("times").says(
+                f"times reach from {flat.min()} to {flat.max()} s, the response from {self.t[0]} "
+                f"to {self.t[-1]} s"
             )
         names = self.states if names is None else _listed(names)
         values = self._quantities.at(flat, side, names)
@@ -575,9 +574,9 @@ class Response:
         if times is None:
             t, modes, values = self.t, self.mode, {name: self[name] for name in names}
         else:
-            t = numbers("times", times)
+            t = array_of("times", times)
             if t.ndim != 1:
-                raise ValueError(f"times has the shape {t.shape}: give one dimension, (n,)")
+                raise InputError("times", t).give("one dimension, (n,)")
             values = self.at(t, names=names)
             modes = np.array(self.structure.module.MODES)[self.steps.at(t, "right")[1]]
         units = units_with_time(self.structure.module, self.units)

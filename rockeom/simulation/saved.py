@@ -20,7 +20,7 @@ import xarray as xr
 
 from rockeom.files import check_target, write
 from rockeom.numbers.callers import warn_caller
-from rockeom.numbers.checks import described, installed_by, is_number
+from rockeom.numbers.checks import InputError, InputTypeError, described, installed_by, is_number
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.steps import Steps
 from rockeom.structures.base import FixedBase, Structure
@@ -76,7 +76,7 @@ def encode(what: str, value: Any) -> Any:
     if isinstance(value, DeclaredStructure):
         declared = {"is": DECLARED, "of": encoded, "name": value.model}
         return declared | {"source_hash": value.module.SOURCE_HASH}
-    raise TypeError(
+    raise InputTypeError(what, value).says(
         f"{what} is {described(value)}, and files hold no code: save knows shipped, composed and "
         "declared structures, not classes of your own"
     )
@@ -171,7 +171,7 @@ def save(path: str | os.PathLike[str], made: Mapping[str, Any]) -> None:
     check_target(path)
     ending = Path(path).suffix.lower()
     if ending in OTHER_FORMATS:
-        raise ValueError(
+        raise InputError("path", path).says(
             f"{path}: a response is saved as netCDF, not as {ending}: name the file .nc, or write "
             "the quantities as a table, run.to_dataframe().to_csv(path)"
         )

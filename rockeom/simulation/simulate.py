@@ -14,7 +14,7 @@ from rockeom.integrator.program import Program, program
 from rockeom.motion import GroundMotion
 from rockeom.motion.recording import Recording
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.simulation.case import STILL, Case, Problem, without_duals
 from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.method_selection import chosen
@@ -118,13 +118,13 @@ def simulate(
     0.1423 rad
     """
     if keep not in KEEP:
-        raise ValueError(f"keep is {described(keep)}: choose {' or '.join(map(repr, KEEP))}")
+        raise InputError("keep", keep).so(f"choose {' or '.join(map(repr, KEEP))}")
     parts: Any = motion, impact, initial, duration, vertical, mode
     case = structure if isinstance(structure, Case) else Case(structure, *parts)
     if case is structure and any(part is not None for part in parts):
-        raise TypeError(
-            "structure is a case, which has the other arguments: give others to "
-            "dataclasses.replace(case, ...)"
+        raise InputTypeError("structure").wrong(
+            "is a case, which has the other arguments: give others to dataclasses.replace(case, "
+            "...)"
         )
     return simulated(case, without_duals(case.problem()), SolverOptions.of(options), keep)
 

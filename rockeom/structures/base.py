@@ -15,7 +15,7 @@ from rockeom.codes import IMPACT
 from rockeom.integrator.schema import GeneratedModule, has_landings, name_of_law
 from rockeom.integrator.transitions.restitution import velocity_ratio_at
 from rockeom.numbers import explained
-from rockeom.numbers.checks import near, number, numbers
+from rockeom.numbers.checks import InputError, InputTypeError, array_of, near, number
 from rockeom.numbers.dual import value_of
 from rockeom.numbers.functions import for_arrays, isfinite
 from rockeom.numbers.pictures import picture
@@ -221,14 +221,14 @@ class Structure(metaclass=explained.Constructors):
         unknown = [n for n in values if n not in self.states]
         known = [*self.states, *(f"{n}_degrees" for n in self.states)]
         if unknown:
-            raise ValueError(
-                f"unknown state {', '.join(f'{n!r}{near(n, known)}' for n in unknown)}; "
+            raise InputError("state", unknown).says(
+                f"unknown state {', '.join(f'{n!r}{near(n, known)}' for n in unknown)}: "
                 f"{self.model} has {', '.join(self.states)}"
             )
-        y = [number(f"state {name}", values.get(name, 0.0)) for name in self.states]
+        y = [number(name, values.get(name, 0.0), "state") for name in self.states]
         for name, value in zip(self.states, y, strict=True):
             if not isfinite(value):
-                raise ValueError(f"state {name} is {value}: give a finite number")
+                raise InputError(name, value, "state").give("a finite number")
         return modes_of(self.module).completed(self.module, np.array(y), self.vector, values)
 
     def mode_number(
@@ -431,14 +431,14 @@ class Structure(metaclass=explained.Constructors):
         """
         m, p = self.module, self.vector
         if self.has_landings:
-            raise ValueError(
+            raise InputError("impact").says(
                 f"{self.model} has an impact law for each of its points: simulate it, its events "
                 "hold the states before and after each landing"
             )
         y = self.state(state)
         number = self.mode_number(y, mode)
         if m.KINDS[number][0] != IMPACT or m.GUARDS[number] == 0:
-            raise ValueError(f"no impact ends the mode {mode!r} of {self.model}")
+            raise InputError("mode", mode).says(f"no impact ends the mode {mode!r} of {self.model}")
         law, ratio = self.law(impact)
         table = np.array(self.impact_table(impact), float)
         ratio = velocity_ratio_at(law, ratio, impact_number, float(y[m.ROTATION_RATE]), table)
@@ -471,23 +471,24 @@ class Structure(metaclass=explained.Constructors):
         m = self.module
         if not self.has_impacts:
             if impact is not None and self.has_landings:
-                raise ValueError(
+                raise InputError("impact", impact).says(
                     f"{self.model} has an impact law for its points, as it is declared: leave "
-                    "`impact` out, and give law= to the support, rk.Sliding(..., law='lzb'), or to "
-                    "the contacts, Rigid(..., law='lzb')"
+                    "{impact} out",
+                    "and give law= to the support, rk.Sliding(..., law='lzb'), or to the "
+                    "contacts, Rigid(..., law='lzb')",
                 )
             if impact is not None:
-                raise ValueError(
-                    f"{self.model} has no impacts, forces take their place; leave `impact` out"
+                raise InputError("impact", impact).says(
+                    f"{self.model} has no impacts, forces take their place: leave {{impact}} out"
                 )
             return 0, 1.0
         chosen = default_law(m) if impact is None else impact
         check_law(chosen)
         if isinstance(chosen, TabulatedLaw) and not isfinite(self.velocity_ratio):
-            raise ValueError(
-                f"{self.model}: impact is {chosen!r}, a ratio of kinetic energies; its feet are "
-                "not equally far from the centroid, so that this gives different ratios of angular "
-                "velocities at each: give rk.VelocityRatio(e), or leave `impact` out"
+            raise InputError("impact", chosen, self.model).wrong(
+                "is a ratio of kinetic energies; its feet are not equally far from the centroid, "
+                "so that it gives different ratios of angular velocities at each: give a ratio of "
+                "velocities, or leave {impact} out"
             )
         return chosen.resolve(self.velocity_ratio, m.HAS_IMPULSIVE, self.model)
 
@@ -549,7 +550,7 @@ class Structure(metaclass=explained.Constructors):
         """
         m, p = self.module_for(self.vector), self.vector
         if m.STATE_UNITS[m.ROTATION_RATE] != "rad/s":
-            raise TypeError(
+            raise InputTypeError("impact").says(
                 f"the rate of {self.model} is in {m.STATE_UNITS[m.ROTATION_RATE]}: a loss of "
                 "energy in joules says nothing of it; give an energy ratio"
             )
@@ -729,7 +730,7 @@ class Structure(metaclass=explained.Constructors):
         state = named_states("state", state, self.module)
         names = ("ground_acceleration", "vertical_ground_acceleration")
         shaken = [
-            number(n, x) if np.ndim(x) == 0 else numbers(n, x)
+            number(n, x) if np.ndim(x) == 0 else array_of(n, x)
             for n, x in zip(names, ground, strict=False)
         ]
         columns = np.broadcast_arrays(0.0, *state.values(), *shaken)[1:]
@@ -1000,15 +1001,15 @@ class FixedBase(Structure):
         m = self.module
         held = [m.STATES[i] for i in np.flatnonzero(~self._free) if y[i] != 0.0]
         if held:
-            raise ValueError(f"{held[0]} is {y[m.STATES.index(held[0])]}: it is held at zero")
+            raise InputError(held[0], y[m.STATES.index(held[0])]).so("it is held at zero")
         if mode not in (None, modal.FULL_CONTACT):
-            raise ValueError(f"no mode {mode!r} of {self.model}: its feet stay on the ground")
+            raise InputError("mode", mode, self.model).so("its feet stay on the ground")
         return m.MODES.index(modal.FULL_CONTACT)
 
     def law(self, impact: ImpactLaw | None) -> tuple[int, float]:
         """Raises ValueError for an impact law: there are no impacts."""
         if impact is not None:
-            raise ValueError(f"{self.model} has no impacts: leave `impact` out")
+            raise InputError("impact", impact, self.model).so("it has no impacts: leave it out")
         return 0, 1.0
 
     @property

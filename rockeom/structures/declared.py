@@ -15,7 +15,7 @@ import numpy as np
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers import explained
-from rockeom.numbers.checks import number
+from rockeom.numbers.checks import InputError, InputTypeError, number
 from rockeom.numbers.degrees import in_radians, named_in_degrees
 from rockeom.numbers.dual import directions
 from rockeom.structures.base import Structure, generated_module, missing
@@ -165,7 +165,7 @@ class DeclaredStructure(Structure):
         defaults = {n: v for n, v in self.defaults().items() if v is not dataclasses.MISSING}
         check_names(self.model, known, known, defaults | given, doc)
         values = {
-            name: number(f"{self.model}: {name}", value, "give a number in SI units")
+            name: number(name, value, self.model, "a number in SI units")
             for name, value in (defaults | given).items()
         }
         signs = dict(zip(self.module.PARAMETERS, self.module.PARAMETER_SIGNS, strict=True))
@@ -205,9 +205,9 @@ class DeclaredStructure(Structure):
 def check_whole(what: str, name: str, value: Any) -> None:
     """Raise TypeError or ValueError for a number of equal things that is not whole."""
     if directions(value):
-        raise TypeError(f"{what}: {name} is a dual: whole numbers have no derivative")
+        raise InputTypeError(name, of=what).wrong("is a dual: whole numbers have no derivative")
     if not (value >= 1 and value % 1 == 0):
-        raise ValueError(f"{what}: {name} is {value:g}: give a whole number of at least 1")
+        raise InputError(name, value, what).give("a whole number of at least 1")
 
 
 def check_sizes(structure: Structure) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 
 from rockeom.codes import UPLIFT
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import described, near
+from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.numbers.dual import value_of
 from rockeom.numbers.functions import for_arrays, mathematics
 from rockeom.structures.statics import Equilibrium, balanced
@@ -60,10 +60,10 @@ def mode_of(
         for number, value in margins.items():
             if value >= least:
                 return number
-    raise ValueError(
+    raise InputError("state").says(
         f"no mode of {m.NAME} holds {state_in_words(m.STATES, y)}: each of "
-        f"{', '.join(m.MODES[number] for number in margins)} would have ended before; "
-        "correct the state"
+        f"{', '.join(m.MODES[number] for number in margins)} would have ended before; correct the "
+        "state"
     )
 
 
@@ -78,15 +78,15 @@ def named_mode(module: GeneratedModule, mode: Any, y: np.ndarray, p: np.ndarray)
         (turned and side * rotation <= 0) or (side == 0 and rate != 0)
     ):
         name = m.STATES[m.ROTATION]
-        raise ValueError(
-            f"the mode {mode!r} of {m.NAME} contradicts {name} = {rotation}, "
-            f"{name}_dot = {rate}: leave `mode` out, it follows from them"
+        raise InputError("mode", mode).says(
+            f"the mode {mode!r} of {m.NAME} contradicts {name} = {rotation}, {name}_dot = {rate}: "
+            "leave `mode` out, it follows from them"
         )
     # where each mode leans to a side, all end upright
     if all(m.SIDES) and -side * rotation > 1e-6 * m.overturning(value_of(p)):
-        raise ValueError(
-            f"the mode {mode!r} of {m.NAME} contradicts {state_in_words(m.STATES, y)}: it "
-            "would have ended before; leave `mode` out, it follows from the state"
+        raise InputError("mode", mode).says(
+            f"the mode {mode!r} of {m.NAME} contradicts {state_in_words(m.STATES, y)}: it would "
+            "have ended before; leave `mode` out, it follows from the state"
         )
     return number
 
@@ -157,10 +157,9 @@ def subjects(
 def number_of(module: GeneratedModule, mode: Any) -> int:
     """Number of the mode of a name; raises TypeError or ValueError where there is none."""
     if not isinstance(mode, str):
-        raise TypeError(f"mode is {described(mode)}: give one of {', '.join(module.MODES)}")
+        raise InputTypeError("mode", mode).choose(module.MODES)
     if mode not in module.MODES:
-        hint = near(mode, module.MODES)
-        raise ValueError(f"no mode {mode!r}{hint}; {module.NAME} has {', '.join(module.MODES)}")
+        raise InputError("mode", mode, module.NAME).choose(module.MODES)
     return module.MODES.index(mode)
 
 

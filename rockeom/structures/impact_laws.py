@@ -22,7 +22,14 @@ from rockeom.codes import IMPULSIVE, RATIO, TABULATED, UNEVEN
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.integrator.transitions.restitution import tabulated_energy_ratio
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described, is_number, number, numbers
+from rockeom.numbers.checks import (
+    InputError,
+    InputTypeError,
+    array_of,
+    described,
+    is_number,
+    number,
+)
 from rockeom.numbers.functions import isfinite, mathematics
 
 
@@ -211,8 +218,7 @@ class EnergyRatio(TabulatedLaw):
         for name in ("r", "left", "right"):
             value = getattr(self, name)
             if value is not None:
-                foot = "" if name == "r" else f" of the {name} foot"
-                check_ratio(f"energy ratio r{foot}", value)
+                check_ratio(name, value, "EnergyRatio")
 
     def __repr__(self) -> str:
         if self.r is not None:
@@ -281,7 +287,7 @@ class VelocityRatio:
     e: float
 
     def __post_init__(self) -> None:
-        check_ratio("velocity ratio e", self.e)
+        check_ratio("e", self.e, "VelocityRatio")
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
         """Code and ratio of the law for the compiled functions.
@@ -398,9 +404,9 @@ class Impulsive:
             Where the structure has no impulsive form.
         """
         if not has_impulsive:
-            raise ValueError(
-                f"{name} has no impulsive law: its masses do not tell the impulses; "
-                "use AngularMomentum(), EnergyRatio(r) or VelocityRatio(e)"
+            raise InputError(name).wrong(
+                "has no impulsive law: its masses do not tell the impulses; use "
+                "AngularMomentum(), EnergyRatio(r) or VelocityRatio(e)"
             )
         return IMPULSIVE, math.nan
 
@@ -436,27 +442,27 @@ class EnergyRatioAtSpeed(TabulatedLaw):
 
     def __post_init__(self) -> None:
         if not _are_pieces(self.pieces):
-            raise TypeError(
+            raise InputTypeError("pieces", self.pieces).says(
                 f"pieces of an energy ratio are {described(self.pieces)}: give three numbers for "
                 "each, (limit [m/s], r at no speed, slope [s/m]), as ((math.inf, 0.865, 0.0441),)"
             )
         if self.height is not None:
-            number("height of an energy ratio in pieces", self.height)
+            number("height", self.height, "EnergyRatioAtSpeed")
         limits = [limit for limit, _, _ in self.pieces]
         rises = all(a < b for a, b in pairwise(limits))
         if not limits or limits[-1] != math.inf or not rises:
-            raise ValueError(
+            raise InputError("pieces").says(
                 f"energy ratio in pieces with the limits {limits} m/s: they must increase, and the "
                 "last one be infinite"
             )
-        start = 0.0
+        start, name = 0.0, "EnergyRatioAtSpeed"
         for limit, r, slope in self.pieces:
-            check_ratio(f"energy ratio r at {start} m/s", r + slope * start)
+            check_ratio(f"pieces at {start} m/s", r + slope * start, name)
             if limit < math.inf:
-                check_ratio(f"energy ratio r below {limit} m/s", r + slope * limit)
+                check_ratio(f"pieces below {limit} m/s", r + slope * limit, name)
                 start = limit
         if limits[0] <= 0 or (self.height is not None and not self.height > 0):
-            raise ValueError("limits and the height of an energy ratio in pieces must be positive")
+            raise InputError("pieces", self.pieces).give("positive limits, and a positive height")
 
     @classmethod
     def equation_4_31(cls) -> EnergyRatioAtSpeed:
@@ -542,20 +548,20 @@ class EnergyRatioAtSpeed(TabulatedLaw):
 
             rk.EnergyRatioAtSpeed.from_data(speed, r, limits=(0.3, 0.47, 0.78), slopes=False)
         """
-        v, r = np.abs(numbers("speed", speed)), numbers("energy_ratio", energy_ratio)
+        v, r = np.abs(array_of("speed", speed)), array_of("energy_ratio", energy_ratio)
         if v.ndim != 1 or v.shape != r.shape or not np.isfinite([v, r]).all():
-            raise ValueError(
-                f"EnergyRatioAtSpeed.from_data: speed has the shape {v.shape}, energy_ratio "
-                f"{r.shape}: give one finite number of each for every impact"
+            raise InputError("speed", of="EnergyRatioAtSpeed.from_data").wrong(
+                f"has the shape {v.shape}, energy_ratio {r.shape}: give one finite number of each "
+                "for every impact"
             )
         ends = [*(number("limit", limit) for limit in limits), math.inf]
         pieces = []
         for start, end in zip([0.0, *ends], ends, strict=False):
             inside = (v >= start) & (v < end)
             if len(set(v[inside].tolist())) < 1 + slopes:
-                raise ValueError(
-                    f"EnergyRatioAtSpeed.from_data: {inside.sum()} impacts from {start} to {end} "
-                    "m/s are too few for a piece: move the limits, or take slopes=False"
+                raise InputError("limits", of="EnergyRatioAtSpeed.from_data").says(
+                    f"{inside.sum()} impacts from {start} to {end} m/s are too few for a piece: "
+                    "move the limits, or take slopes=False"
                 )
             line = np.polynomial.polynomial.polyfit(v[inside], r[inside], int(slopes)).tolist()
             pieces.append((end, line[0], line[1] if slopes else 0.0))
@@ -596,7 +602,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         """
         lever = self.height if self.height is not None else structure.speed_height
         if lever is None:
-            raise ValueError(
+            raise InputError("height").says(
                 f"the energy ratio depends on a speed, and {structure.model} does not tell of "
                 "which point: give EnergyRatioAtSpeed(..., height=...)"
             )
@@ -649,12 +655,12 @@ class EnergyLossAtSpeed(TabulatedLaw):
         for foot in ("left", "right"):
             given = getattr(self, foot)
             if not (isinstance(given, Sequence) and len(given) == 3 and all(map(is_number, given))):
-                raise TypeError(
+                raise InputTypeError(foot, given).says(
                     f"energy loss of the {foot} foot is {described(given)}: give three numbers, "
                     "those of |w|, w2 and |w|3 [J s, J s2, J s3], as (0.0, 9.7, 0.0)"
                 )
             if not all(isfinite(number(foot, x)) for x in given):
-                raise ValueError(f"energy loss of the {foot} foot is {given}: it must be finite")
+                raise InputError(foot, given).give("finite numbers")
             object.__setattr__(self, foot, tuple(given))
 
     @classmethod
@@ -703,19 +709,19 @@ class EnergyLossAtSpeed(TabulatedLaw):
         ValueError
             Where a foot has fewer than three impacts.
         """
-        w, lost = numbers("rate", rate), numbers("loss", loss)
+        w, lost = array_of("rate", rate), array_of("loss", loss)
         if w.ndim != 1 or w.shape != lost.shape or not np.isfinite([w, lost]).all():
-            raise ValueError(
-                f"EnergyLossAtSpeed.from_data: rate has the shape {w.shape}, loss {lost.shape}: "
-                "give one finite number of each for every impact"
+            raise InputError("rate", of="EnergyLossAtSpeed.from_data").wrong(
+                f"has the shape {w.shape}, loss {lost.shape}: give one finite number of each for "
+                "every impact"
             )
         feet = {}
         for foot, rows in (("left", w < 0), ("right", w > 0)):
             size = np.abs(w[rows])
             if len(set(size.tolist())) < 3:
-                raise ValueError(
-                    f"EnergyLossAtSpeed.from_data: {rows.sum()} impacts of the {foot} foot are too "
-                    "few for three numbers: measure more"
+                raise InputError("rate", of="EnergyLossAtSpeed.from_data").says(
+                    f"{rows.sum()} impacts of the {foot} foot are too few for three numbers: "
+                    "measure more"
                 )
             powers = np.column_stack([size, size**2, size**3])
             feet[foot] = tuple(np.linalg.lstsq(powers, lost[rows], rcond=None)[0].tolist())
@@ -826,15 +832,15 @@ class RandomEnergyRatio(TabulatedLaw):
             given = getattr(self, name)
             if given is None:
                 continue
-            ratios = numbers(f"{name} of RandomEnergyRatio", given, "give measured energy ratios")
+            ratios = array_of(name, given, "RandomEnergyRatio", "measured energy ratios")
             if ratios.ndim != 1 or not np.any((ratios >= 0) & (ratios <= 1)):
-                raise ValueError(
+                raise InputError(name, given).says(
                     f"{name} of RandomEnergyRatio is {described(given)} without one from 0 (no "
                     "rebound) to 1 (no loss): give a list of measured energy ratios"
                 )
             object.__setattr__(self, name, tuple(ratios.tolist()))
         if not (is_number(self.seed) and int(self.seed) == self.seed and self.seed >= 0):
-            raise TypeError(f"seed is {described(self.seed)}: give a whole number from 0 on")
+            raise InputTypeError("seed", self.seed).give("a whole number from 0 on")
         object.__setattr__(self, "seed", int(self.seed))
 
     @classmethod
@@ -864,10 +870,10 @@ class RandomEnergyRatio(TabulatedLaw):
 
         middle, width = number("mean", mean), number("std", std)
         if not (width > 0 and math.isfinite(width) and math.isfinite(middle)):
-            raise ValueError(f"mean is {mean}, std {std}: they must be finite, and std positive")
+            raise InputError("mean", mean).give(f"a finite mean, and a positive std, not {std}")
         low, high = ndtr((0.0 - middle) / width), ndtr((1.0 - middle) / width)
         if not high - low > 1e-6:
-            raise ValueError(
+            raise InputError("std", std).says(
                 f"a normal distribution of mean {mean} and std {std} has nothing from 0 to 1"
             )
         places = low + (high - low) * (np.arange(1000) + 0.5) / 1000
@@ -955,12 +961,12 @@ class EnergyRatioByImpact(TabulatedLaw):
         listed = isinstance(self.values, list | tuple | np.ndarray)
         given = tuple(self.values) if listed else ()
         if not given:
-            raise TypeError(
+            raise InputTypeError("values", self.values).says(
                 f"values of EnergyRatioByImpact is {described(self.values)}: give the ratio of "
                 "each impact, such as [0.82, 0.77, 0.9], or EnergyRatio(0.8) for all"
             )
         for place, r in enumerate(given):
-            check_ratio(f"energy ratio r of impact {place}", r)
+            check_ratio(f"values[{place}]", r, "EnergyRatioByImpact")
         object.__setattr__(self, "values", given)
 
     def table(self, structure: Landing) -> Table:
@@ -994,9 +1000,9 @@ def check_law(impact: Any) -> None:
         inspect.signature(impact.resolve).bind(1.0, True, "name")
     except (AttributeError, TypeError, ValueError):
         r = impact if is_number(impact) else 0.8
-        raise TypeError(
-            f"impact is {described(impact)}: give an impact law, such as rk.EnergyRatio({r}) or "
-            f"rk.VelocityRatio({r}), rk.AngularMomentum() or rk.Impulsive()"
+        raise InputTypeError("impact", impact).give(
+            f"an impact law, such as rk.EnergyRatio({r}) or rk.VelocityRatio({r}), "
+            "rk.AngularMomentum() or rk.Impulsive()"
         ) from None
 
 
@@ -1009,7 +1015,7 @@ def one_or_each_foot(what: str, name: str, one: Any, left: Any, right: Any) -> N
     """Raise TypeError unless one is given for all impacts, or one for each foot."""
     feet = [value is not None for value in (left, right)]
     if (one is not None and any(feet)) or (one is None and not all(feet)):
-        raise TypeError(
+        raise InputTypeError("impact").says(
             f"{what} takes {name} for all impacts, or left and right for those in which that foot "
             f"lands: give {what}({name}) or {what}(left=..., right=...)"
         )
@@ -1029,9 +1035,7 @@ def _are_pieces(pieces: Any) -> bool:
     return all(len(row) == 3 and all(map(is_number, row)) for row in rows)
 
 
-def check_ratio(what: str, value: float) -> None:
-    if not 0.0 <= number(what, value) <= 1.0:
+def check_ratio(argument: str, value: float, of: str) -> None:
+    if not 0.0 <= number(argument, value, of) <= 1.0:
         percent = f"; {value:g} % is {value / 100:g}" if 2.0 <= value <= 100.0 else ""
-        raise ValueError(
-            f"{what} is {value}: it must lie between 0 (no rebound) and 1 (no loss){percent}"
-        )
+        raise InputError(argument, value, of).give(f"0 (no rebound) to 1 (no loss){percent}")

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.integrator.texts import load_text, source
 from rockeom.numbers import explained
-from rockeom.numbers.checks import numbers
+from rockeom.numbers.checks import InputError, array_of
 from rockeom.numbers.functions import for_arrays
 
 FULL_CONTACT = "both"
@@ -147,7 +147,7 @@ class RayleighDamping(NamedTuple):
         ndarray
             Parts, in the shape of the periods.
         """
-        omega = 2.0 * np.pi / numbers("RayleighDamping.ratio: period", period)
+        omega = 2.0 * np.pi / array_of("period", period, "RayleighDamping.ratio")
         return 0.5 * (self.alpha / omega + self.beta * omega)
 
 
@@ -196,25 +196,24 @@ def rayleigh_damping(periods: ArrayLike, ratios: ArrayLike) -> RayleighDamping:
         alpha, beta = rk.rayleigh_damping(frame.fixed_base().periods[:2], [0.02, 0.02])
     """
     given = (
-        numbers("rayleigh_damping: periods", periods),
-        numbers("rayleigh_damping: ratios", ratios),
+        array_of("periods", periods, "rayleigh_damping"),
+        array_of("ratios", ratios, "rayleigh_damping"),
     )
     t, zeta = (np.atleast_1d(x) for x in given)
     if t.shape != zeta.shape or t.ndim != 1 or len(t) not in (1, 2):
-        raise ValueError(
-            f"rayleigh_damping: periods have the shape {t.shape}, ratios {zeta.shape}: give two of "
-            "each, or one"
+        raise InputError("periods", of="rayleigh_damping").wrong(
+            f"have the shape {t.shape}, ratios {zeta.shape}: give two of each, or one"
         )
     if not (np.isfinite([t, zeta]).all() and (t > 0).all() and (zeta >= 0).all()):
-        raise ValueError(
-            f"rayleigh_damping: periods are {t.tolist()} s, ratios {zeta.tolist()}: give positive "
-            "periods and ratios that are not negative, such as 0.02"
+        raise InputError("periods", t.tolist(), "rayleigh_damping").wrong(
+            f"are {t.tolist()} s, ratios {zeta.tolist()}: give positive periods and ratios that "
+            "are not negative, such as 0.02"
         )
     omega = 2.0 * np.pi / t
     if len(t) == 1:
         return RayleighDamping(0.0, float(2.0 * zeta[0] / omega[0]))
     if t[0] == t[1]:
-        raise ValueError(f"rayleigh_damping: both periods are {t[0]} s: give those of two modes")
+        raise InputError("periods", periods, "rayleigh_damping").give("those of two modes")
     alpha, beta = np.linalg.solve(np.column_stack([0.5 / omega, 0.5 * omega]), zeta)
     return RayleighDamping(float(alpha), float(beta))
 

@@ -7,17 +7,13 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any
 
 from rockeom.codes import CONTACT_LAWS, LEAST_RESTITUTION
-from rockeom.numbers.checks import described, near, number
+from rockeom.numbers.checks import InputError, InputTypeError, described, near, number
 from rockeom.numbers.degrees import in_radians, named_in_degrees
 from rockeom.numbers.explained import listed
 from rockeom.numbers.functions import isfinite
 
 LARGEST = 1e50
 """The largest size of a parameter: its sixth power is a number, and that of its inverse."""
-
-
-class ParameterError(TypeError):
-    """Parameters that a structure lacks or does not know, or that are given without their name."""
 
 
 def named_states(what: str, values: Any, module: Any) -> Mapping[str, Any]:
@@ -27,7 +23,7 @@ def named_states(what: str, values: Any, module: Any) -> Mapping[str, Any]:
     """
     if not (type(values) is dict or isinstance(values, Mapping)):  # most are, and it is faster
         example = f"{{{module.STATES[0]!r}: 0.01}}"
-        raise TypeError(f"{what} is {described(values)}: name the states, as in {example}")
+        raise InputTypeError(what, values).so(f"name the states, as in {example}")
     if not named_in_degrees(values):
         return values
     return in_radians(what, values, dict(zip(module.STATES, module.STATE_UNITS, strict=True)))
@@ -70,7 +66,7 @@ def check_names(
     doc: str | None = None,
     others: Callable[[str], str] = lambda name: "",
 ) -> None:
-    """Raise ParameterError naming all that is missing and all that is unknown, with the remedy.
+    """Raise InputTypeError naming all that is missing and all that is unknown, with the remedy.
 
     doc : a docstring that has the units and meanings of the parameters.
     others : gives another call that takes an unknown one, or "".
@@ -84,17 +80,19 @@ def check_names(
     for name in unknown:
         hint = near(name, {**synonyms, **dict.fromkeys(known)}, synonyms)
         text.append(f"unknown {name}{others(name) or hint}")
-    raise ParameterError(f"{what}: {'; '.join(text)}. Its parameters are {', '.join(known)}")
+    raise InputTypeError((missing or unknown)[0], of=what).says(
+        f"{'; '.join(text)}: its parameters are {', '.join(known)}"
+    )
 
 
 def check_named(
     what: str, unnamed: tuple[Any, ...], known: Iterable[str], doc: str | None = None
 ) -> None:
-    """Raise ParameterError for parameters that are given by their place."""
+    """Raise InputTypeError for parameters that are given by their place."""
     if unnamed:
-        raise ParameterError(
-            f"{what} takes its parameters by name, and {described(unnamed[0])} has none. "
-            f"Its parameters are {listed(known, doc)}"
+        raise InputTypeError("", unnamed[0], what).says(
+            f"it takes its parameters by name, and {described(unnamed[0])} has none: they are "
+            f"{listed(known, doc)}"
         )
 
 
@@ -111,29 +109,27 @@ def check_values(
     is refused; one that must be positive is no smaller than its inverse.
     """
     for name, value in values.items():
-        given = number(f"{what}: {name}", value, "give a number in SI units")
+        given = number(name, value, what, "a number in SI units")
         allowed = given >= 0 if name in may_vanish else given > 0
         if name in may_be_negative:
             if not isfinite(given):
-                raise ValueError(f"{what}: {name} is {value}: it must be finite")
+                raise InputError(name, value, what).hold("it must be finite")
         elif not (isfinite(given) and allowed):
             wanted = "zero or positive" if name in may_vanish else "positive"
-            raise ValueError(f"{what}: {name} is {value}: it must be finite and {wanted}")
+            raise InputError(name, value, what).hold(f"it must be finite and {wanted}")
         signless = name in may_vanish or name in may_be_negative
         if abs(given) > largest or not (signless or given >= 1.0 / largest):
             limits = f"beyond {largest:g}" if abs(given) > 1.0 else f"below {1.0 / largest:g}"
-            raise ValueError(
-                f"{what}: {name} is {value}, {limits}, so that products of it leave the range of "
-                "numbers: give it in SI units"
+            raise InputError(name, value, what).wrong(
+                f"is {value}, {limits}, so that products of it leave the range of numbers: give it "
+                "in SI units"
             )
 
 
 def check_slenderness(what: str, alpha: float) -> None:
     """Raise ValueError for an angle of a block that is a right one or more, such as degrees."""
     if not alpha < math.pi / 2:
-        raise ValueError(
-            f"{what}: alpha is {alpha} rad: it must be below pi/2; alpha_degrees= takes degrees"
-        )
+        raise InputError("alpha", alpha, what).give("less than pi/2; alpha_degrees= takes degrees")
 
 
 def check_contact_law(what: str, restitution: float, law: str) -> None:
@@ -142,17 +138,16 @@ def check_contact_law(what: str, restitution: float, law: str) -> None:
     law : one of `CONTACT_LAWS`.
     """
     if restitution > 1:
-        raise ValueError(
-            f"{what}: restitution is {restitution}: give the ratio of rates after and before a "
-            "landing, 0 to 1"
+        raise InputError("restitution", restitution, what).give(
+            "the ratio of rates after and before a landing, 0 to 1"
         )
     if not isinstance(law, str) or law not in CONTACT_LAWS:
-        raise ValueError(
-            f"{what}: law is {described(law)}{near(str(law), CONTACT_LAWS)}: give the impact law "
-            f"of the feet, one of {', '.join(CONTACT_LAWS)}"
+        raise InputError("law", law, what).says(
+            f"law is {described(law)}{near(str(law), CONTACT_LAWS)}: give the impact law of the "
+            f"feet, one of {', '.join(CONTACT_LAWS)}"
         )
     if law == "lzb" and 0.0 < restitution < LEAST_RESTITUTION:
-        raise ValueError(
-            f"{what}: restitution is {restitution}: with law='lzb' give 0, or "
-            f"{LEAST_RESTITUTION:g} and more, since its springs give back 1 / e times as fast"
+        raise InputError("restitution", restitution, what).so(
+            f"with law='lzb' give 0, or {LEAST_RESTITUTION:g} and more, since its springs give "
+            "back 1 / e times as fast"
         )

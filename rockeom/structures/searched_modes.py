@@ -30,6 +30,7 @@ from rockeom.codes import (
 from rockeom.compiler.modules import Modules, as_python, module_text
 from rockeom.integrator.schema import PROVIDED, SearchedModes, angles
 from rockeom.numbers.batch import Differs, Many, values
+from rockeom.numbers.checks import InputError
 from rockeom.numbers.dual import directions, tangent_of, value_of, with_tangent
 from rockeom.numbers.functions import for_arrays, of_compounds
 from rockeom.structures.declared_modes import number_of
@@ -299,9 +300,9 @@ def drawn_out(
         if z not in named:
             y[i] = _DRAWN * drawn[i]
         elif abs(drawn[i] - y[i]) > _BEYOND * size:
-            raise ValueError(
-                f"{module.NAME}: {z} is {y[i]:g} in this state, which leaves more than the "
-                f"strength: give {drawn[i]:.6g}, or leave it out"
+            raise InputError(z, y[i], module.NAME).says(
+                f"{z} is {y[i]:g} in this state, which leaves more than the strength: give "
+                f"{drawn[i]:.6g}, or leave it out"
             )
     return y
 
@@ -325,9 +326,9 @@ def mode_of(
     states = []
     for i, name in enumerate(module.POINTS):
         if points.gap[i] < least_gap[i]:
-            raise ValueError(
-                f"{module.NAME}: the gap of {name} is {points.gap[i]:g} in this state: it must not "
-                "be negative; leave the heights out, they follow from the rest"
+            raise InputError(name, points.gap[i], module.NAME).says(
+                f"the gap of {name} is {points.gap[i]:g} in this state: it must not be negative; "
+                "leave the heights out, they follow from the rest"
             )
         if not closed[i]:
             states.append(OPEN)
@@ -340,7 +341,9 @@ def mode_of(
         described = ", ".join(
             f"{name} {_WORDS[state]}" for name, state in zip(module.POINTS, states, strict=True)
         )
-        raise ValueError(f"{module.NAME} has no mode in which {described}: correct the state")
+        raise InputError("state").says(
+            f"{module.NAME} has no mode in which {described}: correct the state"
+        )
     return _with_elements(module, points_as, y, p)
 
 
@@ -376,9 +379,9 @@ def mode_under_forces(
     follows = _searching(module)["fits_by_forces"](mode, y, p, *ground)
     if follows < 0:
         none = "no" if follows == IMPOSSIBLE else "more than one"
-        raise ValueError(
+        raise InputError("state").says(
             f"{none} mode of {module.NAME} fits the forces in this state, since "
-            f"{assumption(module, p)}; or give another state"
+            f"{assumption(module, p)}: or give another state"
         )
     return follows
 

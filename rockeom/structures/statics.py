@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import numbers
+from rockeom.numbers.checks import InputError, array_of
 
 Equilibrium = tuple[float, np.ndarray]
 """(force, state): the force at the load point [N] that holds a state (N,)."""
@@ -67,9 +67,9 @@ def _root(function: Callable[[float], float], a: float, b: float) -> float:
 
 def angles(rotations) -> np.ndarray:
     """Rotations as finite floats; raises TypeError or ValueError where one is none."""
-    values = numbers("rotations", rotations)
+    values = array_of("rotations", rotations)
     if not np.isfinite(values).all():
-        raise ValueError(f"rotations hold {values[~np.isfinite(values)][0]}: give finite numbers")
+        raise InputError("rotations", values[~np.isfinite(values)][0]).give("finite numbers")
     return values
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputTypeError
 from rockeom.structures.declared import StructureWithFields
 
 
@@ -75,10 +75,7 @@ def check_support(what: str, support: Any, mass: float, inertia: float) -> None:
     if support is None:
         return
     if not isinstance(support, Support):
-        raise TypeError(
-            f"{what}: support is {described(support)}: give what the base stands on, "
-            "such as rk.Pinned()"
-        )
+        raise InputTypeError("support", support, what).give("a support, such as rk.Pinned()")
     support.check_base(what, mass, inertia)
 
 

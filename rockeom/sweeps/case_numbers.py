@@ -15,11 +15,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rockeom.motion import GroundMotion, MotionError
+from rockeom.motion import GroundMotion
 from rockeom.motion.formula import UNITS, formula_of
 from rockeom.motion.recording import Recording
 from rockeom.motion.scaling import target
-from rockeom.numbers.checks import is_number, near
+from rockeom.numbers.checks import InputError, is_number, near
 from rockeom.numbers.degrees import ANGLES, RADIANS, SUFFIX
 from rockeom.numbers.functions import Compound, mathematics
 from rockeom.simulation.case import Case
@@ -86,7 +86,7 @@ def numbers_named(
     places = [(number.part, number.path) for number in found]
     for name, place in zip(names, places, strict=True):
         if places.count(place) > 1:
-            raise ValueError(f"{where}: {name!r} is named twice, with and without its part")
+            raise InputError(where, name).so("it is named twice, with and without its part")
     return found
 
 
@@ -97,8 +97,8 @@ def _named(where: str, name: str, numbers: Mapping[str, Number], structure: Stru
     if len(of_parts) == 1:
         return numbers[of_parts[0]]
     if of_parts:
-        raise ValueError(
-            f"{where}: {name!r} is a number of several parts of the case: name "
+        raise InputError(where, name).wrong(
+            f"has {name!r}, a number of several parts of the case: name "
             f"{' or '.join(map(repr, of_parts))}"
         )
     shorts = [_short(full) for full in numbers]
@@ -108,7 +108,7 @@ def _named(where: str, name: str, numbers: Mapping[str, Number], structure: Stru
     }
     every = ", ".join(with_unit(name, unit) for name, unit in known.items())
     meant = _meant(name, known, structure)
-    raise ValueError(f"{where}: {name!r} is unknown{meant}; there are {every}")
+    raise InputError(where, name).wrong(f"has {name!r}, which is unknown{meant}: there are {every}")
 
 
 def _short(name: str) -> str:
@@ -320,9 +320,9 @@ def _factors(motion: GroundMotion, own: Mapping[_Path, Any]) -> dict[_Path, Any]
     factors = {(name,): own[name,] for name in FACTORS if (name,) in own}
     if ("pga",) in own:
         if ("scale",) in factors:
-            raise ValueError("pga and scale are one factor of the motions: name one of both")
+            raise InputError("over", "scale").so("pga is the same factor: name one of both")
         if motion.peak == 0.0:
-            raise MotionError("no factor makes a motion of zero acceleration shake")
+            raise InputError("over", "pga").says("no factor makes a motion without shaking shake")
         factors["scale",] = target(None, own["pga",], None, None).value / motion.peak
     return factors
 
@@ -331,7 +331,7 @@ def _changed_law(law: Any, places: Mapping[_Path, Any]) -> Any:
     if ("restitution",) not in places:
         return _changed(law, places)
     if len(places) > 1:
-        raise ValueError("'restitution' is the ratio of the law itself: name one of both")
+        raise InputError("over", "restitution").so("the law has it: name one of both")
     return VelocityRatio(places["restitution",])
 
 

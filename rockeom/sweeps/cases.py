@@ -15,7 +15,7 @@ import xarray as xr
 
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.batch import Differs, Many
-from rockeom.numbers.checks import described, is_number, number
+from rockeom.numbers.checks import InputError, InputTypeError, described, is_number, number
 from rockeom.simulation.case import Case, Problem, Problems, without_duals
 from rockeom.structures.units import in_udunits
 from rockeom.sweeps.case_numbers import OtherCase
@@ -88,7 +88,9 @@ class Cases:
             for n, v in named.items()
         }
         case = f"case {', '.join(f'{name} = {value}' for name, value in values.items())}"
-        if error.args == (str(error),):
+        if isinstance(error, InputError):
+            error.case = case
+        elif error.args == (str(error),):
             error.args = (f"{case}: {error}",)
         else:  # one with a text of its own
             error.add_note(f"in the {case}")
@@ -121,7 +123,7 @@ def _grid(over: Mapping[Any, Any]) -> Cases:
     for name, values in over.items():
         one = isinstance(values, str) or getattr(values, "ndim", 1) == 0
         if one or not isinstance(values, Iterable):
-            raise TypeError(f"over has {name} = {described(values)}: give a list of values")
+            raise InputTypeError(f"over[{name!r}]", values).give("a list of values")
     lists = {name: _listed(values) for name, values in over.items()}
     _check_not_empty(lists)
     return Cases(lists, None, _attrs(over))
@@ -136,9 +138,7 @@ def _table(over: Any) -> Cases:
         columns = {name: _listed(over[name]) for name in names}
     _check_not_empty(columns)
     if ROW in columns:
-        raise ValueError(
-            f"over has a column {ROW}, which is what its rows are called: give it another name"
-        )
+        raise InputError("over", ROW).so("rows have this name: give the column another one")
     values, which = {}, {}
     for name, column in columns.items():
         if all(is_number(value) for value in column):
@@ -153,19 +153,18 @@ def _column_names(over: Any) -> list[Any]:
     if isinstance(over, xr.Dataset):
         dims = {variable.dims for variable in over.data_vars.values()}
         if any(len(of) != 1 for of in dims) or len(dims) > 1:
-            raise ValueError(
-                f"over is a dataset over {', '.join(map(str, over.sizes)) or 'nothing'}: a table "
-                "of cases has one dimension in all its variables, that of its rows"
+            raise InputError("over").wrong(
+                f"is a dataset over {', '.join(map(str, over.sizes)) or 'nothing'}: a table of "
+                "cases has one dimension in all its variables, that of its rows"
             )
         return [*over.data_vars]
     if getattr(over, "columns", None) is not None:
         return [*over.columns]
     if getattr(getattr(over, "dtype", None), "names", None) and np.ndim(over) == 1:
         return [*over.dtype.names]
-    raise TypeError(
-        f"over is {described(over)}: give names with their values, as in "
-        '{"frequency": [0.5, 1.0, 2.0]}, or a table with a case in each row, as a DataFrame or a '
-        "list of dicts"
+    raise InputTypeError("over", over).give(
+        'names with their values, as in {"frequency": [0.5, 1.0, 2.0]}, or a table with a case in '
+        "each row, as a DataFrame or a list of dicts"
     )
 
 
@@ -174,7 +173,7 @@ def _of_rows(over: Sequence[Mapping[Any, Any]]) -> dict[str, list[Any]]:
     _check_names(names)
     for i, row in enumerate(over):
         if {*row} != {*names}:
-            raise ValueError(
+            raise InputError(f"over[{i}]").says(
                 f"over[{i}] has {', '.join(map(str, row)) or 'no names'}, and over[0] has "
                 f"{', '.join(map(str, names))}: give all rows of a table the same names"
             )
@@ -184,16 +183,14 @@ def _of_rows(over: Sequence[Mapping[Any, Any]]) -> dict[str, list[Any]]:
 def _check_names(names: list[Any]) -> None:
     for name in names:
         if not isinstance(name, str):
-            raise TypeError(
-                f"over has the name {described(name)}: give an argument of the function"
-            )
+            raise InputTypeError("over", name).give("names of arguments of the function")
         if names.count(name) > 1:
-            raise ValueError(f"over has several columns {name}: let each have a name of its own")
+            raise InputError("over", name).so("several columns have this name: rename all but one")
 
 
 def _check_not_empty(found: Mapping[str, list[Any]]) -> None:
     if not found or not all(found.values()):
-        raise ValueError("`over` is empty: give at least one name with at least one value")
+        raise InputError("over").wrong("is empty: give at least one name with at least one value")
 
 
 def _listed(values: Iterable[Any]) -> list[Any]:
@@ -284,9 +281,9 @@ def made(case: Callable[..., Case], named: Mapping[str, Any]) -> Case:
     """The case that the function makes of one value of each name; TypeError for anything else."""
     one = case(**named)
     if not isinstance(one, Case):
-        raise TypeError(
-            f"the function of the sweep returned {described(one)}: "
-            "let it return a case, rk.Case(structure, motion)"
+        raise InputTypeError("case", one).says(
+            f"the function of the sweep returned {described(one)}: let it return a case, "
+            "rk.Case(structure, motion)"
         )
     return one
 
@@ -432,9 +429,9 @@ class Source:
     def problem(self, named: Mapping[str, Any]) -> tuple[Case, Problem]:
         case = made(self.case, named)
         if case.structure.module is not self.module:
-            raise ValueError(
-                f"a case is a {case.structure.module.NAME}, the first one a "
-                f"{self.module.NAME}: simulate each model by itself"
+            raise InputError("case").says(
+                f"a case is a {case.structure.module.NAME}, the first one a {self.module.NAME}: "
+                "simulate each model by itself"
             )
         return case, without_duals(case.problem())
 

@@ -12,7 +12,7 @@ import xarray as xr
 from rockeom.codes import OUTCOMES
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers import explained
-from rockeom.numbers.checks import near
+from rockeom.numbers.checks import InputError, near
 from rockeom.numbers.pictures import picture
 from rockeom.simulation.quantities import units_of
 from rockeom.structures.units import in_udunits, time_unit
@@ -119,7 +119,7 @@ def check_names(task: Task, cases: Cases, labels: Labels) -> None:
     own = {*variables}.union(*(variable[0] for variable in variables.values())) - {ROW}
     for name in cases.values:
         if name in own:
-            raise ValueError(
+            raise InputError("over", name).says(
                 f"over has the name {name!r}, by which the dataset calls its own results: give the "
                 "argument of the function another name"
             )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described, options_of, whole_number
+from rockeom.numbers.checks import InputTypeError, options_of, whole_number
 
 
 @explained.attributes()
@@ -88,17 +88,14 @@ class SweepOptions:
                 object.__setattr__(self, name, whole_number(name, value, 1))
         for name in ("progress", "lanes"):
             if getattr(self, name) not in (None, True, False):
-                raise TypeError(
-                    f"{name} is {described(getattr(self, name))}: give True, False or None"
-                )
+                raise InputTypeError(name, getattr(self, name)).give("True, False or None")
         if not isinstance(self.store, str | os.PathLike | None):
-            raise TypeError(
-                f"store is {described(self.store)}: give the path of a folder, such as 'map.zarr'"
+            raise InputTypeError("store", self.store).give(
+                "the path of a folder, such as 'map.zarr'"
             )
         if self.executor is not None and not callable(getattr(self.executor, "submit", None)):
-            raise TypeError(
-                f"executor is {described(self.executor)}: give one that takes work by `submit`, "
-                "such as concurrent.futures.ProcessPoolExecutor()"
+            raise InputTypeError("executor", self.executor).give(
+                "one that takes work by `submit`, such as concurrent.futures.ProcessPoolExecutor()"
             )
 
     @classmethod

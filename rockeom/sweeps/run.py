@@ -17,7 +17,7 @@ from rockeom.codes import IMPACT
 from rockeom.integrator.program import program, revision
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, InputTypeError
 from rockeom.simulation.case import Case
 from rockeom.simulation.method_selection import DEFAULT, Choice, chosen
 from rockeom.simulation.options import SolverOptions
@@ -218,15 +218,15 @@ def _check_function(case: Any, cases: Cases) -> None:
     """Raises TypeError for what is no function of the names of a sweep."""
     names = cases.values
     if not callable(case):
-        raise TypeError(
-            f"case is {described(case)}: give a case, rk.Case(structure, motion), or a function "
-            f"that makes one, such as lambda {', '.join(names)}: rk.Case(structure, motion)"
+        raise InputTypeError("case", case).give(
+            "a case, rk.Case(structure, motion), or a function that makes one, such as lambda "
+            f"{', '.join(names)}: rk.Case(structure, motion)"
         )
     try:
         inspect.signature(case).bind(**names)
     except TypeError:
-        raise TypeError(
-            f"over has {', '.join(names)}, and the function of the sweep takes others: "
+        raise InputTypeError("over").wrong(
+            f"has {', '.join(names)}, and the function of the sweep takes others: "
             f"{explained.misfit(case, (), names).partition(': ')[2]}"
         ) from None
     except ValueError:  # a function in C may not tell what it takes
@@ -281,10 +281,12 @@ def _in_lanes(lanes: bool | None, module: GeneratedModule, method: str) -> bool:
     if lanes is None:
         return pay and explicit
     if lanes and not pay:
-        raise ValueError(
-            f"lanes gain too little for {module.NAME}, whose modes change too often: "
-            "leave lanes=True out"
+        raise InputError("lanes", True).says(
+            f"lanes gain too little for {module.NAME}, whose modes change too often: leave "
+            "lanes=True out"
         )
     if lanes and not explicit:
-        raise ValueError("lanes know no implicit method: choose 'DOP853' or 'RK45'")
+        raise InputError("lanes", True).so(
+            "they know no implicit method: choose 'DOP853' or 'RK45'"
+        )
     return bool(lanes)

@@ -13,7 +13,7 @@ import numpy as np
 from rockeom.codes import IMPACT, LANDING, REST
 from rockeom.motion.segments import KIND, scaled
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described, near
+from rockeom.numbers.checks import InputError, InputTypeError, near
 from rockeom.numbers.dual import Dual, directions, duals, tangent_of, value_of, with_tangent
 from rockeom.numbers.functions import of_compounds
 from rockeom.simulation.case import Case, check_case, ground_table, parted
@@ -197,14 +197,14 @@ def sensitivity(
 def _check_plain(case: Any) -> None:
     check_case(case)
     if directions(*case.problem()):
-        raise TypeError("the case holds duals already: give it to `rk.tangents`")
+        raise InputTypeError("case").says("the case holds duals already: give it to `rk.tangents`")
 
 
 def _names(what: str, names: Sequence[str]) -> tuple[str, ...]:
     if isinstance(names, str) or not all(isinstance(name, str) for name in names):
-        raise TypeError(f'{what} is {described(names)}: give a list of names, such as ["{names}"]')
+        raise InputTypeError(what, names).give(f'a list of names, such as ["{names}"]')
     if not names or len({*names}) < len(names):
-        raise ValueError(f"{what} is {described(names)}: give one name or more, each of them once")
+        raise InputError(what, names).give("one name or more, each of them once")
     return tuple(names)
 
 
@@ -240,11 +240,11 @@ def answer(name: str, tangents: Tangents) -> Dual:
         if match := re.fullmatch(pattern, name):
             return asked(motion, *match.groups())
     if name in ("number of impacts", "number of events", "outcome"):
-        raise ValueError(
-            f"of: the {name} has no derivative: it stays or it jumps. The time of an impact has, "
-            'as "impact 3 time"'
+        raise InputError("of", name).says(
+            f"the {name} has no derivative: it stays or it jumps. The time of an impact has, as "
+            '"impact 3 time"'
         )
-    raise ValueError(f"of: {name!r} is unknown; there are {', '.join(_EXAMPLES)}")
+    raise InputError("of", name).choose(_EXAMPLES)
 
 
 class _Moving:
@@ -308,9 +308,7 @@ class _Moving:
         every = np.ones(len(kinds), dtype=bool)
         some = np.flatnonzero(np.isin(kinds, (IMPACT, LANDING)) if what == "impact" else every)
         if not 1 <= int(number) <= len(some):
-            raise ValueError(
-                f"of: there is no {what} {number}: the motion has {len(some)} {what}s, from 1 on"
-            )
+            raise InputError("of", f"{what} {number}").give(f"a number from 1 to {len(some)}")
         return int(some[int(number) - 1])
 
 
@@ -350,8 +348,8 @@ def _told(module: Any, name: str) -> tuple[str, int, int]:
         for k, part in enumerate(OF_ELEMENT, 4 * i):
             places[f"{element}_{part}"] = "elements", k, k + 1
     if name not in places:
-        raise ValueError(
-            f"of: there are derivatives of {', '.join(places)}: {name!r} is none of them"
+        raise InputError("of", name).says(
+            f"there are derivatives of {', '.join(places)}: {name!r} is none of them"
             f"{near(name, places)}"
         )
     return places[name]
@@ -365,9 +363,9 @@ def _extreme(motion: _Moving, which: str, name: str) -> Dual:
     t, value = (of.maximum_time, of.maximum) if sided else (of.minimum_time, of.minimum)
     bound = motion.run.structure.falls.get(name, math.inf)
     if motion.path.falls and abs(value) >= bound * (1.0 - 1e-9):
-        raise ValueError(
-            f"of: {which} {name} is {bound:.4g}, at which the motion ends as overturned, whatever "
-            'the numbers are, and has no derivatives: ask for "overturning time"'
+        raise InputError("of", name).says(
+            f"{which} {name} is {bound:.4g}, at which the motion ends as overturned, whatever the "
+            'numbers are, and has no derivatives: ask for "overturning time"'
         )
     tolerance = 1e-7 * float(np.max(motion.run.steps.span[:, 1]))
     there = np.flatnonzero(np.abs(motion.run.events.columns[0] - t) <= tolerance)
@@ -395,8 +393,8 @@ def _where_it_turns(motion: _Moving, name: str, t: float, tolerance: float) -> f
 def _at_time(motion: _Moving, name: str, time: str) -> Dual:
     t = float(time)
     if not 0.0 <= t <= motion.path.last_time:
-        raise ValueError(
-            f"of: {name} at {time}: the motion is known from 0 to {motion.path.last_time:.6g} s"
+        raise InputError("of", time).says(
+            f"{name} at {time}: the motion is known from 0 to {motion.path.last_time:.6g} s"
         )
     return motion.at_time(name, t)
 
@@ -410,8 +408,8 @@ def _of_event(motion: _Moving, what: str, number: str, name: str, side: str | No
 
 def _overturning_time(motion: _Moving) -> Dual:
     if not motion.path.falls:
-        raise ValueError(
-            f"of: there is no overturning time: within its duration the motion {motion.run.outcome}"
+        raise InputError("of").says(
+            f"there is no overturning time: within its duration the motion {motion.run.outcome}"
         )
     return Dual(motion.path.last_time, motion.found.end_time)
 
@@ -420,7 +418,7 @@ def _rest_time(motion: _Moving) -> Dual:
     times, kinds, _ = motion.run.events.columns
     rests = np.flatnonzero(kinds[:, 0] == REST)
     if not len(rests):
-        raise ValueError("of: there is no rest time: no limit of infinitely many impacts was met")
+        raise InputError("of", "rest time").so("no limit of infinitely many impacts was met")
     return Dual(float(times[rests[-1]]), motion.found.event_times[rests[-1]])
 
 

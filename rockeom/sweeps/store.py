@@ -29,7 +29,7 @@ import xarray as xr
 from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers.callers import warn_caller
-from rockeom.numbers.checks import installed_by, is_number
+from rockeom.numbers.checks import InputError, installed_by, is_number
 from rockeom.sweeps.cases import Cases, Source, labels as labels_of
 from rockeom.sweeps.dataset import FLAGS, PENDING, Labels, Sweep, dataset, flags_of, outcomes_of
 from rockeom.sweeps.results import NOT_RUN, Results
@@ -61,14 +61,14 @@ class Store:
         self.arrays = _not_empty(results)
         lost = [name for name in self.arrays if name not in group]
         if lost:
-            raise ValueError(
+            raise InputError("store", path).says(
                 f"{str(path / lost[0])!r} is missing: the store is damaged, give another one"
             )
         with zarr.config.set({"array.write_empty_chunks": True}):
             self.on_disk = {name: group[name] for name in self.arrays}
         for name, array in self.arrays.items():
             if self.on_disk[name].shape != array.shape:
-                raise ValueError(
+                raise InputError("store", path).says(
                     f"{str(path / name)!r} has the shape {self.on_disk[name].shape}, not "
                     f"{array.shape}: the store is damaged, give another one"
                 )
@@ -160,7 +160,9 @@ def open_sweep(path: str | os.PathLike[str]) -> Sweep:
     for name in about["coordinates"]:
         array, here = group["labels"][name], named[name]
         if array.nchunks_initialized < array.nchunks:
-            raise ValueError(f"{str(path / 'labels' / name)!r} lacks a file: the store is damaged")
+            raise InputError("store", path).says(
+                f"{str(path / 'labels' / name)!r} lacks a file: the store is damaged"
+            )
         values = here.values.tolist() if here.dtype.kind in "OT" else here.values
         coordinates[name] = here.dims, values, here.attrs
     labels = Labels(**about | {"coordinates": coordinates})
@@ -191,14 +193,16 @@ def _group(path: Path, mode: str) -> Any:
         group = zarr.open_group(str(path), mode=mode)
         form = dict(group.attrs["rockeom_sweep"])["format"]
     except Exception as error:
-        raise ValueError(f"{str(path)!r} is no store of a sweep: give another path") from error
+        raise InputError("store", path).so("it is no store of a sweep") from error
     if form != str(FORMAT):
-        raise ValueError(
+        raise InputError("store", path).says(
             f"{str(path)!r} is a sweep in format {form}, which another version of rockeom wrote, "
             f"and this one reads format {FORMAT}: remove it, or give another path, and sweep again"
         )
     if "labels" not in group.attrs:
-        raise ValueError(f"{str(path)!r} lacks its labels: the store is damaged, give another one")
+        raise InputError("store", path).says(
+            f"{str(path)!r} lacks its labels: the store is damaged, give another one"
+        )
     return group
 
 
@@ -339,7 +343,7 @@ def _check_same(path: Path, there: Mapping[str, str], here: Mapping[str, str]) -
         if there.get(name) != here.get(name)
     ]
     if differ:
-        raise ValueError(
+        raise InputError("store", path).says(
             f"{str(path)!r} holds another sweep: {'; '.join(differ)}. Give another store, or "
             "remove this one to begin again"
         )

@@ -30,7 +30,7 @@ from rockeom.compiler.types import WIDTH
 from rockeom.integrator import records
 from rockeom.integrator.program import tangent_program
 from rockeom.numbers import explained
-from rockeom.numbers.checks import numbers
+from rockeom.numbers.checks import InputError, array_of
 from rockeom.numbers.dual import nominal, tangent_of, value_of
 from rockeom.simulation.case import Case, Problem, ProblemTangents, check_case, parted
 from rockeom.simulation.options import SolverOptions
@@ -106,10 +106,10 @@ class Tangents:
         ValueError
             For times outside of the motion.
         """
-        instants = np.atleast_1d(numbers("Tangents.at: times", times))
+        instants = np.atleast_1d(array_of("times", times, "Tangents.at"))
         end = self.motion.last_time
         if instants.size and not (instants.min() >= 0.0 and instants.max() <= end):
-            raise ValueError(f"Tangents.at: times are from 0 to {end:.6g} s, where the motion ends")
+            raise InputError("times", times, "Tangents.at").give(f"times from 0 to {end:.6g} s")
         order = np.argsort(instants, kind="stable")
         derivatives = np.empty((len(instants), *self.end.shape))
         derivatives[order] = self.motion.carried(instants[order]).at_times
@@ -172,7 +172,7 @@ def states_at(
 def _with_duals(case: Case) -> tuple[Problem, ProblemTangents]:
     problem, along = parted(case.problem())
     if not along.end.size:
-        raise ValueError(
+        raise InputError("case").says(
             "the case holds no duals: make its numbers by rk.duals, as in "
             "rk.RigidBlock(**rk.duals(half_width=0.1), half_height=0.4)"
         )
@@ -195,9 +195,9 @@ def of_problem(
 
 def _motion(case: Case, problem: Problem, along: ProblemTangents, options: SolverOptions) -> Motion:
     if case.structure.jumps_between_events:
-        raise ValueError(
-            f"tangents: a force of {type(case.structure).__name__} jumps between its events, and "
-            "derivatives with it: give it one law for all speeds, or the speed of the last impact"
+        raise InputError("case", of="tangents").says(
+            f"a force of {type(case.structure).__name__} jumps between its events, and derivatives "
+            "with it: give it one law for all speeds, or the speed of the last impact"
         )
     return Motion(simulated(nominal(case), problem, options), problem, along)
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.numbers.checks import numbers, whole_number
+from rockeom.numbers.checks import InputError, array_of, whole_number
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.sweeps.cases import Cases, Source
@@ -38,18 +38,18 @@ class Task:
         count = whole_number("impact_times", self.impact_times, 0)
         object.__setattr__(self, "impact_times", count)
         if self.impact_states and not count:
-            raise ValueError(
-                "impact_states needs impact_times, the number of impacts to keep: it is 0"
+            raise InputError("impact_states").wrong(
+                "needs impact_times, the number of impacts to keep: it is 0"
             )
         if isinstance(self.quantities, str):
-            raise ValueError(f"quantities is the word {self.quantities!r}: give a list of names")
+            raise InputError("quantities", self.quantities).give("a list of names")
         object.__setattr__(self, "quantities", tuple(self.quantities))
-        times = numbers("times", self.times)
+        times = array_of("times", self.times)
         object.__setattr__(self, "times", times)
         if times.size and not self.quantities:
-            raise ValueError("`times` is given, but no `quantities` whose history is wanted")
+            raise InputError("times").wrong("is given, but no `quantities` whose history is wanted")
         if not np.all(times >= 0.0):
-            raise ValueError(f"times holds {times.min()}: give times from 0 on, in seconds")
+            raise InputError("times", times.min()).give("times from 0 on, in seconds")
 
     @property
     def needs_responses(self) -> bool:

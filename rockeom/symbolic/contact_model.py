@@ -10,7 +10,7 @@ from typing import Any
 import sympy as sp
 
 from rockeom.numbers import explained
-from rockeom.symbolic import valid
+from rockeom.numbers.checks import require_word
 from rockeom.symbolic.checks.contacts import check_items
 from rockeom.symbolic.checks.declaration import check
 from rockeom.symbolic.contacts import Contact, ContactDeclaration, Rigid
@@ -229,5 +229,5 @@ class Model(Declared, ContactDeclaration):
         ValueError
             If there is none of that name; the message names the modes.
         """
-        valid.known(self.name, "mode", name, self.modes.names)
+        require_word("mode", name, self.modes.names, self.name)
         return self.modes.mode_of(self.modes.states[self.modes.names.index(name)])

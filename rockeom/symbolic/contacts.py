@@ -15,6 +15,7 @@ import sympy as sp
 
 from rockeom.codes import CONTACT_LAWS
 from rockeom.numbers import explained
+from rockeom.numbers.checks import InputError, require_word
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.elements import Element, Ending, Spring, Switching, switch_of
@@ -95,24 +96,21 @@ class Rigid:
         valid.not_negative(what, **given)
         for name, ratio in ratios.items():
             if (1 - sp.sympify(ratio)).is_negative:
-                raise ValueError(
-                    f"{what}: {name} is {ratio}: give the ratio of rates after and before an "
-                    "impact, 0 to 1"
-                )
-        valid.known(what, "law", self.law, CONTACT_LAWS)
+                raise InputError(name, ratio, what).give("a ratio of rates, 0 to 1")
+        require_word("law", self.law, CONTACT_LAWS, what)
         of_laws = ("stiffness", sp.S.One, "lzb", "pairwise"), ("tangential", None, "moreau")
         for name, without, *laws in of_laws:
             if getattr(self, name) != without and self.law not in laws:
-                raise ValueError(
-                    f"{what}: {name} is {getattr(self, name)}, and the law {self.law!r} has none: "
-                    f"leave it out, or give law={' or '.join(map(repr, laws))}"
+                raise InputError(name, getattr(self, name), what).wrong(
+                    f"is {getattr(self, name)}, and the law {self.law!r} has none: leave it out, "
+                    f"or give law={' or '.join(map(repr, laws))}"
                 )
         if sp.sympify(self.stiffness).is_zero:
-            raise ValueError(f"{what}: stiffness is {self.stiffness}: give a positive one")
+            raise InputError("stiffness", self.stiffness, what).give("a positive one")
         if self.law == "lzb" and self.friction is None:
-            raise ValueError(
-                f"{what}: friction is None, and law='lzb' follows the slip through an impact: give "
-                "a coefficient of friction, or law='poisson' or 'pairwise'"
+            raise InputError("friction", of=what).wrong(
+                "is None, and law='lzb' follows the slip through an impact: give a coefficient of "
+                "friction, or law='poisson' or 'pairwise'"
             )
 
     @property

@@ -15,6 +15,7 @@ from typing import ClassVar, NamedTuple, Self
 import sympy as sp
 
 from rockeom.numbers import explained
+from rockeom.numbers.checks import InputError
 from rockeom.symbolic import valid
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import Coordinate, InternalVariable, Point, internal_variable
@@ -221,7 +222,7 @@ class Yielding:
                     f"{what}: its {item} is zero: give a positive one, or leave it out"
                 )
         if not isinstance(self.slack, bool):
-            raise ValueError(f"{what}: slack is {self.slack!r}: give True or False")
+            raise InputError("slack", self.slack, what).give("True or False")
         z = internal_variable(
             f"z_{self.name}", f"{self.name}_extension", "m", f"permanent extension of {self.name}"
         )

@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 import sympy as sp
 
+from rockeom.numbers.checks import InputError
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Transition
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
@@ -303,15 +304,15 @@ class NumpyMode:
     def _values(self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0) -> list[np.ndarray]:
         """All arguments of the functions in their order, of one common shape."""
         if len(y) != len(self.states):
-            raise ValueError(
-                f"y has {len(y)} rows, the states are {len(self.states)}: {', '.join(self.states)}"
+            raise InputError("y").wrong(
+                f"has {len(y)} rows, the states are {len(self.states)}: {', '.join(self.states)}"
             )
         missing = [name for name in self.parameters if name not in parameters]
         unknown = [name for name in parameters if name not in self.parameters]
         if missing or unknown:
-            raise ValueError(
-                f"parameters missing: {', '.join(missing) or 'none'}; "
-                f"unknown: {', '.join(unknown) or 'none'}; all are {', '.join(self.parameters)}"
+            raise InputError("parameters").says(
+                f"parameters missing: {', '.join(missing) or 'none'}; unknown: "
+                f"{', '.join(unknown) or 'none'}; all are {', '.join(self.parameters)}"
             )
         chosen = [parameters[name] for name in self.parameters]
         chosen += list(self._constants(_common(chosen)))

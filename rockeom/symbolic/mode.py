@@ -12,6 +12,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from rockeom.numbers.checks import InputError
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import truncated
 from rockeom.symbolic.elements import Spring
@@ -164,9 +165,8 @@ class Mode:
 def _are_springs(what: str, elements: tuple[Spring, ...]) -> None:
     for e in elements:
         if not isinstance(e, Spring):
-            raise ValueError(
-                f"{what}: elements holds {e!r}: give objects of Spring; what switches is declared "
-                "in a Model"
+            raise InputError("elements", of=what).wrong(
+                f"holds {e!r}: give objects of Spring; what switches is declared in a Model"
             )
 
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from rockeom.numbers import explained
+from rockeom.numbers.checks import require_word
 from rockeom.symbolic import valid
 
 Point = tuple[sp.Expr, sp.Expr]
@@ -281,7 +282,7 @@ class Member:
 
     def __post_init__(self) -> None:
         what = f"member from {self.start!r} to {self.end!r}"
-        valid.known(what, "kind", self.kind, MEMBERS)
+        require_word("kind", self.kind, MEMBERS, what)
         valid.points(what, start_at=self.start_at, end_at=self.end_at)
 
 

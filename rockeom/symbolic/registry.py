@@ -9,14 +9,13 @@ import re
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache, partial
-from inspect import Parameter, signature
+from inspect import signature
 from typing import Any
 
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described, near
+from rockeom.numbers.checks import InputTypeError, near
 from rockeom.symbolic import structures
 from rockeom.symbolic.rocking import RockingModel
-from rockeom.symbolic.valid import ArgumentError
 
 
 @dataclass(frozen=True)
@@ -115,7 +114,7 @@ def derive(name: str, **arguments: str | int) -> RockingModel:
     ------
     KeyError
         If there is none of that name; the message names all of them.
-    ArgumentError
+    InputTypeError
         For arguments that it does not take.
 
     Examples
@@ -128,17 +127,16 @@ def derive(name: str, **arguments: str | int) -> RockingModel:
     """
     every = SHIPPED | FAMILIES
     if not isinstance(name, str):
-        raise TypeError(f"name is {described(name)}: give the name of a shipped structure")
+        raise InputTypeError("name", name).give("the name of a shipped structure")
     if name not in every:
         hint = near(re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name), every)  # of a class, too
         raise KeyError(f"no structure named {name!r}{hint}; shipped are {', '.join(every)}")
-    taken = signature(every[name])
     try:
-        taken.bind(**arguments)
-    except TypeError as error:
-        names = [n for n, p in taken.parameters.items() if p.kind is not Parameter.VAR_KEYWORD]
-        takes = ", ".join(f"{n}=" for n in names) or "no arguments"
-        raise ArgumentError(f"{name}: {error}; it takes {takes}") from None
+        signature(every[name]).bind(**arguments)
+    except TypeError:
+        raise InputTypeError("arguments").says(
+            explained.misfit(every[name], (), arguments)
+        ) from None
     return _derived(every[name], **arguments)
 
 

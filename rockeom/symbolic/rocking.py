@@ -9,6 +9,7 @@ from typing import Any, TypedDict, Unpack
 import sympy as sp
 
 from rockeom.numbers import explained
+from rockeom.numbers.checks import InputError, require_word
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.checks.declaration import check
@@ -241,7 +242,7 @@ def rocking_structure(
     )
     valid.points(str(name), beside_feet=acting.get("beside_feet", (0, 0)))
     if sp.sympify(half_width).is_nonpositive:
-        raise ValueError(f"{name}: half_width is {half_width}: it must be positive")
+        raise InputError("half_width", half_width, name).hold("it must be positive")
     pivot = (SIDE * half_width, sp.Integer(0))
     turning = tuple(bodies(pivot))
     if callable(acting.get("elements")):
@@ -249,7 +250,7 @@ def rocking_structure(
     if not turning:
         raise ValueError(f"{name}: it has no bodies: declare the masses")
     load = turning[0].name if load_on is None else load_on
-    valid.known(str(name), "load_on", load, [b.name for b in turning])
+    require_word("load_on", load, [b.name for b in turning], str(name))
     edges = {"left": (-half_width, sp.Integer(0)), "right": (half_width, sp.Integer(0))}
     rocking = Mode(
         dict(SIDES),

@@ -5,7 +5,6 @@ Each check raises ValueError, which names what is declared, the item and the rem
 
 from __future__ import annotations
 
-import difflib
 import re
 import unicodedata
 from collections.abc import Iterable
@@ -14,6 +13,8 @@ from typing import Any
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
+
+from rockeom.numbers.checks import InputError
 
 LONGEST = 100
 """Letters of a name: files are called by it."""
@@ -39,37 +40,32 @@ _NOTATION = _commands("""
 _SYMBOL = re.compile(r"[\w\\{}', +-]*[^\W\d_][\w\\{}', +-]*")
 
 
-class ArgumentError(TypeError):
-    """Arguments that a structure of several lacks or does not take."""
-
-
 def expressions(what: str, **items: Any) -> None:
     """Each must be a SymPy expression or a number: text would be run as a program."""
     for item, value in items.items():
         number = isinstance(value, Real) and not isinstance(value, bool)
         if not (number or isinstance(value, sp.Expr)):
-            raise ValueError(
-                f"{what}: {item} is {value!r}: give a number or a SymPy expression, "
-                "such as `parameter(...).symbol`"
+            raise InputError(item, value, what).give(
+                "a number or a SymPy expression, such as `parameter(...).symbol`"
             )
         if sp.sympify(value).has(sp.nan, sp.zoo):
-            raise ValueError(f"{what}: {item} is {value}: give a finite value")
+            raise InputError(item, value, what).give("a finite value")
 
 
 def points(what: str, **items: Any) -> None:
     """Each must be a pair of expressions."""
     for item, value in items.items():
         if not isinstance(value, tuple) or len(value) != 2:
-            raise ValueError(f"{what}: {item} is {value!r}: give a point as (x, y)")
+            raise InputError(item, value, what).give("a point as (x, y)")
         expressions(what, **{f"{axis} of {item}": value[i] for i, axis in enumerate("xy")})
 
 
 def corners(what: str, outline: Any) -> None:
     """Three points or more, or none."""
     if not isinstance(outline, tuple) or len(outline) in (1, 2):
-        raise ValueError(
-            f"{what}: its outline is {outline!r}: give three corners (x, y) or more from its "
-            "centre, such as `rectangle(half_width, half_height)`"
+        raise InputError("outline", outline, what).says(
+            f"its outline is {outline!r}: give three corners (x, y) or more from its centre, such "
+            "as `rectangle(half_width, half_height)`"
         )
     points(what, **{f"corner {i} of its outline": corner for i, corner in enumerate(outline)})
 
@@ -77,7 +73,7 @@ def corners(what: str, outline: Any) -> None:
 def symbols(what: str, **items: Any) -> None:
     for item, value in items.items():
         if not isinstance(value, sp.Symbol):
-            raise ValueError(f"{what}: {item} is {value!r}: give a SymPy symbol")
+            raise InputError(item, value, what).give("a SymPy symbol")
         _typeset(what, value.name)
 
 
@@ -86,22 +82,22 @@ def _typeset(what: str, name: str) -> None:
     known = set(re.findall(r"\\[A-Za-z]*", name)) <= _LETTERS
     balanced = name.count("{") == name.count("}")
     if not (_SYMBOL.fullmatch(name) and len(name) <= LONGEST and known and balanced):
-        raise ValueError(
-            f"{what}: the symbol {name[:LONGEST]!r} must consist of letters, digits, _, primes, "
-            "braces and TeX's names of letters and accents, such as theta, M_b, k_{f,1} or "
-            rf"\dot{{x}}, and have 1 to {LONGEST} letters"
+        raise InputError("symbol", name, what).says(
+            f"the symbol {name[:LONGEST]!r} must consist of letters, digits, _, primes, braces and "
+            "TeX's names of letters and accents, such as theta, M_b, k_{f,1} or \\dot{x}, and "
+            f"have 1 to {LONGEST} letters"
         )
 
 
 def texts(what: str, **items: Any) -> None:
     for item, value in items.items():
         if not isinstance(value, str):
-            raise ValueError(f"{what}: {item} is {value!r}: give a text")
+            raise InputError(item, value, what).give("a text")
         for mathematics in re.findall(r"\$([^$]*)\$", value):
             unknown = set(re.findall(r"\\[A-Za-z]+", mathematics)) - _NOTATION - _LETTERS
             if unknown or "^^" in mathematics:
-                raise ValueError(
-                    f"{what}: the mathematics of {item}, {mathematics!r}, holds "
+                raise InputError(item, value, what).says(
+                    f"the mathematics of {item}, {mathematics!r}, holds "
                     f"{', '.join(sorted(unknown)) or '^^'}: write letters and the usual notation"
                 )
 
@@ -109,36 +105,28 @@ def texts(what: str, **items: Any) -> None:
 def name(what: str, name: Any) -> None:
     """A name must be one that Python's keywords can be, `lambda` and the like included."""
     if not isinstance(name, str) or not name.isidentifier() or len(name) > LONGEST:
-        raise ValueError(
-            f"{what}: the name {str(name)[:LONGEST]!r} must consist of letters, digits and "
-            f"underscores, not begin with a digit, and have 1 to {LONGEST} letters"
+        raise InputError("name", name, what).says(
+            f"the name {str(name)[:LONGEST]!r} must consist of letters, digits and underscores, "
+            f"not begin with a digit, and have 1 to {LONGEST} letters"
         )
     plain = unicodedata.normalize("NFKC", name)
     if name != plain:
-        raise ValueError(f"{what}: Python reads the name {name!r} as {plain!r}: write that")
-
-
-def known(what: str, item: str, name: Any, there: Iterable[str]) -> None:
-    names = tuple(there)
-    if name not in names:
-        near = difflib.get_close_matches(str(name), names, n=1)
-        hint = f" (did you mean {near[0]!r}?)" if near else ""
-        raise ValueError(f"{what}: {item} is {name!r}{hint}; there are {', '.join(names)}")
+        raise InputError("name", name, what).give(f"what Python reads, {plain!r}")
 
 
 def not_negative(what: str, **items: Any) -> None:
     """None may be negative whatever the parameters are."""
     for item, value in items.items():
         if sp.sympify(value).is_negative:
-            raise ValueError(f"{what}: {item} is {value}, negative: give it its other sign")
+            raise InputError(item, value, what).so("it is negative: give it its other sign")
 
 
 def laws(what: str, symbol: Any) -> None:
     """The symbol of a named function, a plain one or a function of one coordinate."""
     function = isinstance(symbol, AppliedUndef) and len(symbol.args) == 1
     if not (isinstance(symbol, sp.Symbol) or function):
-        raise ValueError(
-            f"{what}: its symbol is {symbol}: give a symbol, or a function of one coordinate"
+        raise InputError("symbol", symbol, what).says(
+            f"its symbol is {symbol}: give a symbol, or a function of one coordinate"
         )
     _typeset(what, symbol.func.__name__ if function else symbol.name)
 
@@ -153,4 +141,4 @@ def counts(what: str, **items: Any) -> None:
     """Each must be a whole number, from one up."""
     for item, value in items.items():
         if not isinstance(value, int) or isinstance(value, bool) or value < 1:
-            raise ValueError(f"{what}: {item} is {value!r}: give a whole number of at least 1")
+            raise InputError(item, value, what).give("a whole number of at least 1")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
+from rockeom.numbers.checks import InputError
 from rockeom.thesis.appendix_b import APPENDIX_B
 from rockeom.thesis.appendix_d import APPENDIX_D
 from rockeom.thesis.chapter_2 import CHAPTER_2
@@ -36,7 +37,7 @@ def equation(number: str) -> Equation:
         chapter = asked.partition("-")[0].upper()
         there = [n for n in EQUATIONS if n.startswith(f"{chapter}-")]
         hint = f"chapter {chapter} has {there[0]} to {there[-1]}" if there else _chapters()
-        raise ValueError(f"there is no equation {number!r}: {hint}")
+        raise InputError("number", number).says(f"there is no equation {number!r}: {hint}")
     return match
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 from sympy.logic.boolalg import Boolean
 
+from rockeom.numbers.checks import require_word
 from rockeom.thesis.typeset import written
 
 Relations = tuple[sp.Eq, ...]
@@ -147,8 +148,7 @@ class Equation:
             For any other word, and for a form that there is none of.
         """
         forms = {"right": self.right, "printed": self.printed, "corrected": self.corrected}
-        if form not in forms:
-            raise ValueError(f"form is {form!r}: choose one of {', '.join(forms)}")
+        require_word("form", form, forms)
         if not forms[form]:
             raise ValueError(f"{self.number} has no {form} form")
         return [written(relation) for relation in forms[form] or ()]

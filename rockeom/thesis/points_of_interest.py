@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.identification.records import MeasuredRecord
-from rockeom.numbers.arguments import numbers, positive
+from rockeom.numbers.checks import InputError, numbers, positive
 
 
 class PointsOfInterest(NamedTuple):
@@ -55,9 +55,7 @@ def importance_scores(values: ArrayLike, window: int) -> np.ndarray:
     where = "importance_scores"
     (x,) = numbers(where, values=values)
     if x.ndim != 1 or not 3 <= window <= len(x):
-        raise ValueError(
-            f"{where}: window is {window}, values has the shape {x.shape}: give from 3 to n samples"
-        )
+        raise InputError("window", window, where).give(f"from 3 to {len(x)} samples")
     windows = np.lib.stride_tricks.sliding_window_view(x, int(window))
     starts = np.arange(len(windows))
     points = np.concatenate([starts + windows.argmax(axis=1), starts + windows.argmin(axis=1)])

@@ -60,7 +60,7 @@ def sylmar_360() -> rk.GroundMotion:
 def intended_motion(run: str) -> rk.GroundMotion:
     """The intended motion of a run of Table 4-1, scaled as printed there.
 
-    Raises MotionError where its record is not at hand, or the extra is not installed that has it.
+    Raises InputError where its record is not at hand, or the extra is not installed that has it.
     """
     source = TABLE_4_1.column("source")[TABLE_4_1.column("run").index(run)]
     scales = {
@@ -71,12 +71,12 @@ def intended_motion(run: str) -> rk.GroundMotion:
         return rk.GroundMotion.from_library("El Centro 1940 180").scaled(**scales)
     if source == "Northridge Sylmar 360":
         return sylmar_360().scaled(**scales)
-    raise rk.MotionError(f"run {run}: {source} is among the records of no package at hand")
+    raise rk.InputError("run", run).says(f"{source} is among the records of no package at hand")
 
 
 @cache
 def wall_motion(run: str) -> rk.GroundMotion:
-    """The intended motion with the peak that the table reached, Table 4-1; MotionError as above."""
+    """The intended motion with the peak that the table reached, Table 4-1; InputError as above."""
     return intended_motion(run).scaled_to(TABLE_4_1.cell(run, "PGA"))
 
 
@@ -100,7 +100,7 @@ def wall_motions(run: str) -> tuple[rk.GroundMotion, ...]:
 
 @cache
 def column_motion(run: str) -> rk.GroundMotion:
-    """The intended motion of run 3 or 4 of Table 5-1; MotionError if its extra is missing."""
+    """The intended motion of run 3 or 4 of Table 5-1; InputError if its extra is missing."""
     words, peak = COLUMN_RECORDS[run]
     return rk.GroundMotion.from_library(words).scaled(time=COLUMN_TIME_SCALE).scaled_to(peak)
 

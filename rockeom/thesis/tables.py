@@ -229,7 +229,7 @@ def _if_recorded(simulate: Callable[[str], Any], run: str) -> Any:
     """The response of a simulation; None where no record of the run is at hand."""
     try:
         return simulate(run)
-    except rk.MotionError:
+    except rk.InputError:
         return None
 
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.numbers.arguments import not_negative, numbers, positive, require
+from rockeom.numbers.checks import not_negative, numbers, positive, require
 from rockeom.structures.impact_laws import EnergyRatioAtSpeed
 
 

@@ -5,9 +5,11 @@ import pytest
 from scipy import stats
 
 import rockeom as rk
+from rockeom import InputError
 from rockeom.analysis.validation import Campaign, Ensemble, predictive_test, simulate_campaign
-from rockeom.motion import JenningsEnvelope, MotionError, MotionSet
+from rockeom.motion import JenningsEnvelope, MotionSet
 from rockeom.motion.readers import read_channels, read_table
+from tests.refusals import refused, refuses
 
 HEADING = "test, record, peak (deg), outcome, scale (-), half_width (mm), remark"
 ROWS = (
@@ -77,7 +79,7 @@ def test_records_are_files_beside_the_table_each_read_once(table, tmp_path, moti
     there = Campaign.from_csv(table(rows=rows), tmp_path, parameters=KNOWN, gravity=9.81)
     assert there.motions == read.motions
     (tmp_path / "weak.csv").unlink()
-    with pytest.raises(MotionError, match=r"csv, line 3: record is 'weak.csv': .*no such file"):
+    with pytest.raises(InputError, match=r"csv, line 3: record is 'weak.csv': .*no such file"):
         Campaign.from_csv(table(rows=rows), parameters=KNOWN)
 
 
@@ -93,7 +95,7 @@ def test_a_table_reads_no_files_outside_its_folder(table, tmp_path, name):
         path = table(heading, [f"T1, {inside}, 0.1, stood"])
         assert Campaign.from_csv(path, folder, gravity=9.81).motions.names == (inside,)
     path = table(heading, [f"T1, {name.format(tmp_path)}, 0.1, stood"])
-    with pytest.raises(MotionError, match=r"line 3: record is '.*', which is no file within"):
+    with pytest.raises(InputError, match=r"line 3: record is '.*', which is no file within"):
         Campaign.from_csv(path, folder, gravity=9.81)
 
 
@@ -135,7 +137,7 @@ def changed(row: int, old: str, new: str) -> list[str]:
 )
 def test_a_wrong_cell_is_named_with_its_line_and_a_remedy(table, motions, rows, words):
     path = table(rows=rows)
-    with pytest.raises(MotionError, match=words) as raised:
+    with pytest.raises(InputError, match=words) as raised:
         Campaign.from_csv(path, motions, parameters=KNOWN)
     assert str(path) in str(raised.value)
     assert "Remedy: " in str(raised.value)
@@ -155,19 +157,16 @@ def test_a_wrong_cell_is_named_with_its_line_and_a_remedy(table, motions, rows, 
     ],
 )
 def test_a_wrong_heading_is_named_with_a_remedy(table, motions, heading, how, words):
-    with pytest.raises(MotionError, match=rf"line 2: .*{words}|line 2: {words}"):
+    with pytest.raises(InputError, match=rf"line 2: .*{words}|line 2: {words}"):
         Campaign.from_csv(table(heading), motions, **{"parameters": KNOWN} | how)
 
 
 def test_a_campaign_of_arrays_is_checked(motions):
     measured = Ensemble([0.1, 0.2])
-    with pytest.raises(ValueError, match=r"measured has the shape \(2,\), and there are 1 tests"):
-        Campaign(("T1",), ("weak",), motions, measured)
-    with pytest.raises(ValueError, match="2 tests are called 'T1'"):
-        Campaign(("T1", "T1"), ("weak", "weak"), motions, measured)
-    with pytest.raises(ValueError, match=r"no motion is called 'wek' \(did you mean weak\?\)"):
-        Campaign(("T1", "T2"), ("weak", "wek"), motions, measured)
-    with pytest.raises(ValueError, match=r"scale has the shape \(1,\)"):
+    assert refused(Campaign, ("T1",), ("weak",), motions, measured)[0] == "measured"
+    assert refused(Campaign, ("T1", "T1"), ("weak", "weak"), motions, measured) == ("tests", "T1")
+    assert refused(Campaign, ("T1", "T2"), ("weak", "wek"), motions, measured) == ("motions", "wek")
+    with refuses("scale"):
         Campaign(("T1", "T2"), ("weak", "weak"), motions, measured, {"scale": [1.0]})
 
 
@@ -226,17 +225,16 @@ def test_shared_parameters_are_those_of_the_specimen(campaign):
 @pytest.mark.parametrize(
     ("how", "words"),
     [
-        ({"random": {"scale": stats.norm(1.0, 0.1)}}, "'scale' is in random and in the campaign"),
-        ({"random": {"half_width": 0.1}}, "half_width = 0.1: give a distribution"),
-        ({"shared": ["half_width"]}, "shared has 'half_width', and random has not"),
-        ({"number": 0}, "number is 0: give a whole number of at least 1"),
-        ({"random": {"halfwidth": stats.norm(0.1, 0.1)}}, "did you mean half_width"),
+        ({"random": {"scale": stats.norm(1.0, 0.1)}}, "random"),
+        ({"random": {"half_width": 0.1}}, "random"),
+        ({"shared": ["half_width"]}, "shared"),
+        ({"number": 0}, "number"),
+        ({"random": {"halfwidth": stats.norm(0.1, 0.1)}}, "over"),
     ],
 )
 def test_wrong_names_and_distributions_are_refused(campaign, how, words):
     case = rk.Case(BLOCK, campaign.motions[0], rk.EnergyRatio(0.85))
-    with pytest.raises(ValueError, match=words):
-        simulate_campaign(campaign, case, **how)
+    assert refused(simulate_campaign, campaign, case, **how)[0] == words
 
 
 def test_a_narrow_base_and_a_low_restitution_are_seen_though_they_offset_each_other():

@@ -13,6 +13,7 @@ from scipy.optimize import minimize_scalar
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
+from tests.refusals import refused
 
 WALL = analysis.Wall.thesis()
 HEAVY = analysis.Wall.thesis(initial_force=111e3)
@@ -54,8 +55,7 @@ def test_energy_from_a_measured_force():
     tendon = WALL.tendons[0]
     x = np.array([-5e-3, 0.0, 3e-3, 7e-3])
     np.testing.assert_allclose(tendon.energy_at_force(tendon.force(x)), tendon.energy(x), atol=1e-9)
-    with pytest.raises(ValueError, match=r"force is 160000.*yield_force"):
-        tendon.energy_at_force(160e3)
+    assert refused(tendon.energy_at_force, 160e3) == ("force", 160000.0)
 
 
 def test_yielded_tendon_unloads_elastically_and_goes_slack():
@@ -242,8 +242,7 @@ def test_energy_is_kept_along_the_phase_trajectory():
     total = WALL.potential_energy(d) + WALL.kinetic_energy(d, v)
     np.testing.assert_allclose(total, WALL.potential_energy(d0), rtol=1e-12)
     assert np.all(v[1:-1] > 0)
-    with pytest.raises(ValueError, match=r"displacement\[1\] is 0.04: the wall does not come"):
-        WALL.phase_trajectory(d0, [0.0, 0.04])
+    assert refused(WALL.phase_trajectory, d0, [0.0, 0.04]) == ("displacement[1]", 0.04)
 
 
 @pytest.mark.parametrize("d0", [0.0304, -0.002])
@@ -380,7 +379,7 @@ def test_measured_decay_of_the_wall():
         (lambda: WALL.time_along_trajectory(0.03, -0.01), "between initial_displacement and 0"),
         (lambda: WALL.dissipation_limit(0.03, 1.5), "fraction is 1.5"),
         (lambda: formulas.RotationCentre(0.4, -0.1, 1e-3), "RotationCentre: C2 is -0.1"),
-        (lambda: formulas.Tendon(1e7, 2e5, 1e5), "initial_force is 200000.0.*below yield_force"),
+        (lambda: formulas.Tendon(1e7, 2e5, 1e5), "initial_force is 200000.*below yield_force"),
         (lambda: formulas.peak_sequence(WALL.restoring_force, 0.0, 0.9, N, 3), "give a peak"),
         (lambda: formulas.peak_sequence(WALL.restoring_force, 0.01, 1.1, N, 3), "add energy"),
         (lambda: formulas.peak_sequence(WALL.restoring_force, 0.01, 0.9, N), "passages is missing"),

@@ -7,6 +7,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.analysis import formulas
+from tests.refusals import refused
 
 # --- rocking
 
@@ -160,8 +161,7 @@ def test_recentring_ratio_of_one_is_where_a_flag_stops_to_return(ratio, returns)
     if returns:
         assert formulas.flag_damping(4.0, 0.0, flag_height) > 0
     else:
-        with pytest.raises(ValueError, match="does not return to the origin"):
-            formulas.flag_damping(4.0, 0.0, flag_height)
+        assert refused(formulas.flag_damping, 4.0, 0.0, flag_height)[0] == "flag_height"
 
 
 def test_elastic_and_hysteretic_damping_add_up():
@@ -238,28 +238,24 @@ def test_decrement_of_a_linear_oscillator():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: formulas.priestley_damping([0.9, 0.0]), r"energy_ratio\[1\] is 0.0: the ratio"),
-        (lambda: formulas.fema_356_damping(1.2), "energy_ratio is 1.2"),
-        (lambda: formulas.bilinear_damping(0.5, 0.05), "ductility is 0.5: below 1 nothing yields"),
-        (lambda: formulas.bilinear_damping(2.0, 5.0), "stiffness_ratio is 5.0"),
-        (lambda: formulas.flag_damping(2.0, 0.05, 0.97), "flag_height is 0.97: above 1 - s"),
-        (lambda: formulas.takeda_damping(500.0, 0.05, 0.5), "it passes the origin"),
-        (lambda: formulas.takeda_damping(4.0, 0.05, 1.0), r"alpha_T lies in \[0, 1\)"),
-        (lambda: formulas.design_damping("flags", 4.0, 1.0), "did you mean 'flag'"),
+        (lambda: formulas.priestley_damping([0.9, 0.0]), "energy_ratio[1]"),
+        (lambda: formulas.fema_356_damping(1.2), "energy_ratio"),
+        (lambda: formulas.bilinear_damping(0.5, 0.05), "ductility"),
+        (lambda: formulas.bilinear_damping(2.0, 5.0), "stiffness_ratio"),
+        (lambda: formulas.flag_damping(2.0, 0.05, 0.97), "flag_height"),
+        (lambda: formulas.takeda_damping(500.0, 0.05, 0.5), "unloading_exponent"),
+        (lambda: formulas.takeda_damping(4.0, 0.05, 1.0), "unloading_exponent"),
+        (lambda: formulas.design_damping("flags", 4.0, 1.0), "rule"),
         (
             lambda: formulas.grant_damping(
                 "elastic_perfectly_plastic", 4.0, 0.001, constant_damping=0.05, tangent_damping=0.0
             ),
-            "effective_period is 0.001: this rule's fit needs more than 0.002 s",
+            "effective_period",
         ),
-        (lambda: formulas.recentring_ratio(1.0, 1.0, 0.0), "dissipating_moment is 0.0"),
-        (
-            lambda: formulas.damping_from_decrement(28.58, -25.22),
-            "next_peak is -25.22: it must be on",
-        ),
-        (lambda: formulas.damping_from_decrement(0.0, 1.0), "peak is 0.0: a peak is not zero"),
+        (lambda: formulas.recentring_ratio(1.0, 1.0, 0.0), "dissipating_moment"),
+        (lambda: formulas.damping_from_decrement(28.58, -25.22), "next_peak"),
+        (lambda: formulas.damping_from_decrement(0.0, 1.0), "peak"),
     ],
 )
 def test_impossible_input_is_refused(call, message):
-    with pytest.raises(ValueError, match=message):
-        call()
+    assert refused(call)[0] == message

@@ -10,6 +10,7 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.thesis.printed import COLUMN, FIGURE_5_6, GAUGE
+from tests.refusals import refused, refuses
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
 STILL = rk.GroundMotion.none(3.0)
@@ -207,7 +208,7 @@ def test_ratios_by_release_are_those_of_the_energies():
     by_energy = formulas.energy_ratios_from_peaks([0.13, -0.11, 0.112, -0.09], BLOCK.alpha)
     assert found[[0, 2]] == pytest.approx(by_energy[[0, 2]], abs=1e-8)
     assert math.isnan(found[1])  # a peak higher than the one before
-    with pytest.raises(ValueError, match="one side and the other"):
+    with refuses("peaks"):
         identification.energy_ratios_by_release(lambda theta, r: let_go(r, theta), [0.13, 0.11])
     with pytest.raises(ValueError, match=r"longer than 0\.2 s"):
         identification.energy_ratios_by_release(
@@ -269,16 +270,15 @@ def test_what_cannot_be_fitted():
         identification.fit(lambda k, c: k * x, x, line)
     with pytest.raises(ValueError, match="their scatter"):
         identification.fit(lambda k, c: k * x[:2] + c, x[:2], line)
-    with pytest.raises(ValueError, match=r"first guess of k .* begin between"):
+    with refuses("start", 1.0):
         identification.fit(lambda k, c: k * x + c, x, line, bounds={"k": (2.0, 3.0)})
-    with pytest.raises(ValueError, match="bounds has 'm'"):
+    with refuses("bounds"):
         identification.fit(lambda k, c: k * x + c, x, line, bounds={"m": (2.0, 3.0)})
     with pytest.raises(ValueError, match=r"shape \(4,\), measured is \(5,\)"):
         identification.fit(lambda k, c: k * x[1:] + c, x, line)
     with pytest.raises(ValueError, match="uncertainty of both"):
         analysis.fit_free_vibration(let_go, {"r": 0.8}, peaks=[0.1, -0.1], crossing_times=[0.1])
-    with pytest.raises(ValueError, match="nothing was measured"):
-        analysis.fit_free_vibration(let_go, {"r": 0.8})
+    assert refused(analysis.fit_free_vibration, let_go, {"r": 0.8})[0] == "peaks"
     # a bound that holds a parameter is told
     found = identification.fit(lambda k: k * x, 2 * x + 0.1, {"k": 0.5}, bounds={"k": (0.0, 1.0)})
     assert found.at_bounds == ("k",)

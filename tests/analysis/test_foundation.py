@@ -7,6 +7,7 @@ from scipy.optimize import brentq
 
 import rockeom as rk
 from rockeom.analysis.formulas import foundation
+from tests.refusals import refused
 
 WEIGHT, B, BED, SPRING, SPACING = 3.0e5, 1.4, 2.5e7, 4.0e7, 0.8
 ROTATIONS = np.array([-0.05, -1e-4, 0.0, 1e-3, 3.06e-3, 3.07e-3, 0.02, 0.3])
@@ -141,15 +142,14 @@ def test_no_winkler_bed_has_both_stiffnesses_of_a_half_space():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: foundation.circular_mat(2.0, 2e7, 0.6, 1800.0), "poisson_ratio is 0.6"),
-        (lambda: foundation.circular_mat(-2.0, 2e7, 0.3, 1800.0), "radius is -2.0"),
-        (lambda: foundation.winkler_moment(np.nan, 1.0, 1.0, 1.0), "rotation is nan"),
-        (lambda: foundation.two_spring_moment(0.1, 1.0, 0.0, 1.0), "stiffness is 0.0"),
+        (lambda: foundation.circular_mat(2.0, 2e7, 0.6, 1800.0), "poisson_ratio"),
+        (lambda: foundation.circular_mat(-2.0, 2e7, 0.3, 1800.0), "radius"),
+        (lambda: foundation.winkler_moment(np.nan, 1.0, 1.0, 1.0), "rotation"),
+        (lambda: foundation.two_spring_moment(0.1, 1.0, 0.0, 1.0), "stiffness"),
     ],
 )
 def test_what_cannot_be_is_named(call, message):
-    with pytest.raises(ValueError, match=message):
-        call()
+    assert refused(call)[0] == message
 
 
 def test_figure_of_the_three_interfaces():

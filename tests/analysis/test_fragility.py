@@ -17,6 +17,7 @@ from rockeom.analysis.risk.fragility import (
     proportion_interval_by_group,
 )
 from rockeom.analysis.sweeps import outcome_labels, peaks_of
+from tests.refusals import refused, told
 
 IM = np.array([0.1, 0.2, 0.3, 0.4, 0.6, 0.8])
 HITS = np.array([0, 2, 5, 4, 9, 19])
@@ -110,8 +111,7 @@ def test_bounds_hold_the_curve_and_widen_with_the_level():
     p = curve.probability(im)
     assert p.shape == low.shape == (5, 10)
     assert np.all((lower <= low) & (low <= p) & (p <= high) & (high <= higher))
-    with pytest.raises(ValueError, match=r"level is 95.*between 0 and 1"):
-        curve.bounds(im, 95)
+    assert refused(curve.bounds, im, 95) == ("level", 95)
 
 
 # --- what has no curve
@@ -127,7 +127,7 @@ def test_bounds_hold_the_curve_and_widen_with_the_level():
         ([0.3, 0.3], [1, 0], 1, "all motions have the intensity 0.3"),
         ([0.1, 0.2, 0.3], [4, 3, 1], 5, "falls as the intensity rises"),
         ([0.1, 0.3], [5, 0], 5, "falls as the intensity rises"),
-        ([0.0, 0.3], [0, 3], 5, r"intensity\[0\] is 0.0"),
+        ([0.0, 0.3], [0, 3], 5, r"intensity\[0\] is 0"),
         ([0.1, 0.3], [0, 6], 5, r"exceeded\[1\] is 6"),
         ([0.1, 0.3], [0.5, 2], 5, "whole numbers"),
         ([0.1, np.nan], [0, 2], 5, "finite"),
@@ -199,18 +199,14 @@ def test_labels_are_the_same_however_outcomes_are_kept():
 
 
 def test_names_that_a_sweep_does_not_have_are_refused_with_those_it_has():
-    with pytest.raises(ValueError, match=r"no coordinate 'pgv' .*it has .*pga"):
-        fragility_of(sweep(), intensity="pgv")
-    with pytest.raises(ValueError, match=r"no 'drift': choose among .*theta"):
-        peaks_of(sweep(), "drift")
-    with pytest.raises(ValueError, match="belong together"):
-        fragility_of(sweep(), intensity="pga", limit=0.1)
+    assert refused(fragility_of, sweep(), intensity="pgv") == ("name", "pgv")
+    assert refused(peaks_of, sweep(), "drift") == ("name", "drift")
+    assert refused(fragility_of, sweep(), intensity="pga", limit=0.1) == ("limit", 0.1)
     with pytest.raises(ValueError, match="no `outcome`"):
         outcome_labels(sweep().drop_vars("outcome"))
     odd = sweep(flagged)
     odd["outcome"].attrs["flag_meanings"] = "completed"
-    with pytest.raises(ValueError, match="do not name it"):
-        outcome_labels(odd)
+    assert "do not name it" in told(outcome_labels, odd)
 
 
 # --- records scaled to several intensities, and fractions by themselves
@@ -281,8 +277,7 @@ def test_interval_by_group_is_that_of_groups_all_or_any_of_which_exceed():
     assert proportion_interval_by_group(hits, group) == pytest.approx((every.low, some.high))
     none = proportion_interval_by_group(np.zeros(12), group)
     assert none == pytest.approx((0.0, 1.0 - 0.025 ** (1 / 6)))  # 0.459, of 12 tests 0.265
-    with pytest.raises(ValueError, match="group is 3: a label"):
-        proportion_interval_by_group(hits, group[:3])
+    assert refused(proportion_interval_by_group, hits, group[:3]) == ("group", 3)
 
 
 @pytest.mark.parametrize("level", [0.5, 0.95, 0.999])
@@ -295,8 +290,7 @@ def test_interval_of_a_fraction_is_that_of_scipy(level):
 
 def test_impossible_fractions_are_refused():
     for wrong in ((5, 4), (-1, 4), (0, 0)):
-        with pytest.raises(ValueError, match="proportion_interval"):
-            proportion_interval(*wrong)
+        assert "proportion_interval" in told(proportion_interval, *wrong)
 
 
 # --- recordings of a sweep, and cases without an answer
@@ -337,7 +331,5 @@ def test_groups_of_another_name_or_none_are_said(group, groups, said):
     curve = fragility_of(sweep, intensity="pga", group=group)
     assert curve.groups == groups
     assert said in repr(curve)
-    with pytest.raises(ValueError, match=r"group is 1: .* or group=None"):
-        fragility_of(sweep, intensity="pga", group="region")
-    with pytest.raises(ValueError, match=r"no coordinate 'evnt' \(did you mean event\?\); it has"):
-        fragility_of(sweep, intensity="pga", group="evnt")
+    assert refused(fragility_of, sweep, intensity="pga", group="region") == ("group", 1)
+    assert refused(fragility_of, sweep, intensity="pga", group="evnt") == ("name", "evnt")

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from rockeom.analysis import formulas, identification
+from tests.refusals import refused
 
 
 def test_stiffness_and_damper_of_the_steel_column():
@@ -96,21 +97,14 @@ def test_moving_centre_changes_the_rotation_little():
     [
         (
             lambda: identification.rotation_from_displacement([27.93, 0.1], 0.285, 1.056),
-            r"displacement\[0\] is 27.93: no rotation .* give metres",
+            "displacement[0]",
         ),
-        (lambda: identification.rotation_from_displacement(0.1, 0.285, 0.0), "height is 0.0"),
-        (
-            lambda: identification.rotation_centre(0.01, base_width=0.4),
-            "reach is 0.2201: the centre",
-        ),
-        (
-            lambda: identification.rotation_about_moving_centre(0.01, 0.7, 1.056),
-            "centre is 0.7: the centre of rotation lies between",
-        ),
-        (lambda: identification.stiffness_from_period(100.0, 0.0), "period is 0.0"),
-        (lambda: identification.viscous_coefficient(-0.1, 1.0, 1.0), "damping_ratio is -0.1"),
+        (lambda: identification.rotation_from_displacement(0.1, 0.285, 0.0), "height"),
+        (lambda: identification.rotation_centre(0.01, base_width=0.4), "reach"),
+        (lambda: identification.rotation_about_moving_centre(0.01, 0.7, 1.056), "centre"),
+        (lambda: identification.stiffness_from_period(100.0, 0.0), "period"),
+        (lambda: identification.viscous_coefficient(-0.1, 1.0, 1.0), "damping_ratio"),
     ],
 )
 def test_impossible_input_is_refused(call, message):
-    with pytest.raises(ValueError, match=message):
-        call()
+    assert refused(call)[0] == message

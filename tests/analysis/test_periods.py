@@ -8,6 +8,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.analysis import formulas
+from tests.refusals import refused
 
 
 def quadrature(theta_0, alpha, p):
@@ -99,18 +100,14 @@ def test_no_rotation_takes_no_time_and_arrays_broadcast():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (
-            lambda: formulas.quarter_period([0.5, 1.0], 2.0),
-            r"amplitude_ratio\[1\] is 1.0: at alpha",
-        ),
-        (lambda: formulas.rocking_period(-0.1, 2.0), "amplitude_ratio is -0.1: it must be zero"),
-        (lambda: formulas.quarter_period(0.5, 0.0), "p is 0.0: it must be positive"),
-        (lambda: formulas.exact_quarter_period(0.2, 0.2, 2.0), "theta_0 is 0.2: at alpha"),
-        (lambda: formulas.exact_quarter_period(0.2, 2.0, 2.0), "alpha is 2.0: alpha = atan"),
-        (lambda: formulas.exact_quarter_period(math.nan, 0.3, 2.0), "theta_0 is nan: it must be f"),
-        (lambda: formulas.quarter_period("half", 2.0), "amplitude_ratio is 'half': give numbers"),
+        (lambda: formulas.quarter_period([0.5, 1.0], 2.0), "amplitude_ratio[1]"),
+        (lambda: formulas.rocking_period(-0.1, 2.0), "amplitude_ratio"),
+        (lambda: formulas.quarter_period(0.5, 0.0), "p"),
+        (lambda: formulas.exact_quarter_period(0.2, 0.2, 2.0), "theta_0"),
+        (lambda: formulas.exact_quarter_period(0.2, 2.0, 2.0), "alpha"),
+        (lambda: formulas.exact_quarter_period(math.nan, 0.3, 2.0), "theta_0"),
+        (lambda: formulas.quarter_period("half", 2.0), "amplitude_ratio"),
     ],
 )
 def test_impossible_input_is_refused(call, message):
-    with pytest.raises(ValueError, match=message):
-        call()
+    assert refused(call)[0] == message

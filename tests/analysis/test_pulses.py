@@ -8,6 +8,7 @@ import pytest
 
 from rockeom.analysis import identification
 from rockeom.motion import GroundMotion, MotionSet
+from tests.refusals import refused
 
 PULSE = GroundMotion.mavroeidis_papageorgiou(0.8, 1.7, 1.9, 0.7, duration=12.0)
 
@@ -86,17 +87,15 @@ def test_period_of_a_near_fault_record_is_the_one_known(station, period):
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"model": "gabor"}, r"model is 'gabor': choose one of mavroeidis_papageorgiou, ricker"),
-        ({"periods": (2.0, 1.0)}, r"periods is \(2\.0, 1\.0\): give a shorter and a longer"),
-        ({"periods": (0.0, 1.0)}, r"periods\[0\] is 0\.0: it must be positive"),
-        ({"periods": (1.0, 99.0)}, r"periods\[1\] is 99\.0: the motion lasts 12 s"),
+        ({"model": "gabor"}, "model"),
+        ({"periods": (2.0, 1.0)}, "periods"),
+        ({"periods": (0.0, 1.0)}, "periods[0]"),
+        ({"periods": (1.0, 99.0)}, "periods[1]"),
     ],
 )
 def test_fit_that_cannot_be_is_refused(given, said):
-    with pytest.raises(ValueError, match=said):
-        identification.fit_pulse(PULSE, **given)
+    assert refused(identification.fit_pulse, PULSE, **given)[0] == said
 
 
 def test_ground_that_stands_still_has_no_pulse():
-    with pytest.raises(ValueError, match="no shaking has no velocity to fit"):
-        identification.fit_pulse(GroundMotion.none(5.0))
+    assert refused(identification.fit_pulse, GroundMotion.none(5.0))[0] == "motion"

@@ -10,6 +10,7 @@ from scipy.optimize import minimize, minimize_scalar
 
 import rockeom as rk
 from rockeom.analysis import risk
+from tests.refusals import refused, refuses
 
 P = 2.0
 RADIUS = 0.75 * 9.81 / P**2
@@ -210,10 +211,8 @@ def test_none_of_n_has_the_interval_of_clopper_and_pearson():
 
 def test_what_has_no_reliability_is_refused_with_the_reason():
     first, normal = risk.first_order_reliability, {"x": stats.norm(1.0, 0.1)}
-    with pytest.raises(ValueError, match=r"x = 0.9: give a continuous distribution"):
-        first(lambda x: x, {"x": 0.9})
-    with pytest.raises(ValueError, match="random is empty"):
-        first(lambda: 1.0, {})
+    assert refused(first, lambda x: x, {"x": 0.9})[0] == "random"
+    assert refused(first, lambda: 1.0, {})[0] == "random"
     with pytest.raises(ValueError, match="no parameter changes the limit state"):
         first(lambda x: 1.0, normal)
     with pytest.raises(ValueError, match="no failure was found within 6 standard"):
@@ -222,11 +221,10 @@ def test_what_has_no_reliability_is_refused_with_the_reason():
         first(lambda x: x if x > 0.8 else -math.inf, normal)
     with pytest.raises(ValueError, match="must be finite"):
         first(lambda x: x * math.nan, normal)
-    with pytest.raises(ValueError, match="demand and limit belong together"):
-        risk.reliability_of(thrown, SLENDER_AND_FAST, demand="theta")
-    with pytest.raises(ValueError, match="it must be positive"):
+    assert refused(risk.reliability_of, thrown, SLENDER_AND_FAST, demand="theta")[0] == "limit"
+    with refuses("limit", 0.0):
         risk.monte_carlo(thrown, SLENDER_AND_FAST, demand="theta", limit=0.0)
-    with pytest.raises(ValueError, match="'base_shear' is none of them"):
+    with refuses("of", "base_shear"):
         risk.reliability_of(thrown, SLENDER_AND_FAST, demand="base_shear", limit=1.0)
     slow = SLENDER_AND_FAST | {"speed": stats.uniform(0.01, 0.01)}
     with pytest.raises(ValueError, match="no failure was found within 6 standard"):

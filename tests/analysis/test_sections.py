@@ -204,11 +204,11 @@ def test_bounds_of_basin_stability_are_those_of_wilson():
 @pytest.mark.parametrize(
     ("change", "error", "message"),
     [
-        ({"starts": {"y": [0.1]}}, ValueError, "starts has 'y': choose among x, x_dot"),
+        ({"starts": {"y": [0.1]}}, ValueError, "starts has 'y': give one of x, x_dot"),
         ({"starts": {"x": ["a"]}}, ValueError, r"starts\['x'\]"),
-        ({"over": [1.0]}, TypeError, "over is a list of length 1: give names"),
+        ({"over": [1.0]}, TypeError, "over is .1\\.0.: give names"),
         ({"over": {"x": [1.0]}}, ValueError, "'x' is a name of both `over` and `starts`"),
-        ({"over": {"beta": [1.0]}}, TypeError, "stroboscope is .*: with `over`, give a function"),
+        ({"over": {"beta": [1.0]}}, TypeError, "stroboscope is"),
         ({"cycles": 0}, ValueError, "cycles is 0"),
     ],
 )

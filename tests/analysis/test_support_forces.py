@@ -8,6 +8,7 @@ from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
 from rockeom.analysis import formulas
+from tests.refusals import refused
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
 SHAPE = {"alpha": BLOCK.alpha, "radius": BLOCK.radius}
@@ -119,22 +120,12 @@ def test_histories_are_arrays():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (
-            lambda: formulas.block_reactions([0.1, 0.0], 0.0, 0.0, mass=1.0, **SHAPE),
-            r"theta\[1\] is 0.0: upright, .* give side=1",
-        ),
-        (
-            lambda: formulas.centroid_acceleration(0.1, 0.0, 0.0, side=-1, **SHAPE),
-            "side is -1.0: it contradicts",
-        ),
-        (lambda: formulas.acceleration_at_impact(0, **SHAPE), "side is 0.0: give 1"),
-        (lambda: formulas.impact_speed(7.876, **SHAPE), "theta_0 is 7.876: beyond alpha"),
-        (
-            lambda: formulas.impact_speed(0.1, radius_ratio=1.2, **SHAPE),
-            "radius_ratio is 1.2: m R",
-        ),
+        (lambda: formulas.block_reactions([0.1, 0.0], 0.0, 0.0, mass=1.0, **SHAPE), "theta[1]"),
+        (lambda: formulas.centroid_acceleration(0.1, 0.0, 0.0, side=-1, **SHAPE), "side"),
+        (lambda: formulas.acceleration_at_impact(0, **SHAPE), "side"),
+        (lambda: formulas.impact_speed(7.876, **SHAPE), "theta_0"),
+        (lambda: formulas.impact_speed(0.1, radius_ratio=1.2, **SHAPE), "radius_ratio"),
     ],
 )
 def test_impossible_input_is_refused(call, message):
-    with pytest.raises(ValueError, match=message):
-        call()
+    assert refused(call)[0] == message

@@ -14,6 +14,7 @@ from rockeom.analysis import formulas
 from rockeom.modelling.wall_on_bed import WallPath
 from rockeom.symbolic.parts.walls import wall_on_bed
 from rockeom.symbolic.statics import LOAD, small_rotations
+from tests.refusals import refused
 
 WEAK = rk.WallOnBed(
     length=1.25, thickness=0.32, shear_span=1.5, axial_force=300e3, bed_modulus=4e9, strength=2.8e6
@@ -228,16 +229,15 @@ def test_events_give_the_limit_of_small_steps():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"length": 0.0}, "WallOnBed: length is 0.0: it must be positive"),
-        ({"bed_modulus": float("nan")}, "bed_modulus is nan: it must be finite"),
-        ({"axial_force": 2e6}, "the bed crushes under 1.12e.06, strength"),
-        ({"following": 1}, "following is 1: give True or False"),
-        ({"springs": 2.5}, "springs is 2.5: give a whole number"),
+        ({"length": 0.0}, "length"),
+        ({"bed_modulus": float("nan")}, "bed_modulus"),
+        ({"axial_force": 2e6}, "axial_force"),
+        ({"following": 1}, "following"),
+        ({"springs": 2.5}, "springs"),
     ],
 )
 def test_impossible_wall_is_refused(change, message):
-    with pytest.raises(ValueError, match=message):
-        replace(WEAK, **change)
+    assert refused(replace, WEAK, **change)[0] == message
 
 
 @pytest.mark.parametrize(
@@ -246,7 +246,10 @@ def test_impossible_wall_is_refused(change, message):
         (lambda: WEAK.along([0.01, np.inf]), r"displacements\[1\] is inf"),
         (lambda: WEAK.along([[0.01]]), "displacements.* give a list"),
         (lambda: WEAK.pushover(np.nan), r"displacements\[0\] is nan"),
-        (lambda: WEAK.cycles([0.01, -0.02]), r"amplitudes\[1\] is -0.02: it must be positive"),
+        (
+            lambda: WEAK.cycles([0.01, -0.02]),
+            r"amplitudes\[1\] is -0\.02: give a positive number, in SI",
+        ),
         (lambda: WEAK.cycles([0.01], repeat=0), "repeat is 0: give a whole number"),
         (
             lambda: replace(WEAK, bed_modulus=1e6, strength=1e7).effective_stiffness(),

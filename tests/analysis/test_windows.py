@@ -7,6 +7,7 @@ from scipy import signal
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import identification
+from tests.refusals import refused
 from tests.typical import column
 
 RATE = 200.0
@@ -129,12 +130,11 @@ def test_regimes_of_a_free_decay_of_the_flexible_structure():
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"window": 0.05}, "16 samples"),
-        ({"window": 99.0}, "16 samples"),
-        ({"segments": 40}, "fewer, or a longer window"),
-        ({"beta": -1.0}, "beta is -1.0"),
+        ({"window": 0.05}, "window"),
+        ({"window": 99.0}, "window"),
+        ({"segments": 40}, "segments"),
+        ({"beta": -1.0}, "beta"),
     ],
 )
 def test_what_cannot_be_is_refused(arguments, message):
-    with pytest.raises(ValueError, match=message):
-        identification.moving_window(recorded(x=T), "x", **arguments)
+    assert refused(identification.moving_window, recorded(x=T), "x", **arguments)[0] == message

@@ -15,6 +15,7 @@ from rockeom.motion import JenningsEnvelope
 from rockeom.plots.design_report import facts_of
 from rockeom.sweeps import run as sweeps
 from tests.interrupts import interrupted_at
+from tests.refusals import refused, refuses, told
 from tests.typical import column, stack
 
 G = 9.81
@@ -369,7 +370,7 @@ def test_motions_are_grouped_by_names_of_one_recording(names, groups):
 
 @pytest.mark.parametrize("name", ["record 0", "another"])
 def test_one_motion_twice_is_refused(name):
-    with pytest.raises(rk.MotionError, match=f"twice, as 'record 0' and as '{name}'"):
+    with refuses("records"):
         rk.assess(BLOCK, [RECORDS[0], dataclasses.replace(RECORDS[0], name=name)])
 
 
@@ -484,12 +485,9 @@ def test_mass_that_was_not_given_makes_forces_parts_of_the_weight():
 
 def test_folder_and_file_are_read(tmp_path):
     (tmp_path / "one.txt").write_text("\n".join(f"{0.01 * i} {np.sin(i / 9)}" for i in range(300)))
-    with pytest.raises(rk.MotionError, match=r'from_folder\(.*pattern="\*.txt"'):
-        rk.assess(BLOCK, tmp_path)
-    with pytest.raises(rk.MotionError, match="units"):
-        rk.assess(BLOCK, tmp_path / "one.txt")
-    with pytest.raises(rk.MotionError, match="is no folder"):
-        rk.assess(BLOCK, tmp_path / "nowhere")
+    assert refused(rk.assess, BLOCK, tmp_path) == ("pattern", "*.at2")
+    assert "units" in told(rk.assess, BLOCK, tmp_path / "one.txt")
+    assert refused(rk.assess, BLOCK, tmp_path / "nowhere")[0] == "path"
 
 
 @pytest.mark.parametrize(
@@ -517,5 +515,4 @@ def test_mistake_is_named_with_its_remedy(arguments, words):
 
 
 def test_page_of_another_ending_is_refused(held, tmp_path):
-    with pytest.raises(ValueError, match=r"\.html"):
-        held.save(tmp_path / "page.docx")
+    assert ".html" in told(held.save, tmp_path / "page.docx")

@@ -167,11 +167,15 @@ def test_all_texts_can_be_given():
     ("texts", "error", "message"),
     [
         ({"pley": "Start"}, ValueError, "texts: a page has no 'pley' .did you mean play"),
-        ({"summary": "{0}: {1}"}, ValueError, "'summary' is .*: give a text like '.0.: lar"),
+        (
+            {"summary": "{0}: {1}"},
+            ValueError,
+            r"summary is '\{0\}: \{1\}': give a text like '\{0\}: largest \{1\}",
+        ),
         ({"outcomes": {"fell": "x"}}, ValueError, r"texts\['outcomes'\]: a page has no 'fell'"),
         ({"outcomes": "fell"}, TypeError, r"texts\['outcomes'\] is 'fell': give it by names"),
         ({"names": {"width": "Breite"}}, ValueError, r"texts\['names'\]: a page has no 'width'"),
-        ({"play": 3}, ValueError, "'play' is 3: give a text"),
+        ({"play": 3}, ValueError, "texts: play is 3: give a text like 'Play'"),
         ("play", TypeError, "texts is 'play'"),
     ],
 )

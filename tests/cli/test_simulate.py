@@ -9,7 +9,6 @@ import pytest
 
 import rockeom as rk
 from rockeom.cli import main
-from rockeom.cli.errors import in_options
 from rockeom.cli.motions import PULSES, pulse
 from rockeom.cli.simulate import impact_law
 from rockeom.structures.units import main_units
@@ -45,9 +44,8 @@ def test_free_rocking_in_words_and_files(tmp_path, capsys):
     run = rk.simulate(
         block, rk.GroundMotion.none(2.0), initial={"theta": -0.1}, impact=rk.EnergyRatio(0.8)
     )
-    for line in run.summary().split("\n"):
-        assert in_options(line) in said
-    assert "Impact law: energy-ratio=0.8. " in said
+    for line in run.summary().replace("EnergyRatio(r=0.8)", "energy-ratio=0.8").split("\n"):
+        assert line in said
     assert f"right foot {1e3 * run.extremes('right_uplift').maximum:.4g} mm" in said
     folder = tmp_path / "new" / "out"
     assert {p.name for p in folder.iterdir()} == {"response.csv", "response.png", "summary.json"}
@@ -248,11 +246,11 @@ BAD = {
     "no equals sign": (f"--set half_width 0.1 {SHAKE}", ["--set half_width", "name=value"]),
     "r above 1": (
         f"--set {WIDTH} {HEIGHT} {SHAKE} --impact energy-ratio=1.1",
-        ["energy ratio r", "1.1", "between 0"],
+        ["r is 1.1", "0 (no rebound)"],
     ),
     "e below 0": (
         f"--set {WIDTH} {HEIGHT} {SHAKE} --impact velocity-ratio=-0.1",
-        ["velocity ratio e", "-0.1", "between 0"],
+        ["e is -0.1", "0 (no rebound)"],
     ),
     "r of no law": (
         f"--set {WIDTH} {HEIGHT} {SHAKE} --impact r=0.9",

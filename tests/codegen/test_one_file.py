@@ -110,7 +110,7 @@ def test_hollow_ring_of_one_new_file_is_derived_generated_and_simulated(tmp_path
     said = python(tmp_path, "-c", USED)
     assert "HollowRing(mass=3.0, radius=0.5, half_width=0.15, narrower=0.05, gravity=9.81)" in said
     assert "HollowRing: missing radius" in said
-    assert "HollowRing: mass is -3.0: it must be finite and positive" in said
+    assert "HollowRing: mass is -3: it must be finite and positive" in said
     assert "the distance of the feet is 0 with half_width = 0.05, narrower = 0.05" in said
     assert "rockeom.HollowRing(...)" in said
 

@@ -12,6 +12,7 @@ from rockeom.symbolic import Body, Contact, Model, Rigid, Unilateral, feet, para
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.modes import sign_of_slip
 from tests.contact import declared
+from tests.refusals import refused, refuses
 
 B = parameter("b", "half_width", "m", "half of the width")
 WIDTH = B.symbol
@@ -166,19 +167,18 @@ def test_a_point_between_two_walls_is_refused():
 @pytest.mark.parametrize(
     ("law", "told"),
     [
-        ({"restitution": 1.5}, "0 to 1"),
-        ({"restitution": -0.1}, "negative"),
-        ({"friction": -0.1}, "negative"),
-        ({"friction": "0.1"}, "friction is '0.1'"),
+        ({"restitution": 1.5}, "restitution"),
+        ({"restitution": -0.1}, "restitution"),
+        ({"friction": -0.1}, "friction"),
+        ({"friction": "0.1"}, "friction"),
     ],
 )
 def test_a_law_is_refused(law, told):
-    with pytest.raises(ValueError, match=told):
-        Rigid(**law)
+    assert refused(Rigid, **law)[0] == told
 
 
 def test_a_mode_that_is_none_is_refused():
-    with pytest.raises(ValueError, match="did you mean 'right_slides_left'"):
+    with refuses("mode", "right_slide_left"):
         rk.derive("sliding_block").mode("right_slide_left")
 
 

@@ -329,15 +329,15 @@ def test_only_structures_with_another_law_have_its_text():
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"law": "lbz"}, "law is 'lbz' (did you mean 'lzb'?); there are newton"),
-        ({"restitution": -0.1}, "restitution is -0.1, negative"),
-        ({"restitution": 1.2, "law": "poisson"}, "restitution is 1.2: give the ratio"),
-        ({"friction": -0.1, "law": "pairwise"}, "friction is -0.1, negative"),
+        ({"law": "lbz"}, "law Rigid: law is 'lbz' (did you mean"),
+        ({"restitution": -0.1}, "law Rigid: restitution is -0.1: it is"),
+        ({"restitution": 1.2, "law": "poisson"}, "law Rigid: restitution is 1.2: give a"),
+        ({"friction": -0.1, "law": "pairwise"}, "law Rigid: friction is -0.1: it is"),
         ({"law": "lzb"}, "friction is None, and law='lzb' follows the slip"),
-        ({"stiffness": 2.0}, "stiffness is 2.0, and the law 'newton' has none"),
+        ({"stiffness": 2.0}, "law Rigid: stiffness is 2.0, and the"),
         ({"law": "pairwise", "stiffness": 0}, "stiffness is 0: give a positive one"),
         ({"law": "lzb", "friction": 0.2, "tangential": 0.5}, "tangential is 0.5, and the law"),
-        ({"law": "moreau", "tangential": 1.5}, "tangential is 1.5: give the ratio"),
+        ({"law": "moreau", "tangential": 1.5}, "law Rigid: tangential is 1.5: give a"),
     ],
 )
 def test_a_law_that_cannot_be(given, said):

@@ -130,7 +130,7 @@ def one_body(**changes):
 @pytest.mark.parametrize(
     ("make", "said"),
     [
-        (lambda: Spring("column", U.position, sp.Integer(-1)), "stiffness is -1, negative"),
+        (lambda: Spring("column", U.position, sp.Integer(-1)), "stiffness is -1: it is negative"),
         (lambda: Spring("column", "u"), "deformation is 'u'"),
         (lambda: Spring(1, U.position), "name is 1"),
         (

@@ -111,7 +111,7 @@ def test_axes_of_the_caller_take_quantities_of_one_unit(run_of):
     run.plot("left_uplift", "right_uplift", ax=other)
     assert len(other.lines) == 2
     assert other.get_ylabel() == "[mm]"
-    with pytest.raises(ValueError, match=r"theta \[rad\], left_uplift \[m\].*axes of its own"):
+    with pytest.raises(ValueError, match=r"theta \[rad\], left_uplift \[m\] have not"):
         run.plot("theta", "left_uplift", ax=ax)
 
 
@@ -353,8 +353,8 @@ def test_comparison_of_structures_with_and_without_feet(run_of):
     ("names", "labels", "message"),
     [
         ([], None, "0 runs"),
-        (["flexible"], ["one", "two"], "1 runs and 2 labels"),
-        (["flexible", "without dimensions"], None, "no common axes"),
+        (["flexible"], ["one", "two"], r"labels is \['one', 'two'\]: give one for"),
+        (["flexible", "without dimensions"], None, "some have units and some none: compare"),
     ],
 )
 def test_comparison_of_what_cannot_be_compared(names, labels, message, run_of):

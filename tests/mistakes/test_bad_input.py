@@ -41,7 +41,10 @@ def block(**changes):
         (lambda: block(half_width=math.nan), ("half_width", "nan", "finite")),
         (lambda: block(half_height=math.inf), ("half_height", "inf", "finite")),
         (lambda: column(damping=-1.0), ("damping", "-1", "zero or positive")),
-        (lambda: rk.RigidBlock.from_frequency(p=2.0, alpha=1.6), ("1.6", "below pi/2", "alpha_d")),
+        (
+            lambda: rk.RigidBlock.from_frequency(p=2.0, alpha=1.6),
+            ("1.6", "less than pi/2", "alpha_d"),
+        ),
         (lambda: rk.RigidBlock.from_frequency(p=-2.0, alpha=0.3), ("p is -2", "positive")),
     ],
 )
@@ -73,12 +76,12 @@ def test_unknown_structure_is_named_with_a_suggestion():
 @pytest.mark.parametrize("law", [rk.EnergyRatio, rk.VelocityRatio])
 @pytest.mark.parametrize("ratio", [1.0000001, -0.1, math.nan])
 def test_restitution_outside_its_range(law, ratio):
-    with raises(ValueError, "ratio", str(ratio), "between 0", "1"):
+    with raises(ValueError, "Ratio", str(ratio), "0 .no rebound. to 1"):
         law(ratio)
 
 
 def test_impact_law_for_a_structure_without_impacts():
-    with raises(ValueError, "two_spring_structure", "no impacts", "leave `impact` out"):
+    with raises(ValueError, "two_spring_structure", "no impacts", "leave impact= out"):
         rk.simulate(on_springs(), QUIET, impact=rk.EnergyRatio(0.8))
 
 
@@ -139,7 +142,7 @@ def test_the_last_state_of_a_motion_that_overturned_is_a_start(digits):
 
 @pytest.mark.parametrize("duration", [0, -1.0, math.nan, math.inf])
 def test_duration(duration):
-    with raises(ValueError, f"duration is {float(duration)} s", "finite and positive"):
+    with raises(ValueError, f"duration is {duration:g}", "finite and positive"):
         rk.simulate(BLOCK, QUIET, duration=duration)
 
 
@@ -154,7 +157,7 @@ def test_duration(duration):
         ({"max_impacts": 0}, ("max_impacts is 0", "whole number of at least 1")),
         ({"max_steps": 10.5}, ("max_steps is 10.5", "whole number of at least 1")),
         ({"max_steps": math.inf}, ("max_steps is inf", "whole number of at least 1")),
-        ({"max_steps": 2**63}, ("max_steps is 9.22337e", "at most 9223372036854775807")),
+        ({"max_steps": 2**63}, ("max_steps is 92233720368", "at most 9223372036854775807")),
         ({"max_impacts": 1e30}, ("max_impacts is 1e", "at most 9223372036854775807")),
         ({"steps_per_segment": -1}, ("steps_per_segment is -1", "whole number of at least 0")),
         ({"output_step": 0.0}, ("output_step", "positive")),
@@ -264,8 +267,11 @@ def test_argument_of_another_kind_is_named(ask, argument):
             lambda: simulated(impact=rk.Impulsive),
             ("impact is the class Impulsive", "rk.Impulsive()"),
         ),
-        (lambda: simulated(options={"rtol": 1e-8}), ("options is a dict", "rk.SolverOptions(rtol")),
-        (lambda: simulated(motion=SAMPLES["list"]), ("motion is a list", "from_array(values, dt)")),
+        (
+            lambda: simulated(options={"rtol": 1e-8}),
+            ("options is {'rtol'", "rk.SolverOptions(rtol"),
+        ),
+        (lambda: simulated(motion=SAMPLES["list"]), ("motion is [0.0", "from_array(values, dt)")),
         (
             lambda: simulated(motion=SAMPLES["series"]),
             ("motion is a Series of shape (3,)", "from_arr"),
@@ -277,7 +283,7 @@ def test_argument_of_another_kind_is_named(ask, argument):
         (lambda: simulated(motion=None), ("motion is None", "GroundMotion.none(duration)")),
         (
             lambda: simulated(vertical=SAMPLES["array"]),
-            ("vertical is a ndarray of shape", "from_array"),
+            ("vertical is an array of shape", "from_array"),
         ),
         (lambda: rk.simulate(SHAKE, BLOCK), ("structure and motion are swapped", "first")),
         (
@@ -285,18 +291,18 @@ def test_argument_of_another_kind_is_named(ask, argument):
             ("structure is the class RigidBlock", "half_width="),
         ),
         (lambda: simulated(initial=0.1), ("initial is 0.1", "{'theta': 0.01}")),
-        (lambda: simulated(initial={"theta": "0.1"}), ("state theta is '0.1'", "give a number")),
-        (lambda: simulated(initial={"theta": [0.1]}), ("state theta is a list", "give a number")),
+        (lambda: simulated(initial={"theta": "0.1"}), ("state: theta is '0.1'", "give a number")),
+        (lambda: simulated(initial={"theta": [0.1]}), ("state: theta is [0.1]", "give a number")),
         (lambda: simulated(initial={0: 0.1}), ("unknown state 0", "theta")),
         (lambda: simulated(duration="10"), ("duration is '10'", "give a number")),
         (lambda: simulated(mode=1), ("is 1", "left, both, right")),
         (
             lambda: rk.RigidBlock(0.1, 0.4),
-            ("RigidBlock takes its parameters by name, and 0.1", "half_width (Half of the"),
+            ("RigidBlock: it takes its parameters by name, and 0.1", "half_width (Half of the"),
         ),
         (lambda: rk.RigidBlock.from_frequency("2", 0.3), ("RigidBlock: p is '2'", "give a number")),
-        (lambda: rk.EnergyRatio("0.9"), ("energy ratio r is '0.9'", "give a number")),
-        (lambda: rk.VelocityRatio([0.9]), ("velocity ratio e is a list", "give a number")),
+        (lambda: rk.EnergyRatio("0.9"), ("r is '0.9'", "give a number")),
+        (lambda: rk.VelocityRatio([0.9]), ("e is [0.9]", "give a number")),
         (
             lambda: rk.EnergyRatioAtSpeed(0.9),
             ("pieces of an energy ratio are 0.9", "three numbers"),
@@ -399,11 +405,11 @@ def test_method_with_an_argument_of_another_kind(method, argument, value):
 
 @pytest.mark.parametrize("structure", [BLOCK, on_springs(), rk.ControlledWall.thesis()])
 def test_pushover_at_what_is_no_rotation(structure):
-    with raises(TypeError, "rotations is '0.1', which is no number"):
+    with raises(TypeError, "rotations is '0.1': give numbers"):
         structure.pushover("0.1")
-    with raises(TypeError, re.escape("rotations[1] is '0.1', which is no number")):
+    with raises(TypeError, re.escape("rotations[1] is '0.1': give numbers")):
         structure.pushover([0.1, "0.1"])
-    with raises(ValueError, "rotations hold nan", "finite"):
+    with raises(ValueError, "rotations is nan", "finite"):
         structure.pushover([0.1, math.nan])
 
 
@@ -427,31 +433,39 @@ def test_sweep_whose_function_returns_no_case(returned, words):
 @pytest.mark.parametrize(
     ("changes", "error", "words"),
     [
-        ({"case": rk.Case(BLOCK, SHAKE)}, ValueError, ("over: 'a' is unknown", "half_width")),
+        (
+            {"case": rk.Case(BLOCK, SHAKE)},
+            ValueError,
+            ("over has 'a', which is unknown", "half_width"),
+        ),
         ({"case": BLOCK}, TypeError, ("case is RigidBlock", "function", "lambda a")),
         ({"case": lambda b: None}, TypeError, ("over has a", "takes others", "missing b")),
-        ({"over": [1.0, 2.0]}, TypeError, ("over is a list", "frequency")),
+        ({"over": [1.0, 2.0]}, TypeError, ("over is .1.0, 2.0.", "frequency")),
         ({"over": None}, TypeError, ("over is None", "frequency")),
-        ({"over": {1: [1.0]}}, TypeError, ("over has the name 1", "argument")),
-        ({"over": {"a": 1.0}}, TypeError, ("over has a = 1.0", "list of values")),
-        ({"over": {"a": np.array(1.0)}}, TypeError, ("over has a = ", "list of values")),
-        ({"over": {"a": "El Centro"}}, TypeError, ("over has a = 'El Centro'", "list of values")),
+        ({"over": {1: [1.0]}}, TypeError, ("over is 1", "argument")),
+        ({"over": {"a": 1.0}}, TypeError, ("over..a.. is 1", "list of values")),
+        ({"over": {"a": np.array(1.0)}}, TypeError, ("over..a.. is ", "list of values")),
+        ({"over": {"a": "El Centro"}}, TypeError, ("over..a.. is 'El Centro'", "list of values")),
         (
             {"case": PULSED, "over": {"frequency": [1, 0]}},
             ValueError,
             ("frequency is 0: give a pos",),
         ),
         ({"case": PULSED, "over": {"amplitude": [1, 10**400]}}, ValueError, ("amplitude is inf",)),
-        ({"over": {}}, ValueError, ("`over` is empty",)),
-        ({"over": {"a": []}}, ValueError, ("`over` is empty",)),
-        ({"options": {"rtol": 1e-8}}, TypeError, ("options is a dict", "SolverOptions")),
+        ({"over": {}}, ValueError, ("over is empty",)),
+        ({"over": {"a": []}}, ValueError, ("over is empty",)),
+        ({"options": {"rtol": 1e-8}}, TypeError, ("options is {.rtol", "SolverOptions")),
         ({"options": rk.SolverOptions}, TypeError, ("options is the class SolverOptions",)),
         ({"threads": "2"}, TypeError, ("threads is '2'", "whole number of at least 1")),
         ({"threads": 1.5}, ValueError, ("threads is 1.5", "whole number of at least 1")),
         ({"chunk": 0}, ValueError, ("chunk is 0", "whole number of at least 1")),
         ({"impact_times": -1}, ValueError, ("impact_times is -1", "at least 0")),
         ({"impact_times": "3"}, TypeError, ("impact_times is '3'", "at least 0")),
-        ({"quantities": ["theta"], "times": ["0.1"]}, TypeError, ("times.* is '0.1'", "no number")),
+        (
+            {"quantities": ["theta"], "times": ["0.1"]},
+            TypeError,
+            ("times.* is '0.1'", "give numbers"),
+        ),
     ],
 )
 def test_sweep_with_an_argument_of_another_kind(changes, error, words):

@@ -13,6 +13,7 @@ import rockeom as rk
 from rockeom.motion import JenningsEnvelope
 from rockeom.motion.design import matching
 from rockeom.motion.spectra import largest_displacement, oscillator_history
+from tests.refusals import refused, told
 
 EUROCODE = rk.DesignSpectrum.eurocode_8("0.25 g", "B")
 G = 9.81
@@ -68,7 +69,7 @@ def test_table_is_linear_between_its_points_and_defined_nowhere_else():
     found = spectrum([[0.1, 0.3], [0.5, 2.0]]) / G
     assert found == pytest.approx(np.array([[0.4, 0.6], [0.8, 0.2]]))
     for outside in (0.0, 2.1):
-        with pytest.raises(rk.MotionError, match=f"from 0.1 to 2 s, and not at {outside:g} s"):
+        with pytest.raises(rk.InputError, match=f"from 0.1 to 2 s, and not at {outside:g} s"):
             spectrum(outside)
 
 
@@ -87,20 +88,20 @@ def test_spectrum_is_compared_and_travels():
 @pytest.mark.parametrize(
     ("make", "said"),
     [
-        (lambda s: s.eurocode_8(2.0, "F"), "ground_type is 'F': choose one of A, B, C, D, E"),
+        (lambda s: s.eurocode_8(2.0, "F"), "ground_type is 'F': give one of A, B, C, D, E"),
         (lambda s: s.eurocode_8(2.0, "B", 3), "spectrum_type is 3: give 1 or 2"),
         (lambda s: s.eurocode_8("2.0", "B"), "a text with its unit"),
         (lambda s: s.eurocode_8(-2.0, "B"), "ground_acceleration is -2: give a positive"),
         (lambda s: s.eurocode_8(2.0, "B", damping_ratio=0.0), "damping_ratio is 0"),
-        (lambda s: s.asce_7(9.0, 6.0, 0.5), r"t_l is 0\.5 s, not above s_d1/s_ds = 0\.6667 s"),
+        (lambda s: s.asce_7(9.0, 6.0, 0.5), r"t_l is 0\.5: give T_L, above s_d1/s_ds ="),
         (lambda s: s.from_table([0.1], [1.0]), "give two or more of each"),
         (lambda s: s.from_table([0.2, 0.1], [1.0, 1.0]), "periods do not rise"),
-        (lambda s: s.from_table([0.1, 0.2], [1.0, 0.0]), "accelerations are not all positive"),
+        (lambda s: s.from_table([0.1, 0.2], [1.0, 0.0]), "accelerations is an array of shape"),
         (lambda s: s.from_table([0.1, 0.2], [1.0, 2.0], units="m"), "units 'm' are unknown"),
     ],
 )
 def test_spectrum_that_cannot_be_is_refused(make, said):
-    with pytest.raises(rk.MotionError, match=said):
+    with pytest.raises(rk.InputError, match=said):
         make(rk.DesignSpectrum)
 
 
@@ -217,25 +218,27 @@ def test_artificial_motions_meet_eurocode_and_come_again_with_their_seed():
         (lambda s: s.matched(rk.GroundMotion.single_sine(1.0, 0.5)), r"resampled\(dt\) gives it"),
         (lambda s: s.matched(record(), between=(0.01, 1.0)), r"too coarse.* between=\(0\.02, 1\)"),
         (lambda s: s.matched(record(), between=(0.1, 5.0)), "from 0 to 4 s, and not at 5 s"),
-        (lambda s: s.matched(record(), between=(1.0, 0.1)), "give the shorter one first"),
-        (lambda s: s.matched(record(), between=0.1), r"shortest and the longest period \[s\]"),
+        (lambda s: s.matched(record(), between=(1.0, 0.1)), "between is 1: give less than"),
+        (lambda s: s.matched(record(), between=0.1), r"between is 0\.1: give a shorter and a"),
         (lambda s: s.matched("quake"), "record is 'quake': give a GroundMotion"),
-        (lambda s: s.matched(rk.GroundMotion.from_array(np.zeros(99), 0.01)), "does not shake"),
+        (
+            lambda s: s.matched(rk.GroundMotion.from_array(np.zeros(99), 0.01)),
+            "record is 'array': give a",
+        ),
         (lambda s: s.compatible_motions(0, seed=1), "number is 0"),
         (lambda s: s.compatible_motions(1, seed=-1), "seed is -1"),
         (lambda s: s.compatible_motions(1, seed=1, envelope=3.0), "give a function of times"),
     ],
 )
 def test_motion_that_cannot_be_matched_is_refused(call, said):
-    with pytest.raises(rk.MotionError, match=said):
+    with pytest.raises(rk.InputError, match=said):
         call(EUROCODE)
 
 
 def test_record_that_does_not_come_near_the_spectrum_is_refused():
     """Half a second has no response at 4 s of which a wavelet could make the largest."""
     short = rk.GroundMotion.from_array(np.sin(np.linspace(0.0, 12.0, 50)), 0.01)
-    with pytest.raises(rk.MotionError, match="after matching: give another record"):
-        EUROCODE.matched(short)
+    assert "after matching: give another record" in told(EUROCODE.matched, short)
 
 
 # --- the check
@@ -270,15 +273,10 @@ def test_clauses_a_and_b_of_the_check():
 
 def test_check_that_has_no_answer_is_refused():
     motion = record()
-    with pytest.raises(rk.MotionError, match="spectra for 5 %"):
+    with pytest.raises(rk.InputError, match="spectra for 5 %"):
         rk.DesignSpectrum.eurocode_8(2.0, "A", damping_ratio=0.1).check([motion], 0.5)
-    with pytest.raises(rk.MotionError, match="not at 5 s"):
-        EUROCODE.check([motion] * 3, 2.5)
-    with pytest.raises(rk.MotionError, match="give three or more"):
-        EUROCODE.check([], 0.5)
-    with pytest.raises(rk.MotionError, match="is among the motions"):
-        EUROCODE.check(["quake"], 0.5)
-    with pytest.raises(rk.MotionError, match="give three ground motions or more"):
-        EUROCODE.check(motion, 0.5)
-    with pytest.raises(rk.MotionError, match="quake is a vertical component"):
-        EUROCODE.check([replace(motion, is_vertical=True)], 0.5)
+    assert "not at 5 s" in told(EUROCODE.check, [motion] * 3, 2.5)
+    assert "give three or more" in told(EUROCODE.check, [], 0.5)
+    assert refused(EUROCODE.check, ["quake"], 0.5) == ("motions", "quake")
+    assert refused(EUROCODE.check, motion, 0.5)[0] == "motions"
+    assert refused(EUROCODE.check, [replace(motion, is_vertical=True)], 0.5) == ("motions", "quake")

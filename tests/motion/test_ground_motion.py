@@ -10,8 +10,10 @@ from hypothesis import given, settings, strategies as st
 from scipy.integrate import quad, trapezoid
 from scipy.optimize import minimize_scalar
 
-from rockeom.motion import GroundMotion, MotionError, SegmentKind
+from rockeom import InputError
+from rockeom.motion import GroundMotion, SegmentKind
 from rockeom.motion.formula import formula_of
+from tests.refusals import refused
 
 RICKERS = {"symmetric": False, "antisymmetric": True}
 
@@ -368,10 +370,8 @@ def test_padding_up_to_a_duration_and_by_quiet_seconds_are_told_apart():
     record = GroundMotion.from_array(np.ones(401), dt=0.01)
     assert record.padded_to(10.0).duration == 10.0
     assert record.padded_by(10.0).duration == 14.0
-    with pytest.raises(MotionError, match=r"duration is 3 s, but array lasts 4 s: give a longer"):
-        record.padded_to(3.0)
-    with pytest.raises(MotionError, match=r"quiet is -1: give a positive number"):
-        record.padded_by(-1.0)
+    assert refused(record.padded_to, 3.0) == ("duration", 3.0)
+    assert refused(record.padded_by, -1.0) == ("quiet", -1.0)
 
 
 # -- what cannot be changed or taken apart -------------------------------------------------------
@@ -452,23 +452,29 @@ def test_acceleration_of_a_formula_may_be_a_text_with_its_unit(made):
         (lambda: GroundMotion.from_array([-math.inf, 0.0], 0.1), r"acceleration\[0\] is -inf"),
         (
             lambda: GroundMotion.from_array([0.0, None], 0.1),
-            r"acceleration\[1\] is None.*no number",
+            r"acceleration\[1\] is None: give numbers",
         ),
-        (lambda: GroundMotion.from_array([0.0, "1"], 0.1), r"acceleration\[1\] is '1'.*no number"),
+        (
+            lambda: GroundMotion.from_array([0.0, "1"], 0.1),
+            r"acceleration\[1\] is '1': give numbers",
+        ),
         (lambda: GroundMotion.from_array("quake.AT2", 0.1), r"'quake.AT2'.*GroundMotion.read"),
-        (lambda: GroundMotion.from_array([[0.0], [0.0, 1.0]], 0.1), r"list of length 2.*numbers"),
+        (
+            lambda: GroundMotion.from_array([[0.0], [0.0, 1.0]], 0.1),
+            r"is \[\[0\.0\], \[0\.0, 1\.0\]\] \(.*numbers",
+        ),
         (lambda: GroundMotion.from_array([False, True], 0.1), r"acceleration\[0\] is False"),
         (lambda: GroundMotion.from_array([0.0, 1.0], "0.1"), r"dt is '0\.1': give a number"),
-        (lambda: GroundMotion.from_array([0.0, 1.0], [0.1]), r"dt is a list.*: give a number"),
+        (lambda: GroundMotion.from_array([0.0, 1.0], [0.1]), r"dt is \[0\.1\]: give a number"),
         (lambda: GroundMotion.from_array([0.0, 1.0], 0.1, name=5), r"name is 5: give a text"),
         (lambda: GroundMotion.none("10"), r"duration is '10': give a number"),
         (lambda: GroundMotion.none(True), r"duration is True: give a number"),
         (lambda: GroundMotion.none(10**400), r"duration is inf: give a finite number"),
-        (lambda: GroundMotion.none(1.0).acceleration("0.5"), r"t is '0\.5', which is no number"),
-        (lambda: GroundMotion("quake.AT2"), r"'quake.AT2', which is no number.*GroundMotion.read"),
+        (lambda: GroundMotion.none(1.0).acceleration("0.5"), r"t is '0\.5': give numbers"),
+        (lambda: GroundMotion("quake.AT2"), "is 'quake.AT2': give numbers"),
         (lambda: GroundMotion([0.0, 1.0]), r"shape \(2,\).*from_array takes accelerations"),
         (lambda: GroundMotion.from_array([[0.0, 1.0]], 0.1), r"shape \(1, 2\): give one dimension"),
-        (lambda: GroundMotion.from_array([0.0], 0.1), r"1 sample\(s\), where .* needs two"),
+        (lambda: GroundMotion.from_array([0.0], 0.1), r"acceleration is an array of shape \(1,\):"),
         (lambda: GroundMotion.from_array([0.0, 1.0j], 0.1), r"masked or complex"),
         (
             lambda: GroundMotion.from_array(np.ma.array([0.0, 1.0], mask=[False, True]), 0.1),
@@ -481,7 +487,7 @@ def test_acceleration_of_a_formula_may_be_a_text_with_its_unit(made):
         ),
         (
             lambda: GroundMotion.from_array([0.0, 1.0], 0.1, units="g", gravity=0.0),
-            r"gravity is 0\.0: give a positive",
+            "gravity is 0: give a positive",
         ),
         (lambda: GroundMotion(np.zeros((2, 6))), r"shape \(2, 6\): they must be \(n, 7\)"),
         (lambda: GroundMotion(np.zeros((1, 7))), r"follow each other without gap from time 0"),
@@ -489,7 +495,7 @@ def test_acceleration_of_a_formula_may_be_a_text_with_its_unit(made):
             lambda: GroundMotion([[0, 1, 0, 0, 0, 0, 0], [1.5, 2, 0, 0, 0, 0, 0]]),
             r"follow each other without gap",
         ),
-        (lambda: GroundMotion([[0, 1, 5, 0, 0, 0, 0]]), r"kinds of segments are 0, 1, 2, 3, 4"),
+        (lambda: GroundMotion([[0, 1, 5, 0, 0, 0, 0]]), "kinds of segments are 0, 1"),
         (lambda: GroundMotion([[0, 1, 0, math.nan, 0, 0, 0]]), r"NaN"),
         (
             lambda: GroundMotion([[0, 1, SegmentKind.SINE, 1, 0, 0, 0]]),
@@ -499,7 +505,7 @@ def test_acceleration_of_a_formula_may_be_a_text_with_its_unit(made):
     ],
 )
 def test_bad_input_is_refused_with_the_value_and_the_remedy(call, message):
-    with pytest.raises(MotionError, match=message):
+    with pytest.raises(InputError, match=message):
         call()
 
 
@@ -510,9 +516,9 @@ def test_bad_input_is_refused_with_the_value_and_the_remedy(call, message):
     [
         (0, -1.0, "without gap"),
         (1, -1.0, "without gap"),
-        (2, 1.5, "kinds of segments"),
-        (2, -1.0, "kinds of segments"),
-        (2, 5.0, "kinds of segments"),
+        (2, 1.5, "kinds of segments are 0, 1"),
+        (2, -1.0, "kinds of segments are 0, 1"),
+        (2, 5.0, "kinds of segments are 0, 1"),
         (4, 0.0, "c1, the rate"),
         (6, math.inf, "NaN or infinity"),
     ],
@@ -523,5 +529,5 @@ def test_a_fault_is_found_in_short_and_in_long_tables(rows, column, value, messa
     table[:, 2], table[:, 4] = np.resize([2, 3, 1], rows), 5.0
     assert GroundMotion(table).duration == rows
     table[-1, column] = value
-    with pytest.raises(MotionError, match=message):
+    with pytest.raises(InputError, match=message):
         GroundMotion(table)

@@ -8,7 +8,9 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from rockeom.motion import GroundMotion, Measures, MotionError, intensity
+from rockeom import InputError
+from rockeom.motion import GroundMotion, Measures, intensity
+from tests.refusals import refused
 
 RECORD = GroundMotion.from_array(np.random.default_rng(5).normal(size=20), 0.05, name="noise")
 OF_EACH_KIND = {
@@ -91,9 +93,8 @@ def test_pulse_is_that_of_the_printed_formulas():
 
 
 def test_pulse_without_a_longer_envelope_is_refused():
-    with pytest.raises(MotionError, match=r"gamma is 1: give more than 1"):
-        GroundMotion.mavroeidis_papageorgiou(0.5, 1.0, 1.0)
-    with pytest.raises(MotionError, match=r"c3, the rate of a pulse's envelope, .* below c1"):
+    assert refused(GroundMotion.mavroeidis_papageorgiou, 0.5, 1.0, 1.0) == ("gamma", 1.0)
+    with pytest.raises(InputError, match="c3, the rate of an envelope, must lie"):
         GroundMotion([[0.0, 1.0, 4.0, 1.0, 2.0, 0.0, 3.0]])
 
 
@@ -210,13 +211,12 @@ def test_motion_without_shaking_has_no_durations_and_no_periods():
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda: SINE.significant_interval(0.9, 0.1), r"lower is 0\.9 and upper 0\.1: give parts"),
-        (lambda: SINE.significant_interval(0.1, 1.5), r"between 0 and 1"),
-        (lambda: GroundMotion.none(1.0).significant_interval(), r"no shaking does not shake"),
-        (lambda: intensity.arias_intensity(SINE, 0.0), r"gravity is 0: give a positive"),
-        (lambda: intensity.bracketed_duration(SINE, -1.0), r"threshold is -1: give a positive"),
+        (lambda: SINE.significant_interval(0.9, 0.1), "lower"),
+        (lambda: SINE.significant_interval(0.1, 1.5), "lower"),
+        (lambda: GroundMotion.none(1.0).significant_interval(), "motion"),
+        (lambda: intensity.arias_intensity(SINE, 0.0), "gravity"),
+        (lambda: intensity.bracketed_duration(SINE, -1.0), "threshold"),
     ],
 )
 def test_what_cannot_be_measured_is_refused(call, said):
-    with pytest.raises(MotionError, match=said):
-        call()
+    assert refused(call)[0] == said

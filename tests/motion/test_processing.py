@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
-from rockeom.motion import GroundMotion, MotionError
+from rockeom import InputError
+from rockeom.motion import GroundMotion
+from tests.refusals import refused
 
 DT, N = 0.01, 2001
 T = DT * np.arange(N)
@@ -126,10 +128,7 @@ def test_near_fault_pulse_keeps_its_beginning():
     pulse = GroundMotion.mavroeidis_papageorgiou(0.5, 1.0, 2.0)
     part = pulse.trimmed(0.0, 1.5)
     assert part.velocity(1.2) == pulse.velocity(1.2)
-    with pytest.raises(
-        MotionError, match=r"start is 0\.5 s, within a .* first, by resampled\(dt\)"
-    ):
-        pulse.trimmed(0.5)
+    assert refused(pulse.trimmed, 0.5) == ("start", 0.5)
     assert pulse.resampled(0.01).trimmed(0.5).velocity(0.0) == 0.0
 
 
@@ -144,22 +143,22 @@ def test_near_fault_pulse_keeps_its_beginning():
         (lambda m: m.baseline_corrected(12), r"degree is 12: give at most 10"),
         (lambda m: m.baseline_corrected(1, "force"), r"baseline of 'force' is unknown.*velocity"),
         (lambda m: m.filtered(), r"no corner: give low, high or both"),
-        (lambda m: m.filtered(low=60.0), r"low is 60 Hz: give a corner below 50 Hz, half"),
-        (lambda m: m.filtered(low=1e-9), r"low is 1e-09 Hz: .* above 0\.0005 Hz"),
-        (lambda m: m.filtered(high=-1.0), r"high is -1 Hz: .* above 0\.0005 Hz"),
+        (lambda m: m.filtered(low=60.0), "low is 60: give a corner below 50 Hz, half"),
+        (lambda m: m.filtered(low=1e-9), r"low is 1e-09: .* above 0\.0005 Hz"),
+        (lambda m: m.filtered(high=-1.0), r"high is -1: .* above 0\.0005 Hz"),
         (lambda m: m.filtered(5.0, 1.0), r"low is 5 Hz and high 1 Hz: .* smaller one as low"),
         (lambda m: m.filtered(1.0, order=0), r"order is 0: give a whole number of at least 1"),
         (lambda m: m.resampled(-1.0), r"dt is -1: give a positive"),
-        (lambda m: m.resampled(30.0), r"dt is 30 s: give less than the motion's 20 s"),
+        (lambda m: m.resampled(30.0), r"dt is 30: give less than the motion's 20 s"),
         (lambda m: m.resampled(0.01, "cubic"), r"method is 'cubic': give \"linear\" or"),
         (lambda m: m.resampled(0.01 / np.pi, "band limited"), r"in no ratio of whole numbers"),
         (lambda m: m.trimmed(5.0, 2.0), r"start is 5 s and end 2 s: give times between 0 and"),
         (lambda m: m.trimmed(1.0, 99.0), r"end 99 s"),
-        (lambda m: m.trimmed(1.0, 1.001), r"1 sample\(s\)"),
+        (lambda m: m.trimmed(1.0, 1.001), r"acceleration is an array of shape \(1,\):"),
     ],
 )
 def test_what_cannot_be_done_is_refused_with_the_value_and_a_remedy(call, said):
-    with pytest.raises(MotionError, match=said):
+    with pytest.raises(InputError, match=said):
         call(SINE)
 
 
@@ -168,5 +167,5 @@ def test_what_cannot_be_done_is_refused_with_the_value_and_a_remedy(call, said):
     lambda m: m.resampled(0.01, "band limited"),
 ])  # fmt: skip
 def test_motion_without_samples_is_sent_to_get_some(call):
-    with pytest.raises(MotionError, match=r"has no samples for .*: resampled\(dt\) gives it some"):
+    with pytest.raises(InputError, match=r"has no samples for .*: resampled\(dt\) gives it some"):
         call(GroundMotion.half_sine(1.0, 0.5))

@@ -7,6 +7,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.motion.units import acceleration
+from tests.refusals import refused, refuses, told
 
 DT = 0.01
 BLOCK = rk.RigidBlock(half_width=0.2, half_height=1.0)
@@ -47,32 +48,30 @@ def test_acceleration_with_its_unit(text, si):
         ({"pga": 2.0, "period": 1.0}, "pga has no period"),
         ({"sa": 2.0, "period": 0.0}, "period is 0: give a positive number"),
         ({"pga": -1.0}, "pga is -1: give a positive number"),
-        ({"pga": "-0.4 g"}, "pga is -3.924: give a positive number"),
+        ({"pga": "-0.4 g"}, "pga is -3.924.*: give a positive number"),
         ({"pga": "0.4"}, r"pga is '0\.4': give a number of m/s2, or a text with its unit"),
         ({"pga": "0,4 g"}, "a text with its unit"),
         ({"pga": "0.4 s"}, r"pga is '0\.4 s': units 's' are unknown: choose one of m/s2, g"),
-        ({"pga": [1.0]}, "pga is a list of length 1: give a number"),
+        ({"pga": [1.0]}, r"pga is \[1\.0\]: give a number"),
         ({"pga": True}, "pga is True: give a number"),
     ],
 )
 def test_intensity_that_cannot_be_scaled_to_is_refused_alike(scaled_to, said):
     for given in (MOTION, PAIR, rk.MotionSet([MOTION])):
-        with pytest.raises(rk.MotionError, match=said):
+        with pytest.raises(rk.InputError, match=said):
             given.scaled_to(**scaled_to)
 
 
 def test_peak_is_another_word_for_pga():
     assert MOTION.scaled_to(peak=2.0) == MOTION.scaled_to(2.0) == MOTION.scaled_to(pga=2.0)
-    with pytest.raises(rk.MotionError, match=r"peak=1\.0 and pga=1\.0: give exactly one"):
-        MOTION.scaled_to(1.0, pga=1.0)
+    assert refused(MOTION.scaled_to, 1.0, pga=1.0) == ("pga", 1.0)
 
 
 def test_motion_without_shaking_is_refused():
     still = rk.GroundMotion.none(1.0)
     for wanted in ({"pga": 1.0}, {"sa": 1.0, "period": 0.5}):
-        with pytest.raises(rk.MotionError, match="no factor makes"):
-            still.scaled_to(**wanted)
-        with pytest.raises(rk.MotionError, match="no factor makes"):
+        assert "no factor makes" in told(still.scaled_to, **wanted)
+        with pytest.raises(rk.InputError, match="no factor makes"):
             rk.Recording("still", (still,)).scaled_to(**wanted)
 
 
@@ -105,7 +104,7 @@ def test_motion_is_multiplied_by_numbers_only(given):
     for wrong in (given, "2", None, np.array([1.0, 2.0]), True):
         with pytest.raises(TypeError, match=r"give a number, as in 2 \* motion"):
             given * wrong
-    with pytest.raises(rk.MotionError, match="divided by 0"):
+    with refuses("factor", 0):
         given / 0
 
 
@@ -138,10 +137,8 @@ def test_set_is_scaled_by_the_arguments_of_a_motion():
     assert scaled == motions.scaled_to("sa", 3.0, period=0.5, of="geometric mean")
     sa = scaled.intensities("sa", period=0.5)
     assert sa[0] * sa[1] == pytest.approx(9.0)
-    with pytest.raises(rk.MotionError, match="two intensities"):
-        motions.scaled_to("pga", 3.0, sa=2.0, period=1.0)
-    with pytest.raises(rk.MotionError, match="value is None: give a number"):
-        motions.scaled_to("pga")
+    assert refused(motions.scaled_to, "pga", 3.0, sa=2.0, period=1.0) == ("intensity", "pga")
+    assert refused(motions.scaled_to, "pga")[0] == "value"
 
 
 def test_vertical_component_of_a_set_is_scaled_along_with_its_recording():
@@ -149,7 +146,7 @@ def test_vertical_component_of_a_set_is_scaled_along_with_its_recording():
     motions = rk.MotionSet(
         record(i, name, vertical=name.endswith("UP")) for i, name in enumerate(names)
     )
-    with pytest.raises(rk.MotionError, match=r'ELC-UP is a vertical component.*of="recording"'):
+    with pytest.raises(rk.InputError, match=r'ELC-UP is a vertical component.*of="recording"'):
         motions.scaled_to(pga=3.0)
     scaled = motions.scaled_to(pga=3.0, of="recording")
     factors = scaled.intensities("pga") / motions.intensities("pga")
@@ -186,8 +183,7 @@ def test_spectra_of_components_by_hand():
     assert found["geometric mean"] == pytest.approx(np.sqrt(one * other))
     assert found["larger"] == pytest.approx(np.maximum(one, other))
     assert found["srss"] == pytest.approx(np.hypot(one, other))
-    with pytest.raises(rk.MotionError, match="of is 'mean': choose one of geometric mean"):
-        PAIR.response_spectrum([1.0], of="mean")
+    assert refused(PAIR.response_spectrum, [1.0], of="mean") == ("of", "mean")
 
 
 @pytest.mark.parametrize("direction", [0, 30, 137])
@@ -245,8 +241,7 @@ def test_component_that_is_a_little_shorter_gets_zeros_and_is_named():
     assert spectra["rotd50"].name == f"{pair.name}, rotd50, {other.name}, 26 zeros at its end"
     assert spectra["rotd100"].displacement[0] >= spectra["larger"].displacement[0]
     short = rk.Recording("x", (one, other.trimmed(0.0, 50.0)))
-    with pytest.raises(rk.MotionError, match="not recorded at the same times"):
-        short.along(0.3)
+    assert "not recorded at the same times" in told(short.along, 0.3)
 
 
 @pytest.mark.parametrize(
@@ -254,9 +249,9 @@ def test_component_that_is_a_little_shorter_gets_zeros_and_is_named():
     [
         (lambda: rk.Case(BLOCK, PAIR), TypeError, "two horizontal components.*in_plane"),
         (lambda: rk.simulate(BLOCK, FIRST, vertical=MOTION), TypeError, "leave it out"),
-        (lambda: rk.Recording("none", ()), rk.MotionError, "has 0 horizontal components"),
-        (lambda: rk.Recording("x", ("a.at2",)), rk.MotionError, r"'a\.at2': give ground motions"),
-        (lambda: rk.Recording("x", MOTION).along(1.0), rk.MotionError, "one horizontal component"),
+        (lambda: rk.Recording("none", ()), rk.InputError, "has 0 horizontal components"),
+        (lambda: rk.Recording("x", ("a.at2",)), rk.InputError, r"'a\.at2': give ground motions"),
+        (lambda: rk.Recording("x", MOTION).along(1.0), rk.InputError, "one horizontal component"),
     ],
 )  # fmt: skip
 def test_recording_that_leaves_open_what_shakes_is_refused(make, error, said):

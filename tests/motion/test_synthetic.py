@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from rockeom import InputError
 from rockeom.motion import (
     GroundMotion,
     JenningsEnvelope,
-    MotionError,
     ShinozukaSatoEnvelope,
     synthetic,
 )
@@ -110,14 +110,17 @@ def test_envelope_multiplies_the_stationary_motion(envelope):
         (lambda: GroundMotion.kanai_tajimi(-1.0, duration=1.0, seed=0), "spectral_intensity is -1"),
         (lambda: GroundMotion.kanai_tajimi(1.0, duration=0.0, seed=0), "duration is 0"),
         (lambda: GroundMotion.kanai_tajimi(1.0, duration=1.0, seed=1.5), "seed is 1.5.*whole"),
-        (lambda: GroundMotion.kanai_tajimi(1.0, duration=1.0, seed=0, dt=9.0), "give a shorter dt"),
+        (
+            lambda: GroundMotion.kanai_tajimi(1.0, duration=1.0, seed=0, dt=9.0),
+            "dt is 9: give a step",
+        ),
         (
             lambda: GroundMotion.clough_penzien(
                 1.0, duration=1.0, seed=0, high_pass_damping_ratio=0.0
             ),
             "high_pass_damping_ratio is 0: give a positive",
         ),
-        (lambda: made("kanai_tajimi", 0, envelope=3.0), "envelope is 3.0: give a function"),
+        (lambda: made("kanai_tajimi", 0, envelope=3.0), "envelope is 3: give a function"),
         (lambda: made("kanai_tajimi", 0, envelope=np.sum), r"shape \(\) for 2048 times"),
         (lambda: JenningsEnvelope(3.0, 2.0, 1.0), "until is 2 s, before the end of the rise, 3 s"),
         (lambda: ShinozukaSatoEnvelope(1.0, 0.5), "rise is 0.5 1/s, not above the decay, 1 1/s"),
@@ -125,7 +128,7 @@ def test_envelope_multiplies_the_stationary_motion(envelope):
     ],
 )
 def test_motion_that_cannot_be_made_is_refused(call, said):
-    with pytest.raises(MotionError, match=said):
+    with pytest.raises(InputError, match=said):
         call()
 
 

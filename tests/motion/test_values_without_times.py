@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from rockeom.motion import GroundMotion, MotionError
+from rockeom import InputError
+from rockeom.motion import GroundMotion
 
 VALUES = [0.0, 0.1, -0.25, 0.05]
 
@@ -47,7 +48,7 @@ def test_values_that_run_on_over_columns_are_asked_for(file, width, number, sepa
     wrapped = GroundMotion.from_csv(path, dt=0.02, units="g", layout="wrapped")
     assert np.array_equal(wrapped.samples, SEQUENCE[:number] * 9.81)
     for column in (None, 0, width - 1):
-        with pytest.raises(MotionError, match='layout="wrapped"'):
+        with pytest.raises(InputError, match='layout="wrapped"'):
             GroundMotion.from_csv(path, dt=0.02, units="g", acceleration_column=column)
 
 
@@ -64,18 +65,18 @@ def test_channels_side_by_side_are_no_sequence_and_what_looks_like_one_may_be_ch
 @pytest.mark.parametrize(
     ("text", "named", "message"),
     [
-        ("1 9\n2 8\n", {"dt": 0.1}, "no column of 2 is named.*name acceleration_column"),
+        ("1 9\n2 8\n", {"dt": 0.1}, "no column of 2 is named.*name it by acceleration_column="),
         ("1\n2\n", {}, "time_column and dt are both given, or neither.*the time step"),
         ("1 2\n3 4\n", {"dt": 0.1, "time_column": 0}, "time_column and dt are both given"),
-        ("1 2\n3 4\n", {"time_column": 0}, "name acceleration_column"),
+        ("1 2\n3 4\n", {"time_column": 0}, "name it by acceleration_column="),
         ("1\n2\n", {"dt": -0.1}, "dt is -0.1: give a positive number"),
         ("1\nx\n", {"dt": 0.1}, "line 2: acceleration of sample 2 is 'x', which is no number"),
         ("1 2\n3 x\n", {"dt": 0.1, "layout": "wrapped"}, "line 2: sample 4 is 'x', which is no"),
         ("1 2\n3\n4 5\n", {"dt": 0.1, "layout": "wrapped"}, "line 3: 3 values stand above.*has 2"),
-        ("1 2\n", {"time_column": 0, "layout": "wrapped"}, "no columns to name.*give dt, and no"),
+        ("1 2\n", {"time_column": 0, "layout": "wrapped"}, "no columns to name.*give dt=, and no"),
         ("1 2\n", {"dt": 0.1, "layout": "rows"}, "layout is 'rows': choose \"columns\" or"),
     ],
 )
 def test_a_step_that_is_missing_double_or_wrong_is_refused(file, text, named, message):
-    with pytest.raises(MotionError, match=message):
+    with pytest.raises(InputError, match=message):
         GroundMotion.from_csv(file(text), units="g", **named)

@@ -6,6 +6,7 @@ from matplotlib.collections import LineCollection
 
 from rockeom import plots
 from rockeom.analysis.validation import Ensemble, calibration_of
+from tests.refusals import refused
 
 
 def test_a_distribution_ends_below_one_by_the_part_that_overturned():
@@ -32,10 +33,8 @@ def test_without_a_limit_the_axis_ends_at_the_largest_peak():
     figure = plots.peak_distributions({"A": one, "B": other})
     assert figure.axes[0].get_xlim() == (0.0, 0.4)
     for ensembles in ({}, {str(i): one for i in range(7)}):
-        with pytest.raises(ValueError, match="number of ensembles is"):
-            plots.peak_distributions(ensembles)
-    with pytest.raises(ValueError, match="no motion has a peak above zero: give limit="):
-        plots.peak_distributions({"A": Ensemble([np.nan], [True])})
+        assert refused(plots.peak_distributions, ensembles)[0] == "ensembles"
+    assert refused(plots.peak_distributions, {"A": Ensemble([np.nan], [True])}) == ("limit", 0.0)
 
 
 def test_a_reliability_diagram_has_a_dot_an_interval_and_a_range_for_each_bin():

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis import identification
 from rockeom.plots import wall_envelopes
+from tests.refusals import refused
 
 TESTS = identification.wall_tests()
 
@@ -43,7 +44,5 @@ def test_walls_are_drawn_into_a_figure_of_ones_own():
 
 
 def test_walls_without_an_envelope_or_a_path_are_refused():
-    with pytest.raises(ValueError, match="none of the tests has an envelope"):
-        wall_envelopes({"E8": TESTS["E8"]}, {})
-    with pytest.raises(ValueError, match=r"no path is called 'WS.40'"):
-        wall_envelopes({"WS.40": replace(TESTS["WS.40"])}, {})
+    assert refused(wall_envelopes, {"E8": TESTS["E8"]}, {}) == ("tests", {})
+    assert refused(wall_envelopes, {"WS.40": replace(TESTS["WS.40"])}, {}) == ("paths", "WS.40")

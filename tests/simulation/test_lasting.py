@@ -30,6 +30,7 @@ from rockeom.structures.units import main_units
 from rockeom.symbolic.model import Body, coordinate, parameter, turned
 from rockeom.symbolic.rocking import rocking_structure
 from tests.pipes import pipe
+from tests.refusals import refused, refuses, told
 from tests.shipped import plain
 from tests.typical import S1, column
 
@@ -304,7 +305,7 @@ def file(written, tmp_path):
     return path
 
 
-def refused(path, *words, **given):
+def not_loaded(path, *words, **given):
     with pytest.raises(ValueError, match=path.name) as error:
         rk.load(path, **given)
     assert all(word in str(error.value) for word in words), str(error.value)
@@ -332,9 +333,9 @@ def test_a_file_that_was_cut_off_is_refused(file):
     whole = file.read_bytes()
     for share in (0.0, 0.1, 0.5, 0.9):
         file.write_bytes(whole[: int(share * len(whole))])
-        refused(file, "cut off")
+        not_loaded(file, "cut off")
     file.write_bytes(whole[:-1])
-    refused(file)
+    not_loaded(file)
 
 
 def test_a_file_that_changed_in_one_bit_is_refused(file):
@@ -343,23 +344,23 @@ def test_a_file_that_changed_in_one_bit_is_refused(file):
     assert whole.count(number) == 1
     place = whole.index(number)
     file.write_bytes(whole[:place] + bytes([whole[place] ^ 1]) + whole[place + 1 :])
-    refused(file, "damaged")
+    not_loaded(file, "damaged")
 
 
 def test_files_of_others_are_refused(file):
     xr.Dataset({"x": ("t", [1.0])}).to_netcdf(file, engine="h5netcdf")
-    refused(file, "not written by")
+    not_loaded(file, "not written by")
     file.write_text("theta, t\n0, 0\n")
-    refused(file, "no file of a response")
+    not_loaded(file, "no file of a response")
     file.write_bytes(pickle.dumps(print))
-    refused(file, "no file of a response")
+    not_loaded(file, "no file of a response")
     with pytest.raises(FileNotFoundError, match="nowhere"):
         rk.load(file.with_name("nowhere.nc"))
 
 
 def test_a_pipe_is_refused_at_once(tmp_path):
     with pipe(tmp_path / "run.nc") as path:
-        refused(path, "a pipe")
+        not_loaded(path, "a pipe")
 
 
 def test_a_small_file_of_huge_arrays_is_refused_before_they_are_made(file):
@@ -368,7 +369,7 @@ def test_a_small_file_of_huge_arrays_is_refused_before_they_are_made(file):
     with h5py.File(file, "r+") as opened:  # no chunk is written: 8 GB of zeros in 8 kB
         opened.create_dataset("zeros", (1000, 1000, 1000), chunks=(100, 100, 100), dtype=float)
     tracemalloc.start()
-    refused(file, "8000", "bytes of arrays")
+    not_loaded(file, "8000", "bytes of arrays")
     assert tracemalloc.get_traced_memory()[1] < 1e8
     tracemalloc.stop()
 
@@ -382,13 +383,13 @@ def test_a_description_that_is_nested_deep_is_refused(file, monkeypatch, text):
     checksum = {"checksum": saved.checksum(text, found)}
     held = found | {"definition": np.array(text)}
     monkeypatch.setattr(responses, "_read", lambda path: (attrs | checksum, held))
-    refused(file, "nested deeper")
+    not_loaded(file, "nested deeper")
 
 
 @pytest.mark.parametrize("other", [saved.FORMAT - 1, saved.FORMAT + 1])
 def test_a_file_of_another_format_is_refused(file, change, other):
     change(rockeom_format=other, rockeom_version="9.1")
-    refused(file, f"a response in format {other}", "another version", "9.1", "simulate again")
+    not_loaded(file, f"a response in format {other}", "another version", "9.1", "simulate again")
 
 
 @pytest.mark.parametrize("name", ["os.system", "eval", "Structure", "GroundMotion", "__class__"])
@@ -398,7 +399,7 @@ def test_a_file_makes_nothing_but_what_is_known(file, change, name):
         return definition
 
     change(foreign)
-    refused(file, repr(name))
+    not_loaded(file, repr(name))
 
 
 @pytest.mark.parametrize(
@@ -416,7 +417,7 @@ def test_a_file_makes_nothing_but_what_is_known(file, change, name):
 def test_numbers_that_compiled_code_would_stumble_over_are_refused(file, change, arrays):
     """Of modes that there are not, and of other sizes than the structure has."""
     change(arrays=arrays)
-    refused(file, next(iter(arrays)))
+    not_loaded(file, next(iter(arrays)))
 
 
 def test_parameters_are_checked_as_by_the_constructor(file, change):
@@ -425,7 +426,7 @@ def test_parameters_are_checked_as_by_the_constructor(file, change):
         return definition
 
     change(negative)
-    with pytest.raises(ValueError, match="half_width is -1") as error:
+    with refuses("half_width", -1.0) as error:
         rk.load(file)
     assert file.name in error.value.__notes__[0]
 
@@ -444,21 +445,20 @@ def test_a_declared_structure_must_be_the_one_that_was_simulated(tmp_path):
     path = tmp_path / "ring.nc"
     run = made_up(ring())
     run.save(path)
-    refused(path, "ring_of_a_user", "structure=")
+    not_loaded(path, "ring_of_a_user", "structure=")
     other = declared(share=2)
-    refused(path, ring().module.SOURCE_HASH, "is given has", structure=other)
-    refused(path, ring().module.SOURCE_HASH, structure=BLOCK)
+    not_loaded(path, ring().module.SOURCE_HASH, "is given has", structure=other)
+    not_loaded(path, ring().module.SOURCE_HASH, structure=BLOCK)
     wider = rk.structure(declared(), mass=3.0, radius=0.5, half_width=0.2)
-    refused(path, "half_width=0.1", "half_width=0.2", structure=wider)
-    with pytest.raises(TypeError, match="structure is 'ring'"):
-        rk.load(path, structure="ring")
+    not_loaded(path, "half_width=0.1", "half_width=0.2", structure=wider)
+    assert refused(rk.load, path, structure="ring") == ("structure", "ring")
     for given in (declared(), ring()):
         assert stored(rk.load(path, structure=given)) == stored(run)
 
 
 def test_a_structure_that_the_file_has_not_is_refused(file):
     assert rk.load(file, structure=BLOCK).structure == BLOCK
-    refused(file, "RigidBlock", structure=column())
+    not_loaded(file, "RigidBlock", structure=column())
 
 
 # -- what cannot be saved
@@ -488,8 +488,7 @@ def test_a_class_of_ones_own_is_not_saved_as_another(tmp_path):
         pass
 
     run = made_up(Block(half_width=0.1, half_height=0.4))
-    with pytest.raises(TypeError, match=r"structure is .*of your own"):
-        run.save(tmp_path / "run.nc")
+    assert refused(run.save, tmp_path / "run.nc")[0] == "structure"
     assert not os.listdir(tmp_path)
 
 
@@ -581,12 +580,9 @@ def test_a_table_at_times_of_ones_own(pulsed):
     assert list(whole.columns) == ["theta", "theta_dot", "mode"]
     with pytest.raises(KeyError, match="there are theta"):
         pulsed.to_xarray(["drift"])
-    with pytest.raises(ValueError, match="list of names"):
-        pulsed.to_dataframe("theta")
-    with pytest.raises(ValueError, match="the response from"):
-        pulsed.to_xarray(times=[5.0])
-    with pytest.raises(ValueError, match="one dimension"):
-        pulsed.to_xarray(times=[[1.0]])
+    assert refused(pulsed.to_dataframe, "theta")[0] == "names"
+    assert "the response from" in told(pulsed.to_xarray, times=[5.0])
+    assert refused(pulsed.to_xarray, times=[[1.0]])[0] == "times"
 
 
 def test_landings_of_points_are_impacts_of_the_table(slid):
@@ -692,8 +688,7 @@ def test_long_search_for_extremes_tells_how_far_it_is(monkeypatch, capsys):
 
 
 def test_keep_is_checked():
-    with pytest.raises(ValueError, match="keep is 'everything': choose 'all' or 'samples'"):
-        rk.simulate(BLOCK, PULSE, keep="everything")
+    assert refused(rk.simulate, BLOCK, PULSE, keep="everything") == ("keep", "everything")
 
 
 @pytest.mark.parametrize(("keep", "most"), [("all", 1.3), ("samples", 0.2)])

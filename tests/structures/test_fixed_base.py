@@ -5,6 +5,7 @@ import pytest
 from scipy import signal
 
 import rockeom as rk
+from tests.refusals import refused
 from tests.typical import DAMPING, S1, STIFFNESS, TOTAL_MASS, column, on_springs
 
 SHAKING = rk.GroundMotion.from_array(
@@ -109,15 +110,14 @@ def test_structure_that_cannot_bend_on_held_feet_is_refused(structure, words):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ({"impact": rk.Impulsive()}, "has no impacts: leave `impact` out"),
-        ({"initial": {"theta": 0.01}}, "theta is 0.01: it is held at zero"),
-        ({"initial": {"theta_dot": -1.0}}, "theta_dot is -1.0: it is held at zero"),
-        ({"mode": "left"}, "'left'"),
+        ({"impact": rk.Impulsive()}, "impact"),
+        ({"initial": {"theta": 0.01}}, "theta"),
+        ({"initial": {"theta_dot": -1.0}}, "theta_dot"),
+        ({"mode": "left"}, "mode"),
     ],
 )
 def test_what_a_held_base_cannot_do_is_refused(arguments, words):
-    with pytest.raises(ValueError, match=words):
-        rk.simulate(column().fixed_base(), SHAKING, **arguments)
+    assert refused(rk.simulate, column().fixed_base(), SHAKING, **arguments)[0] == words
 
 
 def test_pushover_of_a_base_that_cannot_turn_is_refused():

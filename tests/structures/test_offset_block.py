@@ -8,6 +8,7 @@ import pytest
 import rockeom as rk
 from rockeom.structures.base import Structure
 from rockeom.symbolic import Body, Model, Rigid, coordinate, feet, parameter, turned
+from tests.refusals import refused, refuses
 
 SIZE = {"half_width": 0.3, "half_height": 0.9, "mass": 400.0}
 STATUE = rk.RigidBlock.from_dimensions(width=0.6, height=1.8, offset=0.05, mass=400.0)
@@ -39,20 +40,20 @@ def test_a_sliding_block_has_full_dimensions_too():
 @pytest.mark.parametrize(
     ("wrong", "named"),
     [
-        ({"offset": 0.3}, "offset is 0.3 and width 0.6"),
-        ({"offset": math.nan}, "offset is nan"),
-        ({"centroid_height": 1.9}, "centroid_height is 1.9 and height 1.8"),
-        ({"width": -0.6}, "width is -0.6: .* positive"),
+        ({"offset": 0.3}, "offset"),
+        ({"offset": math.nan}, "offset"),
+        ({"centroid_height": 1.9}, "centroid_height"),
+        ({"width": -0.6}, "width"),
     ],
 )
 def test_a_centroid_outside_the_block_is_refused(wrong, named):
-    with pytest.raises(ValueError, match=named):
+    with refuses(named):
         rk.RigidBlock.from_dimensions(**({"width": 0.6, "height": 1.8} | wrong))
-    with pytest.raises(ValueError, match="its centroid above the middle"):
+    with refuses("offset", 0.1):
         rk.SlidingBlock.from_dimensions(
             width=0.6, height=1.8, offset=0.1, friction=0.3, restitution=0.0
         )
-    with pytest.raises(ValueError, match=r"offset is -0.31 .* not above the base.* at rest"):
+    with refuses("offset", -0.31):
         rk.OffsetBlock(half_width=0.3, half_height=0.9, offset=-0.31)
 
 
@@ -131,8 +132,7 @@ def test_energy_stays_between_impacts():
 
 
 def test_a_ratio_of_energies_is_refused_where_the_feet_differ():
-    with pytest.raises(ValueError, match="VelocityRatio"):
-        rk.simulate(STATUE, PULSE, impact=rk.EnergyRatio(0.9))
+    assert refused(rk.simulate, STATUE, PULSE, impact=rk.EnergyRatio(0.9))[0] == "impact"
     assert rk.simulate(STATUE, PULSE, impact=rk.VelocityRatio(0.9)).impacts
 
 

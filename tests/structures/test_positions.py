@@ -258,9 +258,9 @@ def test_arrays_of_states_are_told_at_once():
     [
         (0.1, TypeError, "name the states"),
         ({"phi": 0.1}, ValueError, "unknown state 'phi'"),
-        ({"theta": "0.1"}, TypeError, "state theta is '0.1'"),
+        ({"theta": "0.1"}, TypeError, r"state: theta is '0\.1': give a number"),
         ({"theta": [0.1, 0.2], "u": [0.0, 0.0, 0.1]}, ValueError, "broadcast"),
-        ({"theta": [0.1, np.nan]}, ValueError, "state theta is nan"),
+        ({"theta": [0.1, np.nan]}, ValueError, "theta is nan: give a finite number"),
     ],
 )
 def test_places_of_what_is_no_state_are_refused(state, error, said):

@@ -7,6 +7,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.analysis import formulas
+from tests.refusals import refuses
 
 SOIL = {"shear_modulus": 30e6, "poisson_ratio": 0.3}
 SIZE = {
@@ -19,7 +20,7 @@ def test_a_structure_has_the_period_and_the_damping_that_it_was_made_of():
     held = rk.FlexibleStructure.from_period(0.5, damping_ratio=0.05, **SIZE).fixed_base()
     assert held.periods == pytest.approx([0.5], rel=1e-9)
     assert held.damping_ratios == pytest.approx([0.05], rel=1e-9)
-    with pytest.raises(ValueError, match=r"damping_ratio is 5: .* critical .* 0.05 for 5 %"):
+    with refuses("damping_ratio", 5):
         rk.FlexibleStructure.from_period(0.5, damping_ratio=5, **SIZE)
 
 
@@ -97,8 +98,8 @@ def test_a_structure_on_soil_turns_by_the_stiffness_of_its_footing():
         ({"shear_modulus": None}, "one of shear_modulus and youngs_modulus"),
         ({"poisson_ratio": 0.7}, "poisson_ratio is 0.7"),
         ({"match": "sliding"}, "rotation"),
-        ({"half_width": -1.0}, "half_width is -1.0"),
-        ({"damping": -1.0}, "damping is -1.0"),
+        ({"half_width": -1.0}, "half_width is -1"),
+        ({"damping": -1.0}, "damping is -1"),
     ],
 )
 def test_a_soil_that_cannot_be_is_refused(wrong, message):

@@ -7,6 +7,7 @@ import sympy as sp
 import rockeom as rk
 from rockeom.symbolic.algebra import at_side, tidy
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from tests.refusals import refused
 
 MODEL = rk.derive("rocking_frame")
 OF = {p.name: p.symbol for p in MODEL.parameters}
@@ -96,5 +97,4 @@ def test_a_heavier_beam_makes_it_the_steadier():
 
 @pytest.mark.parametrize("columns", [2.5, 0, -1, np.nan, np.inf])
 def test_half_a_column_is_none(columns):
-    with pytest.raises(ValueError, match="columns is"):
-        frame(columns=columns)
+    assert refused(frame, columns=columns)[0] == "columns"

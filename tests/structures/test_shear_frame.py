@@ -11,6 +11,7 @@ from scipy.linalg import eigh
 
 import rockeom as rk
 from rockeom.symbolic.write.polar import polar_model
+from tests.refusals import refused, told
 from tests.typical import DAMPING, S1, STIFFNESS, column
 
 GRAVITY = 9.81
@@ -231,23 +232,23 @@ assert run.outcome.name == "CAME_TO_REST" and len(run.impacts) > 10
 @pytest.mark.parametrize(
     ("changes", "error", "says"),
     [
-        ({"masses": 20e3}, TypeError, "masses is 20000.0: give a list with a number"),
+        ({"masses": 20e3}, TypeError, "masses is 20000: give a list with a number"),
         ({"masses": "23"}, TypeError, "masses is '23': give a list"),
-        ({"masses": {"1": 2.0}}, TypeError, "masses is a dict"),
+        ({"masses": {"1": 2.0}}, TypeError, "masses is {"),
         ({"masses": [20e3, "2"]}, TypeError, r"masses\[1\] is '2'"),
         ({"masses": []}, ValueError, "masses is empty"),
-        ({"masses": [20e3, -1.0]}, ValueError, r"masses\[1\] is -1.0: it must be finite and pos"),
+        ({"masses": [20e3, -1.0]}, ValueError, r"masses\[1\] is -1: it must be finite and pos"),
         ({"masses": [20e3] * 3}, ValueError, "masses are 3 and heights 2: give one for each"),
         ({"dampings": [1.0]}, ValueError, "masses are 2 and dampings 1"),
         ({"dampings": [1.0, np.nan]}, ValueError, r"dampings\[1\] is nan"),
-        ({"stiffnesses": [1e6, 0.0]}, ValueError, r"stiffnesses\[1\] is 0.0"),
+        ({"stiffnesses": [1e6, 0.0]}, ValueError, r"stiffnesses\[1\] is 0"),
         ({"inertias": [1.0]}, ValueError, "inertias 1"),
         (
             {"heights": [7.0, 3.5]},
             ValueError,
             r"heights\[1\] is 3.5, not above .*: give the hei",
         ),
-        ({"support": "pinned"}, TypeError, "support is 'pinned': give what the base stands on"),
+        ({"support": "pinned"}, TypeError, "support is 'pinned': give a support,"),
         ({"floors": 2}, TypeError, "unknown floors"),
     ],
 )
@@ -258,10 +259,8 @@ def test_what_is_wrong_is_named(changes, error, says):
 
 def test_a_frame_of_no_or_half_a_storey_cannot_be_derived():
     for storeys in (0, 2.5, True, "2"):
-        with pytest.raises(ValueError, match=r"storeys is .*: give a whole number of at least 1"):
-            rk.derive("shear_frame", storeys=storeys)
-    with pytest.raises(TypeError, match="storeys"):
-        rk.derive("shear_frame")
+        assert refused(rk.derive, "shear_frame", storeys=storeys)[0] == "storeys"
+    assert "storeys" in told(rk.derive, "shear_frame")
 
 
 def test_the_support_can_be_named():

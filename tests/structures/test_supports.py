@@ -320,14 +320,14 @@ def test_with_little_friction_the_frame_stays_upright_and_slides():
 @pytest.mark.parametrize(
     ("make", "error", "says"),
     [
-        (lambda: rk.TwoSprings(stiffness=-1.0, damping=0.0), ValueError, "stiffness is -1.0"),
+        (lambda: rk.TwoSprings(stiffness=-1.0, damping=0.0), ValueError, "stiffness is -1"),
         (lambda: rk.TwoSprings(stiffness="1", damping=0.0), TypeError, "stiffness is '1'"),
         (lambda: rk.TwoSprings(**SPRINGS, guided="left"), ValueError, "guided is 'left': give"),
         (lambda: rk.Winkler(springs=1, **SPRINGS), ValueError, "springs is 1: give a whole"),
         (lambda: rk.Winkler(springs=2.5, **SPRINGS), ValueError, "springs is 2.5: give a whole"),
         (lambda: rk.Sliding(friction=-0.1, restitution=0.0), ValueError, "friction is -0.1"),
         (lambda: rk.Sliding(friction=0.1, restitution=1.1), ValueError, "restitution is 1.1"),
-        (lambda: column(support="sliding"), TypeError, "support is 'sliding': give what"),
+        (lambda: column(support="sliding"), TypeError, "support is 'sliding': give a support,"),
         (
             lambda: two_storeys(
                 rk.TwoSprings(**SPRINGS), inertias=None, base_inertia=0.0, base_height=0.0
@@ -338,7 +338,7 @@ def test_with_little_friction_the_frame_stays_upright_and_slides():
         (
             lambda: column(base_mass=0.0, support=rk.Sliding(friction=0.3, restitution=0.0)),
             ValueError,
-            "base_mass is 0.0: a base that may slide",
+            "base_mass is 0: a base that slides has",
         ),
         (
             lambda: rk.derive("shear_frame", storeys=2, support="ice"),
@@ -348,7 +348,7 @@ def test_with_little_friction_the_frame_stays_upright_and_slides():
         (
             lambda: rk.derive("flexible_structure", support="winkler"),
             TypeError,
-            "on the support 'winkler': missing a required argument: 'springs'",
+            "on the support 'winkler' missing a",
         ),
         (
             lambda: rk.derive("flexible_structure", support="winkler", springs=1),
@@ -415,7 +415,7 @@ def test_one_storey_is_one_number_on_the_command_line():
         ),
         ({"springs": 4}, TypeError, 'springs is a parameter of a support: .* support="winkler"'),
         ({"support": "winkler", "springs": 1.5, **BED}, ValueError, "springs is 1.5: give a whole"),
-        ({"support": 3}, TypeError, "support is 3: give what the base stands on"),
+        ({"support": 3}, TypeError, "support is 3: give a support, such as"),
     ],
 )  # fmt: skip
 def test_a_support_by_name_that_cannot_be_is_told_of(changes, error, says):

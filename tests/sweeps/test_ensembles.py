@@ -18,6 +18,7 @@ from hypothesis import given, settings, strategies as st
 import rockeom as rk
 from rockeom.sweeps.cases import Cases, Source
 from tests.interrupts import interrupted_at
+from tests.refusals import refused, refuses
 from tests.sweeping import one_by_one, simulate_many
 
 BLOCK = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)
@@ -377,7 +378,7 @@ def test_an_error_ends_the_work_of_all_threads(threads, where):
 
 
 def test_start_that_cannot_be_names_the_case():
-    with pytest.raises(ValueError, match="lies on the ground") as caught:
+    with refuses("theta") as caught:
         rk.simulate_many(
             lambda times: rk.Case(BLOCK, rk.GroundMotion.none(1.0), initial={"theta": 0.1 * times}),
             over={"times": [1, 23]},
@@ -399,14 +400,12 @@ def test_cases_of_two_models_are_refused():
 @pytest.mark.parametrize("wrong", [{"chunk": 0}, {"chunk": -1}, {"threads": -1}])
 def test_chunks_and_threads_that_cannot_be_are_refused(wrong):
     (name,) = wrong
-    with pytest.raises(ValueError, match=name):
-        many(**wrong)
+    assert refused(many, **wrong)[0] == name
 
 
 @pytest.mark.parametrize("over", [{}, {"frequency": []}, {"frequency": [1.0], "amplitude": []}])
 def test_nothing_to_run_is_refused(over):
-    with pytest.raises(ValueError, match="over"):
-        rk.simulate_many(pulse, over=over)
+    assert refused(rk.simulate_many, pulse, over=over)[0] == "over"
 
 
 def test_progress_is_a_line_that_ends_with_the_total(capsys):
@@ -502,8 +501,7 @@ def test_states_at_impacts_are_those_of_the_response():
         for impact, states in zip(impacts, here, strict=False):
             assert states.sel(side="before").values.tolist() == [*impact.before.values()]
             assert states.sel(side="after").values.tolist() == [*impact.after.values()]
-    with pytest.raises(ValueError, match="impact_states needs impact_times"):
-        rk.simulate_many(pulse, over=OVER, impact_states=True)
+    assert refused(rk.simulate_many, pulse, over=OVER, impact_states=True)[0] == "impact_states"
 
 
 def test_peak_is_the_size_of_the_motion_to_either_side(reference):
@@ -531,12 +529,11 @@ def test_extremes_of_all_states_are_those_within_the_steps():
 
 @pytest.mark.parametrize(
     ("wrong", "word"),
-    [({"quantities": "theta"}, "list"), ({"times": [1.0]}, "quantities"),
-     ({"quantities": ["theta"], "times": [-1.0]}, "-1.0")],
+    [({"quantities": "theta"}, "quantities"), ({"times": [1.0]}, "times"),
+     ({"quantities": ["theta"], "times": [-1.0]}, "times")],
 )  # fmt: skip
 def test_quantities_that_cannot_be_are_refused(wrong, word):
-    with pytest.raises(ValueError, match=word):
-        many(**wrong)
+    assert refused(many, **wrong)[0] == word
 
 
 @pytest.mark.parametrize(("across", "up"), [(2.0, 0.0), (0.0, 2.0), (2.0, 2.0), (0.0, 0.0)])

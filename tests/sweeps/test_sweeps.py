@@ -306,7 +306,10 @@ WRONG = {
     "infinite": (lambda x: Case(BLOCK, sine(1.0, 1 / x)), "finite|division"),
     "no period": (lambda x: Case(BLOCK, sine(1.0, x)), "positive"),
     "too short": (lambda x: Case(BLOCK, sine(1.0, 1.0, duration=1.0 + x)), "longer"),
-    "ratio": (lambda x: Case(BLOCK, STILL, rk.EnergyRatio(0.4 + x)), "between 0"),
+    "ratio": (
+        lambda x: Case(BLOCK, STILL, rk.EnergyRatio(0.4 + x)),
+        "EnergyRatio: r is",
+    ),
     "state": (lambda x: Case(BLOCK, STILL, initial={"tehta": x}), "unknown state"),
     "mode": (lambda x: Case(BLOCK, STILL, initial={"theta": x}, mode="right"), "contradicts"),
     "model": (

@@ -8,6 +8,7 @@ import sympy as sp
 
 from rockeom.symbolic import Definition, InternalVariable, NamedFunction, coordinate, parameter
 from rockeom.symbolic.write.page import Display, Heading, Table, to_markdown
+from tests.refusals import told
 from tests.symbolic.test_declarations import tower
 
 HOSTILE = '<script>alert(1)</script>|`x` <img src=x onerror="y">'
@@ -78,7 +79,6 @@ def test_symbols_of_papers_are_taken(symbol):
 
 @pytest.mark.parametrize("text", [r"$\input{x}$", r"half of $B$, $\write18{y}$", "$^^5cinput{x}$"])
 def test_mathematics_in_a_text_does_nothing_but_say(text):
-    with pytest.raises(ValueError, match=r"mathematics of meaning"):
-        parameter("B", "a", "m", text)
+    assert "mathematics of meaning" in told(parameter, "B", "a", "m", text)
     with pytest.raises(ValueError, match=r"mathematics of title"):
         replace(tower(), title=text)

@@ -28,7 +28,7 @@ WRONG = {
     "an outline of texts": (lambda: outlined([("0", 0), (1, 0), (1, 1)]), "number or a SymPy"),
     "a member to nothing": (
         lambda: replace(TIP, members=[Member("rod", "block", "blok")]),
-        r"end is 'blok' \(did you mean 'block'\?\)",
+        r"member: end is 'blok' \(did you mean",
     ),
     "a member of no kind": (lambda: Member("beam", "block", "ground"), "kind is 'beam'"),
     "no member": (lambda: replace(TIP, members=["rod"]), "give objects of Member"),

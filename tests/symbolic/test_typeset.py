@@ -32,6 +32,7 @@ from rockeom.symbolic.write.typeset import (
     markdown_page,
 )
 from tests.evaluation import Values
+from tests.refusals import refused
 from tests.shipped import PINNED
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -322,10 +323,8 @@ def test_document_of_a_structure_without_polar_form_is_in_width_form():
 
 def test_unknown_form_is_refused_by_name():
     model = structure("rigid_block")
-    with pytest.raises(ValueError, match="not 'cartesian'"):
-        latex_document(model, "cartesian")
-    with pytest.raises(ValueError, match="not 'cartesian'"):
-        equations_latex(model.modes[0], "cartesian")
+    assert refused(latex_document, model, "cartesian") == ("form", "cartesian")
+    assert refused(equations_latex, model.modes[0], "cartesian") == ("form", "cartesian")
 
 
 # --- line breaks

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rockeom.motion import MotionError
+from rockeom import InputError
 from rockeom.thesis import statements
 from rockeom.thesis.figures import FIGURES, Source
 from rockeom.thesis.printed import TABLES
@@ -67,7 +67,7 @@ def test_statement_without_a_number_is_refused_unless_an_input_is_lost():
 
 def test_missing_record_leaves_a_statement_open_and_says_what_to_install():
     def missing():
-        raise MotionError("the extra 'records' is not installed")
+        raise InputError("words").says("the extra 'records' is not installed")
 
     one = replace(statement(at_most(1.0, why=""), None), find=missing).judged()
     assert (one.verdict, one.words) == (Verdict.OPEN, "the extra 'records' is not installed")

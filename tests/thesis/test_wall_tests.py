@@ -13,6 +13,7 @@ from rockeom.thesis.wall_tests import (
     harmonic_force,
     quarter_period_fit,
 )
+from tests.refusals import refused
 
 WALL = analysis.Wall.thesis()
 
@@ -45,8 +46,7 @@ def test_bands_of_the_restitution():
     np.testing.assert_allclose(energy_ratio_4_38(v), expected, rtol=1e-15)
     # the text wants 0.88 for the slowest and 0.91 for the fastest impacts or the reverse
     np.testing.assert_allclose(energy_ratio_4_36([0.34, -1.02]), [0.88, 0.91], atol=1e-4)
-    with pytest.raises(ValueError, match=r"energy_ratio_4_36: velocity is 5.0.*add energy"):
-        energy_ratio_4_36(5.0)
+    assert refused(energy_ratio_4_36, 5.0) == ("velocity", 5.0)
 
 
 def test_forces_of_the_ground():
@@ -56,7 +56,5 @@ def test_forces_of_the_ground():
 
 
 def test_an_argument_outside_its_range_is_refused():
-    with pytest.raises(ValueError, match=r"overhang is 0.5"):
-        corrected_uplifts(0.0, 0.0, 1.0, 0.5)
-    with pytest.raises(ValueError, match=r"ends at 5.155 m"):
-        quarter_period_fit(6.0)
+    assert refused(corrected_uplifts, 0.0, 0.0, 1.0, 0.5) == ("overhang", 0.5)
+    assert refused(quarter_period_fit, 6.0) == ("displacement", 6.0)

@@ -29,7 +29,7 @@ from rockeom.analysis.design.hysteresis import FlagRule
 from rockeom.analysis.dynamics.spectra import Spectrum, response_spectrum
 from rockeom.analysis.formulas.controlled_wall import Wall
 from rockeom.motion import DesignSpectrum, GroundMotion
-from rockeom.numbers.arguments import not_negative, positive, require
+from rockeom.numbers.checks import not_negative, positive, require
 
 DESIGNED = "designed"
 BEYOND = "target beyond the spectrum"
@@ -90,7 +90,7 @@ def modified_spectrum(
     """
     if isinstance(spectrum, DesignSpectrum):
         xi, rule = spectrum.damping_ratio, "make the spectrum with damping_ratio=0.05"
-        require(xi == 0.05, "modified_spectrum", "damping_ratio of the spectrum", xi, rule)
+        require(xi == 0.05, "modified_spectrum", "damping_ratio", xi, rule)
     of_5_per_cent = spectrum.displacement if isinstance(spectrum, DesignSpectrum) else spectrum
 
     def damped(period: float, damping_ratio: float) -> float:

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.sweeps import ANSWERS, FALLS
 from rockeom.motion import GroundMotion
-from rockeom.numbers.arguments import positive, require
+from rockeom.numbers.checks import InputError, positive, require, require_word
 from rockeom.simulation.case import Case
 from rockeom.structures.base import Structure
 from rockeom.structures.impact_laws import EnergyRatio
@@ -126,15 +126,14 @@ def restitution_envelope(
     sweep = simulate_many(case, over=over, sweep_options=SweepOptions(progress=False))
     names = [str(one) for one in sweep["state"].values]
     state = names[0] if state is None else state
-    if state not in names:
-        raise ValueError(f"{where}: state is {state!r}: choose among {', '.join(names)}")
+    require_word("state", state, names, where)
     outcome = sweep.outcome.values
     lost = np.argwhere(~np.isin(outcome, ANSWERS))
     if len(lost):
         i, j = lost[0]
-        raise ValueError(
-            f"{where}: {len(lost)} of {outcome.size} motions give no answer, so no largest one is "
-            f"known: with r = {r[i]:g} {motions[j].name!r} ends {str(outcome[i, j])!r} at "
+        raise InputError("motions", of=where).says(
+            f"{len(lost)} of {outcome.size} motions give no answer, so no largest one is known: "
+            f"with r = {r[i]:g} {motions[j].name!r} ends {str(outcome[i, j])!r} at "
             f"{sweep.final_time.values[i, j]:.4g} s: leave it out, or change the structure"
         )
     overturned = outcome == FALLS

@@ -35,7 +35,7 @@ from rockeom.analysis.formulas.periods import rocking_period
 from rockeom.analysis.formulas.restitution import energy_ratio_of_block
 from rockeom.analysis.sweeps import ANSWERS, STANDS, unanswered
 from rockeom.motion import DesignSpectrum, GroundMotion
-from rockeom.numbers.arguments import not_negative, positive, require
+from rockeom.numbers.checks import InputError, not_negative, positive, require
 from rockeom.simulation.case import Case
 from rockeom.structures.classes import RigidBlock
 from rockeom.structures.impact_laws import ImpactLaw
@@ -141,8 +141,7 @@ def fema_356_rocking(
         For impossible arguments, such as a stress block as wide as the block.
     """
     where = "fema_356_rocking"
-    if damping not in _DAMPINGS:
-        raise ValueError(f"{where}: damping is {damping!r}: choose between '2-15' and '2-16'")
+    require(damping in _DAMPINGS, where, "damping", damping, "choose between '2-15' and '2-16'")
     if isinstance(motion, DesignSpectrum):
         motion = modified_spectrum(motion)
     positive(where, tolerance=tolerance)
@@ -214,9 +213,9 @@ def _spectral_acceleration(
         return (2 * np.pi / period) ** 2 * _displacement(motion, period, 0.05)
     if isinstance(motion, GroundMotion):
         return motion.peak
-    raise ValueError(
-        f"{where}: fixed_base_period is 0, at which a spectrum of displacements has no "
-        "acceleration: give the period at which the block does not rock [s], such as 0.05"
+    raise InputError("fixed_base_period", of=where).wrong(
+        "is 0, at which a spectrum of displacements has no acceleration: give the period at which "
+        "the block does not rock [s], such as 0.05"
     )
 
 

@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.formulas import damping
-from rockeom.numbers.arguments import not_negative, numbers, positive, require
+from rockeom.numbers.checks import not_negative, numbers, positive, require
 
 
 class HysteresisLoop(NamedTuple):

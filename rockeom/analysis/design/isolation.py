@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, require_type
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.response import Response
 from rockeom.simulation.simulate import simulate
@@ -140,10 +140,7 @@ def compare_with_fixed_base(
     >>> len([isolation.ratios["base_shear"] for isolation in isolations])
     2
     """
-    if not isinstance(structure, Structure):
-        raise TypeError(
-            f"structure is {described(structure)}: give one such as FlexibleStructure(...)"
-        )
+    require_type("structure", structure, Structure, "one such as FlexibleStructure(...)")
     fixed = structure.fixed_base()
     return Isolation(
         simulate(structure, motion, impact=impact, duration=duration, options=options),
@@ -170,7 +167,7 @@ def demands(run: Response) -> Demands:
         For a response without forces on feet.
     """
     if "left_uplift" not in run.names:
-        raise ValueError(
+        raise InputError("run").says(
             f"{run.structure.model} has no feet: its response has no base shear and no uplift"
         )
     rotation = run.structure.module.ROTATION
@@ -211,6 +208,5 @@ def energy_balance(run: Response) -> EnergyBalance:
     TypeError
         For anything but a response.
     """
-    if not isinstance(run, Response):
-        raise TypeError(f"run is {described(run)}: give the response of rk.simulate")
+    require_type("run", run, Response, "the response of rk.simulate")
     return run.energy_balance()

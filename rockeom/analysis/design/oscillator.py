@@ -31,8 +31,15 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.design.hysteresis import FlagRule, HysteresisRule
 from rockeom.motion import GroundMotion
-from rockeom.numbers.arguments import not_negative, numbers, positive, require
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import (
+    InputError,
+    InputTypeError,
+    described,
+    not_negative,
+    numbers,
+    positive,
+    require,
+)
 from rockeom.structures.base import Structure
 
 Force = Callable[[np.ndarray], np.ndarray]
@@ -48,9 +55,9 @@ _SMALL = 1e-7
 def _check_force(where: str, force: Force | HysteresisRule) -> None:
     """Raise TypeError for the pushover of a structure, whose argument is a rotation."""
     if isinstance(getattr(force, "__self__", None), Structure):
-        raise TypeError(
-            f"{where}: force is {described(force)}, a function of rotations [rad]: give one of "
-            "displacements [m], as lambda u: structure.pushover(u / height)"
+        raise InputTypeError("force", force, where).wrong(
+            f"is {described(force)}, a function of rotations [rad]: give one of displacements [m], "
+            "as lambda u: structure.pushover(u / height)"
         )
 
 
@@ -157,7 +164,7 @@ def bilinear_fit(force: Force, largest: float, points: int = 400) -> FlagRule:
     (strength, after), _ = fitted(yields)
     ratio = after * yields / strength
     rule = "the backbone falls: there is no bilinear one for it; give a smaller `largest`"
-    require(ratio >= 0, "bilinear_fit", "the stiffness after yield over the initial", ratio, rule)
+    require(ratio >= 0, "bilinear_fit", "force", ratio, rule)
     return FlagRule(float(strength), yields, float(ratio))
 
 
@@ -438,9 +445,8 @@ class EquivalentOscillator:
         positive("EquivalentOscillator", mass=self.mass)
         _check_force("EquivalentOscillator", self.force)
         if not callable(self.force) and not isinstance(self.force, HysteresisRule):
-            raise ValueError(
-                f"EquivalentOscillator: force is {self.force!r}: give a function of the "
-                "displacement or a rule of hysteresis"
+            raise InputError("force", self.force, "EquivalentOscillator").give(
+                "a function of the displacement or a rule of hysteresis"
             )
 
     def response(

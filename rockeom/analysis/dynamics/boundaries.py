@@ -24,7 +24,7 @@ import numpy as np
 import xarray as xr
 
 from rockeom.analysis.sweeps import FALLS, RESTS, STANDS
-from rockeom.numbers.arguments import numbers, positive
+from rockeom.numbers.checks import InputError, numbers, positive
 from rockeom.numbers.dual import duals
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
@@ -109,8 +109,8 @@ def _ends(
     function: str, start: Mapping[str, float], end: Mapping[str, float]
 ) -> tuple[tuple[str, ...], np.ndarray, np.ndarray]:
     if {*start} != {*end}:
-        raise ValueError(
-            f"{function}: start has {', '.join(start)}, end {', '.join(end)}: give the same names"
+        raise InputError("start", of=function).wrong(
+            f"has {', '.join(start)}, end {', '.join(end)}: give the same names"
         )
     low, high = numbers(function, start=[*start.values()], end=[end[name] for name in start])
     return tuple(start), low, high
@@ -293,15 +293,15 @@ def followed_boundary(
     where = "followed_boundary"
     names = tuple(point.at)
     if len(names) != 2 or {*within} != {*names}:
-        raise ValueError(
-            f"{where}: within has {', '.join(within)}, the point {', '.join(names)}: give the "
-            "range of each of two names"
+        raise InputError("within", of=where).wrong(
+            f"has {', '.join(within)}, the point {', '.join(names)}: give the range of each of two "
+            "names"
         )
     (box,) = numbers(where, within=[within[name] for name in names])
     positive(where, step=step, accuracy=accuracy, within=box[:, 1] - box[:, 0])
     walk = _Walk(case, names, box, (point.below, point.above), step, accuracy, options)
     if not walk.contains(walk.scaled(point)):
-        raise ValueError(f"{where}: point is at {point.at}, which is not within {dict(within)}")
+        raise InputError("point", point.at, where).give(f"one within {dict(within)}")
     ways = [walk.points(point, sign, most) for sign in (-1.0, 1.0)]
     (back, first), (ahead, last) = ways
     line = [*reversed(back), point, *ahead]

@@ -39,7 +39,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.dynamics.orbits import GrazingError, PeriodicOrbit, Shooting, StroboscopicMap
-from rockeom.numbers.arguments import numbers, positive
+from rockeom.numbers.checks import InputError, numbers, positive, require
 from rockeom.numbers.dual import Dual
 from rockeom.sweeps.unfinished import Unfinished, part_for_users
 
@@ -182,9 +182,8 @@ class OrbitBranch:
             For a value that the branch does not reach.
         """
         if not self.values.min() <= value <= self.values.max():
-            raise ValueError(
-                f"at: value is {value}: the branch goes from {self.values.min():.6g} to "
-                f"{self.values.max():.6g}"
+            raise InputError("value", value, "at").so(
+                f"the branch goes from {self.values.min():.6g} to {self.values.max():.6g}"
             )
         near = self.orbits[np.abs(self.values - value).argmin()]
         return self.family(value).orbit(near.looks, near.cycles)
@@ -246,9 +245,9 @@ class OrbitBranch:
         which are one motion a cycle later, or two mirror images.
         """
         if at.kind not in (*FLIPS, "branch point"):
-            raise ValueError(
-                f"switched: at a {at.kind} no other branch begins: choose a period doubling, a "
-                "symmetry breaking or a branch point"
+            raise InputError("at", of="switched").says(
+                f"at a {at.kind} no other branch begins: choose a period doubling, a symmetry "
+                "breaking or a branch point"
             )
         between = self.between if between is None else between
         start, leaves = _leaving(self.family, at)
@@ -307,8 +306,7 @@ def orbit_branch(
     """
     first, last = (float(v) for v in numbers("orbit_branch", first=between[0], last=between[1]))
     positive("orbit_branch", step=step, tolerance=tolerance)
-    if first == last:
-        raise ValueError(f"orbit_branch: between is {between}: give two values that differ")
+    require(first != last, "orbit_branch", "between", between, "give two values that differ")
     start = stroboscope(first).orbit(guess, cycles).looks
     follower = _Follower(stroboscope, (first, last), start, first, tolerance)
     towards = np.append(np.zeros(start.size), np.sign(last - first))
@@ -665,8 +663,7 @@ def bifurcation_value(
     ArithmeticError
         Where the orbit is lost.
     """
-    if multiplier not in (-1, 1):
-        raise ValueError(f"bifurcation_value: multiplier is {multiplier}: give -1 or 1")
+    require(multiplier in (-1, 1), "bifurcation_value", "multiplier", multiplier, "give -1 or 1")
     kinds = FLIPS if multiplier < 0 else ("fold", "branch point")
     parts = tolerance / abs(between[1] - between[0])
     branch = orbit_branch(

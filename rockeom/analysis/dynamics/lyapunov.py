@@ -31,8 +31,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.dynamics.orbits import StroboscopicMap
 from rockeom.analysis.sweeps import STANDS
-from rockeom.numbers.arguments import require
-from rockeom.numbers.checks import whole_number
+from rockeom.numbers.checks import InputError, require, whole_number
 from rockeom.numbers.dual import Dual
 from rockeom.simulation.case import Case
 from rockeom.sweeps.tangents import tangents
@@ -231,9 +230,9 @@ def _start(
             initial = whole[[stroboscope.structure.states.index(name) for name in names]]
         return _Motion(stroboscope.points(initial, 0)[0], "", np.eye(len(names)))
     if initial.states != stroboscope.states or initial.period != stroboscope.period:
-        raise ValueError(
-            f"lyapunov_spectrum: initial is a spectrum of {', '.join(initial.states)} and a period "
-            f"of {initial.period} s: continue it with the map of the call that returned it"
+        raise InputError("initial", of="lyapunov_spectrum").wrong(
+            f"is a spectrum of {', '.join(initial.states)} and a period of {initial.period} s: "
+            "continue it with the map of the call that returned it"
         )
     return _Motion(initial.state, initial.mode, initial.directions)
 

@@ -39,7 +39,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.codes import SWITCH
 from rockeom.motion import GroundMotion
-from rockeom.numbers.arguments import numbers, positive
+from rockeom.numbers.checks import InputError, numbers, positive
 from rockeom.numbers.dual import Dual, directions, value_of
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
@@ -378,9 +378,10 @@ class StroboscopicMap:
         for argument in ("states", "upward"):
             unknown = [name for name in getattr(self, argument) if name not in states]
             if unknown:
-                raise ValueError(
-                    f"StroboscopicMap: {argument} has {unknown[0]!r}: choose among "
-                    f"{', '.join(states)}"
+                raise (
+                    InputError(argument, unknown[0], "StroboscopicMap")
+                    .wrong(f"has {unknown[0]!r}")
+                    .choose(states)
                 )
         self._check_period()
         if not self.states:
@@ -394,20 +395,17 @@ class StroboscopicMap:
         if directions(motion.segments, self.period):  # the same in numbers was looked at
             return
         if motion.duration < 2 * period * (1 - 1e-12):
-            raise ValueError(
-                f"StroboscopicMap: the motion lasts {motion.duration} s: give two periods of "
-                f"{period} s, or more"
+            raise InputError("motion", of="StroboscopicMap").says(
+                f"the motion lasts {motion.duration} s: give two periods of {period} s, or more"
             )
         early = period * np.linspace(0.03, 0.97, 12)
         now, half, later = (motion.acceleration(early + period * k) for k in (0, 0.5, 1))
         if np.abs(later - now).max() > 1e-6 * motion.peak:
-            raise ValueError(
-                f"StroboscopicMap: period is {period} s: the motion does not repeat itself after it"
-            )
+            raise InputError("period", period, "StroboscopicMap").so("the motion has another one")
         if self.mirrored and np.abs(half + now).max() > 1e-6 * motion.peak:
-            raise ValueError(
-                "StroboscopicMap: mirrored, but the motion is not its own negative half a period "
-                "later: leave `mirrored` out"
+            raise InputError("mirrored", True, "StroboscopicMap").says(
+                "mirrored, but the motion is not its own negative half a period later: leave "
+                "`mirrored` out"
             )
 
     @property
@@ -590,10 +588,10 @@ class StroboscopicMap:
         run = self._simulated(shot.x[0], self.period)
         apart = np.abs(run.end[self._columns] - self._next(self._next(shot.x[0])))
         if (apart / shot.scale).max() > _SAME * max(1.0, np.abs(shot.by_state).max()):
-            raise ValueError(
-                "StroboscopicMap: mirrored, but the mirror image moves otherwise: name in `upward` "
-                "the states that keep their sign, such as heights, or leave `mirrored` out where "
-                "structure or impact prefer a side"
+            raise InputError("mirrored", True, "StroboscopicMap").says(
+                "mirrored, but the mirror image moves otherwise: name in `upward` the states that "
+                "keep their sign, such as heights, or leave `mirrored` out where structure or "
+                "impact prefer a side"
             )
 
     @property
@@ -604,16 +602,15 @@ class StroboscopicMap:
         if isinstance(state, Mapping):
             unknown = [name for name in state if name not in self.states]
             if unknown:
-                raise ValueError(
-                    f"StroboscopicMap: unknown state {unknown[0]!r}; it follows "
-                    f"{', '.join(self.states)}"
+                raise InputError("state", unknown[0], "StroboscopicMap").says(
+                    f"unknown state {unknown[0]!r}: it follows {', '.join(self.states)}"
                 )
             state = [state.get(name, 0.0) for name in self.states]
         (vector,) = numbers("StroboscopicMap", state=state)
         if vector.shape != (len(self.states),):
-            raise ValueError(
-                f"StroboscopicMap: a state has the shape {vector.shape}: give one number for each "
-                f"of {', '.join(self.states)}"
+            raise InputError("state", of="StroboscopicMap").says(
+                f"a state has the shape {vector.shape}: give one number for each of "
+                f"{', '.join(self.states)}"
             )
         return vector
 

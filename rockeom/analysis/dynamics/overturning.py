@@ -33,7 +33,7 @@ from rockeom.analysis.arguments import slenderness
 from rockeom.analysis.sweeps import ANSWERS, FALLS, check_finished, outcome_labels
 from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
-from rockeom.numbers.arguments import positive
+from rockeom.numbers.checks import InputError, positive
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.structures.base import Structure
@@ -144,7 +144,7 @@ def dimensionless_pulses(
 def _unit(function: str, structure: Structure, name: str, value: float | None) -> float:
     """The value given, or else that of a structure."""
     if value is None or not math.isfinite(value):
-        raise ValueError(f"{function}: {structure.model} has no {name} of its own: give {name}")
+        raise InputError(name, None, function).give(f"it: {structure.model} has none")
     return float(positive(function, **{name: value})[0])
 
 
@@ -332,13 +332,15 @@ def _along(sweep: xr.Dataset, asked: str | Sequence[str]) -> list[str]:
     names = [asked] if isinstance(asked, str) else list(asked) or there
     for name in names or ["none"]:
         if name not in there:
-            raise ValueError(
-                f"{where}: along has {name!r}: the sweep is to be a grid over names that hold "
-                f"numbers; it is over {', '.join(dims)}"
+            raise InputError("along", name, where).so(
+                "the sweep is to be a grid over names that hold numbers; it is over "
+                f"{', '.join(dims)}"
             )
     taken = {"along", *_NUMBERS}.intersection(dims)
     if taken:
-        raise ValueError(f"{where}: the sweep calls a name {min(taken)!r}: give it another one")
+        raise InputError("over", min(taken), where).says(
+            f"the sweep calls a name {min(taken)!r}: give it another one"
+        )
     return names
 
 
@@ -447,19 +449,21 @@ def minimum_overturning(boundaries: xr.Dataset, x: str, y: str) -> xr.DataArray:
         dynamics.minimum_overturning(borders, x="frequency", y="amplitude")
     """
     if boundaries.attrs.get("interrupted"):
-        raise ValueError(
-            "minimum_overturning: the search for the boundaries was interrupted: give them to "
-            "overturning_boundaries, which continues from there"
+        raise InputError("boundaries", of="minimum_overturning").says(
+            "the search for the boundaries was interrupted: give them to overturning_boundaries, "
+            "which continues from there"
         )
     for name in (x, y):
         if name not in boundaries.coords:
-            raise ValueError(
-                f"minimum_overturning: the boundaries have no {name!r}; they have "
+            raise InputError("boundaries", name, "minimum_overturning").says(
+                f"the boundaries have no {name!r}: they have "
                 f"{', '.join(map(str, boundaries.coords))}"
             )
     onset = (boundaries["along"] == y) & np.isinf(boundaries["below"])
     if not onset.any():
-        raise ValueError(f"minimum_overturning: nothing that stands overturns along {y}")
+        raise InputError("boundaries", of="minimum_overturning").says(
+            f"nothing that stands overturns along {y}"
+        )
     onsets = boundaries.isel({_DIM: np.flatnonzero(onset.values)})
     order = np.lexsort([onsets[y].values, onsets[x].values])
     at, first = np.unique(onsets[x].values[order], return_index=True)

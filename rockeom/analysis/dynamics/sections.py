@@ -33,8 +33,15 @@ import xarray as xr
 from rockeom.analysis.arguments import dims_of_starts
 from rockeom.analysis.dynamics.orbits import StroboscopicMap
 from rockeom.analysis.sweeps import FALLS, NOT_RUN, STANDS, check_finished
-from rockeom.numbers.arguments import numbers, positive, require
-from rockeom.numbers.checks import described, whole_number
+from rockeom.numbers.checks import (
+    InputError,
+    InputTypeError,
+    numbers,
+    positive,
+    require,
+    require_type,
+    whole_number,
+)
 from rockeom.simulation.case import Case
 from rockeom.simulation.quantities import units_of
 from rockeom.structures.base import Structure
@@ -336,14 +343,14 @@ class _Plan:
     @classmethod
     def of(cls, stroboscope: Any, over: Mapping[str, Any] | None, starts: Any) -> _Plan:
         if over is not None and (not isinstance(over, Mapping) or isinstance(over, xr.Dataset)):
-            raise TypeError(f"over is {described(over)}: give names with their lists of values")
+            raise InputTypeError("over", over).give("names with their lists of values")
         values = None if over is None else Cases.of(over)
         from_where = Cases.of(starts)
         maps = _maps(stroboscope, values)
         if values is not None and (twice := {*values.values} & {*from_where.values}):
-            raise ValueError(
-                f"poincare_sections: {min(twice)!r} is a name of both `over` and `starts`: let the "
-                "function call its argument by another one"
+            raise InputError("starts", min(twice), "poincare_sections").says(
+                f"{min(twice)!r} is a name of both `over` and `starts`: let the function call its "
+                "argument by another one"
             )
         return cls(maps, values, from_where)
 
@@ -409,22 +416,16 @@ def _maps(stroboscope: Any, over: Cases | None) -> np.ndarray:
     if over is None:
         stroboscopes = [stroboscope]
     elif not callable(stroboscope):
-        raise TypeError(
-            f"stroboscope is {described(stroboscope)}: with `over`, give a function that "
-            "makes a map"
-        )
+        raise InputTypeError("stroboscope", stroboscope).give("with `over`, a function")
     else:
         stroboscopes = [stroboscope(**over.named(row)) for row in range(over.total)]
     maps = np.empty(len(stroboscopes), dtype=object)
     for i, one in enumerate(stroboscopes):
-        if not isinstance(one, StroboscopicMap):
-            raise TypeError(
-                f"stroboscope is {described(one)}: give an analysis.dynamics.StroboscopicMap"
-            )
+        require_type("stroboscope", one, StroboscopicMap, "an analysis.dynamics.StroboscopicMap")
         if one.structure.module is not stroboscopes[0].structure.module:
-            raise ValueError(
-                f"poincare_sections: {one.structure.model} comes after "
-                f"{stroboscopes[0].structure.model}: follow each model by itself"
+            raise InputError("stroboscope", of="poincare_sections").says(
+                f"{one.structure.model} comes after {stroboscopes[0].structure.model}: follow each "
+                "model by itself"
             )
         maps[i] = one
     return maps
@@ -437,9 +438,7 @@ def _states(starts: Cases, structure: Structure) -> np.ndarray:
     places = starts.places(np.arange(starts.total))
     for (name, values), place in zip(starts.values.items(), places, strict=True):
         if name not in names:
-            raise ValueError(
-                f"poincare_sections: starts has {name!r}: choose among {', '.join(names)}"
-            )
+            raise InputError("starts", name).wrong(f"has {name!r}").choose(names)
         (column,) = numbers("poincare_sections", **{f"starts[{name!r}]": values})
         y[:, names.index(name)] = column[place]
     if structure.has_landings:  # heights that are not named follow from the rest

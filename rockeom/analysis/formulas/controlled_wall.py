@@ -30,7 +30,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numbers.arguments import not_negative, numbers, positive, require
+from rockeom.numbers.checks import InputError, not_negative, numbers, positive, require
 from rockeom.structures.classes import ControlledWallOscillator
 from rockeom.structures.evaluation import at_states
 from rockeom.structures.shipped.walls import ThesisCentre, ThesisTendon, ThesisWall
@@ -703,13 +703,12 @@ def peak_sequence(
     (ratios,) = positive(where, energy_ratio=energy_ratio)
     require(ratios <= 1, where, "energy_ratio", ratios, "more than 1 would add energy")
     if passages is not None and passages < 0:
-        raise ValueError(f"{where}: passages is {passages}: give 0 or more")
+        raise InputError("passages", passages, where).give("0 or more")
     if passages is None and not ratios.ndim:
-        raise ValueError(f"{where}: passages is missing: give how many, or one r for each")
+        raise InputError("passages", of=where).wrong("is missing: give how many, or one r for each")
     if ratios.ndim > 1 or (ratios.ndim and passages not in (None, len(ratios))):
-        raise ValueError(
-            f"{where}: energy_ratio has the shape {ratios.shape}: give one number, or one for "
-            "each of the passages"
+        raise InputError("energy_ratio", of=where).wrong(
+            f"has the shape {ratios.shape}: give one number, or one for each of the passages"
         )
     peaks = [float(start)]
     for r in np.broadcast_to(ratios, ratios.shape or (passages,)):
@@ -739,9 +738,9 @@ def _next_peak(force: Callable, start: float, r: float, n: float) -> float:
 
     far = abs(start)
     if not gained < 0 or not force(np.array(-start)) * towards > 0:
-        raise ValueError(
-            f"peak_sequence: restoring_force does not pull from {start} m towards zero: give a "
-            "force of the sign of the displacement"
+        raise InputError("restoring_force", of="peak_sequence").wrong(
+            f"does not pull from {start} m towards zero: give a force of the sign of the "
+            "displacement"
         )
     while balance(far) < 0:  # only a force that is no odd function lets a peak grow
         far *= 2

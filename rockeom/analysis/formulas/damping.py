@@ -16,7 +16,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.numbers.arguments import not_negative, numbers, positive, require
+from rockeom.numbers.checks import InputError, not_negative, numbers, positive, require
 
 # --- rocking
 
@@ -484,8 +484,8 @@ def _factors(where: str, rule: str | F, table: Mapping[str, F]) -> F:
     if rule not in table:
         near = difflib.get_close_matches(rule, table, n=1)
         hint = f" (did you mean {near[0]!r}?)" if near else ""
-        raise ValueError(
-            f"{where}: rule is {rule!r}, which is unknown{hint}; there are {', '.join(table)}"
+        raise InputError("rule", rule, where).wrong(
+            f"is {rule!r}, which is unknown{hint}; there are {', '.join(table)}"
         )
     return table[rule]
 

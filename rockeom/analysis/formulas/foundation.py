@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.numbers.arguments import numbers, positive, require
+from rockeom.numbers.checks import numbers, positive, require
 
 # --- springs of a mat on an elastic half-space
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from numpy.typing import ArrayLike
 
-from rockeom.numbers.arguments import numbers, positive, require
+from rockeom.numbers.checks import numbers, positive, require
 
 
 def rocking_strength(

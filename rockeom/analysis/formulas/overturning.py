@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import slenderness
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numbers.arguments import positive, require
+from rockeom.numbers.checks import positive, require
 
 
 def overturning_constant(

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import slenderness
-from rockeom.numbers.arguments import not_negative, positive, require
+from rockeom.numbers.checks import not_negative, positive, require
 
 
 def quarter_period(amplitude_ratio: ArrayLike, p: ArrayLike):

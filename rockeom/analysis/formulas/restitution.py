@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.arguments import slenderness
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numbers.arguments import not_negative, numbers, positive, require
+from rockeom.numbers.checks import InputError, not_negative, numbers, positive, require
 
 # --- energies and velocities
 
@@ -128,9 +128,9 @@ def energy_ratio_of_block(
     missing = [name for name, value in properties.items() if value is None]
     if inertia is None or mass is None or radius is None:
         if len(missing) < 3:
-            raise ValueError(
-                f"{where}: {', '.join(missing)} is missing: give inertia, mass and radius "
-                "together, or none of them for a homogeneous rectangle"
+            raise InputError(missing[0], of=where).says(
+                f"{', '.join(missing)} is missing: give inertia, mass and radius together, or none "
+                "of them for a homogeneous rectangle"
             )
         radius_ratio = np.asarray(0.75)  # m R**2/I_o
     else:
@@ -315,9 +315,9 @@ def energy_ratios_from_peaks(
     energies = _rise(sizes, alpha)
     if rotational_stiffness:
         if mass is None or radius is None:
-            raise ValueError(
-                f"{where}: mass or radius is missing: with a rotational_stiffness the energy of "
-                "gravity counts in joules, so give both"
+            raise InputError("mass", of=where).says(
+                "mass or radius is missing: with a rotational_stiffness the energy of gravity "
+                "counts in joules, so give both"
             )
         energies = gravitational_energy(
             sizes, mass=mass, radius=radius, alpha=alpha, gravity=gravity
@@ -382,9 +382,7 @@ def _sizes(where: str, peaks: ArrayLike, alpha) -> np.ndarray:
     """Sizes of the peaks, (..., n), checked."""
     (peaks,) = numbers(where, peaks=peaks)
     if peaks.ndim == 0 or peaks.shape[-1] < 2:
-        raise ValueError(
-            f"{where}: peaks has the shape {peaks.shape}: give at least two successive peaks"
-        )
+        raise InputError("peaks", peaks, where).give("at least two successive peaks")
     sizes = np.abs(peaks)
     rule = f"a free structure turns back between 0 and its balance at {alpha} rad; give radians"
     require((sizes > 0) & (sizes < alpha), where, "peaks", peaks, rule)

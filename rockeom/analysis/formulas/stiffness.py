@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.numbers.arguments import not_negative, positive, require
+from rockeom.numbers.checks import not_negative, positive, require
 
 
 def cantilever_stiffness(

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from rockeom.analysis.arguments import side_of, slenderness
 from rockeom.analysis.formulas.restitution import gravitational_energy
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numbers.arguments import numbers, positive, require
+from rockeom.numbers.checks import numbers, positive, require
 
 RECTANGLE = 0.75
 """m R**2/I_o of a homogeneous rectangle."""

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numbers.arguments import not_negative, positive
+from rockeom.numbers.checks import not_negative, positive
 
 
 def uplift_acceleration(

@@ -32,7 +32,7 @@ from rockeom.analysis.identification.observed import Observed, PredictedReadings
 from rockeom.analysis.identification.sampling import Draws, Ridge, hamiltonian_draws
 from rockeom.analysis.random_parameters import RandomParameters
 from rockeom.numbers import explained
-from rockeom.numbers.arguments import require
+from rockeom.numbers.checks import InputError, require
 from rockeom.numbers.dual import tangent_of, value_of
 
 __all__ = ["Laplace", "Posterior", "model_probabilities", "posterior"]
@@ -336,7 +336,7 @@ class Posterior:
 
     def _deviates(self, values: Mapping[str, float]) -> np.ndarray:
         if {*values} != {*self.space.names}:
-            raise ValueError(f"give a value of each of {', '.join(self.space.names)}, by name")
+            raise InputError("values", [*values]).give(f"a value of each of {self.space.names}")
         pairs = zip(self.space.names, self.space.marginals, strict=True)
         u = np.array([_deviate(of, values[name]) for name, of in pairs])
         for name, x in zip(self.space.names, u, strict=True):
@@ -571,13 +571,13 @@ def model_probabilities(posteriors: Mapping[str, Posterior]) -> dict[str, float]
     """
     found = list(posteriors.values())
     if not found:
-        raise ValueError("model_probabilities: posteriors is empty: give those to compare")
+        raise InputError("posteriors", posteriors).give("those that are compared")
     readings = [np.concatenate([test.measured for test in one.tests]) for one in found]
     for name, other in zip(posteriors, readings, strict=True):
         if not np.array_equal(readings[0], other):
-            raise ValueError(
-                f"model_probabilities: {name} is of other measurements than "
-                f"{next(iter(posteriors))}: evidence compares models of the same readings"
+            raise InputError(name, of="model_probabilities").wrong(
+                f"is of other measurements than {next(iter(posteriors))}: evidence compares models "
+                "of the same readings"
             )
     logs = np.array([one.log_evidence for one in found])
     parts = np.exp(logs - logs.max())
@@ -590,23 +590,23 @@ def model_probabilities(posteriors: Mapping[str, Posterior]) -> dict[str, float]
 def _checked(tests: tuple[Observed, ...], space: RandomParameters) -> tuple[Observed, ...]:
     """The tests with the parameters that they take, all of which the priors have."""
     if not tests:
-        raise ValueError("posterior: tests is empty: give what was measured")
+        raise InputError("tests", of="posterior").wrong("is empty: give what was measured")
     noises = {of for test in tests for of, _ in test.noise if isinstance(of, str)}
     for name in (name for name in space.names if name in noises):
         low = space.marginals[space.names.index(name)].support()[0]
         rule = "a standard deviation is positive: give a prior such as stats.loguniform(1e-5, 1e-2)"
-        require(low >= 0.0, "posterior", f"lower bound of the prior of {name}", low, rule)
+        require(low >= 0.0, "posterior", f"priors[{name!r}]", low, rule)
     others = tuple(name for name in space.names if name not in noises)
     bound = tuple(test.taking(others) for test in tests)
     taken = noises | {name for test in bound for name in test.takes or ()}
     if lacks := sorted(taken - {*space.names}):
-        raise ValueError(
-            f"posterior: priors lack {', '.join(lacks)}: give a distribution of each; a number "
-            "that is known belongs into the model, as in lambda r: model(r, half_width=0.1)"
+        raise InputError("priors", of="posterior").wrong(
+            f"lack {', '.join(lacks)}: give a distribution of each; a number that is known belongs "
+            "into the model, as in lambda r: model(r, half_width=0.1)"
         )
     if unused := [name for name in space.names if name not in taken]:
-        raise ValueError(
-            f"posterior: priors have {', '.join(unused)}, which no test takes: the tests take "
+        raise InputError("priors", of="posterior").wrong(
+            f"have {', '.join(unused)}, which no test takes: the tests take "
             f"{', '.join(sorted(taken))}"
         )
     return tuple(_tried(test, space) for test in bound)

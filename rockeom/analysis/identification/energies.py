@@ -16,8 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.numbers.arguments import numbers
-from rockeom.numbers.checks import near
+from rockeom.numbers.checks import InputError, near, numbers
 from rockeom.structures.evaluation import at_states
 
 if TYPE_CHECKING:
@@ -166,9 +165,9 @@ class _Path:
         m = structure.module
         self._names = (*m.STATES[: m.N_STATES // 2], *m.KINEMATICS)
         if quantity not in self._names:
-            raise ValueError(
+            raise InputError("quantity", quantity).says(
                 f"no quantity {quantity!r}{near(quantity, self._names)} determines the position of "
-                f"{structure.model}; choose among {', '.join(self._names)}"
+                f"{structure.model}: choose among {', '.join(self._names)}"
             )
         rotation = structure.overturning_rotation
         self._overturning = rotation if np.isfinite(rotation) else 1.0
@@ -191,7 +190,7 @@ class _Path:
         high = 1.1 * (size - least) / slope + little if slope > 0 else self._overturning
         while not beyond(min(high, self._overturning)) > 0:
             if high >= self._overturning:
-                raise ValueError(
+                raise InputError("value", value).says(
                     f"{self._structure.model} overturns before its {self._quantity} is {value}: "
                     "give a smaller one, in SI units"
                 )

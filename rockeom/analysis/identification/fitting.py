@@ -30,7 +30,7 @@ from rockeom.analysis.identification.free_vibration import coefficient_of_determ
 from rockeom.analysis.identification.measured import rotation_centre
 from rockeom.analysis.identification.swings_of_response import swing_tangents, swings
 from rockeom.numbers import explained
-from rockeom.numbers.arguments import numbers, positive, require
+from rockeom.numbers.checks import InputError, numbers, positive, require
 from rockeom.numbers.dual import duals
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
@@ -291,15 +291,15 @@ class _LeastSquares:
         """Raises ValueError for bad arguments of `fit`."""
         (y,) = numbers("fit", measured=measured)
         if y.ndim != 1 or not y.size:
-            raise ValueError(f"fit: measured has the shape {y.shape}: give a list of values")
+            raise InputError("measured", y, "fit").give("a list of values")
         if not start:
-            raise ValueError("fit: start is empty: give a first guess of each parameter, by name")
+            raise InputError("start", {}, "fit").give("a first guess of each parameter, by name")
         first = np.array([float(numbers("fit", **{name: start[name]})[0]) for name in start])
         (sigma,) = positive("fit", uncertainty=1.0 if uncertainty is None else uncertainty)
         if sigma.shape not in ((), y.shape):
-            raise ValueError(
-                f"fit: uncertainty has the shape {sigma.shape}, measured {y.shape}: give one "
-                "number, or one for each value"
+            raise InputError("uncertainty", of="fit").wrong(
+                f"has the shape {sigma.shape}, measured {y.shape}: give one number, or one for "
+                "each value"
             )
         return cls(model, derivatives, tuple(start), first, y, np.broadcast_to(sigma, y.shape))
 
@@ -315,8 +315,8 @@ class _LeastSquares:
         value = self.model(**self.parameters(z))
         (y,) = numbers("fit", **{"the value of the model": value})
         if y.shape != self.measured.shape:
-            raise ValueError(
-                f"fit: the model returned the shape {y.shape}, measured is {self.measured.shape}: "
+            raise InputError("model", of="fit").says(
+                f"the model returned the shape {y.shape}, measured is {self.measured.shape}: "
                 "return one value for each that was measured"
             )
         return y
@@ -331,9 +331,9 @@ class _LeastSquares:
         (slopes,) = numbers("fit", **{"the value of derivatives": value})
         shape = (len(self.measured), len(self.start))
         if slopes.shape != shape:
-            raise ValueError(
-                f"fit: derivatives returned the shape {slopes.shape}: return {shape}, a row for "
-                "each value and a column for each parameter"
+            raise InputError("derivatives", of="fit").says(
+                f"derivatives returned the shape {slopes.shape}: return {shape}, a row for each "
+                "value and a column for each parameter"
             )
         return slopes * self.scale / self.uncertainty[:, None]
 
@@ -355,16 +355,16 @@ def _bounds(
     bounds = {} if bounds is None else bounds
     unknown = [name for name in bounds if name not in start]
     if unknown:
-        raise ValueError(
-            f"fit: bounds has {unknown[0]!r}, start has {', '.join(start)}: give bounds of "
-            "parameters that are fitted"
+        raise InputError("bounds", of="fit").wrong(
+            f"has {unknown[0]!r}, start has {', '.join(start)}: give bounds of parameters that are "
+            "fitted"
         )
     pairs = np.array([bounds.get(name, (-np.inf, np.inf)) for name in start], dtype=float)
     for name, guess, (low, high) in zip(start, start.values(), pairs, strict=True):
         if not low < guess < high:
-            raise ValueError(
-                f"fit: the first guess of {name} is {guess}, its bounds {low} and {high}: "
-                "begin between them"
+            raise InputError("start", guess, "fit").says(
+                f"the first guess of {name} is {guess}, its bounds {low} and {high}: begin between "
+                "them"
             )
     return pairs[:, 0], pairs[:, 1]
 
@@ -492,8 +492,8 @@ class _MeasuredSwings(NamedTuple):
         values = measured_swings(where, offered)
         errors = [uncertainty if name == "peaks" else time_uncertainty for name in values]
         if len({name == "peaks" for name in values}) == 2 and None in errors:
-            raise ValueError(
-                f"{where}: peaks and times are in units of their own: give the uncertainty of both"
+            raise InputError("uncertainty", of=where).says(
+                "peaks and times are in units of their own: give the uncertainty of both"
             )
         if None in errors:
             return cls(values, None)
@@ -588,7 +588,7 @@ def energy_ratios_by_release(
     where = "energy_ratios_by_release"
     (x,) = numbers(where, peaks=peaks)
     if x.ndim != 1 or len(x) < 2 or not np.all(x[1:] * x[:-1] < 0):
-        raise ValueError(f"{where}: peaks must be two or more, on one side and the other in turn")
+        raise InputError("peaks", x, where).give("two or more, on both sides in turn")
 
     def beyond(r: float, peak: float, following: float) -> float:
         run = _simulated(case(peak, r), options)

@@ -29,7 +29,7 @@ from rockeom.analysis.identification.energies import (
     equilibrium_states,
 )
 from rockeom.analysis.identification.noise import noise_level
-from rockeom.numbers.arguments import not_negative, numbers, positive, require
+from rockeom.numbers.checks import InputError, not_negative, numbers, positive, require
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
@@ -132,12 +132,12 @@ class FreeVibration:
         for field in fields(self):
             value = getattr(self, field.name)
             if value is not None and np.shape(value) != shape:
-                raise ValueError(
-                    f"FreeVibration: {field.name} has the shape {np.shape(value)}, time has "
-                    f"{shape}: give one value for each peak and crossing"
+                raise InputError(field.name, of="FreeVibration").says(
+                    f"{field.name} has the shape {np.shape(value)}, time has {shape}: give one "
+                    "value for each peak and crossing"
                 )
         if np.any(self.at_peak[1:] == self.at_peak[:-1]):
-            raise ValueError("FreeVibration: peaks and crossings do not alternate in at_peak")
+            raise InputError("at_peak", of="FreeVibration").wrong("must alternate")
         require(
             np.diff(self.time) > 0, "FreeVibration", "time", self.time[1:], "times must increase"
         )
@@ -253,7 +253,7 @@ class FreeVibration:
             smallest = resolved_floor(t, x)
         (floor,) = not_negative(where, smallest=smallest)
         if crossing not in ("displacement", "acceleration"):
-            raise ValueError(f"{where}: crossing is {crossing!r}: displacement or acceleration")
+            raise InputError("crossing", crossing, where).so("displacement or acceleration")
 
         splines = {name: CubicSpline(t, values) for name, values in channels.items()}
         path = splines["displacement"]
@@ -261,7 +261,7 @@ class FreeVibration:
         splines.setdefault("acceleration", path.derivative(2))
         peaks = _peaks(t, x, path, float(floor))
         if not peaks:
-            raise ValueError(f"{where}: displacement has no peak above smallest = {floor} m")
+            raise InputError("displacement", of=where).wrong(f"has no peak above {floor} m")
         zeros = splines[crossing].roots(discontinuity=False, extrapolate=False)
         at = _with_crossings(where, peaks, zeros, crossing)
         return cls(
@@ -325,9 +325,9 @@ class FreeVibration:
         elif len(wall.tendons) == 1:
             elastic = wall.tendons[0].energy_at_force(self.tendon_force)
         else:
-            raise ValueError(
-                f"FreeVibration.energies: one tendon_force does not determine the energies "
-                f"of {len(wall.tendons)} tendons: leave it out of the record"
+            raise InputError("wall", of="FreeVibration.energies").says(
+                f"one tendon_force does not determine the energies of {len(wall.tendons)} tendons: "
+                "leave it out of the record"
             )
         return Energies(
             wall.gravity_energy(self.displacement),
@@ -392,7 +392,9 @@ class FreeVibration:
         that of the smaller uplift.
         """
         if self.left_uplift is None or self.right_uplift is None:
-            raise ValueError("FreeVibration.rotation_centre: the record has no uplifts: give both")
+            raise InputError("record", of="FreeVibration.rotation_centre").says(
+                "the record has no uplifts: give both"
+            )
         (b,) = positive("FreeVibration.rotation_centre", half_width=half_width)
         pressed = np.minimum(self.left_uplift, self.right_uplift)
         difference = pressed - np.maximum(self.left_uplift, self.right_uplift)
@@ -464,9 +466,9 @@ def _sampled(
     named = dict(zip(channels, arrays, strict=True))
     for name, values in named.items():
         if values.shape != t.shape or t.ndim != 1 or len(t) < 4:
-            raise ValueError(
-                f"{where}: {name} has the shape {values.shape}, time has {t.shape}: give one "
-                "value for each of at least 4 instants"
+            raise InputError(name, of=where).wrong(
+                f"has the shape {values.shape}, time has {t.shape}: give one value for each of at "
+                "least 4 instants"
             )
     rule = "times must increase: drop one of two equal instants"
     require(np.diff(t) > 0, where, "time", t[1:], rule)
@@ -558,5 +560,5 @@ def coefficient_of_determination(measured: ArrayLike, predicted: ArrayLike) -> f
     measured, predicted = numbers(where, measured=measured, predicted=predicted)
     spread = float(np.sum((measured - np.mean(measured)) ** 2))
     if not spread:
-        raise ValueError(f"{where}: measured has one value only: there is no spread to explain")
+        raise InputError("measured", measured, where).so("one value has no spread to explain")
     return 1 - float(np.sum((measured - predicted) ** 2)) / spread

@@ -29,7 +29,7 @@ from rockeom.analysis.identification.energies import (
 from rockeom.analysis.identification.free_vibration import coefficient_of_determination
 from rockeom.analysis.identification.noise import COVERED, Noise
 from rockeom.analysis.identification.records import MeasuredRecord
-from rockeom.numbers.arguments import not_negative, numbers, require
+from rockeom.numbers.checks import InputError, not_negative, numbers, require
 from rockeom.structures.evaluation import at_states
 
 if TYPE_CHECKING:
@@ -387,9 +387,9 @@ class Impacts:
         (sigma,) = not_negative(where, deviation=deviation)
         (least,) = not_negative(where, threshold=threshold)
         if x.ndim != 1 or len(x) < 2 or t.shape != x.shape:
-            raise ValueError(
-                f"{where}: time has the shape {t.shape}, peaks has {x.shape}: give one time for "
-                "each of at least two peaks"
+            raise InputError("time", of=where).wrong(
+                f"has the shape {t.shape}, peaks has {x.shape}: give one time for each of at least "
+                "two peaks"
             )
         rule = "successive peaks lie on both sides in turn"
         require(x[1:] * x[:-1] < 0, where, "peaks", x[1:], rule)
@@ -470,8 +470,7 @@ class Impacts:
         ValueError
             For another foot.
         """
-        if foot not in ("left", "right"):
-            raise ValueError(f"Impacts.at_foot: foot is {foot!r}: left or right")
+        require(foot in ("left", "right"), "Impacts.at_foot", "foot", foot, "left or right")
         return self.select(self.foot == foot)
 
     @staticmethod
@@ -515,7 +514,7 @@ class Impacts:
 
         r, n = self.energy_ratio, len(self)
         if not n:
-            raise ValueError("Impacts.mean: there is no impact: lower the threshold")
+            raise InputError("threshold", of="Impacts.mean").says("no impact is left: lower it")
         scatter = float(np.std(r, ddof=1)) if n > 1 else 0.0
         sigma = self.half_width / COVERED
         if np.all(sigma > 0):
@@ -581,9 +580,9 @@ class Impacts:
         There is no constant: no energy is lost without speed.
         """
         if len(self) < degree + 1:
-            raise ValueError(
-                f"Impacts.energy_loss_fit: {len(self)} impacts do not determine a polynomial of "
-                f"degree {degree}: lower it, or join impacts of more tests"
+            raise InputError("degree", degree, "Impacts.energy_loss_fit").says(
+                f"{len(self)} impacts do not determine a polynomial of degree {degree}: lower it, "
+                "or join impacts of more tests"
             )
         powers = np.vander(self.speed, degree + 1, increasing=True)[:, 1:]
         loss = self.energy_change
@@ -626,9 +625,9 @@ def record_energies(record: MeasuredRecord, structure: Structure) -> Energies:
     rotation, rate = m.STATES[m.ROTATION], m.STATES[m.ROTATION_RATE]
     missing = [n for n in (rotation, rate) if n not in record.channels]
     if missing:
-        raise ValueError(
-            f"record_energies: the record has no {', '.join(missing)}: add it, the rate by "
-            f"with_derivatives({rotation!r})"
+        raise InputError("record", of="record_energies").says(
+            f"the record has no {', '.join(missing)}: add it, the rate by with_derivatives("
+            f"{rotation!r})"
         )
     y = np.zeros((len(record.time), m.N_STATES))
     for i, name in enumerate(m.STATES):
@@ -706,9 +705,8 @@ def fitted_rotational_spring(
         weight.append(s @ s)
     k, w = np.array(stiffness), np.array(weight)
     if len(k) < 2:
-        raise ValueError(
-            f"fitted_rotational_spring: {len(k)} half-cycles between crossings of {channel}: give "
-            "a record with at least two"
+        raise InputError("record", of="fitted_rotational_spring").says(
+            f"{len(k)} half-cycles between crossings of {channel}: give a record with at least two"
         )
     mean = float(np.average(k, weights=w))
     part = w / w.sum()

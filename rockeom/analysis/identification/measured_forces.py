@@ -14,7 +14,7 @@ from rockeom.analysis.formulas.support_forces import block_reactions, block_reac
 from rockeom.analysis.identification.noise import COVERED
 from rockeom.analysis.identification.records import MeasuredRecord
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numbers.arguments import not_negative, positive
+from rockeom.numbers.checks import not_negative, positive
 
 
 class SupportForces(NamedTuple):

@@ -8,7 +8,7 @@ from math import comb
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.numbers.arguments import not_negative, numbers, require
+from rockeom.numbers.checks import InputError, not_negative, numbers, require
 
 COVERED = 2.0
 """Half-widths of intervals in standard deviations: 95 % of a normal distribution, the coverage
@@ -135,9 +135,9 @@ def noise_level(time: ArrayLike, values: ArrayLike, order: int = 6) -> float:
     """
     t, x = numbers("noise_level", time=time, values=values)
     if t.ndim != 1 or t.shape != x.shape or len(t) < order + 2:
-        raise ValueError(
-            f"noise_level: values has the shape {x.shape}, time has {t.shape}: give one value for "
-            f"each of at least order + 2 = {order + 2} instants"
+        raise InputError("values", of="noise_level").wrong(
+            f"has the shape {x.shape}, time has {t.shape}: give one value for each of at least "
+            f"order + 2 = {order + 2} instants"
         )
     require(np.diff(t) > 0, "noise_level", "time", t[1:], "times must increase")
     steps = np.diff(t)

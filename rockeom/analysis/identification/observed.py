@@ -27,7 +27,7 @@ from rockeom.analysis.identification.swings_of_response import (
     swings,
 )
 from rockeom.numbers import explained
-from rockeom.numbers.arguments import numbers, positive, require
+from rockeom.numbers.checks import InputError, numbers, positive, require
 from rockeom.numbers.dual import Dual, directions, tangent_of, value_of
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
@@ -153,9 +153,8 @@ class Observed:
         (t,) = numbers(where, time=time)
         read = np.asarray(values, dtype=float)
         if t.ndim != 1 or not t.size or t.shape != read.shape:
-            raise ValueError(
-                f"{where}: values has the shape {read.shape}, time has {t.shape}: give one reading "
-                "for each instant"
+            raise InputError("values", of=where).wrong(
+                f"has the shape {read.shape}, time has {t.shape}: give one reading for each instant"
             )
         require(np.diff(t) > 0, where, "time", t[1:], "times must increase")
         require(t[0] >= 0.0, where, "time", t[0], "the case begins at 0 s: count from there")
@@ -267,7 +266,7 @@ class Observed:
         where = "Observed.formula"
         (y,) = numbers(where, values=values)
         if y.ndim != 1 or not y.size:
-            raise ValueError(f"{where}: values has the shape {y.shape}: give a list of values")
+            raise InputError("values", y, where).give("a list of values")
         return cls(_Formula(model, len(y)), y, _noises(where, (noise, len(y))), takes=_takes(model))
 
     def taking(self, names: tuple[str, ...]) -> Observed:
@@ -372,7 +371,7 @@ class _History(NamedTuple):
             along[inside] = of_quantity[:, :-1]
         end = float(run.steps.span[-1].sum())
         if run.outcome is Outcome.COMPLETED and end < self.time[-1] * (1 - 1e-12):
-            raise ValueError(
+            raise InputError("case").says(
                 f"the case ends at {end:.6g} s, the record at {self.time[-1]:.6g} s: let it last "
                 "as long as the record"
             )
@@ -444,7 +443,7 @@ class _Formula(NamedTuple):
     def __call__(self, **parameters: Any) -> PredictedReadings:
         found = np.asarray(self.function(**parameters))
         if found.shape != (self.number,):
-            raise ValueError(
+            raise InputError("model").says(
                 f"the formula returned the shape {found.shape}, measured is ({self.number},): "
                 "return one value for each that was measured"
             )

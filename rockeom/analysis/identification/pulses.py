@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.motion import GroundMotion
 from rockeom.motion.segments import ANTISYMMETRIC_RICKER_PEAK, END, START, cut
-from rockeom.numbers.arguments import positive, require
+from rockeom.numbers.checks import InputError, positive, require, require_word
 
 PULSE_MODELS = ("mavroeidis_papageorgiou", "ricker", "antisymmetric_ricker")
 """The models of `fit_pulse`."""
@@ -111,19 +111,18 @@ def fit_pulse(
     1099-1131.
     """
     where = "fit_pulse"
-    if model not in PULSE_MODELS:
-        raise ValueError(f"{where}: model is {model!r}: choose one of {', '.join(PULSE_MODELS)}")
+    require_word("model", model, PULSE_MODELS, where)
     if periods is None:
         periods = max(0.3, 20 * (motion.dt or 0.0)), 0.5 * motion.duration
     (band,) = positive(where, periods=periods)
     if band.shape != (2,) or band[0] >= band[1]:
-        raise ValueError(f"{where}: periods is {periods}: give a shorter and a longer one [s]")
+        raise InputError("periods", periods, where).give("a shorter and a longer one [s]")
     longest = motion.duration
     require(band <= longest, where, "periods", band, f"the motion lasts {longest:g} s: give less")
     t = np.linspace(0.0, longest, math.ceil(_SAMPLES * longest / band[0]) + 1)
     v = motion.velocity(t)
     if not np.abs(v).max() > 0.0:
-        raise ValueError(f"{where}: {motion.name or 'the motion'} has no velocity to fit")
+        raise InputError("motion", motion, where).so("it has no velocity to fit")
     gammas = _GAMMAS if model == PULSE_MODELS[0] else (1.0,)
     fits = [_polished(model, t, v, place, band) for place in _searched(model, t, v, band, gammas)]
     left, (period, centre, gamma) = min(fits, key=lambda fit: fit[0])

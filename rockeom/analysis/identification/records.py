@@ -23,10 +23,10 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.identification.free_vibration import FreeVibration, resolved_floor
 from rockeom.analysis.identification.noise import Noise, noise_level
-from rockeom.motion.readers import FilePath, read_channels
+from rockeom.motion.readers import read_channels
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers import explained
-from rockeom.numbers.arguments import not_negative, numbers, positive, require
+from rockeom.numbers.checks import FilePath, InputError, not_negative, numbers, positive, require
 
 # --- a record
 
@@ -96,7 +96,7 @@ class MeasuredRecord:
         where = "MeasuredRecord"
         (t,) = numbers(where, time=self.time)
         if t.ndim != 1 or len(t) < 8:
-            raise ValueError(f"{where}: time has the shape {t.shape}: give at least 8 instants")
+            raise InputError("time", t, where).give("at least 8 instants")
         require(np.diff(t) > 0, where, "time", t[1:], "times must increase")
         mean = (t[-1] - t[0]) / (len(t) - 1)
         even = np.abs(t - t[0] - mean * np.arange(len(t))) < 0.1 * mean
@@ -105,14 +105,15 @@ class MeasuredRecord:
         for name, values in self.channels.items():
             (x,) = numbers(where, **{name: values})
             if x.shape != t.shape:
-                raise ValueError(
-                    f"{where}: {name} has the shape {x.shape}, time has {t.shape}: give one value "
-                    "for each instant"
+                raise InputError(name, of=where).wrong(
+                    f"has the shape {x.shape}, time has {t.shape}: give one value for each instant"
                 )
             channels[name] = x
         unknown = [n for n in self.noise if n not in channels]
         if unknown:
-            raise ValueError(f"{where}: noise of {unknown}, which are no channels of {[*channels]}")
+            raise InputError("noise", unknown, where).says(
+                f"noise of {unknown}, which are no channels of {[*channels]}"
+            )
         noise = {n: self._own_noise(t, n, x) for n, x in channels.items()}
         object.__setattr__(self, "time", t)
         object.__setattr__(self, "channels", channels)
@@ -161,7 +162,7 @@ class MeasuredRecord:
 
         Raises
         ------
-        MotionError
+        InputError
             A ValueError that names the file, the line, the column and the remedy.
         """
         read = read_channels(path, units or {}, channels, time_column, gravity)

@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 
 from rockeom.analysis.identification.fitting import CONFIDENCE
-from rockeom.numbers.arguments import require
-from rockeom.numbers.checks import installed_by
+from rockeom.numbers.checks import installed_by, require
 
 __all__ = ["Draws"]
 

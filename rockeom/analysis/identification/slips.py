@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from rockeom.analysis.formulas.controlled_wall import Wall
 from rockeom.analysis.identification.noise import COVERED, noise_level
-from rockeom.numbers.arguments import numbers, positive, require
+from rockeom.numbers.checks import InputError, numbers, positive, require
 
 
 class Slips(NamedTuple):
@@ -131,9 +131,9 @@ def _slips(
 
     t, d, y = numbers(where, time=time, displacement=displacement, measured=measured)
     if t.ndim != 1 or not t.shape == d.shape == y.shape or len(t) < 16:
-        raise ValueError(
-            f"{where}: time has the shape {t.shape}, displacement {d.shape}, the other channel "
-            f"{y.shape}: give one value of each at 16 instants or more"
+        raise InputError("time", of=where).wrong(
+            f"has the shape {t.shape}, displacement {d.shape}, the other channel {y.shape}: give "
+            "one value of each at 16 instants or more"
         )
     require(np.diff(t) > 0, where, "time", t[1:], "times must increase")
     # the larger half-cycles, between the changes of side of all but the middle of the trace
@@ -141,7 +141,7 @@ def _slips(
     edges = np.flatnonzero(np.diff(np.sign(d[beyond])) != 0) + 1
     runs = [run for run in np.split(beyond, edges) if len(run) >= 8]
     if len(runs) < 2:
-        raise ValueError(f"{where}: displacement never passes upright: there is no half-cycle")
+        raise InputError("displacement", of=where).wrong("never passes upright: no half-cycle")
     sigma = max(noise_level(t, y), 1e-12 * float(np.abs(y).max()))
     sigma_d = noise_level(t, d)
     shifts, half_widths = [], []

@@ -21,8 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.formulas.masonry import rocking_strength
-from rockeom.numbers.arguments import numbers, require
-from rockeom.numbers.checks import near
+from rockeom.numbers.checks import InputError, numbers, require
 
 _TEXTS = ("wall", "reference", "reported_mode", "joints", "stone")
 _SIZES = {
@@ -181,7 +180,9 @@ class WallTest:
             For a wall without an envelope, and for a curve that ends before it does.
         """
         if self.envelope is None:
-            raise ValueError(f"WallTest.envelope_error: {self.wall!r} has no measured envelope")
+            raise InputError("wall", self.wall, "WallTest.envelope_error").says(
+                f"{self.wall!r} has no measured envelope"
+            )
         u, f = numbers("WallTest.envelope_error", displacement=displacement, force=force)
         require(np.diff(u) >= 0, "envelope_error", "displacement", u[1:], "displacements must rise")
         measured = np.abs(self.envelope.displacement)
@@ -211,10 +212,7 @@ class _Row:
         """The number in a cell, positive, in SI; nan where it may lack and does."""
         value = self.signed(column, unit, may_lack)
         if value <= 0:
-            raise ValueError(
-                f"{self.where}: {column} is {self.values[column]}: give a positive number, or "
-                "leave the line out"
-            )
+            raise InputError(column, self.values[column], self.where).give("a positive number")
         return value
 
     def signed(self, column: str, unit: float, may_lack: bool = False) -> float:
@@ -226,8 +224,7 @@ class _Row:
             value = float(text) * unit
         except ValueError:
             value = float("nan")
-        if not np.isfinite(value):
-            raise ValueError(f"{self.where}: {column} is {text!r}: give a finite number")
+        require(np.isfinite(value), self.where, column, text, "give a finite number")
         return value
 
 
@@ -280,7 +277,7 @@ def wall_tests(
     """
     if walls is None:
         if envelopes is not None:
-            raise ValueError("wall_tests: envelopes are given without walls: give both files")
+            raise InputError("walls", walls, "wall_tests").give("both files, or none")
         data = files("rockeom.analysis").joinpath("data")
         sources = [data.joinpath(n) for n in ("stone_walls.csv", "dry_wall_envelopes.csv")]
     else:
@@ -290,7 +287,7 @@ def wall_tests(
     rows: dict[str, _Row] = {}
     for row in _rows(sources[0].name, sources[0].read_text("utf-8-sig"), columns):
         if rows.setdefault(row.values["wall"], row) is not row:
-            raise ValueError(f"{row.where}: the wall {row.values.get('wall')!r} stands there twice")
+            raise InputError("wall", row.values.get("wall"), row.where).so("it stands there twice")
     measured = {}
     if len(sources) > 1:
         measured = _envelopes(sources[1].name, sources[1].read_text("utf-8-sig"), rows)
@@ -302,7 +299,7 @@ def _envelopes(name: str, text: str, walls: Mapping[str, _Row]) -> dict[str, Env
     for row in _rows(name, text, _ENVELOPE):
         wall = row.values["wall"]
         if wall not in walls:
-            raise ValueError(f"{row.where}: no wall is called {wall!r}{near(wall, walls)}")
+            raise InputError("wall", wall, row.where).choose(walls)
         point = row.signed(_ENVELOPE[1], 1e-3), row.signed(_ENVELOPE[2], 1e3)
         points.setdefault(wall, []).append(point)
     return {wall: Envelope(*np.array(of).T) for wall, of in points.items()}
@@ -313,9 +310,11 @@ def _rows(name: str, text: str, columns: Sequence[str]) -> Iterator[_Row]:
     lacking = [c for c in columns if c not in (reader.fieldnames or ())]
     if lacking:
         there = ", ".join(reader.fieldnames or ()) or "none"
-        raise ValueError(f"{name}: it lacks the column {lacking[0]}; there are {there}")
+        raise InputError("walls", of=name).says(f"no column {lacking[0]}: there are {there}")
     for row in reader:
         where = f"{name}, line {reader.line_num}"
         if None in row:
-            raise ValueError(f"{where}: it has more cells than there are columns: quote commas")
+            raise InputError("walls", of=where).says(
+                "it has more cells than there are columns: quote commas"
+            )
         yield _Row(where, row)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rockeom.numbers.arguments import require
+from rockeom.numbers.checks import require
 from rockeom.numbers.dual import tangent_of, with_tangent
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions

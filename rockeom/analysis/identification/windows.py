@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rockeom.analysis.identification.records import MeasuredRecord
-from rockeom.numbers.arguments import not_negative, positive, require
+from rockeom.numbers.checks import not_negative, positive, require
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,7 +17,7 @@ from scipy.special import betaincinv, log_ndtr, ndtr, ndtri, stdtrit
 from rockeom.analysis.sweeps import check_finished, check_sweep, coordinate, exceedances, unanswered
 from rockeom.motion.recordings import recording_of
 from rockeom.numbers import explained
-from rockeom.numbers.arguments import numbers, positive, require
+from rockeom.numbers.checks import InputError, numbers, positive, require
 
 _WITHIN = "it lies between 0 and 1, as 0.95"
 
@@ -446,7 +446,7 @@ def fragility_of(
         analysis.fragility_of(sweep, intensity="pga", demand="theta", limit=0.05)  # rad
     """
     if (limit is None) != (demand is None):
-        raise ValueError("fragility_of: demand and limit belong together: give both or neither")
+        raise InputError("limit", limit, "fragility_of").give("demand and limit, or neither")
     check_sweep("fragility_of", sweep)
     coordinate("fragility_of", sweep, intensity)
     check_finished("fragility_of", sweep)

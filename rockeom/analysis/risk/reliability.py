@@ -30,7 +30,7 @@ from scipy.special import ndtr
 from rockeom.analysis.random_parameters import RandomParameters
 from rockeom.analysis.risk.fragility import proportion_interval
 from rockeom.analysis.sweeps import FALLS, exceedances, outcome_labels, unanswered
-from rockeom.numbers.arguments import require
+from rockeom.numbers.checks import InputError, require
 from rockeom.numbers.dual import Dual
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
@@ -567,7 +567,7 @@ class _Condition:
     @classmethod
     def of(cls, where: str, demand: str | None, limit: float | None) -> _Condition:
         if (limit is None) != (demand is None):
-            raise ValueError(f"{where}: demand and limit belong together: give both or neither")
+            raise InputError("limit", limit, where).give("demand and limit, or neither")
         if limit is not None:
             require(limit > 0, where, "limit", limit, "it must be positive, in the demand's unit")
         return cls(demand, limit)

@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.risk.fragility import proportion_interval
-from rockeom.numbers.arguments import numbers, require
-from rockeom.numbers.checks import whole_number
+from rockeom.numbers.checks import InputError, numbers, require, whole_number
 
 _DRAWS = 9999
 
@@ -186,9 +185,9 @@ def _campaigns(where: str, outcomes: ArrayLike, n: int, level: float) -> np.ndar
     require((given == 0) | (given == 1), where, "outcomes", given, "give True or False")
     needed = math.ceil(2.0 / (1.0 - level) - 1e-9) - 1
     if given.ndim != 2 or len(given) != n or given.shape[1] < needed:
-        raise ValueError(
-            f"{where}: outcomes has the shape {given.shape}: give (n, m), here {n} tests and for "
-            f"this level {needed} campaigns or more"
+        raise InputError("outcomes", of=where).wrong(
+            f"has the shape {given.shape}: give (n, m), here {n} tests and for this level {needed} "
+            "campaigns or more"
         )
     return given.T
 
@@ -196,7 +195,7 @@ def _campaigns(where: str, outcomes: ArrayLike, n: int, level: float) -> np.ndar
 def _members(where: str, p: np.ndarray, bins: int | ArrayLike) -> np.ndarray:
     """(k, n) whether each bin has each test; bins without a test are left out."""
     if np.ndim(bins) == 0:
-        edges = np.linspace(0.0, 1.0, whole_number(f"{where}: bins", bins, 1) + 1)
+        edges = np.linspace(0.0, 1.0, whole_number("bins", bins, 1, where) + 1)
     else:
         (edges,) = numbers(where, bins=bins)
         require(np.diff(edges) > 0, where, "bins", edges[1:], "bounds must increase")

@@ -17,14 +17,12 @@ import numpy as np
 from rockeom.analysis.sweeps import FALLS, STANDS
 from rockeom.analysis.validation.ensembles import Ensemble
 from rockeom.files import in_text
-from rockeom.motion.errors import FilePath, MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.motion_set import MotionSet
 from rockeom.motion.readers import TextTable, read_table
 from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers import explained
-from rockeom.numbers.arguments import numbers
-from rockeom.numbers.checks import near, whole_number
+from rockeom.numbers.checks import FilePath, InputError, near, numbers, whole_number
 from rockeom.simulation.case import Case
 from rockeom.sweeps.run import simulate_many
 
@@ -88,17 +86,19 @@ class Campaign:
         shapes |= {name: values.shape for name, values in parameters.items()}
         for name, shape in shapes.items():
             if shape != (len(tests),):
-                raise ValueError(
-                    f"Campaign: {name} has the shape {shape}, and there are {len(tests)} tests: "
-                    "give one value for each test"
+                raise InputError(name, of="Campaign").wrong(
+                    f"has the shape {shape}, and there are {len(tests)} tests: give one value for "
+                    "each test"
                 )
         for test in tests:
             if tests.count(test) > 1:
-                raise ValueError(f"Campaign: {tests.count(test)} tests are called {test!r}")
+                raise InputError("tests", test, "Campaign").so("several tests have this name")
         for record in records:
             if record not in self.motions:
                 known = near(record, self.motions.names)
-                raise ValueError(f"Campaign: no motion is called {record!r}{known}")
+                raise InputError("motions", record, "Campaign").says(
+                    f"no motion is called {record!r}{known}"
+                )
         object.__setattr__(self, "tests", tests)
         object.__setattr__(self, "records", records)
         object.__setattr__(self, "parameters", parameters)
@@ -141,7 +141,7 @@ class Campaign:
 
         Raises
         ------
-        MotionError
+        InputError
             A ValueError that names the file, the line, the column, the value and the remedy.
 
         Notes
@@ -260,7 +260,7 @@ def simulate_campaign(
     >>> simulated.peaks.shape
     (2, 50)
     """
-    count = whole_number("simulate_campaign: number", number, 1)
+    count = whole_number("number", number, 1, "simulate_campaign")
     columns = {
         "motion": np.array([campaign.motions[name] for name in campaign.records], dtype=object),
         **campaign.parameters,
@@ -269,8 +269,8 @@ def simulate_campaign(
     drawn = _drawn(random or {}, shared, (len(campaign), count), seed)
     for name in drawn:
         if name in columns:
-            raise ValueError(
-                f"simulate_campaign: {name!r} is in random and in the campaign: take it out of one"
+            raise InputError("random", name, "simulate_campaign").wrong(
+                f"has {name!r}, and so has the campaign: take it out of one"
             )
     columns |= drawn
     table = np.empty(len(campaign) * count, dtype=[(n, x.dtype) for n, x in columns.items()])
@@ -295,16 +295,16 @@ def _drawn(
     """Values of each random parameter, test by test, those of one test in a row."""
     for name in shared:
         if name not in random:
-            raise ValueError(
-                f"simulate_campaign: shared has {name!r}{near(name, random)}, and random has not"
+            raise InputError("shared", of="simulate_campaign").wrong(
+                f"has {name!r}{near(name, random)}, and random has not"
             )
     rng = np.random.default_rng(seed)
     drawn = {}
     for name, distribution in random.items():
         if not hasattr(distribution, "rvs"):
-            raise ValueError(
-                f"simulate_campaign: random has {name} = {distribution!r}: give a distribution "
-                "with its parameters, such as scipy.stats.norm(0.1, 0.01)"
+            raise InputError("random", of="simulate_campaign").wrong(
+                f"has {name} = {distribution!r}: give a distribution with its parameters, such as "
+                "scipy.stats.norm(0.1, 0.01)"
             )
         size = (1, shape[1]) if name in shared else shape
         values = np.asarray(distribution.rvs(size=size, random_state=rng), dtype=float)
@@ -385,7 +385,7 @@ def _motions(
             raise table.error(row, what, "copy the file to there, or name its folder by records=")
         try:
             motion = GroundMotion.read(file, units=units, gravity=gravity, name=name)
-        except (MotionError, OSError) as error:
+        except (InputError, OSError) as error:
             remedy = "give the file, relative to records= or to the table; the message tells more"
             raise table.error(row, f"record is {name!r}: {error}", remedy) from None
         motions.append(replace(motion, name=name))

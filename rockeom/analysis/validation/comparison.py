@@ -15,8 +15,7 @@ from scipy import stats
 
 from rockeom.analysis.risk.fragility import Estimate
 from rockeom.analysis.validation.ensembles import Ensemble
-from rockeom.numbers.arguments import require
-from rockeom.numbers.checks import near
+from rockeom.numbers.checks import InputError, require, require_word
 
 
 class Significance(NamedTuple):
@@ -190,7 +189,9 @@ def compare_means(
     require(0.0 < level < 1.0, "compare_means", "level", level, "it lies between 0 and 1")
     x, y = measured.censored(limit), simulated.censored(limit)
     if len(x) < 2 or len(y) < 2:
-        raise ValueError("compare_means: an interval needs two motions or more of each ensemble")
+        raise InputError("ensembles", of="compare_means").says(
+            "an interval needs two motions or more of each ensemble"
+        )
     if y.ndim == 1:
         student, drawn = _student(x, y), _pairs(np.random.default_rng(seed), len(x), y)
     else:
@@ -338,14 +339,11 @@ def _of_tests(function: str, measured: Ensemble, simulated: np.ndarray) -> np.nd
     """The simulated peaks, if they are (n, m) for n measured ones."""
     if measured.peaks.ndim == 1 and simulated.ndim == 2 and len(simulated) == measured.number:
         return simulated
-    raise ValueError(
-        f"{function}: measured has the shape {measured.peaks.shape}, simulated {simulated.shape}: "
-        "give (n,) peaks of n tests and (n, m) peaks of m motions of each of these tests"
+    raise InputError("measured", of=function).wrong(
+        f"has the shape {measured.peaks.shape}, simulated {simulated.shape}: give (n,) peaks of n "
+        "tests and (n, m) peaks of m motions of each of these tests"
     )
 
 
 def _known(function: str, test: str, tests: tuple[str, ...]) -> None:
-    if test not in tests:
-        raise ValueError(
-            f"{function}: test is {test!r}{near(test, tests)}: choose one of {', '.join(tests)}"
-        )
+    require_word("test", test, tests, function)

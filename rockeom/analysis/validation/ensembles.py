@@ -11,8 +11,7 @@ from scipy.special import ndtri, stdtrit
 
 from rockeom.analysis.sweeps import FALLS, check_finished, outcome_labels, peaks_of, unanswered
 from rockeom.numbers import explained
-from rockeom.numbers.arguments import numbers, positive, require
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, InputTypeError, numbers, positive, require
 
 _DRAWS = 999
 _PLACES = 1000  # peaks at which distributions of campaigns are compared, at most
@@ -66,19 +65,18 @@ class Ensemble:
     def __post_init__(self) -> None:
         fell = np.asarray(self.overturned)
         if fell.dtype != bool:
-            raise TypeError(
-                f"Ensemble: overturned is {described(self.overturned)}: give True or False for "
-                'each motion, such as outcomes == "overturned"'
+            raise InputTypeError("overturned", self.overturned, "Ensemble").give(
+                'True or False for each motion, such as outcomes == "overturned"'
             )
         try:
             peaks = np.asarray(self.peaks, dtype=float)
         except (TypeError, ValueError):
-            raise TypeError(f"Ensemble: peaks is {described(self.peaks)}: give numbers") from None
+            raise InputTypeError("peaks", self.peaks, "Ensemble").give("numbers") from None
         fell = np.full(peaks.shape, fell) if fell.ndim == 0 else fell
         if fell.shape != peaks.shape or not peaks.size:
-            raise ValueError(
-                f"Ensemble: peaks has the shape {peaks.shape}, overturned {fell.shape}: give one "
-                "peak and one outcome for each motion, and one motion or more"
+            raise InputError("peaks", of="Ensemble").wrong(
+                f"has the shape {peaks.shape}, overturned {fell.shape}: give one peak and one "
+                "outcome for each motion, and one motion or more"
             )
         rule = "every motion that did not overturn has a peak: find it, or leave the motion out"
         require(fell | np.isfinite(peaks), "Ensemble", "peaks", peaks, rule)
@@ -111,9 +109,9 @@ class Ensemble:
         labels = outcome_labels(sweep)
         fell = labels == FALLS
         if lost := unanswered(labels):
-            raise ValueError(
-                f"Ensemble.from_sweep: of {labels.size} cases {lost}: run them with other solver "
-                "options, or select the cases with an answer and state how many were left out"
+            raise InputError("sweep", of="Ensemble.from_sweep").says(
+                f"of {labels.size} cases {lost}: run them with other solver options, or select the "
+                "cases with an answer and state how many were left out"
             )
         return cls(peaks_of(sweep, quantity).transpose(*labels.dims).values, fell.values)
 
@@ -240,7 +238,7 @@ class Ensemble:
         if limit is not None:
             return np.minimum(self.peaks, positive("Ensemble.censored", limit=limit)[0])
         if self.overturned.any():
-            raise ValueError(
+            raise InputError("limit").says(
                 f"{self.overturned.sum()} of {self.number} motions overturned and have no peak: "
                 "give limit=, the rotation at which they count, such as the slenderness of the "
                 "block; none is left out"

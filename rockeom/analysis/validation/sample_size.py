@@ -8,7 +8,7 @@ from collections.abc import Callable
 from scipy import stats
 
 from rockeom.analysis.risk.fragility import proportion_interval
-from rockeom.numbers.arguments import positive, require
+from rockeom.numbers.checks import positive, require
 
 _MOST = 2**40
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.validation.ensembles import Ensemble
-from rockeom.numbers.arguments import numbers, require
+from rockeom.numbers.checks import InputError, numbers, require
 
 
 def brier_score(overturned: ArrayLike, probability: ArrayLike) -> np.ndarray:
@@ -89,9 +89,9 @@ def crps(measured: Ensemble, simulated: Ensemble, *, limit: float | None = None)
     """
     x, y = measured.censored(limit), np.sort(simulated.censored(limit), axis=-1)
     if x.ndim != 1 or y.ndim > 2 or (y.ndim == 2 and len(y) != len(x)):
-        raise ValueError(
-            f"crps: measured has the shape {x.shape}, simulated {y.shape}: give (n,) peaks and "
-            "(n, m), m peaks of each of these tests, or (m,) of none in particular"
+        raise InputError("measured", of="crps").wrong(
+            f"has the shape {x.shape}, simulated {y.shape}: give (n,) peaks and (n, m), m peaks of "
+            "each of these tests, or (m,) of none in particular"
         )
     m = y.shape[-1]
     spread = y @ (2.0 * np.arange(m) + 1.0 - m) / m**2  # mean |y - y'|/2, of sorted peaks

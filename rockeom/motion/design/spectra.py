@@ -10,10 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.motion.arguments import array, positive, whole
 from rockeom.motion.design import matching
 from rockeom.motion.design.checks import BAND, DAMPING, SpectrumCheck
-from rockeom.motion.errors import MotionError
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.motion_set import MotionSet
 from rockeom.motion.scaling import Acceleration
@@ -21,7 +19,7 @@ from rockeom.motion.synthetic import JenningsEnvelope, factors
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration, factor
 from rockeom.numbers import explained
 from rockeom.numbers.callers import warn_caller
-from rockeom.numbers.checks import described
+from rockeom.numbers.checks import InputError, array_of, positive_number, whole_number
 
 _STRONG_PART = JenningsEnvelope(rise=3.0, until=13.0, decay=0.3)
 """With the 10 s of stationary motion that EN 1998-1:2004, 3.2.3.1.2(3), asks for."""
@@ -102,9 +100,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
 
     def __post_init__(self) -> None:
         if not 0.0 < self.damping_ratio < 1.0:
-            raise MotionError(
-                f"damping_ratio is {self.damping_ratio:g}: give a part of the critical one, as 0.05"
-            )
+            raise InputError("damping_ratio", self.damping_ratio).give("less than 1, as 0.05")
 
     @classmethod
     def eurocode_8(
@@ -139,19 +135,17 @@ class DesignSpectrum(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For other values.
         """
-        a_g = positive("ground_acceleration", acceleration("a_g", ground_acceleration))
+        a_g = positive_number("ground_acceleration", acceleration("a_g", ground_acceleration))
         _question(ground_acceleration, "a_g", _VERY_LOW, "very low seismicity, EN 1998-1, 3.2.1(5)")
-        xi = positive("damping_ratio", damping_ratio)
+        xi = positive_number("damping_ratio", damping_ratio)
         kinds = _EUROCODE.get(spectrum_type) if isinstance(spectrum_type, int) else None
         if kinds is None:
-            raise MotionError(f"spectrum_type is {described(spectrum_type)}: give 1 or 2")
+            raise InputError("spectrum_type", spectrum_type).give("1 or 2")
         if not isinstance(ground_type, str) or ground_type.upper() not in kinds:
-            raise MotionError(
-                f"ground_type is {described(ground_type)}: choose one of {', '.join(kinds)}"
-            )
+            raise InputError("ground_type", ground_type).choose(kinds)
         s, t_b, t_c, t_d = kinds[ground_type.upper()]
         eta = max(math.sqrt(10.0 / (5.0 + 100.0 * xi)), _LEAST_ETA)
         shape = _Branches(a_g * s, 2.5 * eta * a_g * s, t_b, t_c, t_d)
@@ -179,15 +173,15 @@ class DesignSpectrum(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For values that are not positive, and for t_l below s_d1/s_ds.
         """
-        short = positive("s_ds", acceleration("s_ds", s_ds))
-        at_one = positive("s_d1", acceleration("s_d1", s_d1))
+        short = positive_number("s_ds", acceleration("s_ds", s_ds))
+        at_one = positive_number("s_d1", acceleration("s_d1", s_d1))
         _question(s_ds, "s_ds", _CATEGORY_A, "seismic design category A, ASCE 7-16, table 11.6-1")
-        t_s, last = at_one / short, positive("t_l", t_l)
+        t_s, last = at_one / short, positive_number("t_l", t_l)
         if last <= t_s:
-            raise MotionError(f"t_l is {last:g} s, not above s_d1/s_ds = {t_s:.4g} s: give T_L")
+            raise InputError("t_l", last).give(f"T_L, above s_d1/s_ds = {t_s:.4g} s")
         name = f"ASCE 7, S_DS {short:.4g} m/s2, S_D1 {at_one:.4g} m/s2"
         shape = _Branches(0.4 * short, short, 0.2 * t_s, t_s, last)
         return cls(name, 0.05, 0.0, math.inf, shape)
@@ -224,20 +218,22 @@ class DesignSpectrum(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For fewer than two points, and for values that cannot be.
         """
-        t, a = array("periods", periods), array("accelerations", accelerations) * factor(units)
+        t, a = (
+            array_of("periods", periods),
+            array_of("accelerations", accelerations) * factor(units),
+        )
         if t.ndim != 1 or t.shape != a.shape or len(t) < 2:
-            raise MotionError(
-                f"periods have the shape {t.shape} and accelerations {a.shape}: give two or more "
-                "of each"
+            raise InputError("periods").wrong(
+                f"have the shape {t.shape} and accelerations {a.shape}: give two or more of each"
             )
         if not (np.isfinite(t).all() and t[0] >= 0.0 and (np.diff(t) > 0.0).all()):
-            raise MotionError("periods do not rise from 0 or more: sort them, in s")
+            raise InputError("periods").wrong("do not rise from 0 or more: sort them, in s")
         if not (np.isfinite(a) & (a > 0.0)).all():
-            raise MotionError("accelerations are not all positive: give finite, positive numbers")
-        xi = positive("damping_ratio", damping_ratio)
+            raise InputError("accelerations", a).give("finite, positive numbers")
+        xi = positive_number("damping_ratio", damping_ratio)
         shape = _Points(tuple(t.tolist()), tuple(a.tolist()))
         return cls(name, xi, float(t[0]), float(t[-1]), shape)
 
@@ -246,12 +242,12 @@ class DesignSpectrum(metaclass=explained.Constructors):
     def __call__(self, periods: ArrayLike) -> Any:
         """Pseudo-acceleration [m/s2] at periods [s], of their shape.
 
-        Raises MotionError for periods at which the spectrum is not defined.
+        Raises InputError for periods at which the spectrum is not defined.
         """
-        t = array("periods", periods)
+        t = array_of("periods", periods)
         outside = ~((t >= self.shortest) & (t <= self.longest))
         if outside.any():
-            raise MotionError(
+            raise InputError("periods").says(
                 f"{self.name} is defined from {self.shortest:g} to {self.longest:g} s, and not at "
                 f"{t[outside].flat[-1]:g} s"
             )
@@ -272,10 +268,10 @@ class DesignSpectrum(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For periods for which the spectrum is not defined.
         """
-        return self(periods) * (array("periods", periods) / (2.0 * np.pi)) ** 2
+        return self(periods) * (array_of("periods", periods) / (2.0 * np.pi)) ** 2
 
     # -- motions
 
@@ -314,7 +310,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             As `matched`.
 
         Notes
@@ -323,10 +319,10 @@ class DesignSpectrum(metaclass=explained.Constructors):
         `matched`. Where the mean of their peaks is below the spectrum at the period 0, one factor
         on all of them makes up for it.
         """
-        n = round(positive("duration", duration) / positive("dt", dt)) + 1
-        entropy, target = whole("seed", seed, 0), self._target(between)
+        n = round(positive_number("duration", duration) / positive_number("dt", dt)) + 1
+        entropy, target = whole_number("seed", seed, 0), self._target(between)
         motions = []
-        for i in range(whole("number", number, 1)):
+        for i in range(whole_number("number", number, 1)):
             start = matching.noise(target, n, dt, np.random.default_rng([entropy, i]))
             start = start * factors(envelope, dt * np.arange(n))
             name = f"{self.name}, seed {entropy}, motion {i + 1}"
@@ -357,7 +353,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a motion without samples, for such coarse ones that they do not hold the shortest
             period, for a spectrum whose damping is not from 1 to 50 %, and where a difference of
             more than 25 % is left.
@@ -380,7 +376,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         Al Atik and Abrahamson (2010), Earthquake Spectra 26, 601-617.
         """
         if not isinstance(record, GroundMotion):
-            raise MotionError(f"record is {described(record)}: give a GroundMotion")
+            raise InputError("record", record).give("a GroundMotion")
         target = self._target(between)
         found = self._told(self._matched(record, target), target)
         return replace(found, name=f"{record.name}, matched", is_vertical=record.is_vertical)
@@ -388,18 +384,18 @@ class DesignSpectrum(metaclass=explained.Constructors):
     def _matched(self, record: GroundMotion, target: matching.Target) -> GroundMotion:
         """The record as its wavelets make it, with its name and source."""
         if record.samples is None or record.dt is None:
-            raise MotionError(
+            raise InputError("record", record).says(
                 f"{record.name} has no samples to be matched: resampled(dt) gives it some"
             )
         first, last = float(target.periods[0]), float(target.periods[-1])
         if record.dt > 0.5 * first:
-            raise MotionError(
+            raise InputError("record", record).says(
                 f"the samples of {record.name} are {record.dt:g} s apart, too coarse for a period "
                 f"of {first:g} s: give between=({2.0 * record.dt:g}, {last:g})"
             )
         own = record.response_spectrum(target.periods, self.damping_ratio).pseudo_acceleration
         if not (own > 0.0).all():
-            raise MotionError(f"{record.name} does not shake: give a motion that does")
+            raise InputError("record", record.name).give("a motion that shakes")
         scale = math.exp(float(np.log(target.accelerations / own).mean()))
         samples = matching.matched(record.samples * scale, record.dt, target)
         made = GroundMotion.from_array(samples, record.dt, name=record.name)
@@ -414,7 +410,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         differences = np.abs(spectrum.pseudo_acceleration / self(finer) - 1.0)
         at, anywhere = float(differences[::_FINER].max()), float(differences.max())
         if not at <= _WORST_MATCH:
-            raise MotionError(
+            raise InputError("record").says(
                 f"{motion.name} differs by {100.0 * at:.0f} % from {self.name} after matching: "
                 "give another record, or a narrower band by between="
             )
@@ -434,16 +430,14 @@ class DesignSpectrum(metaclass=explained.Constructors):
         if between is None:
             between = max(0.04, self.shortest), min(4.0, self.longest)
         try:
-            first, last = (positive("a period of between", t) for t in between)
+            first, last = (positive_number("between", t) for t in between)
         except (TypeError, ValueError) as error:
-            raise MotionError(
-                f"between is {described(between)}: give the shortest and the longest period [s]"
-            ) from error
+            raise InputError("between", between).give("a shorter and a longer period") from error
         if not first < last:
-            raise MotionError(f"between is {first:g} and {last:g} s: give the shorter one first")
+            raise InputError("between", first).give(f"less than the second period, {last:g} s")
         least, most = _MATCHED
         if not least <= self.damping_ratio <= most:
-            raise MotionError(
+            raise InputError("damping_ratio", self.damping_ratio).says(
                 f"damping_ratio of {self.name} is {self.damping_ratio:g}: motions are matched to "
                 f"spectra with {least:g} to {most:g}, make one with damping_ratio=0.05"
             )
@@ -471,7 +465,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
 
         Raises
         ------
-        MotionError
+        InputError
             For a spectrum that is not for 5 % damping, or is not defined at these periods or at the
             period 0.
 
@@ -479,22 +473,22 @@ class DesignSpectrum(metaclass=explained.Constructors):
         -----
         From 0.2 T_1 to 2 T_1 the spectra are compared at 100 periods.
         """
-        t_1 = positive("period", period)
+        t_1 = positive_number("period", period)
         if self.damping_ratio != DAMPING:
-            raise MotionError(
+            raise InputError("damping_ratio", self.damping_ratio).says(
                 f"{self.name} is for {100.0 * self.damping_ratio:g} % damping, and the rule is one "
                 "of spectra for 5 %: make it with damping_ratio=0.05"
             )
         if isinstance(motions, GroundMotion) or not isinstance(motions, Iterable):
-            raise MotionError(f"motions is {described(motions)}: give three ground motions or more")
+            raise InputError("motions", motions).give("three ground motions or more")
         several = list(motions)
         for one in several:
             if not isinstance(one, GroundMotion):
-                raise MotionError(f"{described(one)} is among the motions: give GroundMotions")
+                raise InputError("motions", one).give("GroundMotions alone")
             if one.is_vertical:
-                raise MotionError(f"{one.name} is a vertical component: give horizontal ones")
+                raise InputError("motions", one.name).give("horizontal components")
         if not several:
-            raise MotionError("there are no motions to check: give three or more")
+            raise InputError("motions").says("there are no motions to check: give three or more")
         periods = np.geomspace(BAND[0] * t_1, BAND[1] * t_1, _CHECKED)
         spectra = [one.response_spectrum(periods, DAMPING).pseudo_acceleration for one in several]
         return SpectrumCheck(

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from rockeom.numbers.checks import described, number
+from rockeom.numbers.checks import InputError, InputTypeError, number
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.impact_laws import EnergyRatioAtSpeed
 from rockeom.structures.shipped.declarations import controlled_wall_oscillator as declared
@@ -25,19 +25,17 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
 
     def __post_init__(self) -> None:
         if not isinstance(self.held, bool | np.bool_):
-            raise TypeError(
-                f"ControlledWallOscillator: held is {described(self.held)}: give True or False"
+            raise InputTypeError("held", self.held, "ControlledWallOscillator").give(
+                "True or False"
             )
         if not isinstance(self.energy_ratio, EnergyRatioAtSpeed):
-            if not 0 < number(f"{type(self).__name__}: energy_ratio", self.energy_ratio) <= 1:
-                raise ValueError(
-                    f"ControlledWallOscillator: energy_ratio is {self.energy_ratio}: it must lie "
-                    "between 0 and 1"
-                )
+            if not 0 < number("energy_ratio", self.energy_ratio, type(self).__name__) <= 1:
+                raise InputError(
+                    "energy_ratio", self.energy_ratio, "ControlledWallOscillator"
+                ).hold("it must lie between 0 and 1")
         elif len(self.energy_ratio.pieces) > _PIECES:
-            raise ValueError(
-                f"ControlledWallOscillator: energy_ratio has {len(self.energy_ratio.pieces)} "
-                f"pieces: at most {_PIECES}"
+            raise InputError("energy_ratio", of="ControlledWallOscillator").wrong(
+                f"has {len(self.energy_ratio.pieces)} pieces: at most {_PIECES}"
             )
         super().__post_init__()
 
@@ -139,7 +137,7 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
             For a displacement beyond the height.
         """
         if not abs(y[0]) < self.height:
-            raise ValueError(
+            raise InputError("u", y[0]).says(
                 f"state u is {y[0]}, beyond the height of {self.height:.6g} m: u/height is the "
                 "sine of the rotation"
             )

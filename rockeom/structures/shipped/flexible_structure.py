@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, Self
 
+from rockeom.numbers.checks import InputError
 from rockeom.structures.parameters import check_values
 from rockeom.structures.shipped.declarations import flexible_structure as declared
 from rockeom.structures.supports import SupportedStructure
@@ -57,9 +58,8 @@ class FlexibleStructure(SupportedStructure, declared.FlexibleStructure):
         values = {"period": period, "damping_ratio": damping_ratio, "mass": mass}
         check_values(name, values, frozenset({"damping_ratio"}))
         if damping_ratio >= 1:
-            raise ValueError(
-                f"{name}: damping_ratio is {damping_ratio}: give a part of critical damping, such "
-                "as 0.05 for 5 %"
+            raise InputError("damping_ratio", damping_ratio, name).give(
+                "a part of critical damping, such as 0.05 for 5 %"
             )
         omega = 2 * math.pi / period
         return cls(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rockeom.numbers.checks import InputError
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.shipped.declarations import offset_block as declared
 
@@ -11,10 +12,10 @@ class OffsetBlock(declared.OffsetBlock):
 
     def __post_init__(self) -> None:
         if not -self.half_width < self.offset < self.half_width:
-            raise ValueError(
-                f"OffsetBlock: offset is {self.offset} and half_width {self.half_width}: the "
-                "centroid is not above the base, and the block falls over at rest; give the "
-                "distance of the centroid from the middle of the base [m], positive to the right"
+            raise InputError("offset", self.offset, "OffsetBlock").wrong(
+                f"is {self.offset} and half_width {self.half_width}: the centroid is not above the "
+                "base, and the block falls over at rest; give the distance of the centroid from "
+                "the middle of the base [m], positive to the right"
             )
 
     @property

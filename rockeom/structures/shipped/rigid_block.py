@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Self
 
 from rockeom.motion.units import STANDARD_GRAVITY
+from rockeom.numbers.checks import InputError
 from rockeom.numbers.degrees import accepts_degrees
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.parameters import check_slenderness, check_values
@@ -138,14 +139,14 @@ class RigidBlock(Block, declared.RigidBlock):
         up = 0.5 * height if centroid_height is None else centroid_height
         check_values(name, {"centroid_height": up})
         if not up < height:
-            raise ValueError(
-                f"{name}: centroid_height is {centroid_height} and height {height}: give the "
-                "height of the centroid above the base, within the block [m]"
+            raise InputError("centroid_height", centroid_height, name).wrong(
+                f"is {centroid_height} and height {height}: give the height of the centroid above "
+                "the base, within the block [m]"
             )
         if not abs(offset) < 0.5 * width:
-            raise ValueError(
-                f"{name}: offset is {offset} and width {width}: the centroid must be above the "
-                "base; give its distance from the middle of the base [m], positive to the right"
+            raise InputError("offset", offset, name).wrong(
+                f"is {offset} and width {width}: the centroid must be above the base; give its "
+                "distance from the middle of the base [m], positive to the right"
             )
         size = dict(half_width=0.5 * width, half_height=up, mass=mass, gravity=gravity, **others)
         size["full_height"] = height
@@ -155,9 +156,9 @@ class RigidBlock(Block, declared.RigidBlock):
         if not offset:
             return cls(inertia=inertia, **size)
         if cls is not RigidBlock:
-            raise ValueError(
-                f"{name}: offset is {offset}: a {name} has its centroid above the middle of its "
-                "base; take RigidBlock.from_dimensions, or declare a Model whose feet slide"
+            raise InputError("offset", offset, name).so(
+                f"a {name} has its centroid above the middle of its base; take "
+                "RigidBlock.from_dimensions, or declare a Model whose feet slide"
             )
         return OffsetBlock(offset=offset, inertia=inertia, **size)
 

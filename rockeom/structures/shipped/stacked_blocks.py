@@ -7,8 +7,8 @@ from typing import Any
 
 from rockeom.codes import POISSON
 from rockeom.integrator.texts import load_text, source
-from rockeom.numbers.checks import described
-from rockeom.structures.parameters import ParameterError, check_contact_law
+from rockeom.numbers.checks import InputError, InputTypeError
+from rockeom.structures.parameters import check_contact_law
 from rockeom.structures.shipped.declarations import stacked_blocks as declared
 from rockeom.structures.shipped.rigid_block import RigidBlock
 from rockeom.structures.supports import SupportedStructure
@@ -21,12 +21,13 @@ class StackedBlocks(SupportedStructure, declared.StackedBlocks):
         super().__post_init__()
         check_contact_law("StackedBlocks", self.restitution, "poisson")
         if self.support and self.restitution:
-            raise ValueError("StackedBlocks: restitution is given with a support: leave it out")
+            raise InputError("restitution", of="StackedBlocks").wrong(
+                "is given with a support: leave it out"
+            )
         if self.upper_half_width > self.lower_half_width:
-            raise ValueError(
-                f"StackedBlocks: upper_half_width is {self.upper_half_width} and lower_half_width "
-                f"{self.lower_half_width}: corners that hang over are not modelled, give an upper "
-                "block that is no wider"
+            raise InputError("upper_half_width", self.upper_half_width, "StackedBlocks").wrong(
+                f"is {self.upper_half_width} and lower_half_width {self.lower_half_width}: corners "
+                "that hang over are not modelled, give an upper block that is no wider"
             )
 
     @classmethod
@@ -49,7 +50,7 @@ class StackedBlocks(SupportedStructure, declared.StackedBlocks):
             For a ``lower`` or ``upper`` that is no block.
         ValueError
             For blocks under two gravities.
-        ParameterError
+        InputTypeError
             For a block and its parameters at once.
         """
         given = dict(values)
@@ -57,16 +58,16 @@ class StackedBlocks(SupportedStructure, declared.StackedBlocks):
             if (block := given.pop(name, None)) is None:
                 continue
             if type(block) is not RigidBlock:
-                raise TypeError(f"StackedBlocks: {name} is {described(block)}: give a RigidBlock")
+                raise InputTypeError(name, block, "StackedBlocks").give("a RigidBlock")
             if given.setdefault("gravity", block.gravity) != block.gravity:
-                raise ValueError(
-                    f"StackedBlocks: gravity is {given['gravity']}, and {block.gravity} of the "
-                    f"{name} block: give both blocks the same"
+                raise InputError("gravity", given["gravity"], "StackedBlocks").wrong(
+                    f"is {given['gravity']}, and {block.gravity} of the {name} block: give both "
+                    "blocks the same"
                 )
             parts = {f"{name}_{part}": getattr(block, part) for part in _OF_A_BLOCK}
             for part in parts.keys() & given.keys():
-                raise ParameterError(
-                    f"StackedBlocks: {part} is given, and so is {name}: leave one out"
+                raise InputTypeError(part, of="StackedBlocks").says(
+                    f"{part} is given, and so is {name}: leave one out"
                 )
             given |= parts
         return given

@@ -9,7 +9,7 @@ from typing import Any, ClassVar, NamedTuple, Protocol
 import numpy as np
 
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numbers.checks import described, number
+from rockeom.numbers.checks import InputError, InputTypeError, number
 from rockeom.numbers.dual import value_of
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.declared_modes import margin
@@ -111,13 +111,11 @@ class ThesisWall:
 def of_wall(what: str, wall: TendonedWall) -> dict[str, float]:
     """The parameters that all classes of walls share, of a wall with one tendon."""
     if isinstance(wall, type) or not hasattr(wall, "tendons"):
-        raise TypeError(
-            f"wall is {described(wall)}: give a wall, such as rockeom.analysis.Wall.thesis()"
-        )
+        raise InputTypeError("wall", wall).give("a wall, such as rockeom.analysis.Wall.thesis()")
     if len(wall.tendons) != 1:
-        raise ValueError(
-            f"{what} has one tendon, the wall has {len(wall.tendons)}: for several "
-            "derive a model, rockeom.symbolic.controlled_wall"
+        raise InputError("wall", wall).says(
+            f"{what} has one tendon, the wall has {len(wall.tendons)}: for several derive a model, "
+            "rockeom.symbolic.controlled_wall"
         )
     (tendon,) = wall.tendons
     return {
@@ -141,8 +139,8 @@ class RockingWall(StructureWithFields):
         what, values = type(self).__name__, self.parameters()
         for name, most in (("initial_force", "yield_force"), ("edge_distance", "half_width")):
             if not values[name] < values[most]:
-                raise ValueError(
-                    f"{what}: {name} is {values[name]}: it must be below {most}, {values[most]}"
+                raise InputError(name, values[name], what).hold(
+                    f"it must be below {most}, {values[most]}"
                 )
 
     @property

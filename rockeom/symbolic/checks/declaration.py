@@ -11,6 +11,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from rockeom.compiler.types import MATH
+from rockeom.numbers.checks import require_word
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.checks.common import (
@@ -153,7 +154,7 @@ def _sketched(model: HybridModel) -> None:
         if not isinstance(m, Member):
             fail(model.name, f"members holds {m!r}: give objects of Member")
         for item, name in (("start", m.start), ("end", m.end)):
-            valid.known(f"{model.name}: member", item, name, (*bodies, GROUND))
+            require_word(item, name, (*bodies, GROUND), f"{model.name}: member")
     if not isinstance(model.falls, Mapping):
         fail(model.name, f"falls is {model.falls!r}: give a mapping, {{coordinate: size}}")
     for c, size in model.falls.items():

@@ -6,7 +6,7 @@ from typing import Any
 
 import sympy as sp
 
-from rockeom.symbolic import valid
+from rockeom.numbers.checks import require_word
 from rockeom.symbolic.algebra import at_side
 from rockeom.symbolic.checks.common import Expressions, Names, fail, shape, springs_outputs
 from rockeom.symbolic.hybrid import HybridModel
@@ -185,10 +185,10 @@ def words_of(t: Transition) -> str:
 def check_transitions(model: HybridModel) -> None:
     for t in model.transitions:
         what = f"{model.name}: transition {t.source!r} -> {t.target!r}"
-        valid.known(what, "kind", t.kind, KINDS)
+        require_word("kind", t.kind, KINDS, what)
         for item, name in (("source", t.source), ("target", t.target), ("fallback", t.fallback)):
             if name is not None or item != "fallback":
-                valid.known(what, item, name, model.mode_names)
+                require_word(item, name, model.mode_names, what)
         positions = [x for c in model.coordinates for x in (c.position, c.velocity)]
         for x in t.sets:
             if x not in positions:

@@ -9,6 +9,7 @@ from typing import Any
 
 import sympy as sp
 
+from rockeom.numbers.checks import InputError, InputTypeError, require_word
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.contact_model import Model
@@ -69,7 +70,7 @@ def two_springs(of: Superstructure, guided: str = "centre") -> Model | RockingMo
     guided : what moves up and down alone, the base's "centre", or the "foot" to whose side it
     leans.
     """
-    valid.known(of.name, "guided", guided, ("centre", "foot"))
+    require_word("guided", guided, ("centre", "foot"), of.name)
     if guided == "foot":
         return _guided_at_the_foot(of)
     return replace(
@@ -84,7 +85,7 @@ def winkler(of: Superstructure, springs: int) -> Model:
     """
     valid.counts(of.name, springs=springs)
     if springs < 2:
-        raise ValueError(f"{of.name}: springs is {springs}: give two or more")
+        raise InputError("springs", springs, of.name).give("two or more")
     theta, place = ROTATION.position, moved((sp.S.Zero, level(of, springs)))
     last = springs - 1
     names = ["left", *(f"spring_{i}" for i in range(2, springs)), "right"]
@@ -148,15 +149,14 @@ SUPPORTS: Mapping[str, Callable[..., Model | RockingModel]] = {
 
 def standing(of: Superstructure, support: str, **details: Any) -> Model | RockingModel:
     """A superstructure on a support by its name, the details those of the support's function."""
-    valid.known(of.name, "support", support, SUPPORTS)
+    require_word("support", support, SUPPORTS, of.name)
     try:
         signature(SUPPORTS[support]).bind(of, **details)
     except TypeError as error:
         names = [*signature(SUPPORTS[support]).parameters][1:]
         takes = ", ".join(f"{n}=" for n in names) or "nothing"
-        raise valid.ArgumentError(
-            f"{of.name} on the support {support!r}: {error}; besides its own arguments it takes "
-            f"{takes}"
+        raise InputTypeError("support", support, of.name).says(
+            f"on the support {support!r} {error}: besides its own arguments it takes {takes}"
         ) from None
     return SUPPORTS[support](of, **details)
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 import sympy as sp
 
+from rockeom.numbers.checks import InputError
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.hybrid import HybridModel, Lowers
 from rockeom.symbolic.lagrange import Equations
@@ -67,7 +68,7 @@ def notebook_display(model: HybridModel) -> str:
 
 def _check(form: str) -> None:
     if form not in ("width", "polar"):
-        raise ValueError(f'form must be "width" (B, H) or "polar" (R, alpha), not {form!r}')
+        raise InputError("form", form).give('"width" (B, H) or "polar" (R, alpha)')
 
 
 def _equation_lines(

@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rockeom.analysis.identification import fit
-from rockeom.motion import MotionError
+from rockeom.numbers.checks import InputError
 
 
 class Verdict(Enum):
@@ -295,7 +295,7 @@ class Statement:
         """The statement judged; open where a record that it needs is not at hand."""
         try:
             finding = self.find()
-        except MotionError as error:
+        except InputError as error:
             return Judgement(self, None, Verdict.OPEN, str(error))
         if self.lost:
             return Judgement(self, finding, Verdict.OPEN, f"{self.lost}; {finding.words}")
