@@ -7,16 +7,28 @@ and dampers follow its equations of motion.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
+from typing import NamedTuple
 
 import sympy as sp
 
 from rockeom.symbolic import valid
-from rockeom.symbolic.algebra import truncated
+from rockeom.symbolic.algebra import at_side, truncated
 from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.lagrange import Equations, derive_equations
 from rockeom.symbolic.model import Body, Coordinate, Foot
+
+
+class Switch(NamedTuple):
+    """A number in equations that serve several states of an element: 1 in some modes, else 0.
+
+    meaning : in words, when it is 1. on : names of those modes.
+    """
+
+    symbol: sp.Symbol
+    meaning: str
+    on: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -38,6 +50,7 @@ class Mode:
         are the same in each mode.
     beside_feet : (horizontal, vertical) force of the ground on the structure elsewhere than at its
         feet, such as that of the columns of a frame beside a wall.
+    switches : of states of elements that these equations serve; the same symbols in each mode.
     """
 
     sides: dict[str, int]
@@ -53,6 +66,7 @@ class Mode:
     quantities: Mapping[str, tuple[str, sp.Expr]] = field(default_factory=dict)
     beside_feet: tuple[sp.Expr, sp.Expr] = (sp.S.Zero, sp.S.Zero)
     elements: tuple[Spring, ...] = ()
+    switches: tuple[Switch, ...] = ()
 
     def __post_init__(self) -> None:
         what = f"mode {'/'.join(map(str, self.sides))}"
@@ -107,6 +121,32 @@ class Mode:
     def side_of(self, name: str) -> int:
         """Side of one of the modes that these equations serve: -1, 0 or 1."""
         return self.sides[name]
+
+    def states_of(self, name: str) -> list[int]:
+        """The number of each switch in one of the modes that these equations serve."""
+        return [int(name in switch.on) for switch in self.switches]
+
+    def put(self, expr: sp.Expr, name: str) -> sp.Expr:
+        """The expression in one of the modes: its side and its switches put in as numbers."""
+        return at_side(self._switched(expr, name), self.side_of(name))
+
+    def _switched(self, expr: sp.Expr, name: str) -> sp.Expr:
+        states = zip(self.switches, self.states_of(name), strict=True)
+        numbers = {switch.symbol: sp.Integer(on) for switch, on in states}
+        return sp.sympify(expr).xreplace(numbers)
+
+    def of_each_state(self) -> list[Mode]:
+        """Its equations of motion once for each state of its switches, put in as numbers."""
+        served: dict[tuple[int, ...], dict[str, int]] = {}
+        for name, side in self.sides.items():
+            served.setdefault(tuple(self.states_of(name)), {})[name] = side
+        if len(served) == 1:
+            return [self]
+        modes = [replace(self, sides=sides, switches=()) for sides in served.values()]
+        for mode in modes:
+            of = partial(self._switched, name=mode.names[0])
+            vars(mode)["equations"] = self.equations.map(of)  # not derived once more
+        return modes
 
 
 def _are_springs(what: str, elements: tuple[Spring, ...]) -> None:

@@ -13,7 +13,8 @@ from rockeom.numbers.checks import described, number
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.impact_laws import EnergyRatioAtSpeed
 from rockeom.structures.shipped.declarations import controlled_wall_oscillator as declared
-from rockeom.structures.shipped.walls import RockingWall, TendonedWall, ThesisWall, of_wall
+from rockeom.structures.shipped.walls import RockingWall, of_wall
+from rockeom.structures.wall import Wall
 
 _PIECES = 4
 
@@ -44,7 +45,7 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
     @classmethod
     def from_wall(
         cls,
-        wall: TendonedWall,
+        wall: Wall,
         energy_ratio: float | EnergyRatioAtSpeed,
         held: bool = True,
         regularisation: float | None = None,
@@ -67,7 +68,7 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
         held: bool = True,
     ) -> ControlledWallOscillator:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(ThesisWall(initial_force), energy_ratio, held)
+        return cls.from_wall(Wall.thesis(initial_force), energy_ratio, held)
 
     @property
     def jumps_between_events(self) -> bool:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import Self
 
 from rockeom.structures.shipped.declarations import substitute_gravity_wall as declared
-from rockeom.structures.shipped.walls import RockingWall, TendonedWall, ThesisWall, of_wall
+from rockeom.structures.shipped.walls import RockingWall, of_wall
+from rockeom.structures.wall import Wall
 
 
 class SubstituteGravityWall(RockingWall, declared.SubstituteGravityWall):
     @classmethod
-    def from_wall(cls, wall: TendonedWall) -> Self:
+    def from_wall(cls, wall: Wall) -> Self:
         """The wall of `rockeom.analysis`, its inertia that about a corner."""
         return cls(
             **of_wall(cls.__name__, wall),
@@ -21,4 +22,4 @@ class SubstituteGravityWall(RockingWall, declared.SubstituteGravityWall):
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> Self:
         """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
-        return cls.from_wall(ThesisWall(initial_force))
+        return cls.from_wall(Wall.thesis(initial_force))
