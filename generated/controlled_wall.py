@@ -49,7 +49,7 @@ from rockeom.generated.prelude import (
     velocity_ratio, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "32f3f7b226507831"
+SOURCE_HASH = "fa3c3d756e7beba6"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"

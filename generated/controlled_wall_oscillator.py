@@ -59,7 +59,7 @@ from rockeom.generated.prelude import (
     velocity_ratio,
 )
 
-SOURCE_HASH = "7cadae596aefa125"
+SOURCE_HASH = "ade42127605f0154"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"

@@ -37,7 +37,7 @@ from rockeom.generated.prelude import (
     LOCALISED, FULL_CONTACT, full_contact_guards, elements, velocity_ratio,
 )
 
-SOURCE_HASH = "e3d888a493d2ce28"
+SOURCE_HASH = "052246634e2d4ed9"
 
 NAME = "dirac_delta_block"
 CLASS = "DiracDeltaBlock"

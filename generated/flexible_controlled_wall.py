@@ -51,7 +51,7 @@ from rockeom.generated.prelude import (
     velocity_ratio, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "561ded4ced471f5b"
+SOURCE_HASH = "f5c0d84dac703bc6"
 
 NAME = "flexible_controlled_wall"
 CLASS = "FlexibleControlledWall"

@@ -44,7 +44,7 @@ from rockeom.generated.prelude import (
     RATIO, IMPULSIVE, ENERGIES, COPIES, N_FALLS, N_PARTS, LOCALISED, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "49d80413ab9173ef"
+SOURCE_HASH = "b71957dcd6fc3a60"
 
 NAME = "flexible_structure"
 CLASS = "FlexibleStructure"

@@ -43,7 +43,7 @@ from rockeom.generated.prelude import (
     full_contact_guards, elements, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "b8679dbe14bd78ea"
+SOURCE_HASH = "13d79ca85c58f9ac"
 
 NAME = "lumped_mass_structure"
 CLASS = "LumpedMassStructure"

@@ -37,7 +37,7 @@ from rockeom.generated.prelude import (
     LOCALISED, FULL_CONTACT, full_contact_guards, elements, sine_cosine,
 )
 
-SOURCE_HASH = "81e140a237bfe0c3"
+SOURCE_HASH = "2f2a8cc851a7f4d8"
 
 NAME = "nondimensional_block"
 CLASS = "NondimensionalBlock"

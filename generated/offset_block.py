@@ -40,7 +40,7 @@ from rockeom.generated.prelude import (
     LOCALISED, FULL_CONTACT, full_contact_guards, elements, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "fee268cdc321c936"
+SOURCE_HASH = "ea9d138ae5667244"
 
 NAME = "offset_block"
 CLASS = "OffsetBlock"

@@ -40,7 +40,7 @@ from rockeom.generated.prelude import (
     LOCALISED, FULL_CONTACT, full_contact_guards, elements, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "ea7a188258f8a26a"
+SOURCE_HASH = "807a13fcb2702dc2"
 
 NAME = "rigid_block"
 CLASS = "RigidBlock"

@@ -41,7 +41,7 @@ from rockeom.generated.prelude import (
     FULL_CONTACT, full_contact_guards, elements, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "629ba6a0d6199cb9"
+SOURCE_HASH = "bcb0895e36a41819"
 
 NAME = "rocking_frame"
 CLASS = "RockingFrame"

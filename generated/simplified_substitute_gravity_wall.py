@@ -47,7 +47,7 @@ from rockeom.generated.prelude import (
     full_contact_guards, elements, sine_cosine,
 )
 
-SOURCE_HASH = "f85ea51c203daa01"
+SOURCE_HASH = "a3b9f19599f4cc01"
 
 NAME = "simplified_substitute_gravity_wall"
 CLASS = "SimplifiedSubstituteGravityWall"

@@ -40,7 +40,7 @@ from rockeom.generated.prelude import (
     LOCALISED, FULL_CONTACT, full_contact_guards, elements, overturning,
 )
 
-SOURCE_HASH = "2ac8792bc4144752"
+SOURCE_HASH = "efd81e3759e3d2f7"
 
 NAME = "slender_block"
 CLASS = "SlenderBlock"

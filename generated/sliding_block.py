@@ -45,7 +45,7 @@ from rockeom.generated.prelude import (
     LOCALISED, FULL_CONTACT, elements, velocity_ratio, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "2f1d45e69c29d110"
+SOURCE_HASH = "69468a81bc25a2ac"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"

@@ -49,7 +49,7 @@ from rockeom.generated.prelude import (
     FULL_CONTACT, elements, velocity_ratio, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "e7799e40834e83f3"
+SOURCE_HASH = "eda66f255079a1ea"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"

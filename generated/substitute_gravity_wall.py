@@ -47,7 +47,7 @@ from rockeom.generated.prelude import (
     full_contact_guards, elements, velocity_ratio, sine_cosine,
 )
 
-SOURCE_HASH = "b55445212e8b4a7f"
+SOURCE_HASH = "f5e4c5743b374e80"
 
 NAME = "substitute_gravity_wall"
 CLASS = "SubstituteGravityWall"

@@ -43,7 +43,7 @@ from rockeom.generated.prelude import (
     full_contact_guards, elements,
 )
 
-SOURCE_HASH = "4e3333758427e794"
+SOURCE_HASH = "e4c67978ca4859b7"
 
 NAME = "two_spring_cart"
 CLASS = "TwoSpringCart"

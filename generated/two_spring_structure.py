@@ -44,7 +44,7 @@ from rockeom.generated.prelude import (
     velocity_ratio, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "ac2ce400dda152d0"
+SOURCE_HASH = "37fac9b88daaa8b0"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"

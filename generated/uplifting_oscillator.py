@@ -40,7 +40,7 @@ from rockeom.generated.prelude import (
     RATIO, IMPULSIVE, ENERGIES, COPIES, N_FALLS, N_PARTS, LOCALISED, overturning,
 )
 
-SOURCE_HASH = "9047cfe129c16704"
+SOURCE_HASH = "b02d6b67cd6fb3e5"
 
 NAME = "uplifting_oscillator"
 CLASS = "UpliftingOscillator"

@@ -45,7 +45,7 @@ from rockeom.generated.prelude import (
     RATIO, IMPULSIVE, ENERGIES, COPIES, N_FALLS, N_PARTS, LOCALISED, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "6117aa7be0923e4c"
+SOURCE_HASH = "ba2eca2cdaaf83f0"
 
 NAME = "wall_with_frame"
 CLASS = "WallWithFrame"

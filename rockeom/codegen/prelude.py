@@ -1,4 +1,4 @@
-"""What a generated module says as others do: it is left out of its text, and imported."""
+"""Definitions that a generated module shares with others: left out of its text, and imported."""
 
 from __future__ import annotations
 

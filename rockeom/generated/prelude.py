@@ -1,4 +1,4 @@
-"""What generated modules have in common: each imports it from here where it would say the same.
+"""Definitions that generated modules have in common: each imports those that it would repeat.
 
 A part of every one of them: the hash that one carries is of this text and its own, and a program is
 compiled of both.

@@ -28,7 +28,7 @@ from rockeom.symbolic.model import (
     NamedFunction,
     Parameter,
 )
-from rockeom.symbolic.modes import Modes, derive_modes
+from rockeom.symbolic.modes.every import Modes, derive_modes
 
 
 @dataclass(frozen=True)

@@ -181,7 +181,7 @@ class Tendon:
         return {0: switch_of(first), 1: switch_of(first + 1)}
 
     def by_state(self, value: Callable[[int], sp.Expr]) -> sp.Expr:
-        """What vanishes where it is slack, written once for all states."""
+        """An expression that vanishes where it is slack, written once for all states."""
         return sum((chi * value(state) for state, chi in self.switches.items()), sp.S.Zero)
 
     @property
@@ -197,7 +197,7 @@ class Tendon:
         return -self.switches[1] * self.yield_force.symbol * sp.diff(self.extension, by)
 
     def endings(self, state: int, moving: Coordinate) -> Iterable[Ending]:
-        """Those of a state; of two that lead to one state that with a way back comes first."""
+        """Ends of a state; of two that lead to the same state only the one with a way back."""
         endings = self.element.endings((moving,))[state]
         return {e.target: e for e in sorted(endings, key=lambda e: e.back is not None)}.values()
 

@@ -125,13 +125,14 @@ def _served(mode: Mode) -> str:
     if not mode.switches:
         return f"both sides: {_sides(mode)}"
     symbols = " and ".join(f"${sp.latex(switch.symbol)}$" for switch in mode.switches)
-    return f"all states, by {symbols}" + (", and for both sides, by $s$" if mode.has_side else "")
+    sides = ", and for both sides, by $s$" if mode.has_side else ""
+    return f"all states, by {symbols}{sides}: {listed(mode.sides)}"
 
 
 def _mode(model: HybridModel, mode: Mode) -> list[Block]:
     notation, equations = Notation(mode, model), mode.equations
-    states = mode.states_of(mode.names[0])
-    named = [name for name in mode.sides if mode.states_of(name) == states]
+    of_sides = {side: name for name, side in reversed(mode.sides.items())}  # the first of each
+    named = sorted(of_sides.values()) if mode.switches else mode.sides
     blocks: list[Block] = [Heading(2, f"Contact {listed(named)}")]
     blocks += [f"One form for {_served(mode)}."] if mode.has_side or mode.switches else []
     if mode.small:
@@ -239,9 +240,13 @@ def _transition(model: HybridModel, alike: list[Transition], guard: sp.Expr | No
     stays = "" if first.kind == "impact" else "; velocities stay as they are"
     blocks.append(f"{ends} when ${short}$ falls through zero{stays}{':' if lines else '.'}")
     blocks += [Display(tuple(lines))] if lines else []
-    for t in alike if first.sets else ():
+    setting: dict[tuple[str, ...], list[str]] = {}
+    for t, pair in zip(alike, pairs, strict=True) if first.sets else ():
         put = tuple(f"{notation.plain(x)} = {notation.plain(e)}" for x, e in t.sets.items())
-        blocks += [f"From `{t.source}` to `{t.target}` this is put to a new value:", Display(put)]
+        setting.setdefault(put, []).append(pair)
+    for put, ways in setting.items():
+        whence = "This" if len(ways) > 1 else f"From {ways[0]} this"
+        blocks += [f"{whence} is put to a new value:", Display(put)]
     if first.kind != "impact":
         return blocks
     if model.rigid_velocity_ratio is not None:
