@@ -45,11 +45,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, COPIES, N_FALLS, N_PARTS, FULL_CONTACT, full_contact_guards,
+    IMPULSIVE, RATIO, ENERGIES, COPIES, N_FALLS, N_PARTS, FULL_CONTACT, full_contact_guards,
     velocity_ratio, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "fa3c3d756e7beba6"
+SOURCE_HASH = "9fba3e50625ffebd"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"

@@ -55,11 +55,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, COPIES, N_FALLS, N_PARTS, FULL_CONTACT, full_contact_guards,
+    IMPULSIVE, RATIO, ENERGIES, COPIES, N_FALLS, N_PARTS, FULL_CONTACT, full_contact_guards,
     velocity_ratio,
 )
 
-SOURCE_HASH = "ade42127605f0154"
+SOURCE_HASH = "9e7cd6ba4018b325"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"

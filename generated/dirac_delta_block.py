@@ -33,11 +33,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_FALLS, N_PARTS,
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_FALLS, N_PARTS,
     LOCALISED, FULL_CONTACT, full_contact_guards, elements, velocity_ratio,
 )
 
-SOURCE_HASH = "052246634e2d4ed9"
+SOURCE_HASH = "44f3396fe6f2115b"
 
 NAME = "dirac_delta_block"
 CLASS = "DiracDeltaBlock"

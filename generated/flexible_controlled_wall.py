@@ -47,11 +47,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, COPIES, N_FALLS, N_PARTS, FULL_CONTACT, full_contact_guards,
+    IMPULSIVE, RATIO, ENERGIES, COPIES, N_FALLS, N_PARTS, FULL_CONTACT, full_contact_guards,
     velocity_ratio, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "f5c0d84dac703bc6"
+SOURCE_HASH = "0e3c5524485faa9b"
 
 NAME = "flexible_controlled_wall"
 CLASS = "FlexibleControlledWall"

@@ -41,10 +41,10 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, COPIES, N_FALLS, N_PARTS, LOCALISED, overturning, sine_cosine,
+    IMPULSIVE, RATIO, ENERGIES, COPIES, N_FALLS, N_PARTS, LOCALISED, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "b71957dcd6fc3a60"
+SOURCE_HASH = "ae0520c2e73ec16d"
 
 NAME = "flexible_structure"
 CLASS = "FlexibleStructure"

@@ -39,11 +39,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, ELEMENT_NAMES, COPIES, N_FALLS, N_PARTS, LOCALISED, FULL_CONTACT,
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, COPIES, N_FALLS, N_PARTS, LOCALISED, FULL_CONTACT,
     full_contact_guards, elements, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "13d79ca85c58f9ac"
+SOURCE_HASH = "736873d99086cf09"
 
 NAME = "lumped_mass_structure"
 CLASS = "LumpedMassStructure"

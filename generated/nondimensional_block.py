@@ -33,11 +33,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_FALLS, N_PARTS,
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_FALLS, N_PARTS,
     LOCALISED, FULL_CONTACT, full_contact_guards, elements, sine_cosine,
 )
 
-SOURCE_HASH = "2f2a8cc851a7f4d8"
+SOURCE_HASH = "6931ecd2f861a3ba"
 
 NAME = "nondimensional_block"
 CLASS = "NondimensionalBlock"

@@ -7,7 +7,7 @@ Source: as Housner (1963), the centroid off the middle.
     parameters  mass [kg]: mass
                 half_width [m]: half of the width of the base
                 height [m]: height of the centroid above the base
-                offset [m]: of the centroid, to the right of the middle of the base
+                offset [m]: distance of the centroid to the right of the middle of the base
                 inertia [kg m2]: moment of inertia about the centroid
                 gravity [m/s2]: acceleration of gravity
     modes       left, both, right
@@ -36,11 +36,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_FALLS, N_PARTS,
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_FALLS, N_PARTS,
     LOCALISED, FULL_CONTACT, full_contact_guards, elements, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "ea9d138ae5667244"
+SOURCE_HASH = "057e9f2618b4b953"
 
 NAME = "offset_block"
 CLASS = "OffsetBlock"
@@ -52,7 +52,7 @@ PARAMETER_MEANINGS = (
     "mass",
     "half of the width of the base",
     "height of the centroid above the base",
-    "of the centroid, to the right of the middle of the base",
+    "distance of the centroid to the right of the middle of the base",
     "moment of inertia about the centroid",
     "acceleration of gravity",
 )

@@ -36,11 +36,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_FALLS, N_PARTS,
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_FALLS, N_PARTS,
     LOCALISED, FULL_CONTACT, full_contact_guards, elements, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "807a13fcb2702dc2"
+SOURCE_HASH = "980378d6155c54e0"
 
 NAME = "rigid_block"
 CLASS = "RigidBlock"

@@ -37,11 +37,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, N_FALLS, N_PARTS, LOCALISED,
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, N_FALLS, N_PARTS, LOCALISED,
     FULL_CONTACT, full_contact_guards, elements, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "bcb0895e36a41819"
+SOURCE_HASH = "5a19f75f24d59b93"
 
 NAME = "rocking_frame"
 CLASS = "RockingFrame"

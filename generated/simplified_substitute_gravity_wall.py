@@ -43,11 +43,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, ELEMENT_NAMES, COPIES, N_FALLS, N_PARTS, FULL_CONTACT,
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, COPIES, N_FALLS, N_PARTS, FULL_CONTACT,
     full_contact_guards, elements, sine_cosine,
 )
 
-SOURCE_HASH = "a3b9f19599f4cc01"
+SOURCE_HASH = "32cf9a95ae80801e"
 
 NAME = "simplified_substitute_gravity_wall"
 CLASS = "SimplifiedSubstituteGravityWall"

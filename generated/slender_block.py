@@ -36,11 +36,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_FALLS, N_PARTS,
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_FALLS, N_PARTS,
     LOCALISED, FULL_CONTACT, full_contact_guards, elements, overturning,
 )
 
-SOURCE_HASH = "efd81e3759e3d2f7"
+SOURCE_HASH = "63a8a225c8df9ec2"
 
 NAME = "slender_block"
 CLASS = "SlenderBlock"

@@ -41,11 +41,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import everywhere, inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_FALLS, N_PARTS,
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_FALLS, N_PARTS,
     LOCALISED, FULL_CONTACT, elements, velocity_ratio, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "69468a81bc25a2ac"
+SOURCE_HASH = "7861d43d48bd5a2e"
 
 NAME = "sliding_block"
 CLASS = "SlidingBlock"

@@ -45,11 +45,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import everywhere, inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_PARTS, LOCALISED,
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, MEMBERS, MEMBER_ENDS, COPIES, N_PARTS, LOCALISED,
     FULL_CONTACT, elements, velocity_ratio, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "eda66f255079a1ea"
+SOURCE_HASH = "bf0c8982a91118c4"
 
 NAME = "stacked_blocks"
 CLASS = "StackedBlocks"

@@ -43,11 +43,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, ELEMENT_NAMES, COPIES, N_FALLS, N_PARTS, FULL_CONTACT,
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, COPIES, N_FALLS, N_PARTS, FULL_CONTACT,
     full_contact_guards, elements, velocity_ratio, sine_cosine,
 )
 
-SOURCE_HASH = "f5e4c5743b374e80"
+SOURCE_HASH = "89a6d23c10761923"
 
 NAME = "substitute_gravity_wall"
 CLASS = "SubstituteGravityWall"

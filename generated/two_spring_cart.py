@@ -39,11 +39,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, ELEMENT_NAMES, COPIES, N_FALLS, N_PARTS, LOCALISED, FULL_CONTACT,
+    IMPULSIVE, RATIO, ENERGIES, ELEMENT_NAMES, COPIES, N_FALLS, N_PARTS, LOCALISED, FULL_CONTACT,
     full_contact_guards, elements,
 )
 
-SOURCE_HASH = "e4c67978ca4859b7"
+SOURCE_HASH = "e82249475234869a"
 
 NAME = "two_spring_cart"
 CLASS = "TwoSpringCart"

@@ -40,11 +40,11 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, COPIES, N_FALLS, LOCALISED, FULL_CONTACT, full_contact_guards,
+    IMPULSIVE, RATIO, ENERGIES, COPIES, N_FALLS, LOCALISED, FULL_CONTACT, full_contact_guards,
     velocity_ratio, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "37fac9b88daaa8b0"
+SOURCE_HASH = "31ee2a9918f20972"
 
 NAME = "two_spring_structure"
 CLASS = "TwoSpringStructure"

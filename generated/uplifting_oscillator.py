@@ -37,10 +37,10 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, COPIES, N_FALLS, N_PARTS, LOCALISED, overturning,
+    IMPULSIVE, RATIO, ENERGIES, COPIES, N_FALLS, N_PARTS, LOCALISED, overturning,
 )
 
-SOURCE_HASH = "b02d6b67cd6fb3e5"
+SOURCE_HASH = "4323c1a018ea75d5"
 
 NAME = "uplifting_oscillator"
 CLASS = "UpliftingOscillator"

@@ -42,10 +42,10 @@ import math
 import numpy as np
 from rockeom.compiler.decorators import inlined
 from rockeom.generated.prelude import (
-    RATIO, IMPULSIVE, ENERGIES, COPIES, N_FALLS, N_PARTS, LOCALISED, overturning, sine_cosine,
+    IMPULSIVE, RATIO, ENERGIES, COPIES, N_FALLS, N_PARTS, LOCALISED, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "ba2eca2cdaaf83f0"
+SOURCE_HASH = "6fc20ef8028ef4f8"
 
 NAME = "wall_with_frame"
 CLASS = "WallWithFrame"

@@ -14,9 +14,12 @@ SymPy.
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from rockeom.numbers import pictures
 from rockeom.version import VERSION
 
 __version__ = VERSION
+
+pictures.register(lambda: import_module("rockeom.drawing.shown"))
 
 _NAMES_OF = {
     "rockeom.assessment.assess": ("assess",),

@@ -115,10 +115,11 @@ def test_a_program_is_made_without_scipy_and_sympy():
     code = """
 import rockeom.generated.rigid_block as module
 from rockeom.compiler.printer import Program
-from rockeom.integrator.program import texts
+from rockeom.integrator.program import linked
 import sys
 for method in ("DOP853", "RK45", "Radau"):
-    assert Program(texts(module, method)).ir()
+    roots, modules, _ = linked(module, method)
+    assert Program(roots, modules).ir()
 print(sorted({"scipy", "sympy"} & set(sys.modules)))
 """
     assert run_python("-c", code) == "[]"

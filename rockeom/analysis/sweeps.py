@@ -39,12 +39,23 @@ def coordinate(function: str, sweep: xr.Dataset, name: str) -> xr.DataArray:
 
 
 def outcome_labels(sweep: xr.Dataset) -> xr.DataArray:
-    """How each case of a sweep ended, in words such as "overturned", of the shape of the sweep.
+    """How each case of a sweep ended, in words such as "overturned".
 
-    sweep : its variable `outcome` holds labels, or numbers whose `flag_values` and `flag_meanings`
-        name them (CF conventions, 3.5). "not run" is no outcome.
+    Parameters
+    ----------
+    sweep : xarray.Dataset
+        Dataset whose variable `outcome` holds labels, or numbers whose `flag_values` and
+        `flag_meanings` name them (CF conventions, 3.5). "not run" is no outcome.
 
-    Raises ValueError where there is no such variable, and for numbers without a meaning.
+    Returns
+    -------
+    xarray.DataArray
+        Labels in the shape of the sweep.
+
+    Raises
+    ------
+    ValueError
+        Where there is no such variable, and for numbers without a meaning.
     """
     check_sweep("outcome_labels", sweep)
     if "outcome" not in sweep:
@@ -92,9 +103,22 @@ def unanswered(labels: ArrayLike) -> str:
 def peaks_of(sweep: xr.Dataset, name: str) -> xr.DataArray:
     """Largest size of a state, or of one of the `quantities` asked for, in each case of a sweep.
 
-    name : of the state or quantity, such as "theta"; or of a variable that the dataset has.
+    Parameters
+    ----------
+    sweep : xarray.Dataset
+        Dataset of `simulate_many`.
+    name : str
+        Name of the state or quantity, such as "theta"; or of a variable that the dataset has.
 
-    Raises ValueError, naming all there are, for a name that the dataset does not have.
+    Returns
+    -------
+    xarray.DataArray
+        Peaks in the shape of the sweep, in the unit of the state or quantity.
+
+    Raises
+    ------
+    ValueError
+        For a name that the dataset does not have; the message names all there are.
     """
     check_sweep("peaks_of", sweep)
     there = list(map(str, sweep.data_vars))

@@ -51,42 +51,78 @@ def assess(
     level: float = 0.95,
     units_checked: bool = False,
 ) -> Assessment:
-    """Will it overturn? A verdict in words, with the numbers behind it and a page.
+    """Assess whether a structure overturns: a verdict in words, with the numbers behind it and a
+    page.
 
-        rack = rk.RigidBlock.from_dimensions(width=0.6, height=2.0, mass=400.0)
-        answer = rk.assess(rack, records, pga=["0.2 g", "0.4 g", "0.6 g"], friction=0.5)
+    Parameters
+    ----------
+    structure : Structure
+        Structure, rigid or elastic, on rigid ground that its feet may leave, or `StackedBlocks`, of
+        which the fall of either block counts.
+    records : MotionSet or sequence or path_like
+        A MotionSet, a list of motions or recordings, one of them, a file, or a folder of .AT2
+        files. Each horizontal component is a record by itself; those whose names are of one
+        recording, as "ELC-180" and "ELC-270", count as one in the intervals. Those of `Recording`,
+        such as of ``motions.recordings()``, shake vertically, too. Vertical components that are no
+        part of a recording are left out, and named.
+    pga : float or str or sequence of float or str, optional
+        Peak ground accelerations that each record is scaled to, numbers [m/s2] or texts such as
+        "0.4 g"; eight from 1.25 to 6 times the one that lifts a foot, if not given.
+    friction : float, optional
+        Coefficient of friction below the feet. With it a rigid block with the default impact law is
+        simulated as one that slides; of other structures it is compared with what not sliding
+        needs. Without it sliding is not judged.
+    impact : ImpactLaw, optional
+        Impact law, as for `simulate`.
+    level : float, optional
+        Level of the intervals of confidence, between 0 and 1.
+    units_checked : bool, optional
+        Whether there is a verdict though lengths, gravity or intensities look as if in another
+        unit; the `questions` of the result say which.
+
+    Returns
+    -------
+    Assessment
+        Acceleration that lifts a foot, whether the structure slides before, and the fraction that
+        overturns at each PGA with the interval of Clopper and Pearson (1934) by recording. From six
+        recordings on it has a lognormal fragility curve of maximum likelihood (Baker 2015) with its
+        PGA at 50 %, from eight on that at 5 %, as `fit_fragility` says; changes that help with
+        their figures; and assumptions. No record, or each, that overturns it is an answer, too.
+
+    Raises
+    ------
+    ValueError
+        For a structure whose feet do not lift from rigid ground and for values that cannot be.
+    TypeError
+        For anything but a structure, or records.
+    MotionError
+        For a motion that is there twice, and for files that cannot be read.
+
+    Notes
+    -----
+    Each record is simulated as it was recorded and scaled to each PGA, and ten seconds longer; of a
+    structure without symmetry, such as `OffsetBlock`, in both directions. A keyboard interrupt
+    gives no answer.
+
+    References
+    ----------
+    Clopper and Pearson (1934), Biometrika 26, 404-413; Baker (2015), Earthquake Spectra 31(1),
+    579-599.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> rack = rk.RigidBlock.from_dimensions(width=0.6, height=2.0, mass=400.0)  # m, kg
+    >>> records = [rk.GroundMotion.kanai_tajimi(0.02, duration=8.0, seed=s) for s in range(3)]
+    >>> answer = rk.assess(rack, rk.MotionSet(records), pga=["0.4 g", "0.8 g"])
+    >>> print(answer.title)
+    Will it overturn? RigidBlock under 3 records
+
+    More of the answer::
+
         print(answer)
         answer.save("rack.html")
         answer.pga_at(0.05)  # m/s2, with its interval
-
-    structure : rigid or elastic, on rigid ground that its feet may leave, or `StackedBlocks`, of
-        which the fall of either block counts.
-    records : a MotionSet, a list of motions or recordings, one of them, a file, or a folder of .AT2
-        files. Each horizontal component is a record by itself; those whose names are of one
-        recording, as "ELC-180" and "ELC-270", count as one in the intervals. Those of `Recording`,
-        such as of `motions.recordings()`, shake vertically, too. Vertical components that are no
-        part of a recording are left out, and named.
-    pga : peak ground accelerations that each record is scaled to, numbers [m/s2] or texts such as
-        "0.4 g"; eight from 1.25 to 6 times the one that lifts a foot, if not given.
-    friction : coefficient of friction below the feet. With it a rigid block with the default law of
-        impact is simulated as one that slides; of other structures it is compared with what not
-        sliding needs. Without it sliding is not judged.
-    impact : as in `simulate`.
-    level : of the intervals of confidence, between 0 and 1.
-    units_checked : whether there is a verdict though lengths, gravity or intensities look as if in
-        another unit; the `questions` of the result say which.
-
-    Each record is simulated as it was recorded and scaled to each PGA, and ten seconds longer; of a
-    structure without symmetry, such as `OffsetBlock`, in both directions. The result has the
-    acceleration that lifts a foot, whether it slides before, and the fraction that overturns at
-    each PGA with the interval of Clopper and Pearson (1934) by recording. From six recordings on it
-    has a lognormal fragility curve of maximum likelihood (Baker 2015) with its PGA at 50 %, from
-    eight on that at 5 %, as `fit_fragility` says; changes that help with their figures; and
-    assumptions. No record, or each, that overturns it is an answer, too.
-
-    Raises ValueError for a structure whose feet do not lift from rigid ground and for values that
-    cannot be; TypeError and MotionError for what is no structure or no records, and for a motion
-    that is there twice. A keyboard interrupt gives no answer.
     """
     if not isinstance(structure, Structure):
         raise TypeError(

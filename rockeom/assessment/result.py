@@ -57,14 +57,26 @@ _STILL = 5e-4
 @explained.calls()
 @dataclass(frozen=True, eq=False)
 class Assessment:
-    """Results of `rockeom.assess`; print it, or look at `plot()`, or `save("page.html")`.
+    """Results of `rockeom.assess`; print it, or look at ``plot()``, or ``save("page.html")``.
 
-    structure, conditions : the arguments; level : of all intervals of confidence.
-    statics : uplift, sliding and restraint of the structure at rest.
-    records : each record as it was recorded, and its effect.
-    trials : outcomes at each intensity, with `trials.fragility`, the curve, if there is one.
-    remedies : changed structures, with their statics and trials.
-    units_checked : whether there is a verdict though a unit is in doubt.
+    Parameters
+    ----------
+    structure : Structure
+        Structure of the assessment.
+    conditions : Conditions
+        Friction, impact law and other conditions.
+    level : float
+        Level of all intervals of confidence.
+    statics : Statics
+        Uplift, sliding and restraint of the structure at rest.
+    records : tuple of UnderRecord
+        Each record as it was recorded, and its effect.
+    trials : Trials
+        Outcomes at each intensity, with ``trials.fragility``, the curve, if there is one.
+    remedies : tuple of Remedy
+        Changed structures, with their statics and trials.
+    units_checked : bool, optional
+        Whether there is a verdict though a unit is in doubt.
     """
 
     structure: Structure
@@ -79,11 +91,23 @@ class Assessment:
     # -- numbers
 
     def pga_at(self, probability: float) -> Estimate | None:
-        """PGA that overturns with a probability [m/s2], and its interval.
+        """PGA that overturns with a probability, and its interval.
 
-        None without a curve, with less than eight recordings (six for a probability of 0.5), and
-        where the interval is wider than a factor of ten. Raises ValueError for a probability
-        outside 0 to 1.
+        Parameters
+        ----------
+        probability : float
+            Probability, between 0 and 1.
+
+        Returns
+        -------
+        Estimate or None
+            PGA with its bounds [m/s2]. None without a curve, with less than eight recordings (six
+            for a probability of 0.5), and where the interval is wider than a factor of ten.
+
+        Raises
+        ------
+        ValueError
+            For a probability outside 0 to 1.
         """
         require(0.0 < probability < 1.0, "pga_at", "probability", probability, "as 0.05 for 5 %")
         return pga_of(self.trials.fragility, probability, self.level)
@@ -144,6 +168,7 @@ class Assessment:
 
     @property
     def title(self) -> str:
+        """Question of the assessment, with the structure and the number of records."""
         n = self._n // 2 if self.conditions.both_ways else self._n
         return f"Will it overturn? {type(self.structure).__name__} under {plural(n, 'record')}"
 
@@ -456,7 +481,13 @@ class Assessment:
         return plural(n, "motion" if self.conditions.both_ways else "record")
 
     def summary(self) -> str:
-        """All of it in lines of text."""
+        """Whole assessment as text.
+
+        Returns
+        -------
+        str
+            Text of several lines.
+        """
         rows = [
             f"PGA {in_g(row.pga)}: {row.overturned} of {row.number}"
             + f" ({_interval(row)})"
@@ -489,17 +520,39 @@ class Assessment:
     # -- a figure and a page
 
     def plot(self) -> Figure:
-        """Probability of overturning against PGA."""
+        """Draw the probability of overturning against PGA.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Figure.
+        """
         return draw(self.trials, self.remedies, self._threshold, self.level)
 
     def html(self) -> str:
-        """A page that needs no other file."""
+        """Page that needs no other file.
+
+        Returns
+        -------
+        str
+            Text of the page.
+        """
         return page.whole(self.title, self._body())
 
     def save(self, path: str | Path) -> None:
-        """Write the page into a file whose name ends in .html.
+        """Write the page into a file.
 
-        Raises ValueError for another name, and OSError where it cannot be written.
+        Parameters
+        ----------
+        path : path_like
+            File whose name ends in .html.
+
+        Raises
+        ------
+        ValueError
+            For another name.
+        OSError
+            Where it cannot be written.
         """
         check_page(path)
         write(path, self.html())

@@ -27,13 +27,30 @@ MOST_COMBINATIONS = 24
 
 
 class Slider(NamedTuple):
-    """A number of a page.
+    """Slider of a page.
 
-    low, high : its range. start : its value at first; that of the case or the middle if not given.
-    unit : behind its values; that of the number if not given, where the page is one of a case.
-    words : in place of its name.
+    Parameters
+    ----------
+    low : float
+        Lowest value.
+    high : float
+        Highest value.
+    start : float, optional
+        Value at first; that of the case or the middle if not given.
+    unit : str, optional
+        Unit behind its values; that of the number if not given, where the page is one of a case.
+    words : str, optional
+        Words in place of its name.
 
-    >>> rk.Slider(0.4, 4.0, 0.8, unit="m", words="height of the block")
+    Raises
+    ------
+    ValueError
+        For a range that is none.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> slider = rk.Slider(0.4, 4.0, 0.8, unit="m", words="height of the block")
     """
 
     low: float
@@ -43,7 +60,18 @@ class Slider(NamedTuple):
     words: str = ""
 
     def at(self, share: float) -> float:
-        """The value at a share of the range, 0 to 1."""
+        """Value at a share of the range.
+
+        Parameters
+        ----------
+        share : float
+            Share, 0 to 1.
+
+        Returns
+        -------
+        float
+            Value.
+        """
         return self.low + share * (self.high - self.low)
 
 

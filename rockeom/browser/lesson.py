@@ -42,20 +42,35 @@ OBJECTS = {
 
 @dataclass(frozen=True)
 class Question:
-    """A question that a reader of a page answers first, and the page by integration then.
+    """Question that a reader of a page answers first, and the page by integration then.
 
-    text : the question. after : values of sliders and menus by name that change the first motion
-    into the second. compare : "overturns", whether the second one does; or what grows, falls or
-    stays within 1 % from the first to the second: the "peak" of the rotation, the number of
-    "impacts", the "period" between the first and the third, the "duration" until the last.
-    before : values of the first motion that differ from those at first. explanation : shown with
-    the answer.
+    Parameters
+    ----------
+    text : str
+        Question.
+    after : dict of str to object
+        Values of sliders and menus by name that change the first motion into the second.
+    compare : str, optional
+        "overturns", whether the second one does; or the quantity that grows, falls or stays within
+        1 % from the first to the second: the "peak" of the rotation, the number of "impacts", the
+        "period" between the first and the third, the "duration" until the last.
+    before : dict of str to object, optional
+        Values of the first motion that differ from those at first.
+    explanation : str, optional
+        Explanation shown with the answer.
 
+    Notes
+    -----
     Both motions go on beyond the duration of the case until that no longer changes, such as to
     rest. A question whose answer never settles, or is not that of `rk.simulate`, has no page: its
     ValueError says why.
 
-    >>> rk.Question("Does a block of twice the size survive?", {"size": 2.0}, before={"size": 1.0})
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> question = rk.Question(
+    ...     "Does a block of twice the size survive?", {"size": 2.0}, before={"size": 1.0}
+    ... )
     """
 
     text: str
@@ -69,12 +84,39 @@ class Question:
             raise ValueError(f"compare is {self.compare!r}: give one of {', '.join(COMPARED)}")
 
     def motions(self, controls: Controls) -> list[dict[int, float]]:
-        """Values of the motions before and after, by their place among those of the page."""
+        """Values of the motions before and after, by their place among those of the page.
+
+        Parameters
+        ----------
+        controls : Controls
+            Sliders and menus of the page.
+
+        Returns
+        -------
+        list of dict of int to float
+            Values of both motions.
+        """
         where = f"question {self.text!r}"
         return [controls.places(where, {**self.before, **x}) for x in ({}, self.after)]
 
     def described(self, controls: Controls) -> dict[str, Any]:
-        """The question as a page reads it; raises ValueError for values that no control has."""
+        """Question as a page reads it.
+
+        Parameters
+        ----------
+        controls : Controls
+            Sliders and menus of the page.
+
+        Returns
+        -------
+        dict of str to object
+            Data of the page.
+
+        Raises
+        ------
+        ValueError
+            For values that no control has.
+        """
         before, after = self.motions(controls)
         return {
             "text": self.text, "before": before, "after": after, "compare": self.compare,

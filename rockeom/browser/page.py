@@ -22,8 +22,8 @@ from rockeom import files as whole
 from rockeom.browser.code import script
 from rockeom.browser.controls import Controls, Menu, Slider, check_mapping, controls_of
 from rockeom.browser.lesson import COMPARED, FATES, OBJECTS, Motions, Question, ends_of, readings_of
+from rockeom.browser.places import NUMBERS
 from rockeom.browser.program import METHOD, Portable, portable
-from rockeom.browser.questions import NUMBERS
 from rockeom.browser.setup import Setup, setup_of
 from rockeom.browser.sizes import Sized, can_be_enlarged
 from rockeom.browser.texts import with_texts
@@ -31,15 +31,14 @@ from rockeom.browser.traced import UntracedError
 from rockeom.browser.webassembly import Module, module
 from rockeom.browser.widget import widget_of
 from rockeom.codes import OUTCOMES
-from rockeom.compiler.parsed import Text
+from rockeom.compiler.modules import Text
 from rockeom.compiler.types import Array
-from rockeom.drawing.positions import legs
-from rockeom.integrator.texts import text_of
 from rockeom.numbers.checks import described
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulated
 from rockeom.structures.base import Structure
+from rockeom.structures.positions import legs
 from rockeom.structures.units import main_units
 from rockeom.sweeps.case_numbers import OtherCase
 
@@ -72,31 +71,56 @@ def explorer(
     questions: Sequence[Question] = (),
     texts: Mapping[str, Any] | None = None,
 ) -> Explorer:
-    """A page in which the motion of a case follows sliders, integrated in the browser.
+    """Page in which the motion of a case follows sliders, integrated in the browser.
 
-    case : a case, whose numbers the sliders are by name, as in sweeps; or a function of the sliders
-    that gives one. sliders : for each the lowest and the highest value, and the first one; if that
-    is not given, the value of the case or the middle; or a `Slider`, which has a unit and words,
-    too. title : of the page; the structure if not
-    given. menus : parts of the case to choose from, by the name of the part ("impact", "motion",
-    "initial", "vertical", or an argument of the function) and a label of each. presets : values
-    of sliders and menus, by a name. questions : to predict, and then to see; `Question`. texts :
-    words of the page in place of its own, by their names in its table `TEXTS`, with the same
-    places {0}; "names" are those of sliders, menus, states and presets.
+    Parameters
+    ----------
+    case : Case or callable
+        A case, whose numbers the sliders are by name, as in sweeps; or a function of the sliders
+        that gives one.
+    sliders : dict of str to Slider or tuple of float
+        For each the lowest and the highest value, and the first one; if that is not given, the
+        value of the case or the middle; or a `Slider`, which has a unit and words, too.
+    title : str, optional
+        Title of the page; the structure if not given.
+    menus : dict of str to dict of str to object, optional
+        Parts of the case to choose from, by the name of the part ("impact", "motion", "initial",
+        "vertical", or an argument of the function) and a label of each.
+    presets : dict of str to dict of str to object, optional
+        Values of sliders and menus, by a name.
+    questions : sequence of Question, optional
+        Questions to predict, and then to see.
+    texts : dict of str to object, optional
+        Words of the page in place of its own, by their names in its table `TEXTS`, with the same
+        places {0}; "names" are those of sliders, menus, states and presets.
 
-    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.6)
-    >>> pulse = rk.GroundMotion.half_sine(3.0, 0.8, duration=6.0)
-    >>> sliders = {"half_width": (0.05, 0.4), "amplitude": (0.5, 8.0)}
-    >>> page = rk.explorer(rk.Case(block, pulse), sliders)
-    >>> page.save("block.html")
+    Returns
+    -------
+    Explorer
+        Page, to save or to show in a notebook.
 
+    Raises
+    ------
+    UntracedError
+        Where a page could not repeat a line of the function, which the message names.
+    ValueError
+        For sliders without a range, for more than 12 controls and 24 combinations of menus, and for
+        presets and questions outside of them.
+
+    Notes
+    -----
     All that happens between the sliders and the equations of motion is recorded, and compared with
     Python at 2048 places of the sliders before there is a page. Records that a page shows are a
     part of its file, with their licence.
 
-    Raises UntracedError, naming the line, where a page could not repeat it, and ValueError for
-    sliders without a range, for more than 12 controls and 24 combinations of menus, and for presets
-    and questions outside of them.
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.6)  # m
+    >>> pulse = rk.GroundMotion.half_sine(3.0, 0.8, duration=6.0)  # m/s2, s, s
+    >>> sliders = {"half_width": (0.05, 0.4), "amplitude": (0.5, 8.0)}
+    >>> page = rk.explorer(rk.Case(block, pulse), sliders)
+    >>> page.save("block.html")  # doctest: +SKIP
     """
     if not (isinstance(case, Case) or callable(case)):
         raise TypeError(f"case is {described(case)}: give a case, or a function of the sliders")
@@ -130,7 +154,23 @@ def _objects(function: Callable[..., Case], controls: Mapping[str, Any]) -> dict
 
 @dataclass(frozen=True)
 class Explorer:
-    """A page with sliders; see `explorer`. It is made when it is first asked for."""
+    """Page with sliders; see `explorer`. It is made when it is first asked for.
+
+    Parameters
+    ----------
+    case : callable
+        Function of the sliders that gives a case.
+    controls : Controls
+        Sliders and menus.
+    title : str, optional
+        Title; the structure if not given.
+    presets : dict of str to dict of str to object, optional
+        Values of sliders and menus, by the name of the preset.
+    questions : tuple of Question, optional
+        Questions to predict.
+    texts : dict of str to object, optional
+        Words of the page in place of its own, by their names.
+    """
 
     case: Callable[..., Case]
     controls: Controls
@@ -148,19 +188,42 @@ class Explorer:
             _ = self._script
 
     def save(self, path: str | Path) -> Path:
-        """Write the page into one HTML file, which needs no network; returns its path."""
+        """Write the page into one HTML file, which needs no network.
+
+        Parameters
+        ----------
+        path : path_like
+            File.
+
+        Returns
+        -------
+        path_like
+            Path of the file.
+        """
         whole.write(path, self.html)
         return Path(path)
 
     def widget(self) -> Any:
-        """The page as a widget of a notebook, with the extra `widget` (anywidget).
+        """Page as a widget of a notebook, with the extra `widget` (anywidget).
 
-        `values` are those of the sliders and menus by name: they follow the page, and the page
-        follows them. `case` is the case at them.
+        Returns
+        -------
+        anywidget.AnyWidget
+            Widget. Its `values` are those of the sliders and menus by name: they follow the page,
+            and the page follows them. Its `case` is the case at them.
 
-        >>> shown = page.widget()
-        >>> shown.values = {"half_width": 0.2}
-        >>> rk.simulate(shown.case)
+        Raises
+        ------
+        ModuleNotFoundError
+            Without anywidget.
+
+        Examples
+        --------
+        With an explorer `page`::
+
+            shown = page.widget()
+            shown.values = {"half_width": 0.2}
+            rk.simulate(shown.case)
         """
         return widget_of(self.heading, self.html, self.controls, self.case)
 
@@ -198,6 +261,7 @@ class Explorer:
 
     @property
     def heading(self) -> str:
+        """Title of the page."""
         title = self.title or type(self._structure).__name__
         # the name of a file may have bytes that are no text
         return title.encode("utf-8", "surrogateescape").decode("utf-8", "replace")
@@ -226,7 +290,7 @@ class Explorer:
     @cached_property
     def program(self) -> Portable:
         """The program of the page."""
-        return portable(self._structure.module, METHOD, self._texts())
+        return portable(self._structure.module, METHOD, self._questions, self._written())
 
     @cached_property
     def _native(self) -> Motions:
@@ -248,7 +312,7 @@ class Explorer:
 
     @cached_property
     def module(self) -> Module:
-        """The program as WebAssembly, with the functions that a page calls.
+        """Program as WebAssembly, with the functions that a page calls.
 
         Its motions were compared with `rk.simulate`.
         """
@@ -259,29 +323,22 @@ class Explorer:
                 ir = ir.replace(f"define void @{name}(ptr", f"define internal void @{name}(ptr")
         return module(ir, self.entries)
 
-    def _texts(self) -> tuple[Text, ...]:
+    @property
+    def _questions(self) -> tuple[str, ...]:
+        """The modules whose entries a page calls; structures without feet have no statics."""
+        feet = self._structure.rocks_on_rigid_ground
+        return ("rockeom.browser.questions", *(["rockeom.browser.verdict"] if feet else []))
+
+    def _written(self) -> tuple[Text, ...]:
+        """The texts that questions take from the set-up and from the structure."""
         p, horizontal, vertical = self.setup.sizes
         sizes = f"MOST_P, ROWS_X, ROWS_Y = {p}, {horizontal}, {vertical}\n"
-        name = "browser/questions.py"
-        return (
-            self.setup.text,
-            Text("sizes of the set-up", sizes),
-            *self._statics(),
-            Text(name, text_of(name)),
-        )
-
-    def _statics(self) -> tuple[Text, ...]:
-        """The statics of feet on rigid ground; other structures have none."""
-        structure = self._structure
-        if not structure.rocks_on_rigid_ground:
-            return ()
-        m, name = structure.module, "browser/verdict.py"
-        left, right = (m.REACTIONS.index(f"{side}_reaction") for side in ("left", "right"))
-        places = (
-            f"BOTH_MODE, N_REACTIONS = {m.MODES.index('both')}, {len(m.REACTIONS)}\n"
-            f"LEFT_FOOT, RIGHT_FOOT = {left}, {right}\n"
-        )
-        return Text("places of feet", places), Text(name, text_of(name))
+        if self._structure.rocks_on_rigid_ground:
+            m = self._structure.module
+            left, right = (m.REACTIONS.index(f"{side}_reaction") for side in ("left", "right"))
+            sizes += f"BOTH_MODE, N_REACTIONS = {m.MODES.index('both')}, {len(m.REACTIONS)}\n"
+            sizes += f"LEFT_FOOT, RIGHT_FOOT = {left}, {right}\n"
+        return self.setup.text, Text("sizes of the set-up", sizes)
 
     @property
     def entries(self) -> tuple[str, ...]:
@@ -290,7 +347,13 @@ class Explorer:
         return (*ENTRIES, "uplift_and_friction") if feet else ENTRIES
 
     def description(self) -> dict[str, Any]:
-        """Names, units and sizes that a page needs besides its program."""
+        """Names, units and sizes that a page needs besides its program.
+
+        Returns
+        -------
+        dict of str to object
+            Data of the page.
+        """
         structure = self._structure
         m = structure.module
         y = structure.state({})

@@ -15,16 +15,17 @@ from typing import NamedTuple
 
 from rockeom.browser.webassembly import Module, module
 from rockeom.compiler.machine import Function, Loaded, compiled
-from rockeom.compiler.parsed import Text
+from rockeom.compiler.modules import Text, module_text
 from rockeom.compiler.printer import Program as Printed
 from rockeom.compiler.types import FLOAT, Entry
 from rockeom.integrator.program import LOOP, Program, printed, sizes_of
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.integrator.texts import text_of
 
 METHOD = "DOP853"
 """The method by which pages integrate."""
-_ELEMENTARY = "browser/elementary.py"
+_ELEMENTARY = "rockeom.browser.elementary"
+_WRITTEN = "rockeom.browser.written"
+"""Declares the names that are different ones in each page."""
 _LLVM = re.compile(r"@(?:llvm\.(sin|cos|exp|log|pow)\.f64|(expm1|log1p|tan|a?sin|a?cos|atan|a?sinh"
                    r"|a?cosh|a?tanh))\(")  # fmt: skip
 """Calls of elementary functions, as the printer writes them."""
@@ -53,17 +54,24 @@ class Portable(NamedTuple):
 
 
 @cache
-def portable(generated: GeneratedModule, method: str, more: tuple[Text, ...] = ()) -> Portable:
-    """The program of a generated module and a method; `more` are texts that are printed with it."""
-    texts = (Text(_ELEMENTARY, text_of(_ELEMENTARY)), *more)
-    made = printed(generated, method, LOOP, contract=False, more=texts)
+def portable(
+    generated: GeneratedModule,
+    method: str,
+    questions: tuple[str, ...] = (),
+    written: tuple[Text, ...] = (),
+) -> Portable:
+    """The program of a generated module and a method.
+
+    questions : modules that are printed with it. written : what they ask for of a page.
+    """
+    more = map(module_text, (_ELEMENTARY, *questions))
+    made = printed(generated, method, LOOP, contract=False, more=more, provided={_WRITTEN: written})
     return Portable(_own_functions(made), made.entries, sizes_of(made))
 
 
 def functions(texts: Sequence[Text]) -> dict[str, Function]:
     """The entries of texts of their own as machine code, by name."""
-    with_own = (Text(_ELEMENTARY, text_of(_ELEMENTARY)), *texts)
-    made = Printed(with_own, contract=False)
+    made = Printed((module_text(_ELEMENTARY), *texts), contract=False)
     return Loaded(compiled(_own_functions(made), passes=()), made.entries).functions
 
 
@@ -81,6 +89,6 @@ def _own_functions(printed: Printed) -> str:
 
 def _symbol(printed: Printed, name: str) -> str:
     """The symbol of a function of floats, which is printed if it is not yet."""
-    definition = printed.definitions[name]
+    definition = printed.definitions[module_text(_ELEMENTARY).name, name]
     types = (FLOAT,) * _ARGUMENTS.get(name.removeprefix("own_"), 1)
-    return printed.function(name, types, None, definition)[0]
+    return printed.function(definition, types, None, definition)[0]

@@ -4,10 +4,22 @@ This text is joined to others, behind the set-up; see `rockeom.browser.page`.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rockeom.browser.places import (
+    NUMBERS,
+    OF_END,
+    OF_FALLEN,
+    OF_LAW,
+    OF_MODE,
+    OF_QUIET,
+    OF_RATIO,
+    OF_ROWS_X,
+    OF_ROWS_Y,
+    OF_SIZE,
+)
+from rockeom.browser.written import MOST_P, ROWS_X, ROWS_Y, set_up
 from rockeom.codes import (
     AT_THE_START,
     CAME_TO_REST,
@@ -21,37 +33,27 @@ from rockeom.codes import (
     STEPS_KEPT,
 )
 from rockeom.compiler.decorators import Floats, Floats2, Ints, entry
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.browser.written import MOST_P, ROWS_X, ROWS_Y, set_up
-    from rockeom.integrator.batches import at_rest, falls
-    from rockeom.integrator.ground import ground_acceleration, segment_for
-    from rockeom.integrator.interface import (
-        N_STATES,
-        ROTATION,
-        ROTATION_RATE,
-        SIDES,
-        energies,
-        positions,
-        powers,
-        shapes,
-        statics,
-    )
-    from rockeom.integrator.loop import SCRATCH, integrate
-    from rockeom.integrator.records import Case, Recorder
+from rockeom.integrator.batches import at_rest, falls
+from rockeom.integrator.ground import ground_acceleration, segment_for
+from rockeom.integrator.loop import SCRATCH, integrate
+from rockeom.integrator.provided import (
+    N_STATES,
+    ROTATION,
+    ROTATION_RATE,
+    SIDES,
+    energies,
+    positions,
+    powers,
+    shapes,
+    statics,
+)
+from rockeom.integrator.records import Case, Recorder
 
 UNKNOWN_WAY = -1
 RTOL, ATOL = 1e-8, 1e-10
 MOST_IMPACTS, MOST_STEPS = 100000, 200000
 KEPT = 256
 """Steps in a record before it is emptied."""
-
-NUMBERS = 9
-(
-    OF_MODE, OF_LAW, OF_RATIO, OF_FALLEN, OF_END, OF_QUIET, OF_ROWS_X, OF_ROWS_Y, OF_SIZE,
-) = range(NUMBERS)  # fmt: skip
-"""Places in the numbers of a problem: OF_ROWS_X and OF_ROWS_Y are the rows of the ground motions,
-OF_SIZE the length of p."""
 
 
 def case_of_page(numbers, end, p, horizontal, vertical, atol):

@@ -15,8 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rockeom.browser.controls import Controls
-from rockeom.browser.program import functions
-from rockeom.browser.questions import (
+from rockeom.browser.places import (
     NUMBERS,
     OF_END,
     OF_FALLEN,
@@ -28,8 +27,10 @@ from rockeom.browser.questions import (
     OF_ROWS_Y,
     OF_SIZE,
 )
+from rockeom.browser.program import functions
 from rockeom.browser.traced import (
     COMPARISONS,
+    OWN,
     Condition,
     Lines,
     Node,
@@ -40,7 +41,7 @@ from rockeom.browser.traced import (
     plain,
     skeleton,
 )
-from rockeom.compiler.parsed import Text
+from rockeom.compiler.modules import Text
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.simulation.case import Case, Problem
 
@@ -66,8 +67,8 @@ class Way:
 
         Each is compiled by itself: the next one adds nothing to the time of those before.
         """
-        called = Text("the way as it is called", _CALLED.format(self.name))
-        way = functions((Text(self.name, _HEAD + self.text), called))["way_at"]
+        text = Text(self.name, _HEAD + self.text + _CALLED.format(self.name))
+        way = functions((text,))["way_at"]
         size, horizontal, vertical = self.sizes
         made = Numbers(
             np.zeros(states), np.zeros(size), np.zeros((horizontal, 7)), np.zeros((vertical, 7)),
@@ -130,14 +131,17 @@ class Setup:
 
 
 _ARGUMENTS = "sliders, y, p, horizontal, vertical, numbers"
-_HEAD = """import math
+_OWN = ", ".join(f"own_{name}" for name in OWN)
+_HEAD = f"""import math
 
 import numpy as np
 
+from rockeom.browser.elementary import {_OWN}
+from rockeom.compiler.decorators import Floats, Floats2, entry
+
 
 """
-_CALLED = """from rockeom.compiler.decorators import Floats, Floats2, entry
-
+_CALLED = """
 
 @entry
 def way_at(

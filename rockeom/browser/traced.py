@@ -25,10 +25,10 @@ from rockeom.numbers.functions import IN_MATH, Compound
 _LIBRARIES = (str(Path(__file__).parents[1]), str(Path(np.__file__).parent))
 SIGNS = {"add": "+", "sub": "-", "mul": "*", "truediv": "/"}
 COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="}
-_OWN = {n.removeprefix("own_"): f for n, f in vars(elementary).items() if n.startswith("own_")}
+OWN = {n.removeprefix("own_"): f for n, f in vars(elementary).items() if n.startswith("own_")}
 LONG = 64
 """Operations from which on an expression is long, and none of the rows of a table."""
-_FUNCTIONS = _OWN | {"sqrt": math.sqrt, "max": max, "min": min}
+_FUNCTIONS = OWN | {"sqrt": math.sqrt, "max": max, "min": min}
 _EXTREMES = {np.maximum: "max", np.minimum: "min"}
 _MOST = 9
 """The largest whole exponent that is written as products, as in machine code."""
@@ -271,7 +271,7 @@ class Lines:
             return f"{given[0]} {SIGNS[operation]} {given[1]}"
         if operation == "neg":
             return f"-{given[0]}"
-        called = f"own_{operation}" if operation in _OWN else operation
+        called = f"own_{operation}" if operation in OWN else operation
         called = "math.sqrt" if operation == "sqrt" else called
         return f"{called}({', '.join(given)})"
 

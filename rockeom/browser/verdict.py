@@ -6,18 +6,14 @@ but for small terms: Newton's method from rest. This text is joined to others, s
 `rockeom.browser.page`.
 """
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from rockeom.browser.written import BOTH_MODE, LEFT_FOOT, N_REACTIONS, RIGHT_FOOT
 from rockeom.compiler.decorators import Floats, entry
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.browser.written import BOTH_MODE, LEFT_FOOT, N_REACTIONS, RIGHT_FOOT
-    from rockeom.integrator.interface import N_STATES, ROTATION, rates, reactions
+from rockeom.integrator.provided import N_STATES, ROTATION, rates, reactions
 
 N = N_STATES // 2
-TURNS = 8
+NEWTON_STEPS = 8
 """Steps of Newton's method: the first one solves what is linear."""
 
 
@@ -40,7 +36,7 @@ def lifting(foot, p):
     """The size of the ground acceleration under which the force on a foot vanishes; inf if none."""
     unknown, value, moved = np.zeros(N), np.zeros(N), np.zeros(N)
     slopes = np.zeros((N, N))
-    for _ in range(TURNS):
+    for _ in range(NEWTON_STEPS):
         lacking(unknown, foot, p, value)
         for j in range(N):
             h = 1.0 if j == 0 else 1e-3

@@ -61,8 +61,12 @@ def __getattr__(name: str) -> Any:
 '''
 
 
+_PARAMETERS = "Parameters\n----------\n"
+"""The heading of the section of a docstring that describes the arguments."""
+
+
 class _Field(NamedTuple):
-    """An argument of a class: its annotation and default, and its line of the docstring."""
+    """An argument of a class: its annotation and default, and its description."""
 
     name: str
     annotation: str
@@ -118,9 +122,10 @@ def _import(home: str, name: str) -> str:
 
 def _class(name: str, model: Any, described: str, arguments: Arguments) -> str:
     fields = _fields(model.parameters, arguments)
-    doc = [f'"""{model.title}.', "", *described.splitlines(), ""]
-    for line in (field.described for field in fields):
-        doc += textwrap.wrap(line, 92, subsequent_indent="    ")
+    prose, _, others = described.partition(_PARAMETERS)  # arguments of subclasses, examples
+    listed = [line for field in fields for line in _described(field)]
+    section = _PARAMETERS + "\n".join([*listed, others]).rstrip()
+    doc = "\n\n".join(filter(None, [f'"""{model.title}.', prose.rstrip(), section])).splitlines()
     signed = [p.name for p in model.parameters if not p.symbol.is_nonnegative]
     whole = [p.name for p in model.parameters if p.symbol.is_integer]
     tables = [
@@ -141,6 +146,14 @@ def _class(name: str, model: Any, described: str, arguments: Arguments) -> str:
         *(f"    {f.name}: {f.annotation}{f.default}" for f in fields),
     ]
     return "\n\n" + "\n".join(lines) + "\n"
+
+
+def _described(field: _Field) -> list[str]:
+    kind = "object" if field.annotation == "Any" else "float"
+    optional = ", optional" if field.default else ""
+    text = f"{field.described[:1].upper()}{field.described[1:]}."
+    lines = textwrap.wrap(text, 92, initial_indent="    ", subsequent_indent="    ")
+    return [f"{field.name} : {kind}{optional}", *lines]
 
 
 def _sizes_open(model: Any, arguments: Arguments) -> bool:
@@ -173,7 +186,7 @@ def _fields(parameters: tuple[Parameter, ...], arguments: Arguments) -> list[_Fi
         default = arguments.defaults.get(
             parameter.name, "STANDARD_GRAVITY" if parameter.name == "gravity" else None
         )
-        described = f"{name} : {parameter.meaning} [{parameter.unit}]"
+        described = parameter.meaning + (f" [{parameter.unit}]" if parameter.unit != "-" else "")
         annotation, text = "Any" if parts else "float", ""
         if default == "STANDARD_GRAVITY" or isinstance(default, float):
             text = f" = {default}"

@@ -150,8 +150,8 @@ def _guards(text: Text) -> None:
 
 def _outgoing(model: HybridModel, mode: str) -> list[Transition]:
     """The transitions out of a mode, an impact first."""
-    found = [t for t in model.transitions if t.source == mode]
-    return sorted(found, key=lambda t: t.kind != "impact")
+    leaving = [t for t in model.transitions if t.source == mode]
+    return sorted(leaving, key=lambda t: t.kind != "impact")
 
 
 def _longest(model: HybridModel) -> int:
@@ -161,28 +161,28 @@ def _longest(model: HybridModel) -> int:
 
 def _parts(model: HybridModel, mode: str) -> list[dict[int, sp.Expr]]:
     """For each guard of a mode: its two parts by their place in g, if it has any."""
-    found: list[dict[int, sp.Expr]] = []
+    places: list[dict[int, sp.Expr]] = []
     place = _longest(model)
     for t in _outgoing(model, mode):
         if isinstance(t.guard, sp.Max):
             two = (model.in_mode(e, mode) for e in t.guard.args)
-            found.append(dict(zip((place, place + 1), two, strict=True)))
+            places.append(dict(zip((place, place + 1), two, strict=True)))
             place += 2
         else:
-            found.append({})
-    return found
+            places.append({})
+    return places
 
 
 def _by_place(model: HybridModel, mode: str) -> dict[int, sp.Expr]:
     """Guards of a mode and their parts, by their place in g."""
-    found = {
+    by_place = {
         i: model.in_mode(t.guard, mode)
         for i, t in enumerate(_outgoing(model, mode))
         if t.guard is not None
     }
     for two in _parts(model, mode):
-        found |= two
-    return found
+        by_place |= two
+    return by_place
 
 
 def _on_both_sides(model: HybridModel, mode: str) -> dict[int, sp.Expr]:
@@ -232,9 +232,9 @@ def _held_guards(text: Text) -> int:
     it is often a sum of the states and of the ground's acceleration, each by a constant: in a step,
     in which these are polynomials, so is that sum, and its coefficients are known at once.
     """
-    found = {m: sums for m in text.model.mode_names if (sums := _sums(text, m))}
-    mode = next(iter(found)) if len(found) == 1 else None
-    sums = found[mode] if mode else []
+    sums_of = {m: sums for m in text.model.mode_names if (sums := _sums(text, m))}
+    mode = next(iter(sums_of)) if len(sums_of) == 1 else None
+    sums = sums_of[mode] if mode else []
     text.function(
         "full_contact_guards(y, p, ax, g)",
         """Guards of the mode FULL_CONTACT into g, each divided by what is positive.
@@ -255,8 +255,8 @@ def _sums(text: Text, mode: str) -> list[sp.Expr]:
     leaving = _outgoing(text.model, mode)
     if text.n < 2 or any(t.kind != "uplift" or t.guard is not None for t in leaving):
         return []
-    found = [_sum(text, t.target) for t in leaving]
-    return [e for e in found if e is not None] if None not in found else []
+    terms = [_sum(text, t.target) for t in leaving]
+    return [e for e in terms if e is not None] if None not in terms else []
 
 
 def _sum(text: Text, rocking: str) -> sp.Expr | None:

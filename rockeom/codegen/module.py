@@ -66,7 +66,7 @@ def module_text(declaration: Lowers) -> str:
     functions_of_parameters(text)
     head = tables(text, columns, guards)
     of_tables = [line for line in head if not line.startswith(" ")]  # their rows hold no names
-    check_names("\n".join(of_tables + text.lines), text.given)
+    check_names("\n".join(of_tables + text.lines), text.user_names)
     body = "\n".join([*head, *ROUNDING.splitlines(), *text.lines]) + "\n"
     own, shared = without_prelude(body)
     return _header(text, own, shared) + own

@@ -59,14 +59,14 @@ class Names:
     """The names given to what the user has named, each once."""
 
     def __init__(self) -> None:
-        self.given: set[str] = set()
+        self.taken: set[str] = set()
 
     def of(self, name: str) -> str:
         """The Python name of a parameter or state."""
         name = unicodedata.normalize("NFKC", name)  # as Python reads it
-        while is_own(name) or name in self.given:
+        while is_own(name) or name in self.taken:
             name += "_"
-        self.given.add(name)
+        self.taken.add(name)
         return name
 
     def of_mode(self, mode: str) -> str:
@@ -77,28 +77,28 @@ class Names:
 
 def names_in(text: str) -> set[str]:
     """All names of variables, arguments, functions and imports in a text."""
-    found: set[str] = set()
+    names: set[str] = set()
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Name):
-            found.add(node.id)
+            names.add(node.id)
         elif isinstance(node, ast.arg):
-            found.add(node.arg)
+            names.add(node.arg)
         elif isinstance(node, ast.FunctionDef):
-            found.add(node.name)
+            names.add(node.name)
         elif isinstance(node, ast.alias):
-            found.add(node.asname or node.name)
-    return found
+            names.add(node.asname or node.name)
+    return names
 
 
-def check_names(text: str, given: set[str]) -> None:
+def check_names(text: str, names: set[str]) -> None:
     """Raise AssertionError if a module's text has a name that is neither given nor its own.
 
     Otherwise that name could be a user's, too: it belongs into the lists above.
     """
-    strange = sorted(name for name in names_in(text) - given if not is_own(name))
+    strange = sorted(name for name in names_in(text) - names if not is_own(name))
     if strange:
         raise AssertionError(f"names of the generated text that users may give: {strange}")
-    mixed = sorted(name for name in given if is_own(name))
+    mixed = sorted(name for name in names if is_own(name))
     if mixed:
         raise AssertionError(f"given to what users named, and the program's own: {mixed}")
 
@@ -112,6 +112,8 @@ def _letter(c: str) -> str:
 
 def docstring(text: str, indent: str = "") -> str:
     """A docstring that says `text`, whatever letters that has."""
+    # A lone surrogate is shown by its escape: Python 3.13 compiles no docstring that has one.
+    text = text.encode("utf-8", "backslashreplace").decode("utf-8")
     written = "".join(_LETTERS.get(c) or _letter(c) for c in text).replace('"""', r"\"\"\"")
     if written.endswith('"'):
         written = f'{written[:-1]}\\"'

@@ -15,7 +15,7 @@ def shapes(text: Text) -> dict[str, tuple[str, ...]]:
     """Add the sizes that a sketch shows; returns the tables that name them."""
     bodies, members = text.model.bodies, text.model.members
     several = [b for b in bodies if b.copies != 1]
-    found = [
+    values = [
         *(e for b in bodies for corner in b.outline for e in corner),
         *(e for m in members for e in (*m.start_at, *m.end_at)),
         *(e for b in several for e in (b.copies, b.apart)),
@@ -26,7 +26,7 @@ def shapes(text: Text) -> dict[str, tuple[str, ...]]:
 
     Into out (x, y), in the order of CORNERS and MEMBER_ENDS, and then the number and the distance
     of each of COPIES.""",
-        text.evaluate("shapes", into_out(found), "    ") or ["    pass"],
+        text.evaluate("shapes", into_out(values), "    ") or ["    pass"],
     )
     return {
         "CORNERS": tuple(b.name for b in bodies for _ in b.outline),
@@ -65,8 +65,8 @@ def _falls(text: Text) -> None:
         return
     lines = ["    value = 0.0"]
     for i, size in enumerate(text.model.falls.values()):
-        found = text.evaluate("overturns_at", {"value": size}, " " * 8)
-        lines += [f"    if number == {i}:", *found]
+        evaluation = text.evaluate("overturns_at", {"value": size}, " " * 8)
+        lines += [f"    if number == {i}:", *evaluation]
     text.function(
         "overturns_at(number, p)",
         "Size of a coordinate of FALLS, by its number, at which the structure has overturned.",

@@ -1,4 +1,4 @@
-"""Definitions that a generated module shares with others: left out of its text, and imported."""
+"""Parts that a generated module has in common with others: it imports them instead."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ def _defined(statement: ast.stmt) -> list[str]:
         return [statement.name]
     if isinstance(statement, ast.Assign):
         return [node.id for node in ast.walk(statement.targets[0]) if isinstance(node, ast.Name)]
+    if isinstance(statement, ast.ImportFrom) and statement.module == "rockeom.codes":
+        return [alias.name for alias in statement.names]
     return []
 
 

@@ -39,8 +39,8 @@ def assign(name: str, code: str, indent: str) -> list[str]:
 
 def statements(targets: Mapping[str, sp.Expr], indent: str) -> tuple[list[str], int, int]:
     """Assignments to the targets, shared parts first: (lines, operations before, after)."""
-    given = tuple((name, sp.sympify(e)) for name, e in targets.items())
-    lines, before, after = _statements(given, indent)
+    expressions = tuple((name, sp.sympify(e)) for name, e in targets.items())
+    lines, before, after = _statements(expressions, indent)
     return list(lines), before, after
 
 

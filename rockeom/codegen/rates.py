@@ -51,7 +51,7 @@ def _accelerations_of(text: Text, number: int, mode: Mode) -> str:
         body = solve(
             text, "accelerations", eq.mass_matrix, eq.forcing, out, "    ", mode.gravity, False
         )
-    found = [
+    accelerations = [
         text.name(c.acceleration) if c in mode.coordinates else "0.0"
         for c in text.model.coordinates
     ]
@@ -60,7 +60,7 @@ def _accelerations_of(text: Text, number: int, mode: Mode) -> str:
     text.function(
         call,
         f"Accelerations of the coordinates {which}.",
-        [*body, f"    return ({', '.join(found)},)"],
+        [*body, f"    return ({', '.join(accelerations)},)"],
         "@inlined",
     )
     return call

@@ -62,8 +62,8 @@ class Written:
         """The call of a function of a mode."""
         side = ["s"] if mode.sided else []
         sigmas = [f"sigma_{i}" for i in range(len(mode.slipping))]
-        given = [*side, *sigmas, *self.text.switches, *self.text.states, "p", "ax", "ay"]
-        return f"{function}({', '.join(given)})"
+        arguments = [*side, *sigmas, *self.text.switches, *self.text.states, "p", "ax", "ay"]
+        return f"{function}({', '.join(arguments)})"
 
     def read(self, mode: DerivedMode, indent: str) -> list[str]:
         """Lines that read the signs of a mode from the tables."""
@@ -83,8 +83,8 @@ class Written:
         lines += [f"{indent}{x} = y[{i}]" for i, x in enumerate(self.text.states)]
         names = [f"normal_{pattern.points[i]}" for i in mode.closed]
         names += [f"friction_{first_of(pattern, g)}" for g in groups_of(mode)]
-        found = ", ".join(names) + ("," if len(names) == 1 else "")
-        return [*lines, f"{indent}{found} = {self.forces[pattern.mode]}"]
+        left = ", ".join(names) + ("," if len(names) == 1 else "")
+        return [*lines, f"{indent}{left} = {self.forces[pattern.mode]}"]
 
 
 def groups_of(mode: DerivedMode) -> list[tuple[int, ...]]:
@@ -161,13 +161,13 @@ def _motions(written: Written) -> None:
         _chosen("equations", "EQUATIONS", branches),
         "@inlined",
     )
-    found = ", ".join(f"found[{n + i}]" for i in range(n))
+    items = ", ".join(f"found[{n + i}]" for i in range(n))
     text.function(
         f"accelerations(mode, {states}, p, ax, ay)",
         "Accelerations of the coordinates under ground accelerations ax, ay [m/s2].",
         [
             f"    found = rates_of_states(mode, {states}, p, ax, ay)",
-            f"    return ({found},)",
+            f"    return ({items},)",
         ],
         "@inlined",
     )
@@ -178,16 +178,16 @@ def _motions(written: Written) -> None:
             [
                 *written.read(derived[i], "    "),
                 f"    found = {written.rates[i]}",
-                f"    return ({found},)",
+                f"    return ({items},)",
             ],
             "@everywhere",
         )
-    given = ", ".join(f"y[{i}]" for i in range(2 * n))
+    of_states = ", ".join(f"y[{i}]" for i in range(2 * n))
     text.function(
         "rates(mode, y, p, ax, ay, dy)",
         "Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,).",
         [
-            f"    found = rates_of_states(mode, {given}, p, ax, ay)",
+            f"    found = rates_of_states(mode, {of_states}, p, ax, ay)",
             *(f"    dy[{i}] = found[{i}]" for i in range(2 * n)),
         ],
     )
@@ -298,20 +298,20 @@ class Guard:
 
 def guards_of(of: ContactDeclaration, pattern: Pattern) -> list[Guard]:
     """The guards of a pattern in the order that they have in g, elements last."""
-    found: list[Guard] = []
+    guards: list[Guard] = []
     for i, state in enumerate(pattern.states):
         if state == OPEN:
-            found.append(Guard(LANDING, i))
+            guards.append(Guard(LANDING, i))
             continue
-        found.append(Guard(LIFTING, i))
+        guards.append(Guard(LIFTING, i))
         if pattern.shared[i] != i:
             continue
         group = [j for j, first in enumerate(pattern.shared) if first == i]
         if state == SLIP:
-            found.append(Guard(STICKING, i))
+            guards.append(Guard(STICKING, i))
         elif state == STICK and all(of.contacts[j].law.friction is not None for j in group):
-            found += [Guard(SLIPPING, i, 1), Guard(SLIPPING, i, -1)]
-    return [*found, *_of_elements(of)]
+            guards += [Guard(SLIPPING, i, 1), Guard(SLIPPING, i, -1)]
+    return [*guards, *_of_elements(of)]
 
 
 def _of_elements(of: ContactDeclaration) -> list[Guard]:
@@ -423,10 +423,10 @@ class _Switches:
     def lines(self, first: int) -> list[str]:
         """They begin at g[first]; the parts of those that are the larger of two at g[N_GUARDS]."""
         of = self.of
-        found: list[str] = []
+        lines: list[str] = []
         for i, state, place in pairs_of(of):
             for e in of.endings[i][state][place].guard:
-                found.append(f"g[N_GUARDS + {len(found)}] = {self._names[sp.sympify(e)]}")
+                lines.append(f"g[N_GUARDS + {len(lines)}] = {self._names[sp.sympify(e)]}")
         for k, guard in enumerate(_of_elements(of)):
             i = guard.subject - len(of.contacts)
             states = of.switching[i].states
@@ -434,8 +434,8 @@ class _Switches:
             *others, last = values.items()
             tests = [f"{value} if ELEMENT_STATES[mode][{i}] == {s} else" for s, value in others]
             waits = [f"1.0 if TARGETS[mode][{first + k}] == mode else"] if self.waits else []
-            found.append(f"g[{first + k}] = {' '.join([*waits, *tests, last[1]])}")
-        return found
+            lines.append(f"g[{first + k}] = {' '.join([*waits, *tests, last[1]])}")
+        return lines
 
 
 def _jump(written: Written) -> None:
@@ -733,17 +733,17 @@ def _of_guards(
     parts = {pair: longest_row + 2 * k for k, pair in enumerate(pairs_of(of))}
 
     def row(number: int, guard: Guard) -> _Row:
-        found = _Row(guard.kind, guard.subject)
+        entry = _Row(guard.kind, guard.subject)
         if guard.kind != SWITCH:
-            return found
+            return entry
         state, i = modes.states[number], guard.subject - points
         ending = ending_of(of, guard, state.elements[i])
         switched = (*state.elements[:i], ending.target, *state.elements[i + 1 :])
         target = numbers.get((state.points, switched))
         if target is None:  # others switch before it
-            return found._replace(target=number)
+            return entry._replace(target=number)
         back, pair = guard.of(ending.back), (i, state.elements[i], guard.place)
-        return found._replace(
+        return entry._replace(
             target=target,
             back=-1 if back is None else places[state.pattern].get(back, -1),
             part=parts.get(pair, -1),
@@ -754,8 +754,8 @@ def _of_guards(
     }
 
     def numbers_of(first: str, value: Callable[[_Row], int], filler: int = -1) -> list[str]:
-        found = {name: [*map(value, row)] for name, row in every.items()}
-        return rows(first, found, filler, longest_row)
+        entry = {name: [*map(value, row)] for name, row in every.items()}
+        return rows(first, entry, filler, longest_row)
 
     legend = "2 switch, 4 landing, 5 lifting, 6 slipping, 7 sticking"
     return [

@@ -9,7 +9,6 @@ from rockeom.codegen.names import string
 from rockeom.codegen.parameters import sizes_to_check
 from rockeom.codegen.printer import WIDTH
 from rockeom.codegen.text import Text
-from rockeom.codes import IMPULSIVE, RATIO
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.model import Parameter
 
@@ -30,7 +29,7 @@ def tables(
         f"ROTATION_RATE = {text.index(model.rotation.velocity)}",
         *_falls(text),
         *of_transitions,
-        f"RATIO, IMPULSIVE = {RATIO}, {IMPULSIVE}",
+        "from rockeom.codes import IMPULSIVE, RATIO",
         *(f"{name} = {i}" for i, name in enumerate(text.mode_constants.values())),
     ]
 

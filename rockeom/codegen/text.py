@@ -74,11 +74,11 @@ class Text:
         self.model = model
         coordinates = model.integrated
         self.n = len(coordinates)
-        given = Names()
-        self.mode_constants = {m: given.of_mode(m) for m in model.mode_names}
-        self.states = [given.of(name) for name in model.states]
-        self.parameters = [given.of(p.name) for p in model.parameters]
-        self.given = given.given
+        names = Names()
+        self.mode_constants = {m: names.of_mode(m) for m in model.mode_names}
+        self.states = [names.of(name) for name in model.states]
+        self.parameters = [names.of(p.name) for p in model.parameters]
+        self.user_names = names.taken
         self.names: dict[sp.Symbol, sp.Symbol] = {
             SIDE: sp.Symbol("s"),
             GROUND_X: sp.Symbol("ax"),

@@ -78,10 +78,10 @@ def check_generated(folder: Path = GENERATED, names: Collection[str] = ()) -> st
     diffs: list[str] = []
     for path, text in expected_files(names, folder):
         name = path.relative_to(folder.parent).as_posix()
-        found = path.read_text(encoding="utf-8") if path.exists() else ""
-        if found != text:
+        written = path.read_text(encoding="utf-8") if path.exists() else ""
+        if written != text:
             diffs += difflib.unified_diff(
-                found.splitlines(keepends=True),
+                written.splitlines(keepends=True),
                 text.splitlines(keepends=True),
                 name,
                 f"derived {name}",

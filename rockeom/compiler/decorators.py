@@ -45,6 +45,11 @@ def entry(function: _F) -> _F:
     return function
 
 
+def rule_of(function: Callable[..., object]) -> Callable[[_F], _F]:
+    """Mark a function that takes the place of another one for numbers with derivatives."""
+    return lambda rule: rule
+
+
 Floats: TypeAlias = NDArray[np.float64]
 Floats2: TypeAlias = NDArray[np.float64]
 Floats3: TypeAlias = NDArray[np.float64]

@@ -21,8 +21,8 @@ refused by file and line.
     dual      a float with its derivatives in some directions: what is printed for it carries them
               along by the rules of calculus, so that a text printed for duals is its own
               derivative. Comparisons are of the numbers; arrays that the function makes are of
-              duals. Where a function f has a rule of its own, it is a function `f_of_duals`; that
-              of `math.f` is a function `f_slope`
+              duals. A function marked @rule_of(f) is printed for duals in place of f, and
+              one marked @slope_of(math.f) gives the derivative of `math.f`
 
 How it works: a function is printed for the types of its arguments, line after line, each variable
 a place on the stack, of which LLVM makes registers. Where a later line widens the type of a
@@ -53,7 +53,7 @@ from rockeom.compiler.lines import (
     joined,
     literal,
 )
-from rockeom.compiler.parsed import UNKNOWN, Constants, Definition, Texts
+from rockeom.compiler.parsed import UNKNOWN, Constants, Definition, Texts, fields_of
 from rockeom.compiler.types import (
     BOOL,
     DUAL,
@@ -108,7 +108,8 @@ class Function:
         self.returns: Type = NOTHING
         self.returned = False
         self.typed: dict[ast.expr, Type] = {}  # expressions that are no variables
-        constants = Constants(program.names, self.locals)
+        self.names = program.names_in(definition.text)
+        constants = Constants(self.names, self.locals)
         self._known, self._maybe, self._whole = constants.known, constants.maybe, constants.whole
         while True:
             self._start()
@@ -224,7 +225,7 @@ class Function:
             base, exponent = self._number(node.left), self._number(node.right)
             if exponent.type == DUAL:
                 self.refuse(node, "an exponent has no derivatives here")
-            return self._through("power", "llvm.pow.f64", node, base, exponent)
+            return self._through("pow", "llvm.pow.f64", node, base, exponent)
         left, right = self._value(node.left), self._value(node.right)
         found = self.ir.arithmetic(type(node.op).__name__, left, right)
         divides = isinstance(node.op, ast.FloorDiv | ast.Mod)
@@ -391,8 +392,8 @@ class Function:
         function = node.func
         if isinstance(function, ast.Attribute) and function.attr == "_replace":
             return self._replaced(node, function.value)
-        if isinstance(function, ast.Name) and function.id in self.program.records:
-            return self._record(node, function.id)
+        if isinstance(function, ast.Name) and (fields := fields_of(self.names.get(function.id))):
+            return self._record(node, function.id, fields)
         if node.keywords or any(isinstance(a, ast.Starred) for a in node.args):
             self.refuse(node, "arguments are given by their place")
         if isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name):
@@ -400,15 +401,18 @@ class Function:
         if not isinstance(function, ast.Name) or function.id in self.locals:
             self.refuse(node, "only functions with a name of their own are called")
         name = function.id
-        if name in _BUILT_IN and name not in self.program.definitions:
+        called = self.program.defined(name, self.definition.text)
+        if called is None and name in _BUILT_IN:
             if len(node.args) != _TAKES.get(name, 1) and (
                 name not in ("max", "min") or not node.args
             ):
                 self.refuse(node, f"{name} of {len(node.args)} is not among the functions")
             return _BUILT_IN[name](self.ir, *map(self._value, node.args))
+        if called is None:
+            self.refuse(node, f"no function {name} is known")
         given = [self._value(a) for a in node.args]
         types = tuple(value.type for value in given)
-        symbol, returns = self.program.function(name, types, node, self.definition)
+        symbol, returns = self.program.function(called, types, node, self.definition)
         how = ""
         if self._written_out(symbol, node):
             self.size += self.program.sizes[symbol]
@@ -437,24 +441,26 @@ class Function:
         changes = isinstance(node, ast.Name) and self.stores.get(node.id, 0) > 1
         return changes and isinstance(type_, Tuple) and bool(type_.fields)
 
-    def _record(self, node: ast.Call, name: str) -> Value:
+    def _record(self, node: ast.Call, name: str, fields: Mapping[str, Type | None]) -> Value:
         """A new record, of the types that its fields are annotated with."""
-        fields = self.program.records[name]
         values = dict(zip(fields, node.args, strict=False))
         values |= {str(keyword.arg): keyword.value for keyword in node.keywords}
         if len(node.args) + len(node.keywords) != len(fields) or set(values) != set(fields):
             self.refuse(node, f"{name} takes {', '.join(fields)}, each once")
-        parts = {field: self._field(node, name, field, value) for field, value in values.items()}
+        parts = {
+            field: self._field(node, f"{name}.{field}", fields[field], value)
+            for field, value in values.items()
+        }
         return a_tuple([parts[field] for field in fields], tuple(fields))
 
-    def _field(self, node: ast.AST, name: str, field: str, given: ast.expr) -> Value:
+    def _field(self, node: ast.AST, name: str, wanted: Type | None, given: ast.expr) -> Value:
         """The value of a field: a number is widened to the type of its annotation."""
-        wanted, value = self.program.records[name][field], self._value(given)
+        value = self._value(given)
         if wanted is None or wanted in (value.type, _without_derivatives(value.type)):
             return value
         if wanted in (value.type, joined(wanted, value.type)):
             return self.ir.widened(value, wanted)
-        self.refuse(node, f"{name}.{field} is {described(wanted)}, not {described(value.type)}")
+        self.refuse(node, f"{name} is {described(wanted)}, not {described(value.type)}")
 
     def _replaced(self, node: ast.Call, of: ast.expr) -> Value:
         """A record with other values in some fields."""
@@ -505,9 +511,9 @@ class Function:
         found = self.ir.external(symbol, *(x.operand for x in given))
         if number.type != DUAL:
             return found
-        slope, returns = self.program.function(
-            f"{name}_slope", (FLOAT,) * len(given), node, self.definition
-        )
+        if (rule := self.program.rules.get(f"math.{name}")) is None:
+            self.refuse(node, f"no slope of math.{name} is known")
+        slope, returns = self.program.function(rule, (FLOAT,) * len(given), node, self.definition)
         operands = [operand for x in given for operand in self.ir.given(x)]
         return self.ir.through(number, found, self.ir.call(slope, returns, operands))
 

@@ -1,17 +1,16 @@
-"""Texts as they are parsed: their functions, and their constants and records by name."""
+"""The texts of a program: their functions, and their constants and records by name."""
 
 from __future__ import annotations
 
 import ast
 import operator
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass
-from functools import lru_cache
-from types import CodeType
+from collections.abc import Callable, Collection, Iterable, Mapping
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
-from rockeom.compiler.types import BOOL, DUAL, FLOAT, INT, Array, Tuple, Type
+from rockeom.compiler.modules import Modules, Refused, Text, parsed
+from rockeom.compiler.types import BOOL, DUAL, FLOAT, INT, NOTHING, Array, Tuple, Type
 
 if TYPE_CHECKING:  # machine code that is cached is loaded without what prints it
     from rockeom.compiler.lines import Value
@@ -22,23 +21,8 @@ ANNOTATIONS: dict[str, Type] = {
     "Ints": Array(INT, 1), "Ints2": Array(INT, 2),
     "Duals": Array(DUAL, 1), "Duals2": Array(DUAL, 2), "Duals3": Array(DUAL, 3),
 }  # fmt: skip
-
-
-@dataclass(frozen=True)
-class Text:
-    """A part of a program: its file's name, its source, whether a*b + c may be rounded once.
-
-    elsewhere : its entries are another program's, which this one calls.
-    """
-
-    name: str
-    source: str
-    fused: bool = False
-    elsewhere: bool = False
-
-
-class Refused(SyntaxError):  # noqa: N818
-    """A text that is not in the closed part of Python, with its file and line."""
+RULES = ("rule_of", "slope_of")
+"""Marks of a function that says the derivatives of the one that the mark names."""
 
 
 class Definition(NamedTuple):
@@ -52,56 +36,111 @@ class Definition(NamedTuple):
         line = getattr(node, "lineno", self.tree.lineno)
         raise Refused(f"{self.text.name}, line {line}, in {self.tree.name}: {why}")
 
-    def arguments(self, records: Mapping[str, Tuple]) -> tuple[tuple[str, Type], ...]:
-        """Names and annotated types of the arguments of an entry."""
-        types = {**ANNOTATIONS, **records}
+    def arguments(self, names: Mapping[str, Any]) -> tuple[tuple[str, Type], ...]:
+        """Names and annotated types of the arguments of an entry; names : of its text."""
         arguments = []
         for argument in self.tree.args.args:
             annotation = argument.annotation
-            if not isinstance(annotation, ast.Name) or annotation.id not in types:
+            name = annotation.id if isinstance(annotation, ast.Name) else ""
+            fields = fields_of(names.get(name)) or {}
+            items = tuple(item for item in fields.values() if item is not None)
+            type_ = ANNOTATIONS.get(name, Tuple(items, tuple(fields)))
+            if type_ == NOTHING or len(items) < len(fields):
                 self.refuse(argument, f"{argument.arg} has no annotation that is known")
-            arguments.append((argument.arg, types[annotation.id]))
+            arguments.append((argument.arg, type_))
         return tuple(arguments)
 
 
-class Texts(ABC):
-    """Texts that know one another's names, and what a back end makes of their functions.
+def fields_of(value: Any) -> dict[str, Type | None] | None:
+    """The fields of a record, with the types that annotations say; None of other values."""
+    if not (isinstance(value, type) and issubclass(value, tuple)):
+        return None
+    annotations = value.__annotations__.items()
+    return {f: ANNOTATIONS.get(getattr(a, "__forward_arg__", "")) for f, a in annotations}
 
-    names : their constants, for which they are run as Python, but for their functions.
+
+class Texts(ABC):
+    """Texts with all that they import, and what a back end makes of their functions.
+
+    roots : the texts whose entries are wanted. modules : where others are that they import.
     contract : False rounds every operation by itself. growth : lines by which a program may grow by
     one function that is written out wherever it is called.
+
+    Raises Refused where two texts define one name: a program has one home for each.
     """
 
-    def __init__(self, texts: Sequence[Text], contract: bool, growth: float) -> None:
-        self.texts, self.contract, self.growth = texts, contract, growth
-        self.names: dict[str, Any] = {"__name__": "rockeom.integrator.program"}
-        self.definitions: dict[str, Definition] = {}
+    def __init__(
+        self, roots: Iterable[Text], modules: Modules, contract: bool, growth: float
+    ) -> None:
+        self.texts, self.modules = modules.closure(roots), modules
+        self.contract, self.growth = contract, growth
+        self.definitions: dict[tuple[str, str], Definition] = {}  # by text and name
+        self.rules: dict[str, Definition] = {}  # of derivatives, by the function that has them
         self.sizes: dict[str, int] = {}  # lines of each function that is marked @inlined
         self.written_out: set[str] = set()  # those of them that are written out at every call
         self.declared: dict[str, str] = {}
-        for text in texts:
-            functions, rest = _parsed(text.source, text.name)
-            for node in functions:
-                marks = frozenset(d.id for d in node.decorator_list if isinstance(d, ast.Name))
-                self.definitions[node.name] = Definition(node, text, marks)
-            exec(rest, self.names)
-        self.records = {
-            name: {
-                field: ANNOTATIONS.get(getattr(annotation, "__forward_arg__", ""))
-                for field, annotation in value.__annotations__.items()
-            }
-            for name, value in self.names.items()
-            if isinstance(value, type) and issubclass(value, tuple) and value is not NamedTuple
-        }
-        self.annotated = {  # records with annotations that say all of their types
-            name: Tuple(tuple(fields.values()), tuple(fields))  # type: ignore[arg-type]
-            for name, fields in self.records.items()
-            if None not in fields.values()
-        }
+        self._spaces: dict[str, dict[str, Any]] = {}
+        self._parsed = {text.name: parsed(text.source, text.name) for text in self.texts}
+        homes: dict[str, str] = {}
+        for text in self.texts:
+            parts = self._parsed[text.name]
+            lines = {name: tree.lineno for name, tree in parts.functions.items()}
+            for name, line in (parts.constants | lines).items() if text.alone else ():
+                home = f"{text.name}, line {line}"
+                if homes.setdefault(name, home) != home and not name.startswith("__"):
+                    raise Refused(f"{name} has two homes in one program: {homes[name]}, and {home}")
+            for name, tree in parts.functions.items():
+                self._define(name, tree, text)
+        for text in self.texts:
+            self.names_in(text)
+
+    def _define(self, name: str, tree: ast.FunctionDef, text: Text) -> None:
+        marks = frozenset(d.id for d in tree.decorator_list if isinstance(d, ast.Name))
+        definition = Definition(tree, text, marks)
+        self.definitions[text.name, name] = definition
+        for mark in tree.decorator_list:
+            if isinstance(mark, ast.Call) and ast.unparse(mark.func) in RULES:
+                self.rules[ast.unparse(mark.args[0])] = definition
+
+    @property
+    def names(self) -> dict[str, Any]:
+        """The constants of all texts, by name."""
+        return {name: value for space in self._spaces.values() for name, value in space.items()}
+
+    def names_in(self, text: Text) -> dict[str, Any]:
+        """The constants that a text has or imports, by name."""
+        if text.name not in self._spaces:
+            names = self._spaces[text.name] = {"__name__": text.name}
+            for name in self._parsed[text.name].imported:
+                for home in self._homes(name, text):
+                    if name not in self._parsed[home.name].functions:
+                        names |= {n: v for n, v in self.names_in(home).items() if n == name}
+            for statement in self._parsed[text.name].rest:
+                with suppress(NameError):  # of what is absent: an error where it is used
+                    exec(statement, names)
+        return self._spaces[text.name]
+
+    def _homes(self, name: str, text: Text) -> list[Text]:
+        """The texts from which a text imports a name and that have it; none if it is absent."""
+        module = self._parsed[text.name].imported.get(name)
+        homes = self.modules.texts_of(module) if module else ()
+        return [home for home in homes if self._parsed[home.name].has(name, module)]
+
+    def defined(self, name: str, text: Text) -> Definition | None:
+        """The function that a name in a text means, its own or one that it imports, if any."""
+        if name in self._parsed[text.name].functions:
+            return self.definitions[text.name, name]
+        for home in self._homes(name, text):
+            return self.defined(name, home)
+        return None
 
     @abstractmethod
     def function(
-        self, name: str, types: tuple[Type, ...], node: ast.AST | None, caller: Definition
+        self,
+        definition: Definition,
+        types: tuple[Type, ...],
+        node: ast.AST | None,
+        caller: Definition,
     ) -> tuple[str, Type]:
         """Symbol and type of what is returned, of a function for these types of arguments."""
 
@@ -112,15 +151,6 @@ class Texts(ABC):
     @abstractmethod
     def site(self, text: Text, line: int) -> str:
         """Operands that say where a check is; empty where there are none."""
-
-
-@lru_cache(maxsize=64)  # the loop and the steps are those of many structures
-def _parsed(source: str, name: str) -> tuple[list[ast.FunctionDef], CodeType]:
-    """The functions of a text, which stay as they are, and all else as code to be run."""
-    tree = ast.parse(source, name)
-    functions = [node for node in tree.body if isinstance(node, ast.FunctionDef)]
-    tree.body = [node for node in tree.body if not isinstance(node, ast.FunctionDef)]
-    return functions, compile(tree, name, "exec")
 
 
 # -- constants -----------------------------------------------------------------------------------
@@ -168,7 +198,7 @@ class Constants:
                 if any(self.known(part) is False for part in node.values):
                     return False
             case ast.Attribute(value=ast.Name(id="math" | "np" as library)):
-                value = getattr(self.names[library], node.attr, None)
+                value = getattr(self.names.get(library), node.attr, None)
                 if isinstance(value, float):
                     return value
             case ast.Tuple():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -13,11 +13,16 @@ import numpy as np
 
 from rockeom.compiler.frontend import Function, has_duals
 from rockeom.compiler.lines import Value, described, literal, parts_of, returned
-from rockeom.compiler.parsed import ANNOTATIONS, Definition, Text, Texts
+from rockeom.compiler.modules import Modules, Text
+from rockeom.compiler.parsed import ANNOTATIONS, Definition, Texts
 from rockeom.compiler.types import BOOL, FLOAT, INT, NOTHING, WIDTH, Array, Entry, Tuple, Type
 
 GROWTH = 5000.0
 """Lines; beyond it compiling takes much longer, and calls cost less than code that is far apart."""
+
+
+MODULES = Modules()
+"""The modules of rockeom, and nothing that is provided."""
 
 
 class Program(Texts):
@@ -28,24 +33,27 @@ class Program(Texts):
         called; what would make it longer is called, whatever its mark says.
     bounds : every index and slice is checked; one that leaves its array is reported to the
         function `out_of_bounds`, which whoever loads the program provides, see `machine.Loaded`.
+    own : names of texts that are in the first of two halves.
     """
 
     def __init__(
         self,
-        texts: Sequence[Text],
+        roots: Iterable[Text],
+        modules: Modules = MODULES,
         contract: bool = True,
         growth: float = GROWTH,
         bounds: bool = False,
+        own: Collection[str] = (),
     ) -> None:
-        super().__init__(texts, contract, growth)
-        self.bounds = bounds
-        self.printed: dict[tuple[str, tuple[Type, ...]], tuple[str, Type] | None] = {}
-        self.functions: dict[tuple[str, tuple[Type, ...]], Function] = {}
+        super().__init__(roots, modules, contract, growth)
+        self.bounds, self.own = bounds, own
+        self.printed: dict[tuple[str, str, tuple[Type, ...]], tuple[str, Type] | None] = {}
+        self.functions: dict[tuple[str, str, tuple[Type, ...]], Function] = {}
         self.bodies: dict[str, str] = {}  # of each function, by its symbol
         self.of_text: dict[str, Text] = {}  # in which it stands
         self.constants: dict[tuple[str, tuple[int, ...], bytes], str] = {}
         self.entries: dict[str, Entry] = {}
-        for name, definition in self.definitions.items():
+        for (_, name), definition in self.definitions.items():
             if "entry" in definition.marks and not definition.text.elsewhere:
                 self.entry(name, definition)
 
@@ -55,9 +63,9 @@ class Program(Texts):
         Arrays come as address and shape, a record as its fields. The place behind them is for the
         value that the function returns.
         """
-        arguments = definition.arguments(self.annotated)
+        arguments = definition.arguments(self.names_in(definition.text))
         types = tuple(type_ for _, type_ in arguments)
-        symbol, returns = self.function(name, types, None, definition)
+        symbol, returns = self.function(definition, types, None, definition)
         if returns not in (FLOAT, INT, BOOL, NOTHING):
             definition.refuse(None, f"an entry returns a number, not {described(returns)}")
         lines, operands, i = [], [], 0
@@ -92,7 +100,10 @@ class Program(Texts):
 
     def elsewhere(self, name: str, symbol: str, definition: Definition) -> Type:
         """Print a function that calls an entry of another program by its row of places."""
-        arguments, annotation = definition.arguments(self.annotated), definition.tree.returns
+        arguments, annotation = (
+            definition.arguments(self.names_in(definition.text)),
+            definition.tree.returns,
+        )
         returns = ANNOTATIONS.get(annotation.id) if isinstance(annotation, ast.Name) else NOTHING
         if returns is None:
             definition.refuse(None, "what it returns has no annotation that is known")
@@ -127,23 +138,26 @@ class Program(Texts):
         return returns
 
     def function(
-        self, name: str, types: tuple[Type, ...], node: ast.AST | None, caller: Definition
+        self,
+        definition: Definition,
+        types: tuple[Type, ...],
+        node: ast.AST | None,
+        caller: Definition,
     ) -> tuple[str, Type]:
         """Symbol and type of what is returned, of a function for these types of arguments."""
-        if f"{name}_of_duals" in self.definitions and any(map(has_duals, types)):
-            name = f"{name}_of_duals"
-        key = name, types
+        if any(map(has_duals, types)):
+            definition = self.rules.get(definition.tree.name, definition)
+        name = definition.tree.name
+        key = definition.text.name, name, types
         if key not in self.printed:
-            if name not in self.definitions:
-                caller.refuse(node, f"no function {name} is known")
             self.printed[key] = None
-            symbol = f"{name}.{sum(of == name for of, _ in self.printed)}"
-            definition = self.definitions[name]
+            symbol = f"{name}.{sum(of == name for _, of, _ in self.printed)}"
             if "entry" in definition.marks and definition.text.elsewhere:
-                if tuple(type_ for _, type_ in definition.arguments(self.annotated)) != types:
+                annotated = definition.arguments(self.names_in(definition.text))
+                if tuple(type_ for _, type_ in annotated) != types:
                     caller.refuse(node, f"arguments of {name} are not as it is annotated")
                 self.printed[key] = symbol, self.elsewhere(name, symbol, definition)
-                return self.function(name, types, node, caller)
+                return self.function(definition, types, node, caller)
             function = self.functions[key] = Function(self, definition, types)
             if definition.marks & {"inlined", "everywhere"}:
                 self.sizes[symbol] = function.size
@@ -153,10 +167,10 @@ class Program(Texts):
             self.bodies[symbol] = function.body(symbol)
             self.of_text[symbol] = definition.text
             self.printed[key] = symbol, function.returns
-        found = self.printed[key]
-        if found is None:
+        printed = self.printed[key]
+        if printed is None:
             caller.refuse(node, f"{name} calls itself")
-        return found
+        return printed
 
     def calls(self, name: str) -> int:
         """How often a function is called in the texts, or a little more: words are counted."""
@@ -200,14 +214,14 @@ class Program(Texts):
                 named.append(f'@text.{i} = private constant [{len(name)} x i8] c"{spelt}"')
         return [*named, _CHECKS]
 
-    def halves(self, own: Sequence[Text]) -> tuple[str, str]:
-        """The same as two programs that call one another: of the texts `own`, and of the others.
+    def halves(self) -> tuple[str, str]:
+        """The same as two programs that call one another: of the own texts, and of the others.
 
-        Where something of `own` is written out in a function of the others, that one is in the
-        first, too. The second is the same, to the letter, for all programs that have the same
+        Where something of the own texts is written out in a function of the others, that one is in
+        the first, too. The second is the same, to the letter, for all programs that have the same
         other texts and the same constants in them.
         """
-        ours = {s for s, text in self.of_text.items() if any(text is one for one in own)}
+        ours = {s for s, text in self.of_text.items() if text.name in self.own}
         calls = {
             symbol: [(m[1], bool(m[2])) for m in _CALLS.finditer(body) if m[1] in self.bodies]
             for symbol, body in self.bodies.items()

@@ -1,5 +1,5 @@
-"""Drawings of structures, ground motions and responses, by their attributes alone (`drawn`).
+"""Drawings of structures, ground motions, responses and sweeps.
 
-Motions, structures and responses import from here where they plot themselves; whatever needs an
-analysis is in `rockeom.drawing`, which has the public names of both.
+Their classes lie below and ask for a picture by name (`rockeom.numbers.pictures`); `shown` has
+those. Whatever needs an analysis is in `rockeom.plots`, which has the public names of both.
 """

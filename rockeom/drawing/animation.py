@@ -20,12 +20,15 @@ from matplotlib.lines import Line2D
 from PIL import Image
 
 from rockeom.drawing import film, free_body, style
-from rockeom.drawing.drawn import Impacts, Motion, Run, check_run
-from rockeom.drawing.positions import places
+from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.sketch import Sketch, all_points
 from rockeom.files import check_path, check_target, write
+from rockeom.motion.ground_motion import GroundMotion
 from rockeom.numbers import explained
 from rockeom.numbers.checks import described, number
+from rockeom.simulation.events import Impacts
+from rockeom.simulation.response import Response
+from rockeom.structures.positions import places
 
 MOST_FRAMES = 2000
 FLASH = 0.2
@@ -38,7 +41,7 @@ _TOP, _BOTTOM = 0.62, 0.30  # in, above and below the drawing
 
 @explained.calls(fps="frames_per_second")
 def animate(
-    run: Run,
+    run: Response,
     path: str | os.PathLike[str] | None = None,
     *,
     start: float | None = None,
@@ -47,27 +50,56 @@ def animate(
     speed: float = 1.0,
     ground: bool = True,
 ) -> Animation:
-    """The response as an animation, in a file or a notebook.
+    """Draw the response as an animation, in a file or a notebook.
 
-        run.animate("block.gif")
-        run.animate("block.html", start=2.0, end=6.0, speed=0.25)
-        run.animate("block.mp4")
-        run.animate()    # shown by Jupyter
+    Parameters
+    ----------
+    run : Response
+        Response.
+    path : path_like, optional
+        File to write: .gif; .html, a page that needs nothing else, with a slider; or .mp4, which
+        needs ffmpeg, of the system or of the package imageio-ffmpeg. None writes none.
+    start : float, optional
+        Start of the part of the response that is shown [s]; that of the response if not given.
+    end : float, optional
+        End of the part [s]; that of the response if not given.
+    frames_per_second : float, optional
+        Number of frames in a second of the viewer's time.
+    speed : float, optional
+        Factor by which the animation runs faster than real time.
+    ground : bool, optional
+        Whether the ground moves, by the displacement that follows from its acceleration; else the
+        drawing moves with it. Structures in pure numbers are drawn so in any case.
 
-    path : a file to write: .gif; .html, a page that needs nothing else, with a slider; or .mp4,
-        which needs ffmpeg, of the system or of the package imageio-ffmpeg. None writes none.
-    start, end : the part of the response that is shown [s]; all of it if not given.
-    frames_per_second : of the viewer's time; speed : how much faster than real time it runs.
-    ground : whether the ground moves, by the displacement that follows from its acceleration; else
-        the drawing moves with it. Structures in pure numbers are drawn so in any case.
+    Returns
+    -------
+    Animation
+        Animation, which Jupyter shows.
 
-    Bodies are where the generated module puts them, drawn as by `draw_structure`. White circles
-    are feet in contact, stars those that have just landed; the dashed line stands still.
+    Raises
+    ------
+    ValueError
+        For times outside the response, more than 2000 frames, and other files.
+    FileNotFoundError
+        For .mp4 without ffmpeg.
 
-    Raises ValueError for times outside the response, more than 2000 frames, and other files;
-    FileNotFoundError for .mp4 without ffmpeg.
+    Notes
+    -----
+    Bodies are where the generated module puts them, drawn as by `draw_structure`. White circles are
+    feet in contact, stars those that have just landed; the dashed line stands still.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import plots
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> run = rk.simulate(block, rk.GroundMotion.none(2.0), initial={"theta": 0.1})  # s, rad
+    >>> animation = plots.animate(run, start=0.0, end=1.0)  # s
+    >>> len(animation.times)
+    21
+    >>> animation = plots.animate(run, "block.gif")  # doctest: +SKIP
     """
-    check_run("run", run)
+    check_drawn("run", run, Response)
     if path is not None:
         check_file(path)  # before the frames are drawn
     made = Animation(run, _times(run, start, end, frames_per_second, speed), speed, ground)
@@ -89,7 +121,7 @@ def check_file(path: str | os.PathLike[str]) -> None:
 
 
 def _times(
-    run: Run, start: float | None, end: float | None, frames_per_second: float, speed: float
+    run: Response, start: float | None, end: float | None, frames_per_second: float, speed: float
 ) -> np.ndarray:
     """(n,) times of the frames [s], the last of which may fall short of the end."""
     rates = {"frames_per_second": frames_per_second, "speed": speed}
@@ -113,7 +145,7 @@ def _times(
     return np.minimum(first + step * np.arange(n), last)
 
 
-def ground_displacement(motion: Motion, times: np.ndarray) -> np.ndarray:
+def ground_displacement(motion: GroundMotion, times: np.ndarray) -> np.ndarray:
     """Displacement (n,) [m] of the ground at times (n,) [s], which stops where the motion ends."""
     return motion.displacement(np.clip(times, 0.0, motion.duration))
 
@@ -121,12 +153,19 @@ def ground_displacement(motion: Motion, times: np.ndarray) -> np.ndarray:
 class Animation:
     """Frames of a response; made by `animate`.
 
-    times (n,) : of the frames [s]; `frames_per_second` of the viewer.
-    ground (n, 2) : displacement of the ground at those times [m].
-    states (n, N), modes (n,) : of the structure at those times.
+    Parameters
+    ----------
+    run : Response
+        Response.
+    times : ndarray
+        Times of the frames (n,) [s].
+    speed : float
+        Factor by which the animation runs faster than real time.
+    ground : bool
+        Whether the ground moves.
     """
 
-    def __init__(self, run: Run, times: np.ndarray, speed: float, ground: bool) -> None:
+    def __init__(self, run: Response, times: np.ndarray, speed: float, ground: bool) -> None:
         self.run, self.times, self.speed = run, times, speed
         self.states, self.modes = run.steps.at(times, "right")
         self.ground = np.zeros((len(times), 2))
@@ -156,7 +195,15 @@ class Animation:
     # -- one frame
 
     def draw(self, i: int, ax: Axes) -> None:
-        """Draw a frame into empty axes of equal scales."""
+        """Draw a frame into empty axes of equal scales.
+
+        Parameters
+        ----------
+        i : int
+            Number of the frame.
+        ax : matplotlib.axes.Axes
+            Axes.
+        """
         sketch = Sketch(self.run.structure, self.states[i], int(self.modes[i]))
         sketch.draw(ax)
         for foot in sketch.closed_feet:
@@ -173,7 +220,18 @@ class Animation:
         ax.axis("off")
 
     def title(self, i: int) -> str:
-        """Time, and how many impacts there have been."""
+        """Time, and how many impacts there have been.
+
+        Parameters
+        ----------
+        i : int
+            Number of the frame.
+
+        Returns
+        -------
+        str
+            Text.
+        """
         digits = max(2, math.ceil(-math.log10(self._step)))
         unit = "" if style.is_dimensionless(self.run) else " s"
         text = f"t = {self.times[i]:.{digits}f}{unit}"
@@ -202,8 +260,8 @@ class Animation:
     def limits(self) -> np.ndarray:
         """(2, 2) least and largest x and y of all that is drawn, where the ground stood at rest."""
         structure = self.run.structure
-        found = places(structure.module, self.modes, self.states, structure.vector)
-        points = all_points(structure, found) + self.ground[:, None]
+        poses = places(structure.module, self.modes, self.states, structure.vector)
+        points = all_points(structure, poses) + self.ground[:, None]
         low, high = points.min(axis=(0, 1)), points.max(axis=(0, 1))
         size = float((high - low).max()) or 1.0
         beside = np.array([0.2 * size, 0.08 * size])
@@ -229,18 +287,31 @@ class Animation:
         figure.text(0.5, 1 - 0.12 / height, name, ha="center", va="top", fontsize=9.5)
         clock = figure.text(0.5, 1 - 0.34 / height, "", ha="center", va="top", fontsize=9)
         figure.legend(handles=_signs(self), loc="lower center", ncols=3, fontsize=8)
-        found = []
+        pictures = []
         for i in range(len(self)):
             for artist in (*ax.lines, *ax.patches, *ax.collections, *ax.texts):
                 artist.remove()  # to clear the axes takes as long as to draw them
             self.draw(i, ax)
             clock.set_text(self.title(i))
             canvas.draw()
-            found.append(_png(canvas))
-        return tuple(found)
+            pictures.append(_png(canvas))
+        return tuple(pictures)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a .gif, a .html page or a .mp4; raises ValueError for any other name."""
+        """Write a .gif, a .html page or a .mp4.
+
+        Parameters
+        ----------
+        path : path_like
+            File.
+
+        Raises
+        ------
+        ValueError
+            For any other name.
+        FileNotFoundError
+            For .mp4 without ffmpeg.
+        """
         check_file(path)
         kind = Path(path).suffix.lower()
         if kind == ".mp4":
@@ -316,7 +387,7 @@ _PLAYER = """\
 """
 
 
-def _player(frames: tuple[bytes, ...], frames_per_second: float, run: Run) -> str:
+def _player(frames: tuple[bytes, ...], frames_per_second: float, run: Response) -> str:
     """The frames with a button and a slider, as a piece of a page that needs nothing else."""
     coded = [base64.b64encode(frame).decode() for frame in frames]
     return _PLAYER.format(

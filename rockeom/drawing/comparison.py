@@ -9,13 +9,14 @@ from matplotlib.figure import Figure, SubFigure
 from matplotlib.lines import Line2D
 
 from rockeom.drawing import style
-from rockeom.drawing.drawn import Run, check_run
+from rockeom.drawing.checks import check_drawn
 from rockeom.numbers.checks import described
+from rockeom.simulation.response import Response
 
 
 @style.styled
 def plot_comparison(
-    runs: Sequence[Run],
+    runs: Sequence[Response],
     labels: Sequence[str] | None = None,
     *,
     figure: Figure | SubFigure | None = None,
@@ -23,20 +24,47 @@ def plot_comparison(
     end: float | None = None,
     title: str | None = None,
 ) -> Figure | SubFigure:
-    """Ground motion, displacement, uplift of each foot and impacts of several responses.
+    """Draw ground motion, displacement, uplift of each foot and impacts of several responses.
 
-    labels : a name for each run; the structures' names if not given.
-    figure, start, end : as in `plot_response`. title : what stands above.
+    Parameters
+    ----------
+    runs : sequence of Response
+        Responses.
+    labels : sequence of str, optional
+        Name of each response; the structures' names if not given.
+    figure : matplotlib.figure.Figure, optional
+        Empty figure or subfigure to draw in; a new one if not given.
+    start : float, optional
+        Start of the time axis [s]; that of the responses if not given.
+    end : float, optional
+        End of the time axis [s]; that of the responses if not given.
+    title : str, optional
+        Title above the figure.
 
-    Curves of motions that overturned end with a cross.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure. Curves of motions that overturned end with a cross.
 
-    Raises ValueError for no runs, for another number of labels than of runs, and for structures
-    with and without units in one figure.
+    Raises
+    ------
+    ValueError
+        For no runs, for another number of labels than of runs, and for structures with and without
+        units in one figure.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import plots
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> runs = [rk.simulate(block, pulse, impact=rk.EnergyRatio(r)) for r in (0.8, 0.95)]
+    >>> figure = plots.plot_comparison(runs, ["r = 0.8", "r = 0.95"])
     """
     if not isinstance(runs, Sequence):
         raise TypeError(f"runs is {described(runs)}: give a list of responses")
     for i, run in enumerate(runs):
-        check_run(f"runs[{i}]", run)
+        check_drawn(f"runs[{i}]", run, Response)
     labels = [style.name_of(run) for run in runs] if labels is None else labels
     if not runs or len(labels) != len(runs):
         raise ValueError(f"{len(runs)} runs and {len(labels)} labels: give one label for each run")
@@ -71,7 +99,7 @@ def plot_comparison(
     return figure
 
 
-def _end(run: Run) -> str:
+def _end(run: Response) -> str:
     """The outcome; where it has not overturned, the largest theta/alpha."""
     if run.outcome == style.OVERTURNED or "rotation_ratio" not in run.names:
         return str(run.outcome)
@@ -79,16 +107,16 @@ def _end(run: Run) -> str:
     return f"{run.outcome}, largest $\\theta/\\alpha$ {ratio:.2f}" if ratio else str(run.outcome)
 
 
-def _title(runs: Sequence[Run]) -> str:
+def _title(runs: Sequence[Response]) -> str:
     motions = dict.fromkeys(style.plain(run.motion.name) or "a ground motion" for run in runs)
     return f"Run to {'; '.join(motions)}"
 
 
-def _colors(runs: Sequence[Run]) -> list[str]:
+def _colors(runs: Sequence[Response]) -> list[str]:
     return [style.LINES[i % len(style.LINES)] for i in range(len(runs))]
 
 
-def _ground(ax: Axes, runs: Sequence[Run]) -> None:
+def _ground(ax: Axes, runs: Sequence[Response]) -> None:
     shared = all(run.motion == runs[0].motion for run in runs)
     for run, color in zip(runs, _colors(runs), strict=True):
         a = run["ground_acceleration"] / style.ground_scale(run)
@@ -96,7 +124,7 @@ def _ground(ax: Axes, runs: Sequence[Run]) -> None:
     ax.set_ylabel("ground\nacceleration [g]")
 
 
-def _lengths(ax: Axes, runs: Sequence[Run], name: str, label: str) -> None:
+def _lengths(ax: Axes, runs: Sequence[Response], name: str, label: str) -> None:
     factor, unit = style.length_scale(runs[0])
     for run, color in zip(runs, _colors(runs), strict=True):
         if name in run.names:
@@ -109,7 +137,7 @@ def _lengths(ax: Axes, runs: Sequence[Run], name: str, label: str) -> None:
     style.legend_above(ax)
 
 
-def _impact_lanes(ax: Axes, runs: Sequence[Run]) -> None:
+def _impact_lanes(ax: Axes, runs: Sequence[Response]) -> None:
     """A lane a run: impacts as high as their speed, and full contact as a grey band."""
     fastest = max(run.impacts.speeds.max(initial=0.0) for run in runs)
     for lane, (run, color) in enumerate(zip(runs, _colors(runs), strict=True)):

@@ -12,8 +12,8 @@ from pathlib import Path
 
 def ffmpeg() -> str:
     """The program; raises FileNotFoundError, with the remedies, where there is none."""
-    if found := shutil.which("ffmpeg"):
-        return found
+    if program := shutil.which("ffmpeg"):
+        return program
     if importlib.util.find_spec("imageio_ffmpeg") is not None:
         from imageio_ffmpeg import get_ffmpeg_exe
 

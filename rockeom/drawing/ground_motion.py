@@ -9,7 +9,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
 from rockeom.drawing import style
-from rockeom.drawing.drawn import DesignSpectrum, Motion, Spectrum, check_motion
+from rockeom.drawing.checks import check_drawn
+from rockeom.motion.design.spectra import DesignSpectrum
+from rockeom.motion.ground_motion import GroundMotion
+from rockeom.motion.spectra import ResponseSpectrum
 from rockeom.numbers.checks import described
 from rockeom.numbers.constants import STANDARD_GRAVITY
 
@@ -22,20 +25,43 @@ _BY_NAME = 6
 
 @style.styled
 def plot_motion(
-    motion: Motion,
+    motion: GroundMotion,
     *,
     figure: Figure | SubFigure | None = None,
     start: float = 0.0,
     end: float | None = None,
 ) -> Figure | SubFigure:
-    """Acceleration [g], velocity [m/s] and displacement [m] of the ground on one time axis.
+    """Draw acceleration [g], velocity [m/s] and displacement [m] of the ground on one time axis.
 
-    figure : an empty figure or subfigure to draw in; a new one if not given.
-    start, end : the part of the time axis shown [s]; all of it if not given.
+    Parameters
+    ----------
+    motion : GroundMotion
+        Ground motion.
+    figure : matplotlib.figure.Figure, optional
+        Empty figure or subfigure to draw in; a new one if not given.
+    start : float, optional
+        Start of the time axis [s].
+    end : float, optional
+        End of the time axis [s]; that of the motion if not given.
 
-    The largest value of each is that of the whole motion, found within its segments.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure. The largest value of each curve is that of the whole motion, within its segments
+        too.
+
+    Raises
+    ------
+    TypeError
+        For anything but a ground motion.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import plots
+    >>> figure = plots.plot_motion(rk.GroundMotion.ricker(4.0, 0.6))  # m/s2, s
     """
-    check_motion("motion", motion)
+    check_drawn("motion", motion, GroundMotion)
     if figure is None:
         figure = style.new_figure(7.2, 4.6)
     axes = figure.subplots(3, 1, sharex=True)
@@ -64,20 +90,36 @@ def plot_motion(
 
 @style.styled
 def plot_spectra(
-    spectra: Sequence[Spectrum],
+    spectra: Sequence[ResponseSpectrum],
     *,
     figure: Figure | SubFigure | None = None,
     title: str | None = None,
     target: DesignSpectrum | None = None,
 ) -> Figure | SubFigure:
-    """Pseudo-acceleration [g], relative velocity [m/s] and displacement [m] over the period [s].
+    """Draw pseudo-acceleration [g], relative velocity [m/s] and displacement [m] over the period
+    [s].
 
-    spectra : of one damping ratio and the same periods, such as those of `MotionSet`. More than
+    Parameters
+    ----------
+    spectra : sequence of ResponseSpectrum
+        Spectra of one damping ratio and the same periods, such as those of `MotionSet`. More than
         six are drawn by their median and the band between the 16th and the 84th percentile.
-    figure : as in `plot_motion`. title : what stands above. target : a design spectrum to compare
-        with, drawn where it is defined.
+    figure : matplotlib.figure.Figure, optional
+        Empty figure or subfigure to draw in; a new one if not given.
+    title : str, optional
+        Title above the figure.
+    target : DesignSpectrum, optional
+        Design spectrum to compare with, drawn where it is defined.
 
-    Raises ValueError for no spectra, and for such of several dampings or periods.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure.
+
+    Raises
+    ------
+    ValueError
+        For no spectra, and for spectra of several dampings or periods.
     """
     if not isinstance(spectra, Sequence):
         raise TypeError(

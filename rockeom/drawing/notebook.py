@@ -14,10 +14,12 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from rockeom.drawing import style
-from rockeom.drawing.drawn import Motion, Run, Structure
 from rockeom.drawing.page import image, table
 from rockeom.drawing.response import plot_response
 from rockeom.drawing.sketch import draw_structure
+from rockeom.motion.ground_motion import GroundMotion
+from rockeom.simulation.response import Response
+from rockeom.structures.base import Structure
 
 _table = partial(table, style="text-align:left")
 
@@ -38,7 +40,7 @@ def page_of_structure(shown: Structure) -> str:
     return _page(type(shown).__name__, _side_by_side(sketch, f"<p>{escape(title)}</p>{table}"))
 
 
-def page_of_response(shown: Run) -> str:
+def page_of_response(shown: Response) -> str:
     """The summary above a figure, as HTML."""
     first, *lines = shown.summary().split("\n")
     items = "".join(f"<li>{escape(line)}</li>" for line in lines)
@@ -47,7 +49,7 @@ def page_of_response(shown: Run) -> str:
     return _page(first, f"<ul>{items}</ul>{image(figure, f'response: {shown.outcome}', 'png', 75)}")
 
 
-def page_of_motion(shown: Motion) -> str:
+def page_of_motion(shown: GroundMotion) -> str:
     """The acceleration next to a table of properties, as HTML."""
     rows = [("duration", f"{shown.duration:.6g}", "s"), ("peak", f"{shown.peak:.6g}", "m/s2")]
     if shown.dt is not None and shown.samples is not None:
@@ -73,7 +75,7 @@ def page_of_sweep(shown: xr.Dataset) -> str:
 
 
 @style.styled
-def _history(motion: Motion) -> Figure:
+def _history(motion: GroundMotion) -> Figure:
     figure, ax = style.new_axes(5.2, 1.6)
     t = np.union1d(motion.breakpoints, np.linspace(0.0, motion.duration, 1001))
     ax.plot(t, motion.acceleration(t), color=style.INK, lw=0.7)

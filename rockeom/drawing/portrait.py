@@ -10,30 +10,52 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.drawing import style
-from rockeom.drawing.drawn import Run, Structure, check_run
+from rockeom.drawing.checks import check_drawn
+from rockeom.simulation.response import Response
+from rockeom.structures.base import Structure
 
 
 @style.styled
 def plot_phase_portrait(
-    run: Run | Sequence[Run], *, separatrix: bool = False, ax: Axes | None = None
+    run: Response | Sequence[Response], *, separatrix: bool = False, ax: Axes | None = None
 ) -> Figure:
-    """Angular velocity against rotation; impacts are the dotted jumps.
+    """Draw the angular velocity against the rotation; impacts are the dotted jumps.
 
-        plot_phase_portrait([released(theta) for theta in (0.05, 0.1)], separatrix=True)
-
-    run : a response, or several of one structure, each in another colour.
-    separatrix : also the dashed lines on which the structure would reach the balance on each foot
+    Parameters
+    ----------
+    run : Response or sequence of Response
+        A response, or several of one structure, each in another colour.
+    separatrix : bool, optional
+        Whether to draw the dashed lines on which the structure would reach the balance on each foot
         with no speed left, if nothing drove it and nothing were lost: motions inside come back,
         those outside fall. For structures with one coordinate that have a balance.
-    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; a new figure if not given.
 
-    Raises ValueError for no responses, and for the separatrix of a structure that has none.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure of the axes.
+
+    Raises
+    ------
+    ValueError
+        For no responses, and for the separatrix of a structure that has none.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import plots
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> still = rk.GroundMotion.none(3.0)  # s
+    >>> runs = [rk.simulate(block, still, initial={"theta": theta}) for theta in (0.05, 0.1)]  # rad
+    >>> figure = plots.plot_phase_portrait(runs, separatrix=True)
     """
     runs = list(run) if isinstance(run, Sequence) else [run]
     if not runs:
         raise ValueError("plot_phase_portrait: there is no response: give one at least")
     for one in runs:
-        check_run("run", one)
+        check_drawn("run", one, Response)
     first = runs[0]
     if ax is None:
         ax = style.new_figure(4.6, 3.8).add_subplot()
@@ -58,7 +80,7 @@ def plot_phase_portrait(
     return style.parent_figure(ax)
 
 
-def _draw(ax: Axes, run: Run, colour: str) -> None:
+def _draw(ax: Axes, run: Response, colour: str) -> None:
     p = run.structure.module
     y, dy = run.y[:, p.ROTATION], run.y[:, p.ROTATION_RATE]
     jumps = np.flatnonzero(np.diff(run.t) == 0) + 1

@@ -10,8 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 
 from rockeom.drawing import style
-from rockeom.drawing.drawn import Run
 from rockeom.numbers.checks import described
+from rockeom.simulation.response import Response
 
 Names = Mapping[str, str]
 Strokes = Iterable[Mapping[str, Any]]
@@ -19,7 +19,7 @@ _OF_AXES: Strokes = repeat({})
 
 
 def plot_quantities(
-    run: Run, names: Sequence[str], ax: Axes | None, figure: Figure | SubFigure | None
+    run: Response, names: Sequence[str], ax: Axes | None, figure: Figure | SubFigure | None
 ) -> tuple[Figure | SubFigure, Sequence[Axes]]:
     """A row for each quantity, or all in `ax`; the figure and the axes drawn in."""
     for name in names:
@@ -42,7 +42,9 @@ def plot_quantities(
     return figure, axes
 
 
-def draw_curves(ax: Axes, run: Run, names: Names, what: str, strokes: Strokes = _OF_AXES) -> None:
+def draw_curves(
+    ax: Axes, run: Response, names: Names, what: str, strokes: Strokes = _OF_AXES
+) -> None:
     """Quantities of one unit against time, with their largest sizes, and a legend above them.
 
     names : what each is called. strokes : colour and line of each; those of the axes if not given.

@@ -11,42 +11,71 @@ from matplotlib.figure import Figure, SubFigure
 
 from rockeom.codes import SLIP_LEFT, SLIP_RIGHT
 from rockeom.drawing import style
-from rockeom.drawing.drawn import Run, check_run
+from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.quantities import draw_curves, plot_quantities, require_axes
 from rockeom.numbers.checks import number
+from rockeom.simulation.response import Response
 
-Draw = Callable[[Axes, Run], None]
+Draw = Callable[[Axes, Response], None]
 
 
 @style.styled
 def plot_response(
-    run: Run,
+    run: Response,
     *names: str,
     ax: Axes | None = None,
     figure: Figure | SubFigure | None = None,
     start: float | None = None,
     end: float | None = None,
 ) -> Figure | SubFigure:
-    """Ground motion, rotation, displacement, uplift, impacts and contacts on one time axis.
+    """Draw ground motion, rotation, displacement, uplift, impacts and contacts on one time axis.
 
-        plot_response(run)
-        plot_response(run, "theta", "left_uplift")
-        plot_response(run, "left_uplift", "right_uplift", ax=axes)
+    Parameters
+    ----------
+    run : Response
+        Response.
+    *names : str
+        Names of quantities of the response, to draw these instead, a row each.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw the quantities in, which have one unit; the rotation if none is named.
+    figure : matplotlib.figure.Figure, optional
+        Empty figure or subfigure to draw in; a new one if not given.
+    start : float, optional
+        Start of the time axis [s]; that of the response if not given.
+    end : float, optional
+        End of the time axis [s]; that of the response if not given.
 
-    names : of quantities of the response, to draw these instead, a row each.
-    ax : axes to draw the quantities in, which have one unit; the rotation if none is named.
-    figure : an empty figure or subfigure to draw in; a new one if not given.
-    start, end : the part of the time axis shown [s]; all of it if not given.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure, that of `ax` where axes are given.
 
+    Raises
+    ------
+    KeyError
+        For an unknown quantity.
+    ValueError
+        For a start behind the end.
+
+    Notes
+    -----
     The time in full contact is shaded. Curves of a motion that overturned end with a cross, and
-    overturning angles within reach of the rotation are dashed. Impacts are drawn as
-    high as the angular velocity just before them, so that the endless small ones before rest do not
-    hide the large ones. In the lowest row each contact has a bar where it is closed, with a black
-    one below where it slides. Returns the figure, that of `ax` where axes are given.
+    overturning angles within reach of the rotation are dashed. Impacts are drawn as high as the
+    angular velocity just before them, so that the endless small ones before rest do not hide the
+    large ones. In the lowest row each contact has a bar where it is closed, with a black one below
+    where it slides.
 
-    Raises KeyError for an unknown quantity, and ValueError for a start behind the end.
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import plots
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> run = rk.simulate(block, pulse)
+    >>> figure = plots.plot_response(run)
+    >>> figure = plots.plot_response(run, "theta", "left_uplift")
     """
-    check_run("run", run)
+    check_drawn("run", run, Response)
     require_axes(ax, figure)
     limits = _limits(run, start, end)
     if names or ax is not None:
@@ -60,7 +89,7 @@ def plot_response(
     return figure
 
 
-def _limits(run: Run, start: float | None, end: float | None) -> tuple[float, float]:
+def _limits(run: Response, start: float | None, end: float | None) -> tuple[float, float]:
     """The part of the time axis shown [s]."""
     first = float(run.t[0]) if start is None else number("start", start)
     last = float(run.t[-1]) if end is None else number("end", end)
@@ -69,7 +98,7 @@ def _limits(run: Run, start: float | None, end: float | None) -> tuple[float, fl
     return first, last
 
 
-def _overview(run: Run, figure: Figure | SubFigure | None) -> tuple[Figure | SubFigure, Any]:
+def _overview(run: Response, figure: Figure | SubFigure | None) -> tuple[Figure | SubFigure, Any]:
     """The rows that this structure fills, below a title with the outcome."""
     rows = _rows(run)
     heights = [height for _, height in rows]
@@ -84,7 +113,7 @@ def _overview(run: Run, figure: Figure | SubFigure | None) -> tuple[Figure | Sub
     return figure, axes
 
 
-def _rows(run: Run) -> list[tuple[Draw, float]]:
+def _rows(run: Response) -> list[tuple[Draw, float]]:
     """The rows that this structure fills, with their relative heights."""
     shaken = any(m is not None and m.peak > 0.0 for m in (run.motion, run.vertical))
     rows: list[tuple[Draw, float]] = [(_ground, 1.0)] if shaken else []
@@ -98,7 +127,7 @@ def _rows(run: Run) -> list[tuple[Draw, float]]:
     return [*rows, (_contacts, 0.15 + 0.13 * len(contacts))]
 
 
-def _ground(ax: Axes, run: Run) -> None:
+def _ground(ax: Axes, run: Response) -> None:
     scale = style.ground_scale(run)
     ax.plot(run.t, run["ground_acceleration"] / scale, color=style.INK, lw=0.7, label="horizontal")
     ax.set_ylabel("ground\nacceleration [g]")
@@ -108,7 +137,7 @@ def _ground(ax: Axes, run: Run) -> None:
         style.legend_above(ax)
 
 
-def _rotation(ax: Axes, run: Run) -> None:
+def _rotation(ax: Axes, run: Response) -> None:
     """The coordinate that overturns, and other rotations."""
     name = run.states[run.structure.module.ROTATION]
     names = [name, *_others(run, "rad")] if run.units[name] == "rad" else [name]
@@ -121,14 +150,14 @@ def _rotation(ax: Axes, run: Run) -> None:
         style.legend_above(ax)
 
 
-def _others(run: Run, unit: str) -> list[str]:
+def _others(run: Response, unit: str) -> list[str]:
     """Coordinates of a unit, without the one that overturns."""
     m = run.structure.module
     coordinates = run.states[: m.N_STATES // 2]
     return [n for n in coordinates if run.units[n] == unit and n != run.states[m.ROTATION]]
 
 
-def _overturning_angles(ax: Axes, run: Run) -> None:
+def _overturning_angles(ax: Axes, run: Response) -> None:
     """A scale of theta/alpha where one alpha is that of both sides; dashed lines within reach."""
     left, right = run.structure.overturning_angles or (np.nan, np.nan)
     if not np.isfinite(left + right):
@@ -144,14 +173,14 @@ def _overturning_angles(ax: Axes, run: Run) -> None:
         ax.spines["right"].set_visible(False)
 
 
-def _displacement(ax: Axes, run: Run) -> None:
+def _displacement(ax: Axes, run: Response) -> None:
     """The load point, and every coordinate that is a length."""
     lengths = {n: style.symbol(n) if len(n) < 4 else n for n in _others(run, "m")}
     names = {"displacement": "load point", **lengths}
     draw_curves(ax, run, names, "displacement", style.strokes(style.OTHERS))
 
 
-def _uplift(ax: Axes, run: Run) -> None:
+def _uplift(ax: Axes, run: Response) -> None:
     names = {
         f"{name}_uplift": name.replace("_", " ") + " foot" * (name in style.FEET)
         for name in style.contacts(run)
@@ -163,7 +192,7 @@ def _uplift(ax: Axes, run: Run) -> None:
 _OF_CONTACTS = (*style.FEET.values(), *style.OTHERS)
 
 
-def _impacts(ax: Axes, run: Run) -> None:
+def _impacts(ax: Axes, run: Response) -> None:
     times, speeds = run.impacts.times, run.impacts.speeds
     ax.vlines(times, 0.0, speeds, color=style.INK, lw=0.9)
     ax.plot(times, speeds, ".", color=style.INK, ms=2.5, label=run.impacts.describe())
@@ -174,7 +203,7 @@ def _impacts(ax: Axes, run: Run) -> None:
     style.legend_above(ax)
 
 
-def _contacts(ax: Axes, run: Run) -> None:
+def _contacts(ax: Axes, run: Response) -> None:
     """A lane for each contact: a bar where it is closed, and a black one below where it slides."""
     contacts = style.contacts(run)
     for lane, (states, stroke) in enumerate(

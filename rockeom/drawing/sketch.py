@@ -11,8 +11,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.drawing import free_body, style
-from rockeom.drawing.drawn import Structure, check_structure
-from rockeom.drawing.positions import BODIES, Member, legs, places, positions_of, rotations_of
+from rockeom.drawing.checks import check_drawn
+from rockeom.structures.base import Structure
+from rockeom.structures.positions import BODIES, Member, legs, places, positions_of, rotations_of
 
 
 @style.styled
@@ -23,18 +24,45 @@ def draw_structure(
     rotation: float = 0.0,
     ax: Axes | None = None,
 ) -> Figure:
-    """The bodies, the feet and the ground of a structure, in any state.
+    """Draw the bodies, the feet and the ground of a structure, in any state.
 
-    state : coordinates by name, such as {"theta": 0.1, "u": 0.02}; what is not named is zero.
-    rotation : the same of the coordinate that overturns alone [rad, or its unit].
-    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+    Parameters
+    ----------
+    structure : Structure
+        Structure.
+    state : dict of str to float, optional
+        Values of coordinates by name, such as ``{"theta": 0.1, "u": 0.02}`` [rad, m]; those that
+        are not named are zero.
+    rotation : float, optional
+        Value of the coordinate that overturns, alone [rad, or its unit].
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; a new figure if not given.
 
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure of the axes.
+
+    Raises
+    ------
+    ValueError
+        For a state that cannot be.
+    TypeError
+        For anything but a structure.
+
+    Notes
+    -----
     Bodies, contacts and members are drawn as they are declared: a body without an outline as a
-    mass, and what joins bodies where the declaration has `members`.
+    mass, and whatever joins bodies where the declaration has `members`.
 
-    Raises ValueError for a state that cannot be, TypeError for anything but a structure.
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import plots
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> figure = plots.draw_structure(block, state={"theta": 0.1})  # rad
     """
-    check_structure("structure", structure)
+    check_drawn("structure", structure, Structure)
     m = structure.module
     named = {m.STATES[m.ROTATION]: rotation} if rotation else {}
     if ax is None:
@@ -238,11 +266,11 @@ class Sketch:
         free_body.ground(ax, left, feet[-1][0] + beyond, feet[-1][1], depth)
 
 
-def all_points(structure: Structure, found: np.ndarray) -> np.ndarray:
+def all_points(structure: Structure, poses: np.ndarray) -> np.ndarray:
     """(n, k, 2) places and corners of bodies and feet, of what `places` has found (n, m, 3)."""
     m, shapes = structure.module, structure.shapes
-    at, angles = positions_of(m, found), rotations_of(m, found)
-    points = [found[..., :2]]
+    at, angles = positions_of(m, poses), rotations_of(m, poses)
+    points = [poses[..., :2]]
     for name, angle in angles.items():
         x, y = shapes.outlines.get(name, np.zeros((1, 2))).T
         cos, sin = np.cos(angle)[:, None], np.sin(angle)[:, None]
@@ -255,15 +283,15 @@ def all_points(structure: Structure, found: np.ndarray) -> np.ndarray:
 
 def _pose(structure: Structure, mode: int, y: np.ndarray) -> _Pose:
     m = structure.module
-    (found,) = places(m, np.array([mode]), y[None], structure.vector)
-    angles = {name: float(angle) for name, angle in rotations_of(m, found).items()}
-    return _Pose(positions_of(m, found), angles)
+    (pose,) = places(m, np.array([mode]), y[None], structure.vector)
+    angles = {name: float(angle) for name, angle in rotations_of(m, pose).items()}
+    return _Pose(positions_of(m, pose), angles)
 
 
 def _gaps(structure: Structure, mode: int, y: np.ndarray) -> dict[str, float]:
     """Distances of feet from what they touch, by name [m]."""
     m = structure.module
-    found = np.zeros(len(m.KINEMATICS))
-    m.kinematics(mode, y, structure.vector, found)
-    told = dict(zip(m.KINEMATICS, found.tolist(), strict=True))
+    values = np.zeros(len(m.KINEMATICS))
+    m.kinematics(mode, y, structure.vector, values)
+    told = dict(zip(m.KINEMATICS, values.tolist(), strict=True))
     return {name: told[f"{name}_uplift"] for name in m.POSITIONS if f"{name}_uplift" in told}

@@ -17,10 +17,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure, SubFigure
 from matplotlib.rcsetup import cycler
 
-from rockeom.drawing.drawn import Run
 from rockeom.files import write
 from rockeom.numbers import explained
 from rockeom.numbers.constants import STANDARD_GRAVITY
+from rockeom.simulation.response import Response
 
 INK = "0.25"
 LINES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")  # Okabe and Ito (2008)
@@ -108,31 +108,31 @@ def new_axes(width: float, height: float) -> tuple[NotebookFigure, Axes]:
 
 def parent_figure(ax: Axes) -> Figure:
     """The figure in which `ax` stands."""
-    found: Any = ax.figure
-    while isinstance(found, SubFigure):
-        found = found.figure
-    return found
+    figure: Any = ax.figure
+    while isinstance(figure, SubFigure):
+        figure = figure.figure
+    return figure
 
 
 # --- units
 
 
-def is_dimensionless(run: Run) -> bool:
+def is_dimensionless(run: Response) -> bool:
     """Whether the structure's states, time and accelerations are pure numbers."""
     return run.units["ground_acceleration"] == "-"
 
 
-def ground_scale(run: Run) -> float:
+def ground_scale(run: Response) -> float:
     """One g in the run's accelerations."""
     return 1.0 if is_dimensionless(run) else STANDARD_GRAVITY
 
 
-def length_scale(run: Run) -> tuple[float, str]:
+def length_scale(run: Response) -> tuple[float, str]:
     """(factor, unit) in which lengths are shown."""
     return (1.0, "-") if is_dimensionless(run) else (1e3, "mm")
 
 
-def time_label(run: Run) -> str:
+def time_label(run: Response) -> str:
     return "time $p\\,t$ [-]" if is_dimensionless(run) else "time [s]"
 
 
@@ -144,12 +144,12 @@ def plain(text: str) -> str:
     return text.replace("$", r"\$")
 
 
-def name_of(run: Run) -> str:
+def name_of(run: Response) -> str:
     """Name of the structure, in words."""
     return run.structure.module.NAME.replace("_", " ")
 
 
-def title_of(run: Run) -> str:
+def title_of(run: Response) -> str:
     """Structure and motion."""
     structure = name_of(run)
     return f"{structure[:1].upper()}{structure[1:]} under {run.motion.name or 'a ground motion'}"
@@ -173,14 +173,14 @@ _GREEK = re.compile(
 )
 
 
-def rate_of(run: Run) -> tuple[str, str]:
+def rate_of(run: Response) -> tuple[str, str]:
     """Mathematics and unit of the angular velocity."""
     p = run.structure.module
     name = symbol(run.states[p.ROTATION]).strip("$")
     return rf"\dot{{{name}}}", "-" if is_dimensionless(run) else p.STATE_UNITS[p.ROTATION_RATE]
 
 
-def largest(run: Run, name: str, factor: float, unit: str) -> str:
+def largest(run: Response, name: str, factor: float, unit: str) -> str:
     """The largest size of a quantity, found within the steps and times a factor, in words."""
     size = abs(run.extremes(name).peak) * factor
     shown = f"{size:.3g}" if size < 1e3 else f"{size:.0f}"
@@ -204,7 +204,7 @@ def feet_of(mode: str) -> str:
     return mode.split("_")[0]
 
 
-def contacts(run: Run) -> dict[str, np.ndarray]:
+def contacts(run: Response) -> dict[str, np.ndarray]:
     """The states (n,) of each contact in the n modes, the feet first: 0 where it is open."""
     m = run.structure.module
     states = {
@@ -218,7 +218,7 @@ def contacts(run: Run) -> dict[str, np.ndarray]:
     return {name: states[name] for name in sorted(states, key=lambda name: name not in FEET)}
 
 
-def spans_in(run: Run, modes: np.ndarray) -> np.ndarray:
+def spans_in(run: Response, modes: np.ndarray) -> np.ndarray:
     """Starts and ends (k, 2) of the times in those of the n modes that are true in `modes`."""
     spans, mode_numbers = run.support.spans
     edges = np.diff(np.concatenate([[0], modes[mode_numbers], [0]]).astype(int))
@@ -230,12 +230,12 @@ def bars(spans: np.ndarray) -> list[tuple[float, float]]:
     return [(start, end - start) for start, end in spans.tolist()]
 
 
-def full_contact(run: Run) -> np.ndarray:
+def full_contact(run: Response) -> np.ndarray:
     """Starts and ends (k, 2) of the times in which each contact is closed."""
     return spans_in(run, np.all([states > 0 for states in contacts(run).values()], axis=0))
 
 
-def shade_full_contact(axes: Sequence[Axes], run: Run) -> None:
+def shade_full_contact(axes: Sequence[Axes], run: Response) -> None:
     """Grey behind the time in which all contacts are closed."""
     for ax in axes:
         for start, end in full_contact(run):
@@ -243,7 +243,7 @@ def shade_full_contact(axes: Sequence[Axes], run: Run) -> None:
 
 
 def mark_overturning(
-    ax: Axes, run: Run, y: np.ndarray, x: np.ndarray | None = None, color: str = "k"
+    ax: Axes, run: Response, y: np.ndarray, x: np.ndarray | None = None, color: str = "k"
 ) -> None:
     """A cross where a curve y (n,) of a motion that overturned ends, against time or x (n,)."""
     if run.outcome != OVERTURNED:

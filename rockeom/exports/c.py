@@ -49,7 +49,7 @@ class CWriter(Writer):
     def __init__(self, functions: Functions, function: Function, names: Names, prefix: str) -> None:
         super().__init__(functions, function, names)
         self.prefix = prefix
-        self.given = _array_given(function)
+        self.result_array = _array_given(function)
         self.pending: list[set[str]] = []  # names by block, declared when they are first assigned
         self.inner: Set[str] = (
             frozenset()
@@ -94,18 +94,18 @@ class CWriter(Writer):
         return f"{self.name(array)} + {self.text(first, PRODUCT)}", SUM
 
     def call(self, node: ast.Call, *more: str) -> tuple[str, int]:
-        given = [self.text(a) for a in node.args]
+        arguments = [self.text(a) for a in node.args]
         function = f"{self.prefix}{self.names.of(ast.unparse(node.func))}"
-        return f"{function}({', '.join([*given, *more])})", ITEM
+        return f"{function}({', '.join([*arguments, *more])})", ITEM
 
     def library(self, name: str, arguments: Sequence[ast.expr]) -> tuple[str, int]:
-        given = [self.text(a) for a in arguments]
+        texts = [self.text(a) for a in arguments]
         if name in ("max", "min"):
-            return self.of_two(f"f{name}", given), ITEM
+            return self.of_two(f"f{name}", texts), ITEM
         if name == "int":
-            return f"(int) ({given[0]})", POWER
+            return f"(int) ({texts[0]})", POWER
         name = {"abs": "fabs"}.get(name, name)
-        return f"{name}({', '.join(given)})", ITEM
+        return f"{name}({', '.join(texts)})", ITEM
 
     def constant_name(self, name: str) -> str:
         return f"{self.prefix.upper()}{self.names.of(name)}"
@@ -131,20 +131,20 @@ class CWriter(Writer):
     def head(self) -> str:
         """Its name, arguments and result."""
         function = self.function
-        given = []
+        arguments = []
         for name in function.arguments:
             type_ = function.types[name]
             if isinstance(type_, (Array, Tuple)):
                 const = "" if name in function.fills else "const "
-                given.append(f"{const}{_word(type_)} *{self.names.of(name)}")
+                arguments.append(f"{const}{_word(type_)} *{self.names.of(name)}")
             else:
-                given.append(f"{_word(type_)} {self.names.of(name)}")
-        given = [argument.replace(" ", JOINED) for argument in given]
+                arguments.append(f"{_word(type_)} {self.names.of(name)}")
+        arguments = [argument.replace(" ", JOINED) for argument in arguments]
         returns = function.returns
         if isinstance(returns, Array) or is_row(returns):
-            given.append(f"{_word(returns)}{JOINED}*result")
+            arguments.append(f"{_word(returns)}{JOINED}*result")
         word = _word(returns) if isinstance(returns, str) else "void"
-        return f"{word} {self.prefix}{self.names.of(function.name)}({', '.join(given)})"
+        return f"{word} {self.prefix}{self.names.of(function.name)}({', '.join(arguments)})"
 
     def declaring(self, body: Sequence[ast.stmt], names: Set[str]) -> None:
         """A block; `names` are those that nothing outside of it asks for.
@@ -202,11 +202,11 @@ class CWriter(Writer):
 
     def declared(self, name: str) -> str:
         """A name as it stands where it is assigned, with its type where that is the first time."""
-        found = self.names.of(name)
+        word = self.names.of(name)
         if not self.is_pending(name):
-            return found
+            return word
         const = "const " if self.times[name] == 1 else ""
-        return f"{const}{_word(self.function.types[name])} {found}"
+        return f"{const}{_word(self.function.types[name])} {word}"
 
     def statement(self, node: ast.stmt) -> None:
         names = self.inner
@@ -286,7 +286,7 @@ class CWriter(Writer):
             self.line(f"return {self.text(value)};")
 
     def name(self, name: str) -> str:
-        return "result" if name == self.given else super().name(name)
+        return "result" if name == self.result_array else super().name(name)
 
     def put(self, target: ast.expr, text: str) -> None:
         if isinstance(target, ast.Name):
@@ -311,7 +311,7 @@ class CWriter(Writer):
             self.put(target, f"{name}[{i}]")
 
     def make_array(self, name: str, zeros: bool) -> None:
-        if name == self.given:
+        if name == self.result_array:
             self.is_pending(name)
             return
         size, type_ = self.function.lengths[name], _word(self.function.types[name])

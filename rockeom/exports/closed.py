@@ -16,7 +16,8 @@ from typing import Any, NamedTuple, NoReturn
 
 from rockeom.compiler.frontend import Function as Typed
 from rockeom.compiler.lines import described, joined
-from rockeom.compiler.parsed import UNKNOWN, Constants, Text
+from rockeom.compiler.modules import Modules, Text
+from rockeom.compiler.parsed import UNKNOWN, Constants
 from rockeom.compiler.printer import Program
 from rockeom.compiler.types import BOOL, FLOAT, INT, NOTHING, Array, Tuple, Type
 
@@ -27,10 +28,10 @@ class Unwritten(NotImplementedError):  # noqa: N818
 
 def joined_type(one: Type, other: Type) -> Type:
     """The type of a value that has either."""
-    found = joined(one, other)
-    if found is None:
+    type_ = joined(one, other)
+    if type_ is None:
         raise Unwritten(f"either {described(one)} or {described(other)}")
-    return found
+    return type_
 
 
 def number_of(type_: Type) -> str:
@@ -110,21 +111,24 @@ class Function:
 class Functions:
     """Functions of some texts, those that are asked for and all that they call.
 
+    roots, modules : the texts and what they import, as of `Program`.
     entries : by name the types of their arguments. constants : of the texts, by name.
     """
 
-    def __init__(self, texts: Sequence[Text], entries: Mapping[str, Sequence[Type]]) -> None:
-        program = Program(texts)
+    def __init__(
+        self, roots: Iterable[Text], modules: Modules, entries: Mapping[str, Sequence[Type]]
+    ) -> None:
+        program = Program(roots, modules)
         self.constants: dict[str, Any] = program.names
         self.entries = tuple(entries)
         self.values = Constants(self.constants)
         typed = _typed(program, entries)
-        self.known = {name: self._read(name, all_) for name, all_ in typed.items()}
-        for function in self.known.values():
+        self.by_name = {name: self._read(name, all_) for name, all_ in typed.items()}
+        for function in self.by_name.values():
             self._find_calls(function)
         for function in self.ordered():
             _Reader(self, function).read()
-        for function in self.known.values():
+        for function in self.by_name.values():
             function.body, _ = _needed(self, function.body, frozenset())
             self._find_calls(function)
 
@@ -149,7 +153,7 @@ class Functions:
             for argument in call.args:
                 if isinstance(argument, ast.Call):
                     add(argument)
-            if (name := ast.unparse(call.func)) in self.known:
+            if (name := ast.unparse(call.func)) in self.by_name:
                 calls[name] = None
 
         for statement in function.body:
@@ -159,22 +163,22 @@ class Functions:
 
     def changes(self, node: ast.AST) -> bool:
         """Whether a call in it changes an array."""
-        called = (self.known.get(ast.unparse(call.func)) for call in calls_in(node))
+        called = (self.by_name.get(ast.unparse(call.func)) for call in calls_in(node))
         return any(function is not None and function.filled for function in called)
 
     def ordered(self) -> list[Function]:
         """Each behind those that it calls."""
-        found: dict[str, Function] = {}
+        order: dict[str, Function] = {}
 
         def add(name: str) -> None:
-            if name not in found:
-                for called in self.known[name].calls:
+            if name not in order:
+                for called in self.by_name[name].calls:
                     add(called)
-                found[name] = self.known[name]
+                order[name] = self.by_name[name]
 
         for name in self.entries:
             add(name)
-        return list(found.values())
+        return list(order.values())
 
     def type_of(self, function: Function, node: ast.expr) -> Type:
         """The type of an expression."""
@@ -204,42 +208,43 @@ class Functions:
 
 def _typed(program: Program, entries: Mapping[str, Sequence[Type]]) -> dict[str, list[Typed]]:
     """Typed functions and all that they call, for the widest types, too."""
+    homes = {name: definition for (_, name), definition in program.definitions.items()}
     wanted: dict[str, tuple[Type, ...]] = {}
     wider = {name: tuple(types) for name, types in entries.items()}
     while wider != wanted:
         wanted = wider
         for name, types in wanted.items():
-            if name not in program.definitions:
+            if name not in homes:
                 raise Unwritten(f"no function {name} is known")
-            program.function(name, types, None, program.definitions[name])
+            program.function(homes[name], types, None, homes[name])
         wider = {}
-        for name, types in program.functions:
+        for _, name, types in program.functions:
             old = wider.get(name, types)
             wider[name] = tuple(map(joined_type, old, types))
-    found: dict[str, list[Typed]] = {}
-    for (name, _), function in program.functions.items():
-        found.setdefault(name, []).append(function)
-    return found
+    of_each: dict[str, list[Typed]] = {}
+    for (_, name, _), function in program.functions.items():
+        of_each.setdefault(name, []).append(function)
+    return of_each
 
 
 def _merged(types: Iterable[Mapping[Any, Type]]) -> dict[Any, Type]:
     """Types by their keys, each the widest."""
-    found: dict[Any, Type] = {}
+    widest: dict[Any, Type] = {}
     for some in types:
         for key, type_ in some.items():
-            found[key] = joined_type(found.get(key, type_), type_)
-    return found
+            widest[key] = joined_type(widest.get(key, type_), type_)
+    return widest
 
 
 def _pruned(body: Sequence[ast.stmt], constants: Constants) -> list[ast.stmt]:
     """Statements without what never happens, by what is constant."""
-    found: list[ast.stmt] = []
+    left: list[ast.stmt] = []
     for statement in body:
         match statement:
             case ast.If(test=test, body=yes, orelse=no):
                 value = constants.known(test)
                 if value is not UNKNOWN:
-                    found += _pruned(yes if value else no, constants)
+                    left += _pruned(yes if value else no, constants)
                     continue
                 new: ast.stmt = ast.If(test, _pruned(yes, constants), _pruned(no, constants))
             case ast.While(test=test, body=inner):
@@ -248,8 +253,8 @@ def _pruned(body: Sequence[ast.stmt], constants: Constants) -> list[ast.stmt]:
                 new = ast.For(target, range_, _pruned(inner, constants), [])
             case _:
                 new = statement
-        found.append(ast.copy_location(new, statement))
-    return found or [ast.Pass()]
+        left.append(ast.copy_location(new, statement))
+    return left or [ast.Pass()]
 
 
 Live = frozenset[str]
@@ -295,8 +300,8 @@ def _needed(
                     targets, values = zip(*pairs_left, strict=True)
                     one = len(targets) == 1
                     left = targets[0] if one else ast.Tuple(list(targets), ast.Store())
-                    given = values[0] if one else ast.Tuple(list(values), ast.Load())
-                    statement = ast.copy_location(ast.Assign([left], given), statement)
+                    right = values[0] if one else ast.Tuple(list(values), ast.Load())
+                    statement = ast.copy_location(ast.Assign([left], right), statement)
                 after = after - _given_names(statement) | _loads(statement)
             case ast.If(test=test, body=yes, orelse=no):
                 yes, before = _needed(functions, yes, after, looping)
@@ -337,12 +342,12 @@ def base_of(node: ast.expr) -> ast.expr:
 
 def indices_of(node: ast.Subscript) -> list[ast.expr]:
     """The indices of an item, outer ones first."""
-    found: list[ast.expr] = []
+    indices: list[ast.expr] = []
     base: ast.expr = node
     while isinstance(base, ast.Subscript):
-        found.insert(0, base.slice)
+        indices.insert(0, base.slice)
         base = base.value
-    return found
+    return indices
 
 
 def names_of(node: ast.AST) -> Iterator[ast.Name]:
@@ -351,19 +356,19 @@ def names_of(node: ast.AST) -> Iterator[ast.Name]:
 
 def stored(node: ast.AST) -> set[str]:
     """Names that are given a value somewhere, or are arguments."""
-    found = {n.id for n in names_of(node) if isinstance(n.ctx, ast.Store)}
-    return found | {a.arg for a in ast.walk(node) if isinstance(a, ast.arg)}
+    names = {n.id for n in names_of(node) if isinstance(n.ctx, ast.Store)}
+    return names | {a.arg for a in ast.walk(node) if isinstance(a, ast.arg)}
 
 
 def loaded(node: ast.AST) -> set[str]:
     """Names whose values are asked for."""
-    found = set()
+    names = set()
     for part in ast.walk(node):
         if isinstance(part, ast.Name) and isinstance(part.ctx, ast.Load):
-            found.add(part.id)
+            names.add(part.id)
         elif isinstance(part, ast.AugAssign) and isinstance(part.target, ast.Name):
-            found.add(part.target.id)
-    return found
+            names.add(part.target.id)
+    return names
 
 
 def made_array(node: ast.expr) -> str:
@@ -418,10 +423,10 @@ class _Reader:
                 case ast.While(body=body) | ast.For(body=body):
                     self._block(body)
             for call in calls_in(statement):
-                called = self.functions.known.get(ast.unparse(call.func))
-                for own, given in zip(called.arguments, call.args, strict=True) if called else ():
+                called = self.functions.by_name.get(ast.unparse(call.func))
+                for own, node in zip(called.arguments, call.args, strict=True) if called else ():
                     if called and own in called.fills:
-                        self.functions.fill(self.function, base_of(given))
+                        self.functions.fill(self.function, base_of(node))
 
     def _assign(self, target: ast.expr, value: ast.expr) -> None:
         several = pairs(target, value)
@@ -429,21 +434,21 @@ class _Reader:
             for part in target.elts:  # type: ignore[attr-defined]
                 self._fill(part)
             return
-        for one, given in several:
-            if isinstance(one, ast.Name) and made_array(given):
-                size = self.functions.constant(given.args[0])  # type: ignore[attr-defined]
+        for one, source in several:
+            if isinstance(one, ast.Name) and made_array(source):
+                size = self.functions.constant(source.args[0])  # type: ignore[attr-defined]
                 self.function.lengths[one.id] = size
-            elif isinstance(one, ast.Name) and isinstance(given, ast.Subscript):
-                self._name_part(one.id, given)
+            elif isinstance(one, ast.Name) and isinstance(source, ast.Subscript):
+                self._name_part(one.id, source)
             self._fill(one)
 
-    def _name_part(self, name: str, given: ast.Subscript) -> None:
-        if not isinstance(given.slice, ast.Slice):
+    def _name_part(self, name: str, part: ast.Subscript) -> None:
+        if not isinstance(part.slice, ast.Slice):
             return
-        base = base_of(given)
-        if not isinstance(base, ast.Name) or given.slice.upper or given.slice.lower is None:
-            self.function.refuse(given, "a part of an array is array[first:]")
-        self.function.aliases[name] = Alias(base.id, given.slice.lower)
+        base = base_of(part)
+        if not isinstance(base, ast.Name) or part.slice.upper or part.slice.lower is None:
+            self.function.refuse(part, "a part of an array is array[first:]")
+        self.function.aliases[name] = Alias(base.id, part.slice.lower)
 
     def _fill(self, target: ast.expr) -> None:
         if isinstance(target, ast.Subscript):
@@ -462,19 +467,19 @@ class Names:
 
     def __init__(self, reserved: Collection[str], longest: int = 60) -> None:
         self.reserved, self.longest = frozenset(reserved), longest
-        self.given: dict[str, str] = {}
+        self.words: dict[str, str] = {}
         self.taken: set[str] = set()
 
     def of(self, name: str) -> str:
-        if name not in self.given:
-            found = in_plain_letters(name)[: self.longest]
+        if name not in self.words:
+            word = in_plain_letters(name)[: self.longest]
             number = 1
-            while found in self.reserved or found in self.taken or _KEPT.fullmatch(found):
+            while word in self.reserved or word in self.taken or _KEPT.fullmatch(word):
                 number += 1
-                found = f"{in_plain_letters(name)[: self.longest]}_{number}"
-            self.given[name] = found
-            self.taken.add(found)
-        return self.given[name]
+                word = f"{in_plain_letters(name)[: self.longest]}_{number}"
+            self.words[name] = word
+            self.taken.add(word)
+        return self.words[name]
 
 
 def in_plain_letters(name: str) -> str:

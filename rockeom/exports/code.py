@@ -16,19 +16,19 @@ from functools import lru_cache
 from typing import Any
 
 from rockeom.codes import MOREAU, NEWTON
-from rockeom.compiler.parsed import Text
+from rockeom.compiler.modules import Modules, Text, module_text, without
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
-from rockeom.integrator.program import texts_of
 from rockeom.integrator.schema import (
+    PRELUDE,
+    PROVIDED,
     GeneratedModule,
     has_points,
     impact_law,
     name_of_law,
-    point_texts,
 )
-from rockeom.integrator.texts import text_of
+from rockeom.integrator.texts import source
 from rockeom.modelling.declared import class_of_model
 from rockeom.numbers.checks import described, near
 from rockeom.version import VERSION
@@ -56,7 +56,11 @@ MEANINGS = {
 _LEFT_OUT = ("shapes", "sizes", "full_contact_guards", "opening_acceleration")
 """Functions that only a sketch, a check of parameters or the integrator needs."""
 
-_OF_POINTS = '''
+_OF_POINTS = '''import numpy as np
+from rockeom.integrator.transitions.candidates import pass_on, same_ground
+from rockeom.integrator.transitions.points import N_KNOWN
+
+
 def impact(mode, guard, y, p, ax, ay, out):
     """Pass through what a guard that fell leads to: state after into out (N,).
 
@@ -71,7 +75,9 @@ def impact(mode, guard, y, p, ax, ay, out):
 '''
 
 
-_SINE_COSINE = '''
+_SINE_COSINE = '''import math
+
+
 def sine_cosine(x):
     """Sine and cosine."""
     return math.sin(x), math.cos(x)
@@ -109,20 +115,20 @@ class Described:
     @property
     def mode_constants(self) -> dict[str, str]:
         """The name of the constant that is the number of each mode."""
-        found = {}
+        constants = {}
         for i, mode in enumerate(self.module.MODES):
             name = unicodedata.normalize("NFKC", mode.upper())
             while self.functions.constants.get(name) is not i:
                 name += "_"
                 if len(name) > 2 * len(mode) + 40:
                     raise AssertionError(f"no constant is the number of {mode}")
-            found[mode] = name
-        return found
+            constants[mode] = name
+        return constants
 
     def size(self, function: Function, argument: str) -> int:
         """How many numbers a function puts into an argument."""
         m = self.module
-        known = {
+        of_argument = {
             "dy": m.N_STATES,
             "g": m.N_GUARDS + m.N_PARTS,
             "matrix": (m.N_STATES // 2) ** 2,
@@ -136,15 +142,15 @@ class Described:
             "kinematics": len(m.KINEMATICS),
             "positions": 3 * len(m.POSITIONS),
         }
-        if argument in known:
-            return known[argument]
+        if argument in of_argument:
+            return of_argument[argument]
         if function.name in of_function:
             return of_function[function.name]
         return 1 + max(_places(function, argument), default=-1)
 
     def prepared(self) -> int:
         """How many numbers `prepare` gives."""
-        return self.functions.known["prepare"].lengths["p"]
+        return self.functions.by_name["prepare"].lengths["p"]
 
     def head(self) -> list[str]:
         """Title, states, parameters and modes of the file, and how it is used."""
@@ -183,13 +189,13 @@ class Described:
             f"the first of them falls to zero, `{self.transition}` gives the state after it.",
         ]
 
-    def arguments(self, function: Function, given: Sequence[str]) -> list[tuple[str, str]]:
+    def arguments(self, function: Function, names: Sequence[str]) -> list[tuple[str, str]]:
         """Name and meaning of each; of arrays that are filled, their contents."""
         m = self.module
         sizes = {"y": m.N_STATES, "parameters": len(m.PARAMETERS)}
         sizes |= dict.fromkeys(("p", "result"), self.prepared())
         rows = []
-        for name in given:
+        for name in names:
             if name in FILLED:
                 size = self.size(function, name)
                 columns: Any = getattr(m, function.name.upper(), None)
@@ -235,15 +241,18 @@ def code(module: GeneratedModule, language: str) -> str:
 
 @lru_cache(maxsize=1)  # of a structure that is written in both languages
 def _described(module: GeneratedModule) -> Described:
-    texts = texts_of(module)
+    prelude = without(module_text(PRELUDE), "sine_cosine"), Text("sine and cosine", _SINE_COSINE)
+    own = Text(f"{module.NAME}.py", source(module))
+    texts, provided = [*prelude, own], [own]
     if has_points(module):
-        texts += [Text(path, text_of(path)) for path in point_texts(module)]
         texts.append(Text("impact", _OF_POINTS))
-    texts.append(Text("sine and cosine", _SINE_COSINE))
+        which = "newton" if impact_law(module) == NEWTON else "impacts"
+        provided.append(module_text(f"rockeom.integrator.transitions.{which}"))
+    modules = Modules({PRELUDE: prelude, PROVIDED: tuple(provided)})
     entries = _entries(texts, ("impact",))
-    functions = Functions(texts, entries)
+    functions = Functions(texts, modules, entries)
     for name in entries:
-        function = functions.known[name]
+        function = functions.by_name[name]
         function.fills |= {a for a in FILLED if a in function.arguments}
     return Described(module, in_plain_letters(module.NAME), functions, tuple(entries))
 
@@ -257,7 +266,7 @@ def _entries(texts: Sequence[Text], names: Sequence[str]) -> dict[str, list[Type
         f.name: f
         for i, text in enumerate(texts)
         for f in ast.parse(text.source).body
-        if isinstance(f, ast.FunctionDef) and (i < 2 or f.name in names)
+        if isinstance(f, ast.FunctionDef) and (i in (0, 2) or f.name in names)
     }
     inner = {name for name, f in trees.items() if f.decorator_list}
     inner |= {name for name in trees if name.startswith("impulse_") or name in _LEFT_OUT}
@@ -298,19 +307,19 @@ def _are_words(columns: Any) -> bool:
 
 def _rows(rows: Iterable[tuple[str, ...]]) -> list[str]:
     """Aligned columns."""
-    given = list(rows)
-    if not given:
+    table = list(rows)
+    if not table:
         return ["  none"]
-    widths = [max(map(len, column)) for column in zip(*given, strict=True)]
+    widths = [max(map(len, column)) for column in zip(*table, strict=True)]
     return [
         "  " + "  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip()
-        for row in given
+        for row in table
     ]
 
 
-def _explained(described: Described, function: Function, given: Sequence[str]) -> list[str]:
+def _explained(described: Described, function: Function, names: Sequence[str]) -> list[str]:
     """Description of a function and of its arguments."""
-    rows = described.arguments(function, given)
+    rows = described.arguments(function, names)
     width = max((len(name) for name, _ in rows), default=0)
     lines = [printable(line) for line in function.doc.splitlines()]
     for name, meaning in rows:
@@ -346,8 +355,8 @@ def _c(described: Described) -> str:
         entry = function.name in described.entries
         writer = c.CWriter(described.functions, function, names, prefix)
         if entry:
-            given = [*function.arguments, *(["result"] if function.name == "prepare" else [])]
-            description = _explained(described, function, given)
+            arguments = [*function.arguments, *(["result"] if function.name == "prepare" else [])]
+            description = _explained(described, function, arguments)
         else:
             description = [printable(line) for line in function.doc.splitlines()]
         bodies += ["", *_comment(description), *writer.write("" if entry else "static ")]
@@ -402,13 +411,13 @@ def _matlab(described: Described) -> str:
         lines = writer.write()
         entry = function.name in described.entries
         if entry:
-            given = [a for a in function.arguments if a not in FILLED]
+            inputs = [a for a in function.arguments if a not in FILLED]
             filled = [a for a in function.arguments if a in FILLED]
-            description = _explained(described, function, [*given, *filled])
+            description = _explained(described, function, [*inputs, *filled])
             sizes = {a: f"zeros({described.size(function, a)}, 1)" for a in filled}
             call = ", ".join(sizes.get(a, names.of(a)) for a in function.arguments)
             handles.append(
-                f"    m.{names.of(function.name)} = @({', '.join(map(names.of, given))}) ..."
+                f"    m.{names.of(function.name)} = @({', '.join(map(names.of, inputs))}) ..."
             )
             handles.append(f"        {names.of(function.name)}({call});")
         else:

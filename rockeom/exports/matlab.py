@@ -73,21 +73,21 @@ class MatlabWriter(Writer):
         return super().name(name)
 
     def call(self, node: ast.Call) -> tuple[str, int]:
-        called = self.functions.known[ast.unparse(node.func)]
+        called = self.functions.by_name[ast.unparse(node.func)]
         if called.fills & set(called.arguments):
             self.function.refuse(node, "an array is changed within an expression")
         return self.called(node), ITEM
 
     def called(self, node: ast.Call) -> str:
-        given = [self.text(a) for a in node.args]
-        return f"{self.names.of(ast.unparse(node.func))}({', '.join(given)})"
+        texts = [self.text(a) for a in node.args]
+        return f"{self.names.of(ast.unparse(node.func))}({', '.join(texts)})"
 
     def library(self, name: str, arguments: Sequence[ast.expr]) -> tuple[str, int]:
-        given = [self.text(a) for a in arguments]
+        texts = [self.text(a) for a in arguments]
         if name in ("max", "min"):
-            return self.of_two(name, given), ITEM
+            return self.of_two(name, texts), ITEM
         name = {"int": "fix"}.get(name, name)
-        return f"{name}({', '.join(given)})", ITEM
+        return f"{name}({', '.join(texts)})", ITEM
 
     def constant_name(self, name: str) -> str:
         return self.names.of(name)
@@ -99,10 +99,10 @@ class MatlabWriter(Writer):
         for statement in self.function.body:
             self.statement(statement)
         body, self.lines, self.depth = self.lines, [], 0
-        given = ", ".join(self.names.of(a) for a in self.function.arguments)
+        arguments = ", ".join(self.names.of(a) for a in self.function.arguments)
         gives = outputs(self.function, self.names)
         left = f"[{', '.join(gives)}] = " if len(gives) > 1 else f"{gives[0]} = " if gives else ""
-        self.line(f"function {left}{self.names.of(self.function.name)}({given})")
+        self.line(f"function {left}{self.names.of(self.function.name)}({arguments})")
         self.depth = 1
         for name in self.constants:
             self.line(f"{self.names.of(name)} = {table(self.functions.constants[name])};")
@@ -196,7 +196,7 @@ class MatlabWriter(Writer):
 
     def give(self, value: ast.expr) -> None:
         """Return a value."""
-        if isinstance(value, ast.Call) and ast.unparse(value.func) in self.functions.known:
+        if isinstance(value, ast.Call) and ast.unparse(value.func) in self.functions.by_name:
             self.invoke(value, "result")
         elif isinstance(value, ast.Tuple):
             self.line(f"result = zeros({len(value.elts)}, 1);")
@@ -207,13 +207,13 @@ class MatlabWriter(Writer):
 
     def invoke(self, node: ast.Call, result: str | None) -> None:
         """A call as a statement: its value, if that is wanted, and the arrays that it changes."""
-        called = self.functions.known[ast.unparse(node.func)]
+        called = self.functions.by_name[ast.unparse(node.func)]
         left = []
         if called.returns != NOTHING:
             left.append(result or "~")
-        for argument, given in zip(called.arguments, node.args, strict=True):
+        for argument, value in zip(called.arguments, node.args, strict=True):
             if argument in called.fills:
-                left.append(self.text(given))
+                left.append(self.text(value))
         if left == ["~"]:
             left = []
         equal = f"[{', '.join(left)}] = " if len(left) > 1 else f"{left[0]} = " if left else ""

@@ -248,10 +248,10 @@ def _initial_state(
 
 
 def _positive(name: str, value: float) -> float:
-    found = number(name, value)
-    if not (np.isfinite(found) and found > 0.0):
+    size = number(name, value)
+    if not (np.isfinite(size) and size > 0.0):
         raise ValueError(f"{name} is {value}: it must be finite and positive")
-    return found
+    return size
 
 
 def _samples(motion: GroundMotion, duration: float, step: float) -> tuple[list[float], float]:

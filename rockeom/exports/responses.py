@@ -76,10 +76,10 @@ def _decode(file: _File, value: Any) -> Any:
     fields = {name: _decode(file, item) for name, item in value["of"].items()}
     if value["is"] == DECLARED:
         return file.declared(value["name"], value["source_hash"], fields)
-    found = _class(value["is"])
-    if found is None:
+    cls = _class(value["is"])
+    if cls is None:
         raise file.error(f"it names {value['is']!r}, which this rockeom, {VERSION}, has not")
-    return found(**fields)
+    return cls(**fields)
 
 
 def _decode_law(file: _File, value: Any) -> ImpactLaw | None:
@@ -95,20 +95,46 @@ def _decode_law(file: _File, value: Any) -> ImpactLaw | None:
 def load(
     path: str | os.PathLike[str], structure: Structure | RockingModel | Model | None = None
 ) -> Response:
-    """The response in a file of `Response.save`: all of its properties give the same bits.
+    """Response in a file of `Response.save`: all of its properties give the same bits.
 
-    structure : of a response of a structure that you declared, the declaration again, or a
-        structure made of it: files hold no code. Its equations must be those of the simulation.
+    Parameters
+    ----------
+    path : path_like
+        File.
+    structure : Structure or RockingModel or Model, optional
+        For a response of a structure that you declared, the declaration again, or a structure made
+        of it: files hold no code. Its equations must be those of the simulation.
 
-    Machine code is found or compiled where a property asks for it. Where this version of rockeom
-    has other equations for a shipped structure than that which wrote the file, a warning says so.
+    Returns
+    -------
+    Response
+        Response.
 
-    Raises FileNotFoundError where there is no file; ValueError, with its name, for a file that is
-    no response, is damaged or of another format, and for a declaration that is missing or another;
-    and ModuleNotFoundError without the extra `files`.
+    Raises
+    ------
+    FileNotFoundError
+        Where there is no file.
+    ValueError
+        For a file that is no response, is damaged or of another format, and for a declaration that
+        is missing or another.
+    ModuleNotFoundError
+        Without the extra `files`.
 
-        run = rk.load("block.nc")
-        run.extremes("theta"), run.impacts, run.at([1.0, 2.0])
+    Warns
+    -----
+    UserWarning
+        Where this version of rockeom has other equations for a shipped structure than that which
+        wrote the file.
+
+    Notes
+    -----
+    Machine code is read from the cache or compiled where a property asks for it.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> run = rk.load("block.nc")  # doctest: +SKIP
+    >>> run.extremes("theta"), run.impacts, run.at([1.0, 2.0])  # doctest: +SKIP
     """
     if not (
         structure is None or isinstance(structure, Structure) or hasattr(structure, "check_values")
@@ -138,8 +164,8 @@ def load(
 class _File:
     """A file that is read, and the declaration that was given with it."""
 
-    def __init__(self, path: Path, given: Any) -> None:
-        self.path, self.given = path, given
+    def __init__(self, path: Path, model: Any) -> None:
+        self.path, self.declaration = path, model
         self.asked = False  # whether it has a declared structure
         attrs, self.arrays = _read(path)
         self.definition_text = str(self.arrays.pop("definition", ""))
@@ -161,13 +187,13 @@ class _File:
 
     def array(self, name: str, *shape: int | None) -> np.ndarray:
         """An array of the shape, None for any length; raises ValueError for another."""
-        found, dtype = self.arrays[name], np.int64 if name in WHOLE_NUMBERS else np.float64
-        fits = len(found.shape) == len(shape) and all(
-            wanted in (None, n) for n, wanted in zip(found.shape, shape, strict=True)
+        values, dtype = self.arrays[name], np.int64 if name in WHOLE_NUMBERS else np.float64
+        fits = len(values.shape) == len(shape) and all(
+            wanted in (None, n) for n, wanted in zip(values.shape, shape, strict=True)
         )
-        if not fits or found.dtype != dtype:
-            raise self.error(f"{name} is {found.dtype} of shape {found.shape}, not {shape}")
-        return np.ascontiguousarray(found)
+        if not fits or values.dtype != dtype:
+            raise self.error(f"{name} is {values.dtype} of shape {values.shape}, not {shape}")
+        return np.ascontiguousarray(values)
 
     def check_below(self, name: str, numbers: np.ndarray, bound: int) -> None:
         """Raise ValueError for numbers of something of which there are `bound`."""
@@ -176,17 +202,17 @@ class _File:
 
     def declared(self, name: str, source_hash: str, values: dict[str, float]) -> Structure:
         """A structure of the declaration that was given; raises ValueError where it is another."""
-        self.asked, given = True, self.given
-        if isinstance(given, FixedBase):  # of the declared one
-            given = given.rocking
-        if given is None:
+        self.asked, model = True, self.declaration
+        if isinstance(model, FixedBase):  # of the declared one
+            model = model.rocking
+        if model is None:
             raise self.error(
                 f"its structure {name!r} was declared by its user, and files hold no code: give "
                 "the declaration, rk.load(path, structure=model)"
             )
-        found = type(given) if isinstance(given, Structure) else class_of_model(given)
-        made = found(**values) if issubclass(found, DeclaredStructure) else None
-        there = vars(found)["module"].SOURCE_HASH if made is not None else None
+        cls = type(model) if isinstance(model, Structure) else class_of_model(model)
+        made = cls(**values) if issubclass(cls, DeclaredStructure) else None
+        there = vars(cls)["module"].SOURCE_HASH if made is not None else None
         if there != source_hash:
             raise self.error(
                 f"what is derived from the structure {name!r} has the hash {source_hash} there, "
@@ -194,14 +220,16 @@ class _File:
                 f"(by rockeom {self.version}; this is {VERSION})"
             )
         assert made is not None
-        if isinstance(given, Structure) and given != made:
-            raise self.error(f"its structure is {made!r}, and {given!r} is given")
+        if isinstance(model, Structure) and model != made:
+            raise self.error(f"its structure is {made!r}, and {model!r} is given")
         return made
 
     def structure(self, definition: Mapping[str, Any]) -> Structure:
         made = _decode(self, definition["structure"])
-        if self.given is not None and not self.asked and made != self.given:
-            raise self.error(f"its structure is {made!r}, and {described(self.given)} is given")
+        if self.declaration is not None and not self.asked and made != self.declaration:
+            raise self.error(
+                f"its structure is {made!r}, and {described(self.declaration)} is given"
+            )
         module = made.module
         names = (definition["states"], definition["modes"])
         if names != (list(module.STATES), list(module.MODES)):
@@ -271,11 +299,11 @@ def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     if path.exists() and not path.is_file():  # a pipe is waited for
         raise ValueError(f"{path} cannot be loaded: it is a folder, a pipe or a device, not a file")
     try:
-        with xr.open_dataset(path, engine="h5netcdf", decode_cf=False) as found:
+        with xr.open_dataset(path, engine="h5netcdf", decode_cf=False) as dataset:
             size = path.stat().st_size
-            if found.nbytes > _MOST_COMPRESSED * size:
-                raise ValueError(f"{found.nbytes} bytes of arrays cannot lie in {size} bytes")
-            return dict(found.attrs), {str(n): v.values for n, v in found.variables.items()}
+            if dataset.nbytes > _MOST_COMPRESSED * size:
+                raise ValueError(f"{dataset.nbytes} bytes of arrays cannot lie in {size} bytes")
+            return dict(dataset.attrs), {str(n): v.values for n, v in dataset.variables.items()}
     except (FileNotFoundError, PermissionError, MemoryError):
         raise
     except Exception as error:

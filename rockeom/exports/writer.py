@@ -73,12 +73,12 @@ class Writer:
         raise NotImplementedError
 
     @staticmethod
-    def of_two(function: str, given: Sequence[str]) -> str:
+    def of_two(function: str, texts: Sequence[str]) -> str:
         """A function of two numbers, of as many as are given."""
-        found = given[-1]
-        for one in reversed(given[:-1]):
-            found = f"{function}({one}, {found})"
-        return found
+        nested = texts[-1]
+        for one in reversed(texts[:-1]):
+            nested = f"{function}({one}, {nested})"
+        return nested
 
     def library(self, name: str, arguments: Sequence[ast.expr]) -> tuple[str, int]:
         raise NotImplementedError
@@ -132,7 +132,7 @@ class Writer:
                 return self.subscript(node)
             case ast.Call(func=ast.Name(id="len")):
                 return self.number(self.functions.constant(node)), ITEM
-            case ast.Call(func=ast.Name(id=name)) if name not in self.functions.known:
+            case ast.Call(func=ast.Name(id=name)) if name not in self.functions.by_name:
                 return self.library(name, node.args)
             case ast.Call(func=ast.Attribute(attr=name)):
                 return self.library(name, node.args)
@@ -161,7 +161,7 @@ class Writer:
 
     def compared(self, node: ast.Compare) -> tuple[str, int]:
         """Each comparison of a chain; its parts have no side effects."""
-        found, left = [], node.left
+        comparisons, left = [], node.left
         for op, right in zip(node.ops, node.comparators, strict=True):
             if isinstance(op, ast.In) and isinstance(right, ast.Tuple) and len(node.ops) == 1:
                 every = [f"{self.text(left, SUM)} == {self.text(x, SUM)}" for x in right.elts]
@@ -169,11 +169,11 @@ class Writer:
             if type(op) in _COMPARISONS:
                 sign = _COMPARISONS[type(op)]
                 sign = self.unequal if sign == "!=" else sign
-                found.append(f"{self.text(left, SUM)} {sign} {self.text(right, SUM)}")
+                comparisons.append(f"{self.text(left, SUM)} {sign} {self.text(right, SUM)}")
             else:
                 self.function.refuse(node, f"{type(op).__name__} is not written")
             left = right
-        return f" {self.and_} ".join(found), COMPARED if len(found) == 1 else AND
+        return f" {self.and_} ".join(comparisons), COMPARED if len(comparisons) == 1 else AND
 
     def subscript(self, node: ast.Subscript) -> tuple[str, int]:
         base = base_of(node)

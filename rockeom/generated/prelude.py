@@ -1,4 +1,4 @@
-"""Definitions that generated modules have in common: each imports those that it would repeat.
+"""What generated modules have in common: each imports it from here where it would say the same.
 
 A part of every one of them: the hash that one carries is of this text and its own, and a program is
 compiled of both.
@@ -6,9 +6,11 @@ compiled of both.
 
 import math
 
+from rockeom.codes import IMPULSIVE, RATIO
 from rockeom.compiler.decorators import fused, inlined
 
-RATIO, IMPULSIVE = 0, 1
+__fused__ = False
+
 ENERGIES = ("kinetic_energy", "gravitational_energy", "elastic_energy")
 
 # -- of a structure that has none of them

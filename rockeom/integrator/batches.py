@@ -1,9 +1,4 @@
-"""Motions that are only counted: many one after the other, and whether a motion ends in a fall.
-
-This text is joined to others, see `rockeom.integrator.program`.
-"""
-
-from typing import TYPE_CHECKING
+"""Motions that are only counted: many one after the other, and whether a motion ends in a fall."""
 
 import numpy as np
 
@@ -23,22 +18,21 @@ from rockeom.codes import (
     STEPS_KEPT,
 )
 from rockeom.compiler.decorators import Floats, Floats2, Ints, entry, inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.ground import ground_acceleration, segment_for
-    from rockeom.integrator.interface import (
-        KINDS,
-        N_STATES,
-        ROTATION_RATE,
-        SIDES,
-        energies,
-        kinematics,
-        reactions,
-        standing,
-    )
-    from rockeom.integrator.loop import _GUARDS, _POWERS, SCRATCH, TURN, integrate
-    from rockeom.integrator.overturning import leans_most, own_time
-    from rockeom.integrator.records import Batch, Case, Recorder
+from rockeom.integrator.ground import ground_acceleration, segment_for
+from rockeom.integrator.loop import _GUARDS, _POWERS, SCRATCH, TURN, integrate
+from rockeom.integrator.overturning import leans_most, own_time
+from rockeom.integrator.provided import (
+    KINDS,
+    N_STATES,
+    ROTATION_RATE,
+    SIDES,
+    energies,
+    kinematics,
+    reactions,
+    standing,
+)
+from rockeom.integrator.records import Batch, Case, Recorder
+from rockeom.integrator.tolerances import AT_REST, REST_AFTER_MOTION
 
 
 @entry
@@ -48,7 +42,7 @@ def at_rest(mode: int, y: Floats, p: Floats) -> bool:
         return False
     energy = np.empty(3)
     energies(mode, y, p, energy)
-    return energy[0] <= 1e-9 * abs(energy[1])
+    return energy[0] <= AT_REST * abs(energy[1])
 
 
 @entry
@@ -141,7 +135,11 @@ def integrate_many(first: int, batch: Batch) -> int:
         if code == COMPLETED and batch.quiet_from[n] <= batch.t_end[n]:
             still = batch.horizontal[:0]
             free = case._replace(
-                horizontal=still, vertical=still, h_max=np.inf, fixed=0, rest_tolerance=1e-6
+                horizontal=still,
+                vertical=still,
+                h_max=np.inf,
+                fixed=0,
+                rest_tolerance=REST_AFTER_MOTION,
             )
             if falls(status[MODE], y, free, 0.1 * batch.t_end[n]):
                 code = OVERTURNED

@@ -2,22 +2,23 @@
 
 The coefficients bound the polynomial, and their changes of sign bound the number of its roots: so
 no pair of roots is stepped over.
-
-This text is joined to others, see `rockeom.integrator.program`.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.compiler.decorators import inlined
+from rockeom.integrator.provided import N_GUARDS, N_PARTS, SAMPLES_TO_BERNSTEIN
+from rockeom.integrator.tolerances import (
+    CLEAR,
+    EPS,
+    LOOK_BESIDE,
+    NARROWEST,
+    SAMPLED,
+    SETTLED_FALL,
+)
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import N_GUARDS, N_PARTS, SAMPLES_TO_BERNSTEIN
-
-EPS = 2.220446049250313e-16
-EXACT, SAMPLED = 8.0 * EPS, 64.0 * EPS  # rounding in the coefficients of a guard's polynomial
 NEVER = 2.0  # a place behind the end of any step
 MOST_PARTS = 4096  # of a polynomial that are looked at: seven roots need some 600
 
@@ -82,7 +83,7 @@ def first_fall(b, at, grain, closed, noise, stack):
                 elif new != sign:
                     changes += 1
                 sign = new
-        decided = changes == 0 or width < 1e-13
+        decided = changes == 0 or width < NARROWEST
         ends = abs(stack[part + 7]) > negligible  # else the last change of sign may be none
         if first < 0 and before > 0 and decided:
             return start  # it falls exactly where this part begins
@@ -148,7 +149,7 @@ def larger_falls(b, part, closed, noise, stack):
 
 def rises_first(b, at, noise):
     """Whether a polynomial beside zero is above it where it is first more than noise."""
-    x = 1e-6
+    x = LOOK_BESIDE
     for _ in range(20):
         value, _ = bernstein_at(b, at, x)
         if abs(value) > noise:
@@ -201,7 +202,7 @@ def fall(b, at):
             high = x
         step = -value / slope if slope < 0.0 else np.inf
         x += step
-        if abs(step) <= 1e-10 or high - low <= 2.0 * EPS:
+        if abs(step) <= SETTLED_FALL or high - low <= 2.0 * EPS:
             break  # the error left is about the square of that
         if not low < x < high or n % 8 == 7:
             x = 0.5 * (low + high)
@@ -219,4 +220,4 @@ def clearly_open(b, at):
         for m in range(8):
             value += SAMPLES_TO_BERNSTEIN[i, m] * b[at + m]
         least, most = min(least, value), max(most, abs(value))
-    return 1e-3 * most < least < np.inf  # no samples that are not numbers
+    return CLEAR * most < least < np.inf  # no samples that are not numbers

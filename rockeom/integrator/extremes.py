@@ -1,17 +1,11 @@
-"""The smallest and largest values of each state, within steps, too.
-
-This text is joined to others, see `rockeom.integrator.program`.
-"""
-
-from typing import TYPE_CHECKING
+"""The smallest and largest values of each state, within steps, too."""
 
 import numpy as np
 
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import N_STAGES, N_STATES, NODES
-    from rockeom.integrator.polynomials import power_sum, quintic_of, slope_at
+from rockeom.integrator.polynomials import power_sum, quintic_of, slope_at
+from rockeom.integrator.provided import N_STAGES, N_STATES, NODES
+from rockeom.integrator.tolerances import CLEAR, SETTLED_EXTREME
 
 
 def widen(extremes, y):
@@ -37,13 +31,13 @@ def widens(extremes, h, y, y_new, k):
         d2 = 5.0 * (b3 - b2)
         slow, fast = min(v0, v1), max(v0, v1)
         least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
-        margin = 1e-3 * (most - least)
+        margin = CLEAR * (most - least)
         far = far or least - margin < min(h * extremes[0, n + i], slow)
         far = far or most + margin > max(h * extremes[1, n + i], fast)
         if min(least, slow) >= 0.0 or max(most, fast) <= 0.0:
             continue  # it rises or falls all along
         least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
-        margin = 1e-3 * (most - least)
+        margin = CLEAR * (most - least)
         far = far or least - margin < extremes[0, i] or most + margin > extremes[1, i]
     return far
 
@@ -72,6 +66,6 @@ def turning_point(coefficients, x, i, sign):
             break
         before = x
         x = min(max(x - slope / bend, low), high)
-        if abs(x - before) < 1e-9:
+        if abs(x - before) < SETTLED_EXTREME:
             break  # an extreme's error is of the order of the square of that
     return power_sum(coefficients, x, i)

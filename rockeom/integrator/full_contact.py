@@ -1,24 +1,18 @@
-"""A structure that stands and cannot move: how long it stays so.
-
-This text is joined to others, see `rockeom.integrator.program`.
-"""
-
-from typing import TYPE_CHECKING
+"""A structure that stands and cannot move: how long it stays so."""
 
 from rockeom.codes import LIFTING, SLIPPING, UPLIFT
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.ground import ground_acceleration
-    from rockeom.integrator.interface import (
-        GUARDS,
-        KINDS,
-        N_PARTS,
-        N_STATES,
-        SIDES,
-        can_move,
-        guards,
-    )
+from rockeom.integrator.ground import ground_acceleration
+from rockeom.integrator.provided import (
+    GUARDS,
+    KINDS,
+    N_PARTS,
+    N_STATES,
+    SIDES,
+    can_move,
+    guards,
+)
+from rockeom.integrator.tolerances import STAYS_ON_FEET
 
 
 @inlined
@@ -52,6 +46,6 @@ def stands_until(mode, t, end, y, p, gx, gy, g):
         for n in range(GUARDS[mode]):
             size += abs(g[n])
         for n in range(GUARDS[mode]):
-            if not g[n] > 1e-9 * size:
+            if not g[n] > STAYS_ON_FEET * size:
                 return False
     return True

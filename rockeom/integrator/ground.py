@@ -1,20 +1,16 @@
 """The ground motion: accelerations by the segments of its table.
 
 A segment is a row (start, end, kind, constants), see `rockeom.motion.segments`.
-
-This text is joined to others, see `rockeom.integrator.program`.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.generated.prelude import ROUNDER
-    from rockeom.integrator.interface import STAGE_TIMES
+from rockeom.generated.prelude import ROUNDER
+from rockeom.integrator.provided import STAGE_TIMES
+from rockeom.integrator.tolerances import JUMP_OF_GROUND
 
 
 @inlined
@@ -132,7 +128,7 @@ def straight(gx, gy):
 @inlined
 def jumps(before, after):
     """Whether the ground's acceleration jumps between two laws, by more than rounding."""
-    return not abs(after - before) <= 1e-10 * (abs(before) + abs(after))
+    return not abs(after - before) <= JUMP_OF_GROUND * (abs(before) + abs(after))
 
 
 @inlined

@@ -2,62 +2,65 @@
 
 First the bounds by which most steps are known to have no event, without dense output; then the
 polynomials of all guards over a step, and the first of them that falls through zero.
-
-This text is joined to others, see `rockeom.integrator.program`.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.codes import IMPACT, LANDING, LIFTING, SLIPPING, UPLIFT
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.bernstein import (
-        EPS,
-        EXACT,
-        NEVER,
-        SAMPLED,
-        bernstein_at,
-        clearly_open,
-        first_fall,
-        larger_falls,
-        rises_first,
-        size,
-    )
-    from rockeom.integrator.ground import ground_acceleration, ground_accelerations, straight
-    from rockeom.integrator.interface import (
-        FULL_CONTACT,
-        GUARDS,
-        KINDS,
-        LOCALISED,
-        N_GUARDS,
-        N_PARTS,
-        N_STAGES,
-        N_STATES,
-        NODES,
-        PARTS,
-        QUARTIC,
-        QUINTIC,
-        ROTATION,
-        ROTATION_RATE,
-        SAMPLES_TO_BERNSTEIN,
-        SIDES,
-        full_contact_guards,
-        grain_of,
-        guards,
-        is_known,
-        rates,
-    )
-    from rockeom.integrator.polynomials import (
-        dense_at,
-        polynomial_of,
-        quintics_through_ends,
-        slope_at,
-    )
-    from rockeom.integrator.rounding import CLOSED_GAP, rounding
+from rockeom.integrator.bernstein import (
+    NEVER,
+    bernstein_at,
+    clearly_open,
+    first_fall,
+    larger_falls,
+    rises_first,
+    size,
+)
+from rockeom.integrator.ground import ground_acceleration, ground_accelerations, straight
+from rockeom.integrator.polynomials import (
+    dense_at,
+    polynomial_of,
+    quintics_through_ends,
+    slope_at,
+)
+from rockeom.integrator.provided import (
+    FULL_CONTACT,
+    GUARDS,
+    KINDS,
+    LOCALISED,
+    N_GUARDS,
+    N_PARTS,
+    N_STAGES,
+    N_STATES,
+    NODES,
+    PARTS,
+    QUARTIC,
+    QUINTIC,
+    ROTATION,
+    ROTATION_RATE,
+    SAMPLES_TO_BERNSTEIN,
+    SIDES,
+    full_contact_guards,
+    grain_of,
+    guards,
+    is_known,
+    rates,
+)
+from rockeom.integrator.rounding import rounding
+from rockeom.integrator.tolerances import (
+    CLEAR,
+    EPS,
+    EXACT,
+    GAP_AT_REST,
+    GAP_ON_LANDING,
+    LOOK_AHEAD,
+    PASSED,
+    SAMPLED,
+    SETTLED_CLOSING,
+)
 
 
 @inlined
@@ -74,7 +77,7 @@ def stays_open(gap, closed):
     there is no root; what leaves from rest is zero for long, but for rounding, see `rounding`.
     """
     b0, b1, b2, b3, b4, b5 = gap
-    least, grain = 1e-3 * max(b0, b5), 1e-11 * b5
+    least, grain = CLEAR * max(b0, b5), GAP_AT_REST * b5
     leaves = b1 > least and b2 > least and (b0 > least or closed == 0)
     leaves = leaves or (closed == 0 and abs(b1) <= grain and b2 >= -grain)
     return leaves and b3 > least and b4 > least and b5 > least
@@ -87,7 +90,7 @@ def closes_once(gap, closed):
     root.
     """
     b0, b1, b2, b3, b4, b5 = gap
-    doubt = 1e-3 * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
+    doubt = CLEAR * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
     if (closed != 0 and b0 <= doubt) or (closed == 0 and b1 <= doubt) or b5 >= -doubt:
         return NEVER
     # behind the first that is not clearly positive, none is; behind a negative one, all are
@@ -117,7 +120,7 @@ def closes_once(gap, closed):
             high = x
         move = value / slope if slope < 0.0 else 1.0
         x -= move
-        if abs(move) < 1e-7:  # the error left is about the square of that
+        if abs(move) < SETTLED_CLOSING:  # the error left is about the square of that
             return x if 0.0 < x < 1.0 else NEVER
     return NEVER
 
@@ -126,7 +129,7 @@ def closes_once(gap, closed):
 def rises_and_falls(gap):
     """Whether a gap that opens stays open until beside the end of a step, where it closes."""
     _, b1, b2, b3, b4, _ = gap
-    least = 1e-3 * max(b2, b3)
+    least = CLEAR * max(b2, b3)
     return b1 > least and b2 > least and b3 > least and b4 > least
 
 
@@ -195,7 +198,7 @@ def stays_on_both_feet(t, h, y, y_new, k, p, gx):
         full_contact_guards(w, p, ground + j * change, g)
         for n_g in range(N_GUARDS):
             least, most, total = min(least, g[n_g]), max(most, g[n_g]), total + g[n_g]
-    return 1e-3 * most < least and math.isfinite(total)
+    return CLEAR * most < least and math.isfinite(total)
 
 
 @inlined
@@ -266,7 +269,7 @@ def first_event(mode, t, h, instant, landed, closed, ground, case, a):
             # beside zero but for rounding, by an event before this one, is closed, too
             near = grain_of(mode, i, ax, ay, h, b, 8, case, a)
             if KINDS[mode][i] == IMPACT:
-                near = CLOSED_GAP * case.fallen
+                near = GAP_ON_LANDING * case.fallen
             starts_closed = b[8 * i] >= -near
         noise = 0.0
         if starts_closed:
@@ -317,7 +320,7 @@ def settle(mode, t, h, closed, ground, case, a):
         if not moved:
             # look ahead, by some of the errors that the time of an event may have
             moved = True
-            tau = max(64.0 * EPS * max(t, h), 1e-4 * case.rtol * h)
+            tau = max(64.0 * EPS * max(t, h), LOOK_AHEAD * case.rtol * h)
             rates(mode, a.y, case.p, ax, ay, rate)
             for n in range(N_STATES):
                 w[n] = a.y[n] + tau * rate[n]
@@ -366,9 +369,9 @@ def fell_before(mode, target, closed, h, y, g, b):
         if i == target or KINDS[mode][i] in (UPLIFT, LIFTING, SLIPPING):
             continue
         if KINDS[mode][i] == IMPACT:
-            fell = -g[i] > 1e-9 * h * abs(y[ROTATION_RATE])
+            fell = -g[i] > PASSED * h * abs(y[ROTATION_RATE])
         else:
-            fell = -g[i] > 1e-9 * size(b, 8 * i) and b[8 * i] > 0.0 and not is_known(closed, i)
+            fell = -g[i] > PASSED * size(b, 8 * i) and b[8 * i] > 0.0 and not is_known(closed, i)
         if fell:
             return True
     return False

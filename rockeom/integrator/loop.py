@@ -13,12 +13,9 @@ stages:
 
 A contract of functions gives the transition at an event. `transitions/table.py` fulfils it for
 declared modes, `transitions/search.py` for points that may open, slide and bounce.
-
-This text is joined to others, see `rockeom.integrator.program`.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -50,83 +47,90 @@ from rockeom.codes import (
     TOO_MANY_IMPACTS,
 )
 from rockeom.compiler.decorators import Floats, Ints, entry, inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.bernstein import EPS, NEVER
-    from rockeom.integrator.extremes import widen, widen_within, widens
-    from rockeom.integrator.full_contact import cannot_move, stands_until
-    from rockeom.integrator.ground import (
-        ground_acceleration,
-        ground_accelerations,
-        jumps,
-        sampling_step,
-        segment_at,
-        straight,
-    )
-    from rockeom.integrator.guards import (
-        acts_beside,
-        fell_before,
-        first_event,
-        guard_polynomials,
-        opens_soon,
-        overlooks,
-        rocking,
-        settle,
-        stays_held,
-        stays_on_both_feet,
-        stays_open,
-    )
-    from rockeom.integrator.interface import (
-        ERROR_EXPONENT,
-        EXTRAPOLATES,
-        FULL_CONTACT,
-        KINDS,
-        N_ALL_STAGES,
-        N_GUARDS,
-        N_PARTS,
-        N_STAGES,
-        N_STATES,
-        QUIET_STEPS,
-        ROTATION_RATE,
-        SIDES,
-        certain_event,
-        dense_output,
-        free_flight,
-        guards,
-        hop_ends,
-        initial_mode_is_one,
-        is_rounding,
-        longest_turn,
-        rates,
-        take_step,
-        through_rest,
-        time_to_landing,
-        transition,
-        without_hop,
-        zeno_time,
-    )
-    from rockeom.integrator.overturning import falls_at, may_fall
-    from rockeom.integrator.polynomials import (
-        dense_at,
-        extrapolate,
-        gap_at_ends,
-        power_sum,
-        shorten,
-    )
-    from rockeom.integrator.recorder import record_event, record_step
-    from rockeom.integrator.records import (
-        Arrays,
-        Case,
-        Ground,
-        Motion,
-        Recorder,
-        Step,
-        records_extremes,
-        records_steps,
-    )
-    from rockeom.integrator.rounding import noise_of
-    from rockeom.integrator.steps import controlled, finite_end, first_step, most_error
-    from rockeom.integrator.transitions.points import N_KNOWN
+from rockeom.integrator.bernstein import NEVER
+from rockeom.integrator.extremes import widen, widen_within, widens
+from rockeom.integrator.full_contact import cannot_move, stands_until
+from rockeom.integrator.ground import (
+    ground_acceleration,
+    ground_accelerations,
+    jumps,
+    sampling_step,
+    segment_at,
+    straight,
+)
+from rockeom.integrator.guards import (
+    acts_beside,
+    fell_before,
+    first_event,
+    guard_polynomials,
+    opens_soon,
+    overlooks,
+    rocking,
+    settle,
+    stays_held,
+    stays_on_both_feet,
+    stays_open,
+)
+from rockeom.integrator.overturning import falls_at, may_fall
+from rockeom.integrator.polynomials import (
+    dense_at,
+    extrapolate,
+    gap_at_ends,
+    power_sum,
+    shorten,
+)
+from rockeom.integrator.provided import (
+    ERROR_EXPONENT,
+    EXTRAPOLATES,
+    FULL_CONTACT,
+    KINDS,
+    N_ALL_STAGES,
+    N_GUARDS,
+    N_KNOWN,
+    N_PARTS,
+    N_STAGES,
+    N_STATES,
+    QUIET_STEPS,
+    ROTATION_RATE,
+    SIDES,
+    certain_event,
+    dense_output,
+    free_flight,
+    guards,
+    hop_ends,
+    initial_mode_is_one,
+    is_rounding,
+    longest_turn,
+    rates,
+    take_step,
+    through_rest,
+    time_to_landing,
+    transition,
+    without_hop,
+    zeno_time,
+)
+from rockeom.integrator.recorder import record_event, record_step
+from rockeom.integrator.records import (
+    Arrays,
+    Case,
+    Ground,
+    Motion,
+    Recorder,
+    Step,
+    records_extremes,
+    records_steps,
+)
+from rockeom.integrator.rounding import noise_of
+from rockeom.integrator.steps import controlled, finite_end, first_step, most_error
+from rockeom.integrator.tolerances import (
+    EPS,
+    LEAST_OF_QUINTIC,
+    LEAST_PRODUCT,
+    PLACED,
+    PLACED_BY_QUINTIC,
+    SAME_INSTANT,
+    SHORTEST_PART,
+)
 
 TURN = 20_000  # steps after which a call returns, so that Python may answer an interrupt
 
@@ -500,7 +504,7 @@ def refuse(motion, step, finite, case, a):
     shrink = 0.9 * step.error**ERROR_EXPONENT if finite else 0.1
     h = step.h * max(0.1, shrink)
     outcome = COMPLETED
-    if h <= 4.0 * EPS * motion.t or h < 1e-290 or step.taken >= case.max_steps:
+    if h <= 4.0 * EPS * motion.t or h < LEAST_PRODUCT or step.taken >= case.max_steps:
         number = step.error == step.error and finite_end(a.k)  # else no step is short enough
         outcome = STALLED if number else NOT_FINITE
     return AGAIN if outcome == COMPLETED else DONE, step._replace(
@@ -531,8 +535,8 @@ def land(motion, ground, step, case, a):
         ax, ay = ground_accelerations(ground, tau)
         guards(motion.mode, a.y_new, case.p, ax, ay, a.g)
         move = -a.g[step.target] / step.slope if step.slope < 0.0 else 0.0
-    least = max(2.0 * EPS * tau, 1e-5 * case.rtol * step.h)
-    small = math.sqrt(max(1e-13, min(1e-6, case.rtol))) * step.h
+    least = max(2.0 * EPS * tau, PLACED * case.rtol * step.h)
+    small = math.sqrt(max(LEAST_OF_QUINTIC, min(PLACED_BY_QUINTIC, case.rtol))) * step.h
     more = step.more
     if certain and EXTRAPOLATES and abs(move) <= small:
         extrapolate(step.h, move, a.y, a.y_new, a.k)
@@ -546,7 +550,7 @@ def land(motion, ground, step, case, a):
     )
     if misplaced and KINDS[motion.mode][step.target] == LANDING:
         misplaced = not is_rounding(motion.mode, step.target, a.y_new, case.p)
-    if misplaced and step.h > 1e-6 * step.longest:
+    if misplaced and step.h > SHORTEST_PART * step.longest:
         # the guard is not where its polynomial put it: look again in less time
         return AGAIN, step._replace(
             h=step.h * 0.5, lands=False, target=-1, corrections=0, more=more
@@ -609,7 +613,7 @@ def first_event_within(motion, ground, step, case, a):
         else:
             noise = noise_of(mode, target, case.p, case.fallen, a.noises, a.w, a.g)
             slow = unclear or opens_soon(mode, target, t, h, ground, case, a, noise)
-        if from_closed and slow and h > max(1e-6 * step.longest, 1e3 * EPS * t):
+        if from_closed and slow and h > max(SHORTEST_PART * step.longest, SAME_INSTANT * t):
             # an opening so short that rounding, or the error of a dense output of low order,
             # hides it in a step of this length
             return AGAIN, step._replace(h=h * 0.1, cut=False, target=-1, slope=slope, landed=-1)
@@ -663,7 +667,7 @@ def accept(motion, step, case, a, recorder):
         for i in range(N_STATES):
             a.y[i] = a.y_new[i]
             a.k[i] = a.k[END + i]
-        idle = motion.idle if h < 1e3 * EPS * t else 0  # it is one instant, but for rounding
+        idle = motion.idle if h < SAME_INSTANT * t else 0  # it is one instant, but for rounding
         t = step.end if step.cut or t + h > step.end else t + h
         went = went._replace(t=t, closed=-1, idle=idle, follows=0)
     if step.outcome == COMPLETED and step.taken >= case.max_steps:

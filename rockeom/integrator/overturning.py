@@ -1,23 +1,21 @@
-"""Overturning: where the rotation, or another coordinate that may fall, reaches its bound.
-
-This text is joined to others, see `rockeom.integrator.program`.
-"""
+"""Overturning: where the rotation, or another coordinate that may fall, reaches its bound."""
 
 import math
-from typing import TYPE_CHECKING
 
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.bernstein import EXACT, NEVER, first_fall
-    from rockeom.integrator.interface import (
-        FALLS,
-        N_FALLS,
-        ROTATION,
-        opening_acceleration,
-        overturns_at,
-    )
-    from rockeom.integrator.polynomials import polynomial_of, power_sum, quintic_of
+from rockeom.integrator.bernstein import (
+    NEVER,
+    first_fall,
+)
+from rockeom.integrator.polynomials import polynomial_of, power_sum, quintic_of
+from rockeom.integrator.provided import (
+    FALLS,
+    N_FALLS,
+    ROTATION,
+    opening_acceleration,
+    overturns_at,
+)
+from rockeom.integrator.tolerances import EXACT
 
 
 @inlined

@@ -1,14 +1,7 @@
-"""The state within a step: quintics through both ends, and the dense output of the method.
-
-This text is joined to others, see `rockeom.integrator.program`.
-"""
-
-from typing import TYPE_CHECKING
+"""The state within a step: quintics through both ends, and the dense output of the method."""
 
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import N_STAGES, N_STATES, POWERS_TO_BERNSTEIN, ROTATION
+from rockeom.integrator.provided import N_STAGES, N_STATES, POWERS_TO_BERNSTEIN, ROTATION
 
 
 @inlined

@@ -14,60 +14,34 @@ import math
 import os
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from importlib.resources import files
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any, NamedTuple
 
+from rockeom.codes import NEWTON
 from rockeom.compiler.cache import kept
 from rockeom.compiler.locks import lock_held_by_forks
 from rockeom.compiler.machine import Function, Loaded, compiled, target
-from rockeom.compiler.parsed import Text
+from rockeom.compiler.modules import Modules, Text, module_text, without
 from rockeom.compiler.types import NOTHING, Array, Entry
 from rockeom.integrator.schema import (
-    IMPACT_TEXTS,
-    POINT_TEXTS,
-    POINTS,
+    PRELUDE,
+    PROVIDED,
     GeneratedModule,
     angles,
     has_points,
-    point_texts,
+    impact_law,
 )
-from rockeom.integrator.texts import digest, source, text_of
+from rockeom.integrator.texts import digest, source
 
 if TYPE_CHECKING:
     from rockeom.compiler.printer import Program as Printed
 
-_LANES = "integrator/lanes/loop.py"
-_OF_POINTS = ("integrator/transitions/landings.py", "integrator/transitions/zeno.py")
-_TABLE, _SEARCH = "integrator/transitions/table.py", "integrator/transitions/search.py"
-"""The two that say which mode follows an event: one is declared, or searched."""
-_OF_STEPS = (
-    "integrator/records.py", "integrator/recorder.py", "integrator/ground.py",
-    "integrator/bernstein.py", "integrator/polynomials.py", "integrator/extremes.py",
-    "integrator/overturning.py", "integrator/rounding.py", "integrator/guards.py",
-    "integrator/full_contact.py", "integrator/steps.py",
-    "integrator/transitions/declared.py",
-)  # fmt: skip
-"""Texts with one job each, of which the loop makes use."""
-_LOOPS = ("integrator/loop.py", "integrator/batches.py")
-_DERIVATIVES, _VARIATIONAL = "integrator/derivatives.py", "integrator/variational.py"
-_SLOPES = "numbers/derivatives.py"
-JOINED = (
-    *POINT_TEXTS, *IMPACT_TEXTS, *_OF_POINTS, _TABLE, _SEARCH, *_OF_STEPS, *_LOOPS, _LANES,
-    _DERIVATIVES, _VARIATIONAL,
-)  # fmt: skip
-"""Files that are joined to programs, and not imported."""
-_PRELUDE = "generated/prelude.py"
-_OF_ALL = (
-    _PRELUDE, *_OF_STEPS, *_LOOPS, *_OF_POINTS, _TABLE, _SEARCH, "integrator/methods/tableau.py",
-    "integrator/methods/coefficients.py", "integrator/methods/radau.py",
-    "integrator/methods/radau_step.py", "compiler/printer.py", "compiler/frontend.py",
-    "compiler/parsed.py", "compiler/machine.py", "compiler/lines.py", "compiler/types.py",
-    "integrator/program.py", "integrator/texts.py", "codes.py",
-)  # fmt: skip
-"""Modules whose texts every program follows from, besides that of its structure."""
+_HERE = "rockeom.integrator"
 _SIZES = ("SCRATCH", "Z_SIZE", "W_SIZE", "FLOATS_SIZE", "DUALS_SIZE")
 
 
@@ -161,7 +135,7 @@ def _of_parts(
         for key, part in zip(keys, parts, strict=True)
     ]
     if (shared := json.loads(codes[0].partition(b"\n")[0]).get("shared")) is not None:
-        codes.append(_shared(shared, lambda: _halves(printed(generated, method, LOOP, bounds))[1]))
+        codes.append(_shared(shared, lambda: printed(generated, method, LOOP, bounds).halves()[1]))
     return Program("_".join(keys[-1]), generated, *codes, bounds=bounds)
 
 
@@ -169,32 +143,30 @@ _SHARED: dict[str, bytes] = {}
 
 
 def _shared(digest: str, ir: Callable[[], str]) -> bytes:
-    """The half of a loop that structures have in common, made and kept once for all of them."""
+    """The half of a loop that structures have in common, made and kept once for all of them.
+
+    It is most of a loop, and follows from a few numbers: how many states there are, which modes
+    follow which. All blocks have the same.
+    """
     if digest not in _SHARED:
         made = json.dumps({"entries": {}, "sizes": {}}).encode() + b"\n"
         _SHARED[digest] = kept("loop", digest, lambda: made + compiled(ir(), False))
     return _SHARED[digest]
 
 
-def _halves(made: Printed) -> tuple[str, str]:
-    """A loop in two: what is the structure's own, with its step, and what others have, too.
-
-    Most of a loop is in the second, and it follows from a few numbers: how many states there are,
-    which modes follow which. All blocks have the same.
-    """
-    return made.halves(made.texts[:3])
-
-
 LOOP, VECTORS, GLUE, TANGENTS = "loop", "vectors", "lanes", "derivatives"
 """The parts of a program, each compiled and kept by itself: a sweep in lanes finds the loop there
 that a single motion has been run by. Vectors are the work on all lanes at once, and the third is
 what it is called by. Derivatives are the texts of the loop once more, printed for duals."""
-_OTHERS = {
-    VECTORS: (_LANES, "integrator/lanes/step.py"),
-    GLUE: (_LANES, "integrator/lanes/step.py"),
-    TANGENTS: (_SLOPES, _DERIVATIVES, _VARIATIONAL),
-}
-"""Texts from which a part is made besides those of the loop."""
+_ENTRIES = {
+    LOOP: ("loop", "batches"), VECTORS: (), GLUE: ("lanes.loop",), TANGENTS: ("variational",),
+}  # fmt: skip
+"""The modules of a part whose entries Python calls; those of vectors are in a text of its own."""
+_DECLARED, _SEARCHED = ("table",), ("search", "landings")
+"""The modules that say which mode follows an event."""
+_OF_TANGENTS = "rockeom.numbers.derivatives", f"{_HERE}.derivatives", f"{_HERE}.batches"
+"""Modules by which numbers carry derivatives along, and the loop: its calls of a function count
+where it is decided whether that is written out."""
 
 _SAID = {VECTORS: " in lanes", GLUE: " in lanes", TANGENTS: " for derivatives"}
 
@@ -215,11 +187,21 @@ def revision(generated: GeneratedModule, method: str, lanes: bool = False) -> st
 
 
 def _sources(generated: GeneratedModule, method: str, part: str, bounds: bool) -> tuple[str, ...]:
-    return (
-        source(generated), *(text.source for text in _of_points(generated)), method,
-        *(text_of(name) for name in (*_OF_ALL, *_OTHERS.get(part, ()))),
-        *(["bounds"] if bounds else []),
-    )  # fmt: skip
+    """The texts that a part is made of, and those that make machine code of them."""
+    roots, modules, _ = linked(generated, method, part, steps=False)
+    own = (text.source for text in modules.closure(roots))
+    return (part, method, *own, *_compiler(), *(["bounds"] if bounds else []))
+
+
+@cache
+def _compiler() -> tuple[str, ...]:
+    """The sources of this module with all that it imports, of the language and of all methods."""
+    sources = [text.source for text in Modules().closure([module_text(__name__)])]
+    for package in ("rockeom.compiler", f"{_HERE}.methods"):
+        names = sorted(file.name for file in files(package).iterdir() if file.is_file())
+        stems = [name.removesuffix(".py") for name in names if name.endswith(".py")]
+        sources += [module_text(f"{package}.{stem}").source for stem in stems]
+    return tuple(sources)
 
 
 def _made(generated: GeneratedModule, method: str, part: str, bounds: bool = False) -> bytes:
@@ -228,8 +210,8 @@ def _made(generated: GeneratedModule, method: str, part: str, bounds: bool = Fal
     made = printed(generated, method, part, bounds)
     described: dict[str, Any] = {"entries": made.entries, "sizes": sizes_of(made)}
     if part == LOOP:
-        own, rest = _halves(made)
-        described["shared"] = digest(rest, target(), text_of("compiler/machine.py"))
+        own, rest = made.halves()
+        described["shared"] = digest(rest, target(), module_text("rockeom.compiler.machine").source)
         _shared(described["shared"], lambda: rest)
         code = compiled(own, False)
     else:
@@ -266,9 +248,13 @@ def printed(
     part: str,
     bounds: bool = False,
     contract: bool = True,
-    more: Sequence[Text] = (),
+    more: Iterable[Text] = (),
+    provided: Mapping[str, tuple[Text, ...]] = MappingProxyType({}),
 ) -> Printed:
-    """A part of a program as LLVM is given it; contract as in `Printed`, more texts are joined."""
+    """A part of a program as LLVM is given it; contract as in `Printed`.
+
+    more : texts with entries of their own. provided : of modules that they import, see `Modules`.
+    """
     # only where something is compiled; so are the texts of methods and lanes below
     from rockeom.compiler.printer import GROWTH, Program as Printed
 
@@ -276,9 +262,12 @@ def printed(
     few = has_points(generated) or not contract  # they have many modes; a page is a small file
     growth = 0.1 * GROWTH if few else GROWTH
     growth = math.inf if part == VECTORS else growth
-    texts = [*joined_texts(generated, method, part), *more]
+    roots, modules, own = linked(generated, method, part)
+    modules = replace(modules, provided={**modules.provided, **provided})
     with _nothing_collected():
-        return Printed(texts, contract=contract, growth=growth, bounds=bounds)
+        return Printed(
+            [*roots, *more], modules, contract=contract, growth=growth, bounds=bounds, own=own
+        )
 
 
 @contextmanager
@@ -293,69 +282,77 @@ def _nothing_collected() -> Iterator[None]:
             gc.enable()
 
 
-def joined_texts(generated: GeneratedModule, method: str, part: str) -> list[Text]:
-    """The texts that a part of a program is printed from; it calls the entries of other parts."""
-    own = {LOOP: _LOOPS, VECTORS: (VECTORS,), GLUE: (_LANES,), TANGENTS: (_VARIATIONAL,)}[part]
-    found = texts(generated, method, part in (VECTORS, GLUE))
-    if part == TANGENTS:
-        found += [_joined(name, fused=True) for name in _OTHERS[TANGENTS]]
-    found = [replace(text, elsewhere=text.name not in own) for text in found]
-    if part == VECTORS:
-        from rockeom.integrator.lanes.step import SINES
+class Linked(NamedTuple):
+    """The texts whose entries a part of a program has, and the modules that they import.
 
-        found.append(Text("sines of lanes", SINES))
+    own : names of the texts that belong to the structure and the method.
+    """
+
+    roots: tuple[Text, ...]
+    modules: Modules
+    own: frozenset[str]
+
+
+def linked(generated: GeneratedModule, method: str, part: str = LOOP, steps: bool = True) -> Linked:
+    """A part of a program, which calls the entries of other parts.
+
+    steps : with the text of the method's step, which only a compiler needs.
+    """
+    entries = [f"{_HERE}.{name}" for name in _ENTRIES[part]]
+
+    def read(module: str) -> Text:
+        text = module_text(module)
         # lanes do not have the loop's last digits in any case
-        found = [replace(text, fused=True) for text in found]
-    return found
+        return replace(text, fused=text.fused or part == VECTORS, elsewhere=module not in entries)
+
+    step = _step(generated, method, part, read) if steps else ()
+    own = (Text(f"{generated.NAME}.py", source(generated), fused=part == VECTORS), *step)
+    prelude = _prelude_of_lanes(read(PRELUDE)) if part == VECTORS and steps else (read(PRELUDE),)
+    provided = {PROVIDED: (*own, *_transitions(generated, read)), PRELUDE: prelude}
+    roots = [*step[-1:]] if part == VECTORS else []
+    roots += map(read, [*entries, *(_OF_TANGENTS if part == TANGENTS else ())])
+    names = frozenset(text.name for text in (*prelude, *own))
+    return Linked(tuple(roots), Modules(provided, read), names)
 
 
-def texts(generated: GeneratedModule, method: str, lanes: bool = False) -> list[Text]:
-    """The parts of a program, in the order in which one needs the other."""
+def _prelude_of_lanes(prelude: Text) -> tuple[Text, Text]:
+    """The prelude of generated modules with a sine and a cosine that have no branches."""
+    from rockeom.integrator.lanes.step import SINES
+
+    return without(prelude, "sine_cosine"), Text("sines of lanes", SINES, fused=True)
+
+
+def _transitions(generated: GeneratedModule, read: Callable[[str], Text]) -> list[Text]:
+    """How the modes of a structure follow one another, and what the texts of that ask of it."""
+    bounces = getattr(generated, "N_POINTS", 0) > 0  # and does not move through elements alone
+    which = [read(f"{_HERE}.transitions.{n}") for n in (_SEARCHED if bounces else _DECLARED)]
+    if not has_points(generated):
+        return [Text("what follows from a structure", "N_POINTS = N_KNOWN = 0\n"), *which]
+    facts = f"from {_HERE}.transitions.points import N_KNOWN\nANGLES = {angles(generated)!r}\n"
+    law = "newton" if impact_law(generated) == NEWTON else "impacts"
+    which.append(read(f"{_HERE}.transitions.{law}"))
+    return [Text("what follows from a structure", facts), *which]
+
+
+def _step(
+    generated: GeneratedModule, method: str, part: str, read: Callable[[str], Text]
+) -> tuple[Text, ...]:
+    """The step of a method, and that of lanes."""
     from rockeom.integrator.methods.tableau import step_text, tableau
 
     n = generated.N_STATES // 2
     if method == "Radau":
-        from rockeom.integrator.methods.radau import implicit_step_text
+        from rockeom.integrator.methods.radau import constants_text
 
-        step = implicit_step_text(n)
-    else:
-        quick = getattr(generated, "QUICK", ())
-        step = step_text(tableau(method), n, generated.ROTATION, quick)
-    contract = _SEARCH if _bounces(generated) else _TABLE
-    parts = [
-        *texts_of(generated),
-        Text(f"the step of {method}", step, fused=True),
-        *_of_points(generated),
-        *(_joined(name, fused=True) for name in (*_OF_STEPS, contract, *_LOOPS)),
-    ]
-    if lanes:
-        from rockeom.integrator.lanes.step import lanes_text
+        constants = Text("the constants of Radau", constants_text(n))
+        return constants, read(f"{_HERE}.methods.radau_step")
+    quick = getattr(generated, "QUICK", ())
+    step = step_text(tableau(method), n, generated.ROTATION, quick)
+    texts = [Text(f"the step of {method}", step, fused=True)]
+    if part in (VECTORS, GLUE):
+        from rockeom.integrator.lanes.step import lanes_text, numbers_text
 
+        texts.append(Text("the numbers of lanes", numbers_text(tableau(method), generated)))
         step = lanes_text(tableau(method), generated)
-        parts.append(Text(VECTORS, step, fused=True))
-        parts.append(_joined(_LANES, fused=True))
-    return parts
-
-
-def texts_of(generated: GeneratedModule) -> list[Text]:
-    """The text of a generated module, behind that of what it may import."""
-    return [Text(_PRELUDE, text_of(_PRELUDE)), Text(f"{generated.NAME}.py", source(generated))]
-
-
-def _of_points(generated: GeneratedModule) -> list[Text]:
-    """The texts that find the mode that follows, where a structure does not declare it."""
-    if not has_points(generated):
-        return [Text("no points", "N_POINTS = N_KNOWN = 0\n")]
-    which = f"\n\nANGLES = {angles(generated)!r}  # which coordinates are\n"
-    others = (*point_texts(generated)[1:], *(_OF_POINTS if _bounces(generated) else ()))
-    return [Text(POINTS, text_of(POINTS) + which), *map(_joined, others)]
-
-
-def _bounces(generated: GeneratedModule) -> bool:
-    """Whether a structure has points that may open, slide and bounce, besides elements."""
-    return getattr(generated, "N_POINTS", 0) > 0
-
-
-def _joined(name: str, fused: bool = False) -> Text:
-    """The text of a module of this package as a part of a program."""
-    return Text(name, text_of(name), fused=fused)
+        texts.append(Text(VECTORS, step, fused=True, elsewhere=part != VECTORS))
+    return tuple(texts)

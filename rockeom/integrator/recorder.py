@@ -1,15 +1,8 @@
-"""Rows of the record of a motion, and the mode that begins with an event.
-
-This text is joined to others, see `rockeom.integrator.program`.
-"""
-
-from typing import TYPE_CHECKING
+"""Rows of the record of a motion, and the mode that begins with an event."""
 
 from rockeom.codes import LIFTING, UPLIFT
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import KINDS, N_STATES
+from rockeom.integrator.provided import KINDS, N_STATES
 
 
 def record_step(recorder, row, t, h, mode, coefficients):

@@ -1,7 +1,4 @@
-"""Records, with named fields, that the loop carries from stage to stage.
-
-This text is joined to others, see `rockeom.integrator.program`.
-"""
+"""Records, with named fields, that the loop carries from stage to stage."""
 
 from __future__ import annotations
 

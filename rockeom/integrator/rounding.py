@@ -1,30 +1,28 @@
-"""Rounding errors of guards, below which nothing says whether one is open or closed.
-
-This text is joined to others, see `rockeom.integrator.program`.
-"""
-
-from typing import TYPE_CHECKING
+"""Rounding errors of guards, below which nothing says whether one is open or closed."""
 
 import numpy as np
 
 from rockeom.codes import IMPACT, SWITCH
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.bernstein import SAMPLED, size
-    from rockeom.integrator.interface import (
-        GUARDS,
-        KINDS,
-        N_GUARDS,
-        N_PARTS,
-        N_STATES,
-        PARTS,
-        ROTATION,
-        SIDES,
-        guards,
-        opening_acceleration,
-    )
-
-CLOSED_GAP = 1e-12  # of the overturning rotation: by so much feet may miss the ground on landing
+from rockeom.integrator.bernstein import size
+from rockeom.integrator.provided import (
+    GUARDS,
+    KINDS,
+    N_GUARDS,
+    N_PARTS,
+    N_STATES,
+    PARTS,
+    ROTATION,
+    SIDES,
+    guards,
+    opening_acceleration,
+)
+from rockeom.integrator.tolerances import (
+    ACCELERATION_AT_REST,
+    DIFFERENCE,
+    FORCE_AT_REST,
+    GAP_AT_REST,
+    SAMPLED,
+)
 
 
 def noise_of(mode, index, p, fallen, noise, w, g):
@@ -47,15 +45,15 @@ def noise_of(mode, index, p, fallen, noise, w, g):
             noise[first + i] = 0.0
         for j in range(p.shape[0]):
             value = p[j]
-            p[j] = value * (1.0 + 1e-6)
+            p[j] = value * (1.0 + DIFFERENCE)
             guards(mode, w, p, 0.0, 0.0, other)
-            p[j] = value * (1.0 - 1e-6)
+            p[j] = value * (1.0 - DIFFERENCE)
             guards(mode, w, p, 0.0, 0.0, g)
             p[j] = value
             for i in range(GUARDS[mode]):
                 change = abs(other[i] - g[i])
                 if change < np.inf:
-                    noise[first + i] += 0.5e6 * SAMPLED * change
+                    noise[first + i] += 0.5 / DIFFERENCE * SAMPLED * change
     return noise[first + index]
 
 
@@ -72,9 +70,9 @@ def rounding(mode, index, h, y, p, ax, ay, b):
             part = 8 * PARTS[mode][index]
             scale = max(size(b, part), size(b, part + 8))
             left = abs(max(b[part], b[part + 8]))
-        return max(SAMPLED * scale, min(2.0 * left, 1e-8 * scale))
+        return max(SAMPLED * scale, min(2.0 * left, FORCE_AT_REST * scale))
     acceleration = 0.0
     for other in range(len(SIDES)):
         if SIDES[other] != 0.0:
             acceleration += abs(opening_acceleration(other, y, p, ax, ay))
-    return max(1e-11 * scale, 1e-10 * acceleration * h * h)
+    return max(GAP_AT_REST * scale, ACCELERATION_AT_REST * acceleration * h * h)

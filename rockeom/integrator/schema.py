@@ -6,16 +6,9 @@ from typing import Any, Protocol, TypeGuard
 
 from rockeom.codes import CONTACT_LAWS, LANDING, NEWTON
 
-POINTS = "integrator/transitions/points.py"
-POINT_TEXTS = (
-    POINTS, "integrator/transitions/candidates.py", "integrator/transitions/newton.py",
-)  # fmt: skip
-"""The texts that search for the mode that follows, of structures with contact points."""
-IMPACT_TEXTS = (
-    "integrator/transitions/friction.py", "integrator/transitions/springs.py",
-    "integrator/transitions/impacts.py",
-)  # fmt: skip
-"""In place of the last one, where the impact law of the points is another."""
+PRELUDE = "rockeom.generated.prelude"
+PROVIDED = "rockeom.integrator.provided"
+"""The module that declares the names which are different ones in each program."""
 
 
 class GeneratedModule(Protocol):
@@ -122,11 +115,6 @@ def name_of_law(module: Any) -> str:
     """The name of the impact law of the points of a structure; empty for Newton's."""
     law = impact_law(module)
     return "" if law == NEWTON else next(n for n, code in CONTACT_LAWS.items() if code == law)
-
-
-def point_texts(module: Any) -> tuple[str, ...]:
-    """The texts that search for the mode that follows in the motions of a structure."""
-    return POINT_TEXTS if impact_law(module) == NEWTON else (*POINT_TEXTS[:-1], *IMPACT_TEXTS)
 
 
 def has_landings(module: GeneratedModule) -> TypeGuard[SearchedModes]:

@@ -1,27 +1,22 @@
-"""The length of steps: the first one, and each next one by the error of the last.
-
-This text is joined to others, see `rockeom.integrator.program`.
-"""
+"""The length of steps: the first one, and each next one by the error of the last."""
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.ground import ground_acceleration
-    from rockeom.integrator.guards import rocking
-    from rockeom.integrator.interface import (
-        COARSE,
-        ERROR_EXPONENT,
-        LOCALISED,
-        N_STAGES,
-        N_STATES,
-        rates,
-    )
-    from rockeom.integrator.overturning import own_time
+from rockeom.integrator.ground import ground_acceleration
+from rockeom.integrator.guards import rocking
+from rockeom.integrator.overturning import own_time
+from rockeom.integrator.provided import (
+    COARSE,
+    ERROR_EXPONENT,
+    LOCALISED,
+    N_STAGES,
+    N_STATES,
+    rates,
+)
+from rockeom.integrator.tolerances import LEAST_ERROR, SHORTEST_FIRST, SMALL_STATE
 
 
 def first_step(mode, t, y, rate, p, ground, rtol, atol, w, later):
@@ -35,7 +30,7 @@ def first_step(mode, t, y, rate, p, ground, rtol, atol, w, later):
         scale = atol[i] + rtol * abs(y[i])
         size = max(size, abs(y[i]) / scale)
         speed = max(speed, abs(rate[i]) / scale)
-    cautious = 1e-6 if size < 1e-5 or speed < 1e-5 else 0.01 * size / speed
+    cautious = SHORTEST_FIRST if size < SMALL_STATE or speed < SMALL_STATE else 0.01 * size / speed
     longest = 0.1 * own_time(mode, y, p)
     if LOCALISED or not rocking(mode) or not cautious < longest:
         return cautious
@@ -80,7 +75,7 @@ def controlled(h, error, last_error):
 
     The last error damps the answer to this one.
     """
-    error = max(error, 1e-10)
+    error = max(error, LEAST_ERROR)
     factor = power(error, 0.7 * ERROR_EXPONENT) * power(last_error, -0.4 * ERROR_EXPONENT)
     return h * min(5.0, max(0.2, 0.9 * factor)), error
 

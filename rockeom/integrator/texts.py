@@ -5,16 +5,8 @@ from __future__ import annotations
 import hashlib
 import linecache
 import sys
-from functools import cache
-from importlib.resources import files
 from types import ModuleType
 from typing import Any
-
-
-@cache
-def text_of(path: str) -> str:
-    """Text of a file of rockeom, by its path within the package."""
-    return files("rockeom").joinpath(*path.split("/")).read_text(encoding="utf-8")
 
 
 def digest(*texts: str) -> str:

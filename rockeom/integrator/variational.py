@@ -15,43 +15,43 @@ the same transition as in the loop, and back to the fixed time by the rates on e
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.codes import GRAZES, IMPACT, LANDING, OTHER_WAY, REST, STEPPED_OVER
 from rockeom.compiler.decorators import Duals, Duals2, Duals3, Floats, Ints, entry, inlined
+from rockeom.integrator.full_contact import cannot_move
+from rockeom.integrator.ground import (
+    ground_acceleration,
+    ground_accelerations,
+    segment_at,
+    segment_of,
+)
+from rockeom.integrator.provided import (
+    N_ALL_STAGES,
+    N_GUARDS,
+    N_KNOWN,
+    N_PARTS,
+    N_POINTS,
+    N_STATES,
+    ROTATION_RATE,
+    guards,
+    jump,
+    moving,
+    rate,
+    rates,
+    take_step,
+    value,
+)
+from rockeom.integrator.records import Case, Ground, Recorder, State
+from rockeom.integrator.tolerances import BEND_OF_GUARD, SAME_RATES, SOON_IN_STEP
+from rockeom.integrator.transitions.candidates import ground_now_and_later, pass_on
+from rockeom.integrator.transitions.declared import stand, time_to_rest
+from rockeom.integrator.transitions.restitution import velocity_ratio_at
+from rockeom.integrator.transitions.zeno import time_of_bounces
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.full_contact import cannot_move
-    from rockeom.integrator.ground import (
-        ground_acceleration,
-        ground_accelerations,
-        segment_at,
-        segment_of,
-    )
-    from rockeom.integrator.interface import (
-        N_ALL_STAGES,
-        N_GUARDS,
-        N_PARTS,
-        N_POINTS,
-        N_STATES,
-        ROTATION_RATE,
-        guards,
-        jump,
-        moving,
-        rate,
-        rates,
-        take_step,
-        value,
-    )
-    from rockeom.integrator.records import Case, Ground, Recorder, State
-    from rockeom.integrator.transitions.candidates import ground_now_and_later, pass_on
-    from rockeom.integrator.transitions.declared import stand, time_to_rest, velocity_ratio_at
-    from rockeom.integrator.transitions.points import N_KNOWN
-    from rockeom.integrator.transitions.zeno import time_of_bounces
-
-DIGITS = 1e4
+DIGITS = 10_000.0
 """How many times the tolerance a guard must have sunk below zero, had nothing happened there:
 below, less than two digits of its derivatives are known."""
 
@@ -338,14 +338,14 @@ def moves_by(e, length, recorder, shaken, case, varied, y, floats, duals):
     before, rate_there = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
     later, rate_soon = floats[2 * N_STATES : 3 * N_STATES], floats[3 * N_STATES :]
     # how fast the guard falls, and how fast that changes
-    falls = falls_by(mode, guard, t, before, rate_there, ground, p, state, g)
-    ahead = 1e-3 * length
+    falls = rate_along_motion(mode, guard, t, before, rate_there, ground, p, state, g)
+    ahead = BEND_OF_GUARD * length
     for j in range(N_STATES):
         later[j] = before[j] + ahead * rate_there[j]
     soon = t + ahead
     ax, ay = ground_accelerations(ground, soon)
     rates(mode, later, p, ax, ay, rate_soon)
-    after = falls_by(mode, guard, soon, later, rate_soon, ground, p, state, g)
+    after = rate_along_motion(mode, guard, soon, later, rate_soon, ground, p, state, g)
     for j in range(N_STATES):
         later[j] = case.atol[j] + case.rtol * abs(before[j])
     ax, ay = ground_accelerations(ground, t)
@@ -360,7 +360,7 @@ def moves_by(e, length, recorder, shaken, case, varied, y, floats, duals):
     return 0, (value(g[guard]) - g[guard]) / falls
 
 
-def falls_by(mode, guard, t, y, dy, ground, p, state, g):
+def rate_along_motion(mode, guard, t, y, dy, ground, p, state, g):
     """How fast a guard changes along the motion."""
     now = moving(t, 1.0)
     ax, ay = ground_accelerations(ground, now)
@@ -388,7 +388,7 @@ def goes_on(e, t, ground, p, recorder, floats):
         y[j] = recorder.event_states[e, 0, j]
         same = same and recorder.event_states[e, 1, j] == y[j]
         size = abs(rate_there[j]) + abs(rate_behind[j])
-        same = same and abs(rate_behind[j] - rate_there[j]) <= 1e-8 * size
+        same = same and abs(rate_behind[j] - rate_there[j]) <= SAME_RATES * size
     return same
 
 
@@ -404,7 +404,7 @@ def passed(e, now, length, impacts, recorder, ground, case, varied, duals):
         ratio = velocity_ratio_at(case.law, varied.ratio[0], impacts, y[ROTATION_RATE], p)
         follows = jump(mode, guard, case.law, ratio, y, p, out)
     else:
-        ahead, known = 1e-5 * length, duals[_KNOWN_POINTS:]
+        ahead, known = SOON_IN_STEP * length, duals[_KNOWN_POINTS:]
         ax, ay = ground_accelerations(ground, now)
         later_ax, later_ay = ground_accelerations(ground, value(now) + ahead)
         accelerations = np.empty(5)

@@ -24,7 +24,13 @@ from rockeom.structures.supports import Support, SupportedStructure
 @explained.calls()
 @dataclass(frozen=True)
 class Pinned(Support):
-    """Feet that may lift, and neither slide nor bounce: the support if none is given."""
+    """Feet that may lift, and neither slide nor bounce: the default support.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> support = rk.Pinned()
+    """
 
     kind: ClassVar[str] = "pinned"
 
@@ -85,15 +91,30 @@ def _of_soil(what: str, springs: int, match: str, footing: Mapping[str, Any]) ->
 @explained.calls(k="stiffness=", c="damping=")
 @dataclass(frozen=True, kw_only=True)
 class TwoSprings(_Springs):
-    """A spring and a damper under each foot, which press and never pull.
-
-    stiffness [N/m] and damping [N s/m] of each. guided : what moves up and down alone, the base's
-    "centre", or the "foot" to whose side the base leans, which changes as it comes upright. As the
-    springs grow stiff a structure guided at its centre becomes none on pinned feet: its foot glides
-    sideways, by half_width (1 - cos(theta)). Guided at the foot it has the same equations as on
-    pinned feet, once one foot presses; how it lands depends on the dampers.
+    """Spring and damper under each foot, which press and never pull.
 
     `heave` [m] counts from the settled position.
+
+    Parameters
+    ----------
+    stiffness : float
+        Stiffness of each spring [N/m].
+    damping : float
+        Coefficient of each damper [N s/m].
+    guided : str, optional
+        Point that moves up and down alone: the base's "centre", or the "foot" to whose side the
+        base leans, which changes as it comes upright.
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, and another point.
+
+    Notes
+    -----
+    As the springs grow stiff a structure guided at its centre becomes none on pinned feet: its foot
+    glides sideways, by half_width (1 - cos(theta)). Guided at the foot it has the same equations as
+    on pinned feet, once one foot presses; how it lands depends on the dampers.
     """
 
     kind: ClassVar[str] = "two_springs"
@@ -108,18 +129,46 @@ class TwoSprings(_Springs):
     ) -> Self:  # fmt: skip
         """Springs of a rigid rectangular footing on soil.
 
-        half_width [m] : of the footing in the plane, that of the base above; half_length [m] : at
-        right angles to the plane. Both are of the whole footing, which carries the whole mass of
-        the structure above; of one metre of a long wall, divide the springs of the whole footing
-        by its length, as the mass. shear_modulus or youngs_modulus [Pa], poisson_ratio : of the
-        soil. damping [N s/m] of each damper; guided : as above.
-        match : the stiffness of the footing that the springs have, of "rotation" or "heave". They
-        cannot have both: two springs that turn as a square footing are 15 % softer in heave.
+        Parameters
+        ----------
+        half_width : float
+            Half-width of the footing in the plane, that of the base above [m].
+        half_length : float
+            Half-length of the footing at right angles to the plane [m]. Both are of the whole
+            footing, which carries the whole mass of the structure above; for one metre of a long
+            wall, divide the springs of the whole footing by its length, as the mass.
+        poisson_ratio : float
+            Poisson's ratio of the soil.
+        damping : float
+            Coefficient of each damper [N s/m].
+        shear_modulus : float, optional
+            Shear modulus of the soil [Pa]; either this or `youngs_modulus`.
+        youngs_modulus : float, optional
+            Young's modulus of the soil [Pa].
+        match : str, optional
+            Stiffness of the footing that the springs have, "rotation" or "heave". They cannot have
+            both: two springs that turn as a square footing are 15 % softer in heave.
+        guided : str, optional
+            Point that moves up and down alone, as for the class.
 
-        Source of the stiffness: `analysis.formulas.rectangular_footing` (Pais and Kausel, 1988).
-        Raises ValueError for both moduli, or none, and values out of their range.
+        Returns
+        -------
+        TwoSprings
+            Support.
 
-        >>> TwoSprings.from_soil(
+        Raises
+        ------
+        ValueError
+            For both moduli, or none, and values out of their range.
+
+        References
+        ----------
+        Pais and Kausel (1988), see `analysis.formulas.rectangular_footing`.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> rk.TwoSprings.from_soil(
         ...     half_width=1.2, half_length=2.0, shear_modulus=30e6, poisson_ratio=0.3, damping=50e3
         ... ).stiffness  # N/m
         157714285.7...
@@ -146,13 +195,24 @@ class TwoSprings(_Springs):
 @explained.calls(k="stiffness=", c="damping=")
 @dataclass(frozen=True, kw_only=True)
 class Winkler(_Springs):
-    """A bed of equal springs and dampers, equally far apart, which press and never pull.
+    """Bed of equal springs and dampers, equally far apart, which press and never pull.
 
-    springs : how many, two or more, the outer two at the feet; stiffness [N/m] and damping [N s/m]
-    of each. The base's centre is guided vertically; `heave` [m] counts from the settled position.
-    As many as 40 are derived and compiled in seconds, once on a machine.
+    The base's centre is guided vertically; `heave` [m] counts from the settled position.
 
-    Raises ValueError for more than 90: those that press are neighbours, in n (n + 1)/2 + 1 sets.
+    Parameters
+    ----------
+    stiffness : float
+        Stiffness of each spring [N/m].
+    damping : float
+        Coefficient of each damper [N s/m].
+    springs : int
+        Number of springs, two or more, the outer two at the feet. As many as 40 are derived and
+        compiled in seconds, once on a machine.
+
+    Raises
+    ------
+    ValueError
+        For more than 90 springs: those that press are neighbours, in n (n + 1)/2 + 1 sets.
     """
 
     kind: ClassVar[str] = "winkler"
@@ -165,24 +225,51 @@ class Winkler(_Springs):
         damping: float, shear_modulus: float | None = None, youngs_modulus: float | None = None,
         match: str = "rotation",
     ) -> Self:  # fmt: skip
-        """The bed of a rigid rectangular footing on soil.
+        """Bed of a rigid rectangular footing on soil.
 
-        half_width [m] : of the footing in the plane, that of the base above; half_length [m] : at
-        right angles to the plane. Both are of the whole footing, which carries the whole mass of
-        the structure above; of one metre of a long wall, divide the springs of the whole footing
-        by its length, as the mass. shear_modulus or youngs_modulus [Pa], poisson_ratio : of the
-        soil. damping [N s/m] of each damper; springs : how many.
-        match : the stiffness of the footing that the springs have, of "rotation" or "heave". They
-        cannot have both: a bed of
-        many that turns as a square footing is 2.6 times as stiff in heave.
+        Parameters
+        ----------
+        springs : int
+            Number of springs.
+        half_width : float
+            Half-width of the footing in the plane, that of the base above [m].
+        half_length : float
+            Half-length of the footing at right angles to the plane [m]. Both are of the whole
+            footing, which carries the whole mass of the structure above; for one metre of a long
+            wall, divide the springs of the whole footing by its length, as the mass.
+        poisson_ratio : float
+            Poisson's ratio of the soil.
+        damping : float
+            Coefficient of each damper [N s/m].
+        shear_modulus : float, optional
+            Shear modulus of the soil [Pa]; either this or `youngs_modulus`.
+        youngs_modulus : float, optional
+            Young's modulus of the soil [Pa].
+        match : str, optional
+            Stiffness of the footing that the springs have, "rotation" or "heave". They cannot have
+            both: a bed of many that turns as a square footing is 2.6 times as stiff in heave.
 
-        Source of the stiffness: `analysis.formulas.rectangular_footing` (Pais and Kausel, 1988).
-        Raises ValueError for both moduli, or none, and values out of their range.
+        Returns
+        -------
+        Winkler
+            Support.
 
-        >>> bed = Winkler.from_soil(
+        Raises
+        ------
+        ValueError
+            For both moduli, or none, and values out of their range.
+
+        References
+        ----------
+        Pais and Kausel (1988), see `analysis.formulas.rectangular_footing`.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> bed = rk.Winkler.from_soil(
         ...     springs=11, half_width=1.2, half_length=2.0, youngs_modulus=80e6,
         ...     poisson_ratio=0.3, damping=10e3,
-        ... )
+        ... )  # m, m, Pa, N s/m
         """
         footing = {
             "half_width": half_width, "half_length": half_length, "poisson_ratio": poisson_ratio,
@@ -213,12 +300,22 @@ class Winkler(_Springs):
 class Sliding(Support):
     """Feet that open, stick, slip and bounce on rigid ground.
 
-    friction : its coefficient at each foot; restitution : the ratio of the rates of a foot's gap
-    after and before it lands alone, 0 to 1. law : by which feet that touch meet, "newton",
-    "moreau", "poisson", "lzb" or "pairwise", see `rockeom.symbolic.Rigid`. The states `x` and `y`
-    [m] are the place and the height of the base's centre.
+    The states `x` and `y` [m] are the place and the height of the base's centre.
 
-    Raises ValueError for a law of another name, and numbers out of their ranges.
+    Parameters
+    ----------
+    friction : float
+        Coefficient of friction at each foot.
+    restitution : float
+        Ratio of the rates of a foot's gap after and before it lands alone, 0 to 1.
+    law : str, optional
+        Impact law of feet that touch: "newton", "moreau", "poisson", "lzb" or "pairwise", see
+        `rockeom.symbolic.Rigid`.
+
+    Raises
+    ------
+    ValueError
+        For a law of another name, and numbers out of their ranges.
     """
 
     kind: ClassVar[str] = "sliding"
@@ -248,28 +345,56 @@ class Sliding(Support):
 
 
 class ShearFrame(SupportedStructure):
-    """A frame of any number of storeys, elastic and damped, on a rigid base that rocks.
+    """Frame of any number of storeys, elastic and damped, on a rigid base that rocks.
 
-    masses [kg], heights of the floors above the feet [m], stiffnesses [N/m] and dampings [N s/m]
-    of the storeys, each from the lowest up; inertias of the floors [kg m2], which turn with the
-    base, zero if not given. half_width [m] half of the distance between the feet; base_mass [kg] at
-    base_height [m], with base_inertia about its own centroid [kg m2]; gravity [m/s2].
-    support : what the base stands on, rk.Pinned() if not given.
+    The states are `theta` [rad] and `u_1`, `u_2`, ... [m], the displacement of each floor relative
+    to the base, at right angles to the turned axis. The displacement of a response is that of the
+    top floor, which carries the load of a pushover.
 
-    The states are `theta` and `u_1`, `u_2`, ... [m]: what each floor has moved relative to the
-    base, at right angles to the turned axis. The displacement of a response is that of the top
-    floor, which carries the load of a pushover.
+    Parameters
+    ----------
+    support : Support, optional
+        Support of the base; rk.Pinned() if not given.
+    masses : sequence of float
+        Masses of the floors, from the lowest up [kg].
+    heights : sequence of float
+        Heights of the floors above the feet, rising [m].
+    stiffnesses : sequence of float
+        Stiffnesses of the storeys, from the lowest up [N/m].
+    dampings : sequence of float
+        Dampings of the storeys, from the lowest up [N s/m].
+    half_width : float
+        Half of the distance between the feet [m].
+    base_mass : float
+        Mass of the base [kg].
+    inertias : sequence of float, optional
+        Moments of inertia of the floors, which turn with the base [kg m2]; zero if not given.
+    base_height : float, optional
+        Height of the centroid of the base above the feet [m].
+    base_inertia : float, optional
+        Moment of inertia of the base about its own centroid [kg m2].
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
 
-    >>> frame = ShearFrame(
+    Raises
+    ------
+    ValueError
+        For lists of different lengths, and for heights that do not rise.
+
+    Notes
+    -----
+    The equations of each number of storeys are derived at their first use (some seconds for ten,
+    once on a machine).
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> frame = rk.ShearFrame(
     ...     masses=[20e3, 20e3], heights=[3.5, 7.0], stiffnesses=[20e6, 20e6],
     ...     dampings=[120e3, 120e3], half_width=1.2, base_mass=10e3,
-    ... )
+    ... )  # kg, m, N/m, N s/m, m, kg
     >>> frame.states
     ('theta', 'u_1', 'u_2', 'theta_dot', 'u_1_dot', 'u_2_dot')
-
-    The equations of each number of storeys are derived at their first use (some seconds for ten,
-    once on a machine). Raises ValueError for lists of different lengths, and for heights that do
-    not rise.
     """
 
     model: ClassVar[str] = "shear_frame"
@@ -332,13 +457,25 @@ class ShearFrame(SupportedStructure):
         return (self.support or Pinned()).module(self.model, storeys=len(self.masses))
 
     def damped(self, ratio: float, mode: int = 1) -> ShearFrame:
-        """The frame with dampings in proportion to its stiffnesses, by the ratio of one mode.
+        """Frame with dampings in proportion to its stiffnesses, by the ratio of one mode.
 
-        ratio : part of critical damping of the mode on a fixed base, 1 for the slowest. Others
-        have theirs in proportion to their frequencies, as `frame.fixed_base().damping_ratios`
-        tells. Raises ValueError for a negative ratio, and for a mode that the frame has not.
+        Parameters
+        ----------
+        ratio : float
+            Part of critical damping of the mode on a fixed base.
+        mode : int, optional
+            Number of the mode, 1 for the slowest.
 
-        >>> frame.damped(0.02).dampings
+        Returns
+        -------
+        ShearFrame
+            The other frame. Other modes have ratios in proportion to their frequencies, see
+            ``frame.fixed_base().damping_ratios``.
+
+        Raises
+        ------
+        ValueError
+            For a negative ratio, and for a mode that the frame has not.
         """
         mode = whole_number("ShearFrame.damped: mode", mode, 1)
         if mode > len(self.masses):

@@ -30,20 +30,44 @@ SUPPORTS: Mapping[str, type[Support]] = {
 
 @explained.calls()
 def structure(model: Any, /, **parameters: Any) -> Structure:
-    """A structure of a model: the name of one, or a RockingModel or Model that you declared.
+    """Structure of a model: the name of one, or a RockingModel or Model that you declared.
 
-    Names are those of shipped structures and of families, as `rockeom models` lists them. The
-    support of those that take one is an object, such as `rk.Winkler(...)`, or its name,
-    "two_springs", "winkler" or "sliding", with its parameters among the others:
-    foundation_stiffness and foundation_damping of each spring, guided, springs, friction,
-    restitution, law.
+    Parameters
+    ----------
+    model : str or RockingModel or Model
+        Name of a shipped structure or of a family, as ``rockeom models`` lists them; or a model of
+        your own.
+    **parameters : object
+        Parameters of the model, in SI units, and its support: an object, such as
+        ``rk.Winkler(...)``, or its name, "two_springs", "winkler" or "sliding", with its parameters
+        among the others: foundation_stiffness and foundation_damping of each spring, guided,
+        springs, friction, restitution, law.
 
+    Returns
+    -------
+    Structure
+        Structure with these parameters.
+
+    Raises
+    ------
+    ParameterError
+        For missing or unknown parameters.
+    ValueError
+        For values that are not finite or negative, for a model that cannot be simulated, and where
+        the values give a body a negative mass or a base a negative width.
+
+    Notes
+    -----
     A declared model, and one of a family, is derived and compiled at its first use (some seconds,
-    once on a machine: the user's cache keeps both). Raises ParameterError for missing or unknown
-    parameters and ValueError for values that are not finite or negative, for a model that cannot
-    be simulated, and where the values give a body a negative mass or a base a negative width.
+    once on a machine: the user's cache keeps both).
 
-    >>> frame = structure(
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.structure("rigid_block", half_width=0.1, half_height=0.4)  # m
+    >>> block == rk.RigidBlock(half_width=0.1, half_height=0.4)
+    True
+    >>> frame = rk.structure(
     ...     "shear_frame", masses=[20e3, 20e3], heights=[3.5, 7.0], stiffnesses=[20e6, 20e6],
     ...     dampings=[120e3, 120e3], half_width=1.2, base_mass=10e3, support="winkler", springs=4,
     ...     foundation_stiffness=1e8, foundation_damping=1e5, base_inertia=5e3,

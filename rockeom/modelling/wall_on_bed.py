@@ -95,24 +95,54 @@ class _Equations(NamedTuple):
 @explained.calls()
 @dataclass(frozen=True, kw_only=True)
 class WallOnBed:
-    """A rigid wall under a constant axial force, on a bed that does not pull, and crushes.
+    """Rigid wall under a constant axial force, on a bed that does not pull, and crushes.
 
-    length, thickness [m] of the wall; shear_span [m] : height of zero moment above the base, where
-    the horizontal force and the axial one act. axial_force [N] : constant, the wall's weight
-    counted in. bed_modulus [N/m3] : pressure over compression of the bed, which has the flexibility
-    of wall and joints. strength [Pa] : pressure at which the bed crushes, and which it keeps, such
-    as 0.85 times the masonry's compressive strength: then the strength of the wall tends to
-    `rocking_strength`. following : whether the axial force turns with the wall, and its line passes
-    through the middle of the base; or stays vertical and moves with the wall. P-delta, that is
-    -axial_force displacement/shear_span, is then a part of the force. springs : how many, each of
-    them in the middle of one of as many equal strips.
+    Parameters
+    ----------
+    length : float
+        Length of the wall [m].
+    thickness : float
+        Thickness of the wall [m].
+    shear_span : float
+        Height of zero moment above the base, where the horizontal force and the axial one act [m].
+    axial_force : float
+        Axial force, constant, the wall's weight counted in [N].
+    bed_modulus : float
+        Pressure over compression of the bed, which has the flexibility of wall and joints [N/m3].
+    strength : float
+        Pressure at which the bed crushes, and which it keeps [Pa], such as 0.85 times the masonry's
+        compressive strength: then the strength of the wall tends to `rocking_strength`.
+    following : bool, optional
+        Whether the axial force turns with the wall, and its line passes through the middle of the
+        base; or stays vertical and moves with the wall. P-delta, that is -axial_force
+        displacement/shear_span, is then a part of the force.
+    springs : int, optional
+        Number of springs, each of them in the middle of one of as many equal strips.
 
-    Rotations are small: compressions are linear in the rotation, and besides P-delta nothing of
-    the deformed shape is counted. Terms of the order of the rotation's square are left out. The
-    base does not slide. `rockeom.symbolic.parts.walls.wall_on_bed` declares the same wall for
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, and for an axial force that crushes the bed.
+
+    Notes
+    -----
+    Rotations are small: compressions are linear in the rotation, and besides P-delta nothing of the
+    deformed shape is counted. Terms of the order of the rotation's square are left out. The base
+    does not slide. ``rockeom.symbolic.parts.walls.wall_on_bed`` declares the same wall for
     `rk.structure` and `rk.simulate`, on up to seven springs.
 
-    Raises ValueError for what is not positive, and for an axial force that crushes the bed.
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> wall = rk.WallOnBed(
+    ...     length=1.0, thickness=0.2, shear_span=1.325, axial_force=104.8e3, bed_modulus=2.9e9,
+    ...     strength=0.85 * 73e6,
+    ... )  # m, N, N/m3, Pa
+    >>> path = wall.pushover(0.04)  # m
+    >>> round(path.strength), round(wall.rocking_strength)  # N
+    (36651, 39213)
+    >>> bool(wall.cycles([0.01, 0.02], repeat=2).last_cycle.damping < 1e-6)  # it hardly crushes
+    True
     """
 
     length: float
@@ -143,13 +173,27 @@ class WallOnBed:
 
     @classmethod
     def of_test(cls, test: WallTest, *, following: bool = True, springs: int = 100) -> WallOnBed:
-        """The wall of a test, its bed from the measured effective stiffness.
+        """Wall of a test, its bed from the measured effective stiffness.
 
-        test : such as one of `analysis.identification.wall_tests()`. following, springs : as above.
-        The bed modulus is the one with which `effective_stiffness` is the measured one. The bed
-        crushes at 0.85 times the compressive strength.
+        Parameters
+        ----------
+        test : WallTest
+            Test, such as one of `analysis.identification.wall_tests`.
+        following : bool, optional
+            Whether the axial force turns with the wall, as for the class.
+        springs : int, optional
+            Number of springs.
 
-        Raises ValueError where no bed is as stiff, or as soft.
+        Returns
+        -------
+        WallOnBed
+            Wall whose `effective_stiffness` is the measured one. The bed crushes at 0.85 times the
+            compressive strength.
+
+        Raises
+        ------
+        ValueError
+            Where no bed is as stiff, or as soft.
         """
         rigid = cls(
             length=test.length, thickness=test.thickness, shear_span=test.shear_span,
@@ -162,10 +206,35 @@ class WallOnBed:
     def of_tests(
         cls, tests: Mapping[str, WallTest], *, following: bool = True, springs: int = 100
     ) -> dict[str, WallOnBed]:
-        """The walls of tests by name: the first of each level gives the bed of all of it.
+        """Walls of tests by name: the first of each level gives the bed of all of it.
 
-        tests : by name, such as `analysis.identification.wall_tests()`. Walls of one level have the
-        same sizes, compressive strength and axial force, `WallTest.level`; see `of_test`.
+        Parameters
+        ----------
+        tests : dict of str to WallTest
+            Tests by name, such as `analysis.identification.wall_tests`. Walls of one level have the
+            same sizes, compressive strength and axial force, `WallTest.level`.
+        following : bool, optional
+            Whether the axial force turns with the wall, as for the class.
+        springs : int, optional
+            Number of springs.
+
+        Returns
+        -------
+        dict of str to WallOnBed
+            Walls by the names of the tests.
+
+        Raises
+        ------
+        ValueError
+            As `of_test`.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> from rockeom import analysis
+        >>> walls = rk.WallOnBed.of_tests(analysis.identification.wall_tests())
+        >>> walls["WS2.100"].bed_modulus == walls["WS1.100"].bed_modulus  # the first one's
+        True
         """
         of_level: dict[tuple[float, ...], WallOnBed] = {}
         for test in tests.values():
@@ -203,7 +272,18 @@ class WallOnBed:
         )
 
     def effective_stiffness(self) -> float:
-        """Secant of the pushover at 0.7 of the rocking strength [N/m]."""
+        """Secant of the pushover at 0.7 of the rocking strength.
+
+        Returns
+        -------
+        float
+            Stiffness [N/m].
+
+        Raises
+        ------
+        ValueError
+            Where the wall does not reach that force.
+        """
         force = SECANT * self.rocking_strength
         path = self.pushover(self.length / 2)
         if path.strength < force:
@@ -216,20 +296,64 @@ class WallOnBed:
         return force / float(np.interp(force, path.force[:end], path.displacement[:end]))
 
     def pushover(self, displacement: float) -> WallPath:
-        """The path from upright to a displacement of either sign [m]."""
+        """Path from upright to a displacement.
+
+        Parameters
+        ----------
+        displacement : float
+            Displacement of either sign [m].
+
+        Returns
+        -------
+        WallPath
+            Displacements and forces.
+        """
         return self.along([number("WallOnBed.pushover: displacement", displacement)])
 
     def cycles(self, amplitudes: Sequence[float], repeat: int = 1) -> WallPath:
-        """The path of cycles to and fro: to each amplitude [m], and to -, + as often as `repeat`.
+        """Path of cycles to and fro.
 
         It ends at the last peak, as `last_cycle` begins.
+
+        Parameters
+        ----------
+        amplitudes : sequence of float
+            Amplitudes [m], to each of which and back to its negative the wall goes.
+        repeat : int, optional
+            Number of cycles of each amplitude.
+
+        Returns
+        -------
+        WallPath
+            Displacements and forces.
+
+        Raises
+        ------
+        ValueError
+            For an amplitude that is not positive.
         """
         (sizes,) = positive("WallOnBed.cycles", amplitudes=amplitudes)
         turns = whole_number("WallOnBed.cycles: repeat", repeat, 1)
         return self.along([x for a in np.ravel(sizes) for x in (a, *(-a, a) * turns)])
 
     def along(self, displacements: Sequence[float]) -> WallPath:
-        """The path from upright along displacements (m,) [m], between which it does not turn."""
+        """Path from upright along displacements, between which it does not turn.
+
+        Parameters
+        ----------
+        displacements : sequence of float
+            Displacements (m,) [m].
+
+        Returns
+        -------
+        WallPath
+            Displacements and forces.
+
+        Raises
+        ------
+        ValueError
+            For displacements that are not finite.
+        """
         (targets,) = numbers("WallOnBed.along", displacements=displacements)
         require(targets.ndim == 1, "WallOnBed.along", "displacements", targets, "give a list")
         of = _equations(self)

@@ -36,11 +36,28 @@ MEANT = {
 
 
 class MotionError(ValueError):
-    """A ground motion that cannot be had as asked; the message says what, where and the remedy."""
+    """Ground motion that cannot be had as asked; the message says what, where and the remedy."""
 
     @classmethod
     def at(cls, path: FilePath, line: int | None, what: str, remedy: str) -> MotionError:
-        """The error of a file, at a line (counted from 1) where there is one."""
+        """Error of a file, at a line where there is one.
+
+        Parameters
+        ----------
+        path : path_like
+            File.
+        line : int
+            Number of the line, counted from 1.
+        what : str
+            What is wrong.
+        remedy : str
+            What to do.
+
+        Returns
+        -------
+        MotionError
+            Error to raise.
+        """
         name = os.fspath(path)
         where = name if name.isprintable() else repr(name)
         where += "" if line is None else f", line {line}"

@@ -44,31 +44,60 @@ def floor_motion(
 ) -> Shaking:
     """Absolute acceleration of a floor of an elastic building, as a record.
 
-        rk.floor_motion(record, periods=0.5)                          # of the roof, by one mode
-        rk.floor_motion(record, periods=[0.6, 0.2, 0.12], height=0.5)
-        rk.floor_motion(record, periods=[0.6, 0.2], participation=[0.9, 0.3])
-
-    record : horizontal motion of the ground below the building, or a recording; the building moves
+    Parameters
+    ----------
+    record : GroundMotion or Recording
+        Horizontal motion of the ground below the building, or a recording; the building moves
         vertically as the ground does.
-    periods : of the modes of the building, (n,) or one number, the longest first [s].
-    height : of the floor, as a part of the height of the building, from 0 to 1, the roof.
-    damping_ratio : of all modes, above 0 and below 1.
-    participation : of each mode on this floor, Gamma_i phi_i, (n,) [-]; those of a building of
-        another kind than the default, and without height.
+    periods : array_like
+        Periods of the modes of the building (n,), or one number, the longest first [s].
+    height : float, optional
+        Height of the floor, as a part of the height of the building, from 0 to 1, the roof.
+    damping_ratio : float, optional
+        Damping ratio of all modes, above 0 and below 1.
+    participation : array_like, optional
+        Participation Gamma_i phi_i of each mode on this floor (n,); those of a building of another
+        kind than the default, and without height.
 
+    Returns
+    -------
+    GroundMotion or Recording
+        Record of the floor, sampled 32 times in the shortest period or more, linear between; it
+        goes on after the record of the ground until one percent of the vibration in the first mode
+        is left.
+
+    Raises
+    ------
+    MotionError
+        For values that are not in these ranges, for periods that do not fall, for another number of
+        participations than of periods, and for a vertical record.
+
+    Notes
+    -----
     By modal superposition, a = (1 - sum Gamma_i phi_i) a_g + sum Gamma_i phi_i a_i, in which a_i is
     the absolute acceleration of an oscillator with period and damping of mode i; the first term is
     that of modes without a period here, which follow the ground. The default is the uniform shear
-    building, Gamma_i phi_i = 4/((2 i - 1) pi) sin((2 i - 1) pi height/2), whose periods go as
-    1, 1/3, 1/5. The oscillators are integrated exactly; the result is sampled 32 times in the
-    shortest period or more, linear between, and goes on after the record until one percent of the
-    vibration in the first mode is left. The mass of what stands on the floor is neglected.
+    building, Gamma_i phi_i = 4/((2 i - 1) pi) sin((2 i - 1) pi height/2), whose periods go as 1,
+    1/3, 1/5. The oscillators are integrated exactly. The mass of whatever stands on the floor is
+    neglected.
 
-    Source: Miranda and Taghavi (2005), Journal of Structural Engineering 131(2), 203-211, with the
-    shear beam of their continuous models; Chopra, Dynamics of Structures, chapters 13 and 17.
+    References
+    ----------
+    Miranda and Taghavi (2005), Journal of Structural Engineering 131(2), 203-211, with the shear
+    beam of their continuous models; Chopra, Dynamics of Structures, chapters 13 and 17.
 
-    Raises MotionError for values that are not in these ranges, for periods that do not fall, for
-    another number of participations than of periods, and for a vertical record.
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> record = rk.GroundMotion.kanai_tajimi(0.01, duration=10.0, seed=1)
+    >>> roof = rk.floor_motion(record, periods=0.5)  # s, by one mode
+    >>> roof.peak > record.peak
+    True
+
+    Other floors and buildings::
+
+        rk.floor_motion(record, periods=[0.6, 0.2, 0.12], height=0.5)
+        rk.floor_motion(record, periods=[0.6, 0.2], participation=[0.9, 0.3])
     """
     if not isinstance(record, GroundMotion | Recording):
         raise MotionError(f"record is {described(record)}: give a GroundMotion or a Recording")

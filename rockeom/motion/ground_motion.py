@@ -49,6 +49,7 @@ from rockeom.numbers.batch import one_of
 from rockeom.numbers.callers import warn_caller
 from rockeom.numbers.checks import described, number
 from rockeom.numbers.dual import nominal
+from rockeom.numbers.pictures import picture
 
 if TYPE_CHECKING:
     from rockeom.motion import intensity, processing
@@ -68,25 +69,47 @@ _ABSURD_PEAK = 10 * STANDARD_GRAVITY  # the strongest recorded one is about 4 g
 @with_formulas
 @dataclass(frozen=True, eq=False, repr=False)
 class GroundMotion(metaclass=explained.Constructors):
-    """The acceleration of the ground in one direction, as a table of analytic segments.
+    """Acceleration of the ground in one direction, as a table of analytic segments.
 
-    The class methods make motions: `none`, `constant`, `half_sine`, `single_sine`,
-    `single_cosine`, `harmonic`, `ricker`, `mavroeidis_papageorgiou`, `kanai_tajimi`,
-    `clough_penzien`, `from_array`, `from_at2`, `from_columns`, `from_csv`, `read`, `from_library`.
-    The acceleration of a formula is a number of m/s2, or a text with its unit, such as "0.3 g".
+    The class methods make motions: `none`, `constant`, `half_sine`, `single_sine`, `single_cosine`,
+    `harmonic`, `ricker`, `mavroeidis_papageorgiou`, `kanai_tajimi`, `clough_penzien`, `from_array`,
+    `from_at2`, `from_columns`, `from_csv`, `read`, `from_library`. The acceleration of a formula is
+    a number [m/s2], or a text with its unit, such as "0.3 g".
 
-    segments : (n, 7) start [s], end [s], kind, c0, c1, c2, c3 (see `SegmentKind`); contiguous from
-        time 0. Before and after them the acceleration is zero. Read-only.
-    name : label of the motion in figures.
-    source : origin of the motion.
-    dt, samples : time step [s] and accelerations (m,) [m/s2] of a record, which is linear between
-        its samples; None for an analytic motion.
-    is_vertical : whether it is the vertical component of a recording, as its file says; another
-        verdict is `dataclasses.replace(motion, is_vertical=...)`.
+    Parameters
+    ----------
+    segments : ndarray
+        Table (n, 7) of start [s], end [s], kind, c0, c1, c2, c3 (see `SegmentKind`); contiguous
+        from time 0. Before and after them the acceleration is zero. Read-only.
+    name : str, optional
+        Label of the motion in figures.
+    source : str, optional
+        Origin of the motion.
+    dt : float, optional
+        Time step of a record [s], which is linear between its samples; None for an analytic motion.
+    samples : ndarray, optional
+        Accelerations of a record (m,) [m/s2]; None for an analytic motion.
+    is_vertical : bool, optional
+        Whether it is the vertical component of a recording, as its file says; another verdict is
+        ``dataclasses.replace(motion, is_vertical=...)``.
 
+    Raises
+    ------
+    MotionError
+        For a table of another form.
+
+    Notes
+    -----
     Two motions are equal if their names, sources and tables are.
 
-    Raises MotionError for a table of another form.
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> pulse = rk.GroundMotion.single_sine(amplitude="0.3 g", period=0.5, duration=5.0)  # s, s
+    >>> round(pulse.peak, 3), pulse.duration  # m/s2, s
+    (2.943, 5.0)
+    >>> round(float(pulse.velocity(0.25)), 4)  # m/s
+    0.4684
     """
 
     segments: np.ndarray
@@ -114,16 +137,65 @@ class GroundMotion(metaclass=explained.Constructors):
 
     @classmethod
     def none(cls, duration: float) -> GroundMotion:
-        """No shaking, for free rocking; duration [s]."""
+        """No shaking, for free rocking.
+
+        Parameters
+        ----------
+        duration : float
+            Duration [s].
+
+        Returns
+        -------
+        GroundMotion
+            Motion without acceleration.
+
+        Raises
+        ------
+        MotionError
+            For a duration that is not positive.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+        >>> run = rk.simulate(block, rk.GroundMotion.none(10.0), initial={"theta": 0.1})  # s, rad
+        >>> print(run.outcome)
+        came to rest
+        """
         return _analytic("no shaking", [(_positive("duration", duration), LINEAR)])
 
     @classmethod
     def constant(
         cls, acceleration: Acceleration, duration: float, total_duration: float | None = None
     ) -> GroundMotion:
-        """Constant acceleration [m/s2] for `duration` [s]: a rectangular pulse if quiet follows.
+        """Constant acceleration: a rectangular pulse if quiet follows.
 
-        total_duration : with the quiet time after it [s]; the default is `duration`.
+        Parameters
+        ----------
+        acceleration : float or str
+            Acceleration, a number [m/s2] or a text with its unit.
+        duration : float
+            Duration of the acceleration [s].
+        total_duration : float, optional
+            Duration with the quiet time after it [s]; `duration` if not given.
+
+        Returns
+        -------
+        GroundMotion
+            Motion.
+
+        Raises
+        ------
+        MotionError
+            For a duration that is not positive.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+        >>> push = rk.GroundMotion.constant(1.0, duration=5.0)  # m/s2, s; too weak
+        >>> float(rk.simulate(block, push)["theta"].max())
+        0.0
         """
         a, end = _finite("acceleration", acceleration), _positive("duration", duration)
         total = end if total_duration is None else total_duration
@@ -136,8 +208,32 @@ class GroundMotion(metaclass=explained.Constructors):
     ) -> GroundMotion:
         """Half of a sine: amplitude sin(2 pi t/period) up to period/2.
 
-        amplitude : [m/s2]; period : of the full sine [s]; duration : with the quiet time after
-        the pulse [s], at least the pulse; if not given, ten periods of quiet follow.
+        Parameters
+        ----------
+        amplitude : float or str
+            Amplitude, a number [m/s2] or a text with its unit.
+        period : float
+            Period of the full sine [s].
+        duration : float, optional
+            Duration with the quiet time after the pulse [s], at least the pulse; if not given, ten
+            periods of quiet follow.
+
+        Returns
+        -------
+        GroundMotion
+            Motion.
+
+        Raises
+        ------
+        MotionError
+            For a period that is not positive, and a duration shorter than the pulse.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> push = rk.GroundMotion.half_sine(amplitude=3.0, period=1.0)  # m/s2, s
+        >>> push.duration  # s
+        10.5
         """
         return _pulse("half sine", amplitude, period, 0.5, 0.0, duration)
 
@@ -147,8 +243,32 @@ class GroundMotion(metaclass=explained.Constructors):
     ) -> GroundMotion:
         """One full sine: amplitude sin(2 pi t/period) up to one period.
 
-        amplitude : [m/s2]; period [s]; duration : with the quiet time after the pulse [s], at
-        least the pulse; if not given, ten periods of quiet follow.
+        Parameters
+        ----------
+        amplitude : float or str
+            Amplitude, a number [m/s2] or a text with its unit.
+        period : float
+            Period [s].
+        duration : float, optional
+            Duration with the quiet time after the pulse [s], at least the pulse; if not given, ten
+            periods of quiet follow.
+
+        Returns
+        -------
+        GroundMotion
+            Motion.
+
+        Raises
+        ------
+        MotionError
+            For a period that is not positive, and a duration shorter than the pulse.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> pulse = rk.GroundMotion.single_sine(amplitude=3.0, period=0.5, duration=5.0)
+        >>> pulse.peak, pulse.duration  # m/s2, s
+        (3.0, 5.0)
         """
         return _pulse("single sine", amplitude, period, 1.0, 0.0, duration)
 
@@ -158,7 +278,25 @@ class GroundMotion(metaclass=explained.Constructors):
     ) -> GroundMotion:
         """One full cosine: amplitude cos(2 pi t/period) up to one period.
 
-        amplitude [m/s2], period [s] and duration [s] are as of `single_sine`.
+        Parameters
+        ----------
+        amplitude : float or str
+            Amplitude, a number [m/s2] or a text with its unit.
+        period : float
+            Period [s].
+        duration : float, optional
+            Duration with the quiet time after the pulse [s], at least the pulse; if not given, ten
+            periods of quiet follow.
+
+        Returns
+        -------
+        GroundMotion
+            Motion.
+
+        Raises
+        ------
+        MotionError
+            For a period that is not positive, and a duration shorter than the pulse.
         """
         return _pulse("single cosine", amplitude, period, 1.0, 0.5 * math.pi, duration)
 
@@ -173,10 +311,41 @@ class GroundMotion(metaclass=explained.Constructors):
         period: float | None = None,
         phase: float = 0.0,
     ) -> GroundMotion:
-        """amplitude sin(omega t + phase), without end up to `duration` [s].
+        """Harmonic motion: amplitude sin(omega t + phase), without end up to the duration.
 
-        amplitude : [m/s2]; exactly one of frequency [Hz], angular_frequency [rad/s] and period
-        [s]; phase : the phase angle [rad], pi/2 for a cosine.
+        Exactly one of frequency, angular_frequency and period is needed.
+
+        Parameters
+        ----------
+        amplitude : float or str
+            Amplitude, a number [m/s2] or a text with its unit.
+        duration : float
+            Duration [s].
+        frequency : float, optional
+            Frequency [Hz].
+        angular_frequency : float, optional
+            Angular frequency omega [rad/s].
+        period : float, optional
+            Period [s].
+        phase : float, optional
+            Phase angle [rad], pi/2 for a cosine.
+
+        Returns
+        -------
+        GroundMotion
+            Motion.
+
+        Raises
+        ------
+        MotionError
+            For none or several of the three, and for numbers that are not positive.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> shaking = rk.GroundMotion.harmonic(amplitude=2.0, frequency=1.5, duration=20.0)
+        >>> shaking.duration  # s
+        20.0
         """
         a, phase = _finite("amplitude", amplitude), _finite("phase", phase)
         end = _positive("duration", duration)
@@ -204,18 +373,47 @@ class GroundMotion(metaclass=explained.Constructors):
         duration: float | None = None,
         antisymmetric: bool = False,
     ) -> GroundMotion:
-        """A Ricker wavelet whose largest acceleration is `amplitude` [m/s2].
+        """Ricker wavelet with a largest acceleration.
 
-        period : 2 pi over the angular frequency at which the Fourier spectrum peaks [s].
+        Parameters
+        ----------
+        amplitude : float or str
+            Largest acceleration, a number [m/s2] or a text with its unit.
+        period : float
+            2 pi over the angular frequency at which the Fourier spectrum peaks [s].
+        duration : float, optional
+            Duration with the quiet time after the wavelet [s], at least four periods; if not given,
+            ten periods of quiet follow.
+        antisymmetric : bool, optional
+            Whether the wavelet is antisymmetric: it reaches +amplitude before its centre and
+            -amplitude after it. The symmetric one is largest at its centre.
+
+        Returns
+        -------
+        GroundMotion
+            Motion.
+
+        Raises
+        ------
+        MotionError
+            For a period that is not positive, and a duration shorter than the wavelet.
+
+        Notes
+        -----
         The wavelet is centred at two periods and cut off two periods before and after its centre,
         where the symmetric one is below 1e-14 and the antisymmetric one below 2e-9 of its peak.
-        The symmetric wavelet is largest at its centre; the antisymmetric one reaches +amplitude
-        before its centre and -amplitude after it.
-        duration : with the quiet time after the wavelet [s], at least four periods; if not given,
-        ten periods of quiet follow.
 
-        Source: Ricker (1943, 1944) as written by Vassiliou and Makris, Bulletin of the
-        Seismological Society of America 101 (2011) 596-618.
+        References
+        ----------
+        Ricker (1943, 1944) as written by Vassiliou and Makris, Bulletin of the Seismological
+        Society of America 101 (2011) 596-618.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> wavelet = rk.GroundMotion.ricker(4.0, 0.6)  # m/s2, s
+        >>> round(wavelet.peak, 3)
+        4.0
         """
         a, t_p = _finite("amplitude", amplitude), _positive("period", period)
         centre = _RICKER_HALF_WINDOW * t_p
@@ -238,19 +436,43 @@ class GroundMotion(metaclass=explained.Constructors):
         phase: float = 0.0,
         duration: float | None = None,
     ) -> GroundMotion:
-        """The pulse of near-fault motions by Mavroeidis and Papageorgiou: a sine that swells.
+        """Pulse of near-fault motions by Mavroeidis and Papageorgiou: a sine that swells.
 
+        Parameters
+        ----------
+        velocity : float
+            Amplitude A of the velocity [m/s].
+        period : float
+            1 over the prevailing frequency f_p [s].
+        gamma : float
+            Ratio of the envelope's length to the period, above 1.
+        phase : float, optional
+            Phase angle nu at the centre [rad].
+        duration : float, optional
+            Duration with the quiet time after the pulse [s], at least gamma periods; if not given,
+            ten periods of quiet follow.
+
+        Returns
+        -------
+        GroundMotion
+            Motion.
+
+        Raises
+        ------
+        MotionError
+            For a period that is not positive, a gamma that is not above 1, and a duration shorter
+            than the pulse.
+
+        Notes
+        -----
         Its velocity is velocity/2 (1 + cos(2 pi x/(gamma period))) cos(2 pi x/period + phase) at a
-        time x from its centre, for |x| up to gamma period/2; its acceleration, the rate of that, is
+        time x from its centre, within gamma period/2 of it; its acceleration, the rate of that, is
         a sum of three sines and no approximation.
 
-        velocity : the amplitude A of the velocity [m/s]; period : 1 over the prevailing frequency
-        f_p [s]; gamma : of the envelope's length to the period, above 1; phase : the angle nu at
-        the centre [rad]; duration : with the quiet time after the pulse [s], at least gamma
-        periods; if not given, ten periods of quiet follow.
-
-        Source: Mavroeidis and Papageorgiou, Bulletin of the Seismological Society of America 93
-        (2003) 1099-1131.
+        References
+        ----------
+        Mavroeidis and Papageorgiou, Bulletin of the Seismological Society of America 93 (2003)
+        1099-1131.
         """
         a, t_p = _finite("velocity", velocity), _positive("period", period)
         g, nu = _finite("gamma", gamma), _finite("phase", phase)
@@ -282,20 +504,49 @@ class GroundMotion(metaclass=explained.Constructors):
     ) -> GroundMotion:
         """Gaussian white noise of the rock, filtered by the ground above it.
 
-        Its power spectral density, over angular frequencies of both signs, is
-        S_0 (1 + 4 xi**2 r**2)/((1 - r**2)**2 + 4 xi**2 r**2), r = omega/omega_g, up to pi/dt.
+        Parameters
+        ----------
+        spectral_intensity : float
+            Density S_0 of the white noise [m2/s3].
+        duration : float
+            Duration [s].
+        seed : int
+            Seed; equal seeds give equal motions.
+        angular_frequency : float, optional
+            Angular frequency omega_g of the ground [rad/s]; the default is that of firm ground.
+        damping_ratio : float, optional
+            Damping ratio xi of the ground; the default is that of firm ground.
+        envelope : callable, optional
+            Function of times (n,) [s] that multiplies the stationary noise, such as
+            `JenningsEnvelope` or `ShinozukaSatoEnvelope`.
+        dt : float, optional
+            Time step of the samples [s].
 
-        spectral_intensity : S_0, the density of the white noise [m2/s3]; duration [s];
-        seed : equal seeds give equal motions; angular_frequency omega_g [rad/s] and
-        damping_ratio xi of the ground; the defaults are those of firm ground; envelope :
-        function of times (n,) [s] that multiplies the stationary noise, such as `JenningsEnvelope`
-        or `ShinozukaSatoEnvelope`; dt : time step of the samples [s].
+        Returns
+        -------
+        GroundMotion
+            Record.
 
-        Source: Kanai (1957), Tajimi (1960); the method: Shinozuka and Deodatis, Applied Mechanics
-        Reviews 44 (1991) 191-204, with Gaussian amplitudes. Raises MotionError.
+        Raises
+        ------
+        MotionError
+            For numbers that are not positive.
 
-        >>> motion = GroundMotion.kanai_tajimi(0.01, duration=20.0, seed=1)
-        >>> motion == GroundMotion.kanai_tajimi(0.01, duration=20.0, seed=1)
+        Notes
+        -----
+        Its power spectral density, over angular frequencies of both signs, is ``S_0 (1 + 4 xi**2
+        r**2)/((1 - r**2)**2 + 4 xi**2 r**2)``, r = omega/omega_g, up to pi/dt.
+
+        References
+        ----------
+        Kanai (1957), Tajimi (1960); the method: Shinozuka and Deodatis, Applied Mechanics Reviews
+        44 (1991) 191-204, with Gaussian amplitudes.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> motion = rk.GroundMotion.kanai_tajimi(0.01, duration=20.0, seed=1)
+        >>> motion == rk.GroundMotion.kanai_tajimi(0.01, duration=20.0, seed=1)
         True
         """
         from rockeom.motion.synthetic import noise
@@ -321,14 +572,47 @@ class GroundMotion(metaclass=explained.Constructors):
         envelope: Callable[[np.ndarray], ArrayLike] | None = None,
         dt: float = 0.01,
     ) -> GroundMotion:
-        """As `kanai_tajimi`, with a second filter that keeps displacements finite.
+        """Noise as of `kanai_tajimi`, with a second filter that keeps displacements finite.
 
-        It multiplies the density by q**4/((1 - q**2)**2 + 4 xi_f**2 q**2), q = omega/omega_f.
+        Parameters
+        ----------
+        spectral_intensity : float
+            Density S_0 of the white noise [m2/s3].
+        duration : float
+            Duration [s].
+        seed : int
+            Seed; equal seeds give equal motions.
+        angular_frequency : float, optional
+            Angular frequency omega_g of the ground [rad/s].
+        damping_ratio : float, optional
+            Damping ratio xi of the ground.
+        high_pass_angular_frequency : float, optional
+            Angular frequency omega_f of the second filter [rad/s].
+        high_pass_damping_ratio : float, optional
+            Damping ratio xi_f of the second filter.
+        envelope : callable, optional
+            Function of times (n,) [s] that multiplies the stationary noise.
+        dt : float, optional
+            Time step of the samples [s].
 
-        high_pass_angular_frequency omega_f [rad/s] and high_pass_damping_ratio xi_f of that filter;
-        all else as in `kanai_tajimi`.
+        Returns
+        -------
+        GroundMotion
+            Record.
 
-        Source: Clough and Penzien, Dynamics of Structures (1975). Raises MotionError.
+        Raises
+        ------
+        MotionError
+            For numbers that are not positive.
+
+        Notes
+        -----
+        The second filter multiplies the density by ``q**4/((1 - q**2)**2 + 4 xi_f**2 q**2)``, q =
+        omega/omega_f.
+
+        References
+        ----------
+        Clough and Penzien, Dynamics of Structures (1975).
         """
         from rockeom.motion.synthetic import noise
 
@@ -357,12 +641,37 @@ class GroundMotion(metaclass=explained.Constructors):
         units: str = "m/s2",
         gravity: float = STANDARD_GRAVITY,
     ) -> GroundMotion:
-        """A record of n accelerations (n,), n >= 2, at times 0, dt, 2 dt ...; dt [s].
+        """Record of accelerations at even steps.
 
-        units : of the accelerations: "m/s2", "g", "cm/s2", "gal", "mm/s2", "in/s2" or "ft/s2".
-        gravity : the value of 1 g [m/s2].
+        Parameters
+        ----------
+        acceleration : array_like
+            Accelerations (n,) in `units` at times 0, dt, 2 dt ..., n >= 2.
+        dt : float
+            Time step [s].
+        name : str, optional
+            Label of the motion.
+        units : str, optional
+            Unit of the accelerations: "m/s2", "g", "cm/s2", "gal", "mm/s2", "in/s2" or "ft/s2".
+        gravity : float, optional
+            Value of 1 g [m/s2].
 
-        Raises MotionError for NaN or infinity (with its index) and for other than one dimension.
+        Returns
+        -------
+        GroundMotion
+            Record, linear between the samples.
+
+        Raises
+        ------
+        MotionError
+            For NaN or infinity (with its index) and for other than one dimension.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> values = [0.0, 0.1, -0.2, 0.1]
+        >>> rk.GroundMotion.from_array(values, dt=0.01, units="g").peak  # m/s2
+        1.962...
         """
         values = _accelerations(acceleration) * factor(units, gravity)
         return _from_record(values, dt, name, "array")
@@ -376,13 +685,33 @@ class GroundMotion(metaclass=explained.Constructors):
         gravity: float = STANDARD_GRAVITY,
         name: str | None = None,
     ) -> GroundMotion:
-        """A PEER record (.AT2), with the old or the new header.
+        """PEER record (.AT2), with the old or the new header.
 
-        units : only where the header does not state them ("IN UNITS OF G").
-        gravity : the value of 1 g [m/s2].
-        name : the second line of the file if not given.
+        Parameters
+        ----------
+        path : path_like
+            File.
+        units : str, optional
+            Unit, only where the header does not state it ("IN UNITS OF G").
+        gravity : float, optional
+            Value of 1 g [m/s2].
+        name : str, optional
+            Label of the motion; the second line of the file if not given.
 
-        Raises MotionError, with file, line, value and remedy, for anything the file does not state.
+        Returns
+        -------
+        GroundMotion
+            Record.
+
+        Raises
+        ------
+        MotionError
+            With file, line, value and remedy, for anything the file does not state.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> record = rk.GroundMotion.from_at2("RSN6_IMPVALL.I_I-ELC180.AT2")  # doctest: +SKIP
         """
         return _from_record(*_readers().read(path, units, gravity, name, is_at2=True))
 
@@ -395,18 +724,40 @@ class GroundMotion(metaclass=explained.Constructors):
         gravity: float = STANDARD_GRAVITY,
         name: str | None = None,
     ) -> GroundMotion:
-        """A text file of two columns, time [s] and acceleration.
+        """Record of a text file of two columns, time [s] and acceleration.
 
+        Parameters
+        ----------
+        path : path_like
+            File.
+        units : str, optional
+            Unit of the accelerations: "m/s2", "g", "cm/s2", "gal", "mm/s2", "in/s2" or "ft/s2"; may
+            be left out only where the heading states it, as in "acceleration (g)".
+        gravity : float, optional
+            Value of 1 g [m/s2].
+        name : str, optional
+            Label of the motion; the file's name if not given.
+
+        Returns
+        -------
+        GroundMotion
+            Record. It starts at the first time, whatever its value.
+
+        Raises
+        ------
+        MotionError
+            With file, line, value and remedy, for anything the file does not state, and for a time
+            step that is not uniform.
+
+        Notes
+        -----
         Columns are separated by blanks, tabs, commas or semicolons. Lines that start with # or %
-        are comments, and one line of names may precede the numbers. The time step must be
-        uniform; the motion starts at the first time, whatever its value.
+        are comments, and one line of names may precede the numbers.
 
-        units : "m/s2", "g", "cm/s2", "gal", "mm/s2", "in/s2" or "ft/s2"; may be left out only
-        where the heading states them, as in "acceleration (g)".
-        gravity : the value of 1 g [m/s2].
-        name : the file's name if not given.
-
-        Raises MotionError, with file, line, value and remedy, for anything the file does not state.
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> record = rk.GroundMotion.from_columns("record.txt", units="g")  # doctest: +SKIP
         """
         return _from_record(*_readers().read(path, units, gravity, name, is_at2=False))
 
@@ -423,11 +774,42 @@ class GroundMotion(metaclass=explained.Constructors):
         name: str | None = None,
         layout: str | None = None,
     ) -> GroundMotion:
-        """Two columns out of several of a text file, by their headings or numbers (from 0).
+        """Record of two columns out of several of a text file.
 
-        dt : the time step [s] of a file without a column of times. Else as in `from_columns`.
-        layout : "wrapped" for accelerations that run on from one column to the next, "columns" for
-        a channel in each. If not given, a file without a heading that looks wrapped is refused.
+        Parameters
+        ----------
+        path : path_like
+            File.
+        time_column : str or int, optional
+            Heading or number (from 0) of the column of the time [s].
+        acceleration_column : str or int, optional
+            Heading or number (from 0) of the column of the acceleration.
+        dt : float, optional
+            Time step [s] of a file without a column of times.
+        units : str, optional
+            Unit of the accelerations, as for `from_columns`.
+        gravity : float, optional
+            Value of 1 g [m/s2].
+        name : str, optional
+            Label of the motion; the file's name if not given.
+        layout : str, optional
+            "wrapped" for accelerations that run on from one column to the next, "columns" for a
+            channel in each. If not given, a file without a heading that looks wrapped is refused.
+
+        Returns
+        -------
+        GroundMotion
+            Record.
+
+        Raises
+        ------
+        MotionError
+            As `from_columns`.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> record = rk.GroundMotion.from_csv("record.csv", units="m/s2")  # doctest: +SKIP
         """
         columns = time_column, acceleration_column
         return _from_record(*_readers().read_csv(path, *columns, dt, units, gravity, name, layout))
@@ -441,19 +823,60 @@ class GroundMotion(metaclass=explained.Constructors):
         gravity: float = STANDARD_GRAVITY,
         name: str | None = None,
     ) -> GroundMotion:
-        """A record from a file, by `from_at2` or `from_columns`, as the name or header requires."""
+        """Record from a file, by `from_at2` or `from_columns`, as the name or header requires.
+
+        Parameters
+        ----------
+        path : path_like
+            File.
+        units : str, optional
+            Unit of the accelerations, where the file does not state it.
+        gravity : float, optional
+            Value of 1 g [m/s2].
+        name : str, optional
+            Label of the motion.
+
+        Returns
+        -------
+        GroundMotion
+            Record.
+
+        Raises
+        ------
+        MotionError
+            With file, line, value and remedy, for anything the file does not state.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> record = rk.GroundMotion.read("RSN6_IMPVALL.I_I-ELC180.AT2")  # doctest: +SKIP
+        """
         return _from_record(*_readers().read(path, units, gravity, name))
 
     @classmethod
     def from_library(cls, words: str) -> GroundMotion:
-        """A real record of the extras `records` and `fema`, by words of its name.
+        """Real record of the extras `records` and `fema`, by words of its name.
 
-        words : enough words to identify one record, such as "El Centro 1940 180"; `library` lists
-        the names. In g, converted with 9.81 m/s2.
+        Parameters
+        ----------
+        words : str
+            Enough words to identify one record, such as "El Centro 1940 180"; `library` lists the
+            names.
 
-        Raises MotionError if none or several match, or if no extra is installed.
+        Returns
+        -------
+        GroundMotion
+            Record. Those in g are converted with 9.81 m/s2.
 
-        >>> GroundMotion.from_library("El Centro 1940 180").duration
+        Raises
+        ------
+        MotionError
+            If none or several match, or if no extra is installed.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> rk.GroundMotion.from_library("El Centro 1940 180").duration  # doctest: +SKIP
         53.71
         """
         return _from_record(*_library().find(words).read())
@@ -462,12 +885,27 @@ class GroundMotion(metaclass=explained.Constructors):
     def library(cls, words: str = "") -> tuple[str, ...]:
         """Names of the records that `from_library` knows, or of those that have all these words.
 
-        words : such as "Northridge", or one of the sets of FEMA P695 (2009), Appendix A: "far
-        field" (44 components), "near field pulse" and "near field no pulse" (28 each).
+        Parameters
+        ----------
+        words : str, optional
+            Words of the names, such as "Northridge", or one of the sets of FEMA P695 (2009),
+            Appendix A: "far field" (44 components), "near field pulse" and "near field no pulse"
+            (28 each).
 
-        Raises MotionError if none has them, or if no extra is installed.
+        Returns
+        -------
+        tuple of str
+            Names.
 
-        >>> len([GroundMotion.from_library(name) for name in GroundMotion.library("far field")])
+        Raises
+        ------
+        MotionError
+            If none has the words, or if no extra is installed.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> len(rk.GroundMotion.library("far field"))  # doctest: +SKIP
         44
         """
         return _library().names(words)
@@ -497,9 +935,18 @@ class GroundMotion(metaclass=explained.Constructors):
         return np.append(self.segments[:, START], self.segments[-1, END])
 
     def acceleration(self, t: ArrayLike) -> Any:
-        """Acceleration [m/s2] at times t [s], of the shape of t.
+        """Acceleration of the ground.
 
-        At a breakpoint the value is that of the segment which starts there.
+        Parameters
+        ----------
+        t : array_like
+            Times [s], any shape.
+
+        Returns
+        -------
+        float or ndarray
+            Acceleration [m/s2], in the shape of t. At a breakpoint the value is that of the segment
+            which starts there.
         """
         time = _array("t", t)
         flat = time.ravel()
@@ -515,10 +962,19 @@ class GroundMotion(metaclass=explained.Constructors):
         return index, flat - starts[index]
 
     def velocity(self, t: ArrayLike) -> Any:
-        """Velocity of the ground [m/s] at times t [s], of the shape of t.
+        """Velocity of the ground, the exact integral of the acceleration, for ground at rest up to
+        time 0.
 
-        The exact integral of the acceleration, for ground at rest up to time 0. After the end the
-        velocity keeps its last value, which is zero only for a corrected motion.
+        Parameters
+        ----------
+        t : array_like
+            Times [s], any shape.
+
+        Returns
+        -------
+        float or ndarray
+            Velocity [m/s], in the shape of t. After the end it keeps its last value, which is zero
+            only for a corrected motion.
         """
         time = _array("t", t)
         flat = np.clip(time.ravel(), 0.0, self.duration)
@@ -527,9 +983,17 @@ class GroundMotion(metaclass=explained.Constructors):
         return result.reshape(time.shape)[()]
 
     def displacement(self, t: ArrayLike) -> Any:
-        """Displacement of the ground [m] at times t [s], of the shape of t.
+        """Displacement of the ground, the exact integral of `velocity`, also after the end.
 
-        The exact integral of `velocity`, also after the end.
+        Parameters
+        ----------
+        t : array_like
+            Times [s], any shape.
+
+        Returns
+        -------
+        float or ndarray
+            Displacement [m], in the shape of t.
         """
         time = _array("t", t)
         flat = np.clip(time.ravel(), 0.0, self.duration)
@@ -548,7 +1012,7 @@ class GroundMotion(metaclass=explained.Constructors):
 
     @property
     def peak_displacement(self) -> float:
-        """Largest absolute displacement [m] within the duration, exact to rounding.
+        """Largest absolute displacement within the duration, exact to rounding [m].
 
         A record that ends with a velocity has a displacement that grows with it: see
         `baseline_corrected`.
@@ -558,26 +1022,74 @@ class GroundMotion(metaclass=explained.Constructors):
     def measures(self) -> intensity.Measures:
         """All intensity measures by name, from PGA to the predominant period, with units.
 
-        >>> round(GroundMotion.single_sine(2.0, 0.5, duration=0.5).measures().cav, 6)
+        Returns
+        -------
+        Measures
+            Intensity measures.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> round(rk.GroundMotion.single_sine(2.0, 0.5, duration=0.5).measures().cav, 6)  # m/s
         0.63662
         """
         return _intensity().measures(self)
 
     def significant_interval(self, lower: float = 0.05, upper: float = 0.95) -> tuple[float, float]:
-        """Times [s] at which Arias intensity reaches the parts `lower` and `upper` of its whole.
+        """Times at which Arias intensity reaches two parts of its whole.
 
-        Their difference is the significant duration (Trifunac and Brady 1975). The times are exact
-        within the segments. Raises MotionError for parts that are not between 0 and 1, and for no
-        shaking.
+        Their difference is the significant duration (Trifunac and Brady 1975).
+
+        Parameters
+        ----------
+        lower : float, optional
+            Part of the whole at the first time.
+        upper : float, optional
+            Part of the whole at the second time.
+
+        Returns
+        -------
+        start : float
+            First time, exact within the segments [s].
+        end : float
+            Second time [s].
+
+        Raises
+        ------
+        MotionError
+            For parts that are not between 0 and 1, and for no shaking.
         """
         return _intensity().significant_interval(self, lower, upper)
 
     def response_spectrum(
         self, periods: ArrayLike | None = None, damping_ratio: float = 0.05
     ) -> ResponseSpectrum:
-        """The elastic response spectrum, see `analysis.response_spectrum`.
+        """Elastic response spectrum, see `analysis.response_spectrum`.
 
-        periods (n,) [s]; if not given, 100 from 0.02 to 10 s.
+        Parameters
+        ----------
+        periods : array_like, optional
+            Periods (n,) [s]; if not given, 100 from 0.02 to 10 s.
+        damping_ratio : float, optional
+            Damping ratio of the oscillators.
+
+        Returns
+        -------
+        ResponseSpectrum
+            Spectrum.
+
+        Raises
+        ------
+        ValueError
+            For a period that is not positive and for a damping ratio outside [0, 1).
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
+        >>> spectrum = pulse.response_spectrum(periods=[0.5, 1.0, 2.0], damping_ratio=0.05)
+        >>> spectrum.acceleration.shape  # m/s2
+        (3,)
         """
         from rockeom.motion.spectra import response_spectrum
 
@@ -585,13 +1097,40 @@ class GroundMotion(metaclass=explained.Constructors):
         return response_spectrum(self, periods, damping_ratio)
 
     def plot(self, **kwargs: Any) -> Any:
-        """A figure of acceleration, velocity and displacement; see `plots.plot_motion`."""
-        from rockeom.drawing.ground_motion import plot_motion  # matplotlib
+        """Draw acceleration, velocity and displacement; see `plots.plot_motion`.
 
-        return plot_motion(self, **kwargs)
+        Parameters
+        ----------
+        **kwargs : object
+            Further arguments of `plots.plot_motion`.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Figure.
+        """
+        return picture("plot_motion", self, **kwargs)
 
     def sampled(self, dt: float) -> tuple[np.ndarray, np.ndarray]:
-        """Times 0, dt, 2 dt ... up to the duration (m,) [s], and accelerations (m,) [m/s2]."""
+        """Accelerations at even steps up to the duration.
+
+        Parameters
+        ----------
+        dt : float
+            Time step [s].
+
+        Returns
+        -------
+        t : ndarray
+            Times 0, dt, 2 dt ... (m,) [s].
+        acceleration : ndarray
+            Accelerations (m,) [m/s2].
+
+        Raises
+        ------
+        MotionError
+            For a step that is not positive.
+        """
         steps = math.floor(self.duration / _positive("dt", dt) * (1.0 + 1e-12))
         t = np.minimum(dt * np.arange(steps + 1), self.duration)
         return t, self.acceleration(t)
@@ -599,10 +1138,33 @@ class GroundMotion(metaclass=explained.Constructors):
     # -- made from another
 
     def scaled(self, acceleration: float = 1.0, time: float = 1.0) -> GroundMotion:
-        """The motion with accelerations and the time axis multiplied by these factors.
+        """Motion with accelerations and the time axis multiplied by factors.
 
-        It is named as in Table 4-1 of the thesis: "Tabas-A1-T0.38" has the accelerations of Tabas
-        in 0.38 times its time.
+        Parameters
+        ----------
+        acceleration : float, optional
+            Factor of the accelerations.
+        time : float, optional
+            Factor of the times.
+
+        Returns
+        -------
+        GroundMotion
+            Motion, named as in Table 4-1 of the thesis: "Tabas-A1-T0.38" has the accelerations of
+            Tabas in 0.38 times its time.
+
+        Raises
+        ------
+        MotionError
+            For a factor of the times that is not positive.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
+        >>> weaker = pulse.scaled(acceleration=0.5, time=2.0)
+        >>> weaker.peak, weaker.duration  # m/s2, s
+        (1.75, 8.0)
         """
         a, s = _finite("acceleration", acceleration), _positive("time", time)
         if len(self.segments) > SHORT:
@@ -625,18 +1187,42 @@ class GroundMotion(metaclass=explained.Constructors):
         period: float | None = None,
         damping_ratio: float = 0.05,
     ) -> GroundMotion:
-        """The motion with accelerations multiplied so that its intensity has a value.
+        """Motion with accelerations multiplied so that its intensity has a value.
 
-        Exactly one of peak, pga and sa, each [m/s2] or a text with its unit: "0.4 g", "250 cm/s2".
+        Exactly one of peak, pga and sa is needed, a number [m/s2] or a text with its unit: "0.4 g",
+        "250 cm/s2". A vertical component is scaled along by `Recording.scaled_to`.
 
-        peak, pga : both the largest absolute acceleration.
-        sa : the pseudo-acceleration of an oscillator with this period [s] and damping_ratio.
+        Parameters
+        ----------
+        peak : float or str, optional
+            Largest absolute acceleration.
+        pga : float or str, optional
+            Largest absolute acceleration, by its other name.
+        sa : float or str, optional
+            Pseudo-acceleration of an oscillator with the period and the damping ratio.
+        period : float, optional
+            Period of the oscillator [s].
+        damping_ratio : float, optional
+            Damping ratio of the oscillator.
 
-            record.scaled_to(pga="0.4 g")
-            record.scaled_to(sa=3.0, period=1.0)
+        Returns
+        -------
+        GroundMotion
+            Scaled motion.
 
-        A vertical component is scaled along by `Recording.scaled_to`. Raises MotionError for none
-        or two of them, sa without a period, what is not positive, and a motion without shaking.
+        Raises
+        ------
+        MotionError
+            For none or two of the three, sa without a period, a value that is not positive, and a
+            motion without shaking.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4)  # m/s2, s
+        >>> round(pulse.scaled_to(pga="0.4 g").peak, 3)  # m/s2
+        3.924
+        >>> stronger = pulse.scaled_to(sa=6.0, period=1.0)  # m/s2, s
         """
         wanted = target(peak, pga, sa, period)
         found = self.peak
@@ -648,9 +1234,22 @@ class GroundMotion(metaclass=explained.Constructors):
         return self.scaled(wanted.value / found)
 
     def padded_to(self, duration: float) -> GroundMotion:
-        """The motion with quiet time at its end, for a total of `duration` [s].
+        """Motion with quiet time at its end, for a total duration.
 
-        Raises MotionError for a duration shorter than that of the motion.
+        Parameters
+        ----------
+        duration : float
+            Total duration [s].
+
+        Returns
+        -------
+        GroundMotion
+            Longer motion.
+
+        Raises
+        ------
+        MotionError
+            For a duration shorter than that of the motion.
         """
         wanted = _positive("duration", duration)
         if wanted < self.duration:
@@ -664,63 +1263,139 @@ class GroundMotion(metaclass=explained.Constructors):
         return replace(self, segments=np.vstack([self.segments, quiet]))
 
     def padded_by(self, quiet: float) -> GroundMotion:
-        """The motion with `quiet` [s] of quiet time added at its end."""
+        """Motion with quiet time added at its end.
+
+        Parameters
+        ----------
+        quiet : float
+            Quiet time [s].
+
+        Returns
+        -------
+        GroundMotion
+            Longer motion.
+
+        Raises
+        ------
+        MotionError
+            For a time that is not positive.
+        """
         return self.padded_to(self.duration + _positive("quiet", quiet))
 
     # -- processed
 
     def baseline_corrected(self, degree: int = 1, of: str = "velocity") -> GroundMotion:
-        """The record without the polynomial that fits its velocity best.
+        """Record without the polynomial that fits its velocity best.
 
-        degree : of the polynomial, fitted by least squares to all samples.
-        of : the series that the polynomial fits: "velocity", "acceleration" or "displacement". For
-            the velocity and the displacement the polynomial starts at rest, as the ground does, and
-            its first or second derivative is subtracted from the acceleration.
+        Parameters
+        ----------
+        degree : int, optional
+            Degree of the polynomial, fitted by least squares to all samples.
+        of : str, optional
+            Series that the polynomial fits: "velocity", "acceleration" or "displacement". For the
+            velocity and the displacement the polynomial starts at rest, as the ground does, and its
+            first or second derivative is subtracted from the acceleration.
 
-        Raises MotionError for a motion without samples and for a degree that such a polynomial
-        cannot have.
+        Returns
+        -------
+        GroundMotion
+            Corrected record.
+
+        Raises
+        ------
+        MotionError
+            For a motion without samples and for a degree that such a polynomial cannot have.
         """
         return self._changed(_processing().baseline_corrected(self, degree, of))
 
     def filtered(
         self, low: float | None = None, high: float | None = None, order: int = 4
     ) -> GroundMotion:
-        """The record through a Butterworth filter, forward and backward, without phase shift.
+        """Record through a Butterworth filter, forward and backward, without phase shift.
 
-        low, high : corners [Hz]; the filter removes frequencies below `low` and above `high`.
-            At a corner it halves the amplitude. One of them may be None.
-        order : of one pass.
+        Parameters
+        ----------
+        low : float, optional
+            Corner below which frequencies are removed [Hz]; None for no such corner.
+        high : float, optional
+            Corner above which frequencies are removed [Hz]; None for no such corner. At a corner
+            the filter halves the amplitude.
+        order : int, optional
+            Order of one pass.
 
-        Zeros extend the record before and after, for as long as the filter rings; the result has
-        the duration of the record.
-        Raises MotionError for a motion without samples, and for corners in wrong order, above half
-        of the rate of sampling, or so low that a hundredth of a period fills the record.
+        Returns
+        -------
+        GroundMotion
+            Filtered record of the same duration.
+
+        Raises
+        ------
+        MotionError
+            For a motion without samples, and for corners in wrong order, above half of the rate of
+            sampling, or so low that a hundredth of a period fills the record.
+
+        Notes
+        -----
+        Zeros extend the record before and after, for as long as the filter rings.
         """
         return self._changed(_processing().filtered(self, low, high, order))
 
     def resampled(self, dt: float, method: str = "linear") -> GroundMotion:
-        """The motion as a record with another time step.
+        """Motion as a record with another time step.
 
-        dt : [s]. method : "linear" evaluates the acceleration at the new times: this cuts peaks
-            between them and aliases frequencies above half of the new rate. "band limited"
-            interpolates a record through its Fourier spectrum and removes these frequencies, by
+        Parameters
+        ----------
+        dt : float
+            Time step [s].
+        method : str, optional
+            "linear" evaluates the acceleration at the new times: this cuts peaks between them and
+            aliases frequencies above half of the new rate. "band limited" interpolates a record
+            through its Fourier spectrum and removes these frequencies, by
             scipy.signal.resample_poly; the ratio of the old and the new step must then be one of
             whole numbers up to 1000.
 
-        An analytic motion becomes a record, linear between the new times. The last one is the last
-        whole step within the motion. Raises MotionError.
+        Returns
+        -------
+        GroundMotion
+            Record, linear between the new times. The last one is the last whole step within the
+            motion.
+
+        Raises
+        ------
+        MotionError
+            For a step that is not positive, another method, or a ratio of steps that the method
+            cannot have.
         """
         return self._changed(_processing().resampled(self, dt, method))
 
     def trimmed(self, start: float = 0.0, end: float | None = None) -> GroundMotion:
-        """The part from `start` to `end` [s], its times counted from there.
+        """Part of the motion between two times, its times counted from the first.
 
-        A record begins and ends at the samples nearest to them; an analytic motion exactly there.
+        Parameters
+        ----------
+        start : float, optional
+            First time [s].
+        end : float, optional
+            Last time [s]; the end of the motion if not given.
 
-            record.trimmed(*record.significant_interval(0.05, 0.95))
+        Returns
+        -------
+        GroundMotion
+            Part of the motion. A record begins and ends at the samples nearest to them; an analytic
+            motion exactly there.
 
-        Raises MotionError for times outside the motion, for fewer than two samples, and where a
-        Mavroeidis-Papageorgiou pulse would lose its beginning.
+        Raises
+        ------
+        MotionError
+            For times outside the motion, for fewer than two samples, and where a
+            Mavroeidis-Papageorgiou pulse would lose its beginning.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> record = rk.GroundMotion.kanai_tajimi(0.01, duration=20.0, seed=1)
+        >>> record.trimmed(*record.significant_interval(0.05, 0.95)).duration < 20.0  # s
+        True
         """
         until = self.duration if end is None else end
         return self._changed(_processing().trimmed(self, start, until))
@@ -738,17 +1413,34 @@ class GroundMotion(metaclass=explained.Constructors):
         return replace(made, source=f"{self.source}, {to.done}", is_vertical=self.is_vertical)
 
     def rotated(self, other: GroundMotion, angle: float) -> GroundMotion:
-        """The component between two records at right angles: cos(angle) self + sin(angle) other.
+        """Component between two records at right angles: cos(angle) self + sin(angle) other.
 
-        other : the component at 90 degrees from this one, recorded at the same times.
-        angle : from this component's direction towards the other's [rad].
+        Parameters
+        ----------
+        other : GroundMotion
+            Component at 90 degrees from this one, recorded at the same times.
+        angle : float
+            Angle from this component's direction towards the other's [rad].
 
-        Raises MotionError for motions without samples, or with other times.
+        Returns
+        -------
+        GroundMotion
+            Record along the direction.
 
+        Raises
+        ------
+        MotionError
+            For motions without samples, or with other times.
+
+        Examples
+        --------
         Sylmar 360 from its components 032 and 122, which run 32 and 122 degrees from north:
 
-        >>> one, other = (GroundMotion.from_library(f"Sylmar SYL {n}") for n in ("032", "122"))
-        >>> one.rotated(other, math.radians(-32)).peak
+        >>> import math
+        >>> import rockeom as rk
+        >>> names = ("Sylmar SYL 032", "Sylmar SYL 122")
+        >>> first, second = map(rk.GroundMotion.from_library, names)  # doctest: +SKIP
+        >>> first.rotated(second, math.radians(-32)).peak  # m/s2  # doctest: +SKIP
         8.272833079011688
         """
         if not isinstance(other, GroundMotion):
@@ -799,9 +1491,7 @@ class GroundMotion(metaclass=explained.Constructors):
         )
 
     def _repr_html_(self) -> str:
-        from rockeom.drawing.notebook import page_of_motion  # matplotlib
-
-        return page_of_motion(self)
+        return picture("page_of_motion", self)
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Arrays come back writable from a pickle; the constructor locks them again.

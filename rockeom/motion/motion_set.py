@@ -25,6 +25,7 @@ from rockeom.motion.spectra import ResponseSpectrum
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration
 from rockeom.numbers import explained
 from rockeom.numbers.checks import described, near
+from rockeom.numbers.pictures import picture
 
 Intensity = str | Callable[[GroundMotion], float]
 
@@ -46,15 +47,35 @@ _MIDDLES: dict[str, Callable[[np.ndarray], float]] = {
 @explained.attributes(motions="names", load="from_folder(path)", read="from_folder(path)")
 @explained.calls(directory="path=", folder="path=")
 class MotionSet(Sequence[GroundMotion]):
-    """Ground motions in order, found by number or by name.
+    """Ground motions in order, by number or by name.
+
+    Parameters
+    ----------
+    motions : iterable of GroundMotion
+        Motions, each with a name that no other has.
+    name : str, optional
+        Name of the set.
+
+    Raises
+    ------
+    MotionError
+        For no motions, and for two of one name.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> motions = rk.MotionSet(
+    ...     rk.GroundMotion.kanai_tajimi(0.01, duration=8.0, seed=seed) for seed in range(3)
+    ... )
+    >>> len(motions), motions[0].duration
+    (3, 8.0)
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> runs = rk.simulate_many(lambda motion: rk.Case(block, motion), over={"motion": motions})
+
+    Records by name::
 
         motions = rk.MotionSet.from_library("far field").scaled_to("sa", 3.0, period=1.0)
-        motions["Northridge, 1994, Beverly Hills - Mulhol, MUL009"], motions[0], motions.names
-        rk.simulate_many(lambda motion: rk.Case(block, motion), over={"motion": motions})
-
-    motions : each with a name that no other has. name : what the set is called.
-
-    Raises MotionError for no motions, and for two of one name.
+        motions["Northridge, 1994, Beverly Hills - Mulhol, MUL009"]
     """
 
     def __init__(self, motions: Iterable[GroundMotion], name: str = "") -> None:
@@ -84,17 +105,39 @@ class MotionSet(Sequence[GroundMotion]):
         gravity: float = STANDARD_GRAVITY,
         components: str = "horizontal",
     ) -> MotionSet:
-        """The records of a folder, each read by `GroundMotion.read` and named as its file is.
+        """Records of a folder, each read by `GroundMotion.read` and named as its file is.
 
-        pattern : of the files' names, small and capital letters alike, such as "*.txt" or
-            "RSN*_H1.at2". Folders within the folder are not looked into.
-        units, gravity : as of `GroundMotion.read`, for all files.
-        components : "horizontal", "vertical" or "all". A component is vertical if its header or
-            the name of its file says so (UP, DWN, UD, U-D, U, V, VERT, Z, or a SEED code such as
-            HNZ, with or without its location); a warning names those that "horizontal" leaves out.
+        Parameters
+        ----------
+        path : path_like
+            Folder. Folders within it are not looked into.
+        pattern : str, optional
+            Pattern of the files' names, small and capital letters alike, such as "*.txt" or
+            "RSN*_H1.at2".
+        units : str, optional
+            Unit of the accelerations of all files, where these do not state it.
+        gravity : float, optional
+            Value of 1 g [m/s2].
+        components : str, optional
+            "horizontal", "vertical" or "all". A component is vertical if its header or the name of
+            its file says so (UP, DWN, UD, U-D, U, V, VERT, Z, or a SEED code such as HNZ, with or
+            without its location); a warning names those that "horizontal" leaves out.
 
-        The motions are in the order of their names. Raises MotionError where no file has such a
-        name or is of such a component, and where one cannot be read: it tells of all that cannot.
+        Returns
+        -------
+        MotionSet
+            Motions in the order of their names.
+
+        Raises
+        ------
+        MotionError
+            Where no file has such a name or is of such a component, and where one cannot be read:
+            the message names all that cannot.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> records = rk.MotionSet.from_folder("records")  # doctest: +SKIP
         """
         folder = Path(path)
         if not folder.is_dir():
@@ -130,16 +173,28 @@ class MotionSet(Sequence[GroundMotion]):
     def from_library(
         cls, words: str, *, normalized: bool = False, components: str = "horizontal"
     ) -> MotionSet:
-        """The records whose names have all these words, see `GroundMotion.library`.
+        """Records whose names have all these words, see `GroundMotion.library`.
 
-        words : such as one of the sets of FEMA P695 (2009): "far field" (44 components), "near
-            field pulse" and "near field no pulse" (28 each).
-        normalized : each times the factor by which FEMA P695 evens out the peak velocities of a set
-            (its Tables A-4D and A-6D).
-        components : as of `from_folder`.
+        Parameters
+        ----------
+        words : str
+            Words of the names, such as one of the sets of FEMA P695 (2009): "far field" (44
+            components), "near field pulse" and "near field no pulse" (28 each).
+        normalized : bool, optional
+            Whether each record is multiplied by the factor by which FEMA P695 evens out the peak
+            velocities of a set (its Tables A-4D and A-6D).
+        components : str, optional
+            "horizontal", "vertical" or "all", as for `from_folder`.
 
-        Raises MotionError if none has them, if no extra is installed, and where a record has no
-        such factor.
+        Returns
+        -------
+        MotionSet
+            Motions.
+
+        Raises
+        ------
+        MotionError
+            If none has the words, if no extra is installed, and where a record has no such factor.
         """
         read = {name: GroundMotion.from_library(name) for name in library.names(words)}
         kept = chosen(read, components, f"the library with the words {words!r}")
@@ -209,38 +264,72 @@ class MotionSet(Sequence[GroundMotion]):
         return f"MotionSet({self.name!r}: {len(self)} motions, {shown})"
 
     def recordings(self) -> tuple[Recording, ...]:
-        """The motions by recording: each has one horizontal component or two, and a vertical one.
+        """Motions by recording: each has one horizontal component or two, and a vertical one.
 
-        The name of a motion tells its recording, as databases name records: "I-ELC180" and
-        "I-ELC-UP" belong to "I-ELC", and files of PEER with one RSN belong together. A set that was
-        read with components="all" has the vertical components.
+        Returns
+        -------
+        tuple of Recording
+            Recordings.
+
+        Raises
+        ------
+        MotionError
+            For a vertical component without a horizontal one, for more components than three of one
+            name, and for two azimuths that are not at right angles.
+
+        Notes
+        -----
+        The name of a motion contains that of its recording, as databases name records: "I-ELC180"
+        and "I-ELC-UP" belong to "I-ELC", and files of PEER with one RSN belong together. A set that
+        was read with components="all" has the vertical components. Several instruments of a
+        station, told apart by location and channel in SEED, are several recordings.
+
+        Examples
+        --------
+        With a folder of records and a structure `block`::
 
             for recording in rk.MotionSet.from_folder("records", components="all").recordings():
                 for pair in recording.in_plane():
                     rk.simulate(block, pair)
-
-        Several instruments of a station, told apart by location and channel in SEED, are several
-        recordings. Raises MotionError for a vertical component without a horizontal one, for more
-        components than three of one name, and for two azimuths that are not at right angles.
         """
         return recordings(self, self.name)
 
     # -- how strong it is
 
     def measures(self) -> dict[str, measured.Measures]:
-        """The intensity measures of each motion by its name; see `GroundMotion.measures`."""
+        """Intensity measures of each motion by its name; see `GroundMotion.measures`.
+
+        Returns
+        -------
+        dict of str to Measures
+            Intensity measures by the name of the motion.
+        """
         return {motion.name: motion.measures() for motion in self}
 
     def intensities(
         self, intensity: Intensity, *, period: float | None = None, damping_ratio: float = 0.05
     ) -> np.ndarray:
-        """One intensity measure of each motion, (n,).
+        """One intensity measure of each motion.
 
-        intensity : "pga" [m/s2], "pgv" [m/s], "pgd" [m], "cav" [m/s], "arias_intensity" [m/s],
-            "sa", or a function of a motion. "sa" is the pseudo-acceleration [m/s2] of an oscillator
-            with this period [s] and damping_ratio.
+        Parameters
+        ----------
+        intensity : str or callable
+            "pga" [m/s2], "pgv" [m/s], "pgd" [m], "cav" [m/s], "arias_intensity" [m/s], "sa", or a
+            function of a motion. "sa" is the pseudo-acceleration of an oscillator [m/s2].
+        period : float, optional
+            Period of the oscillator [s].
+        damping_ratio : float, optional
+            Damping ratio of the oscillator.
 
-        Raises MotionError for another word, and where a period is missing or of no use.
+        Returns
+        -------
+        ndarray
+            Intensities (n,).
+
+        Raises
+        ------
+        MotionError
+            For another word, and where a period is missing or of no use.
         """
         of = _function(intensity, period, damping_ratio)
         return np.array([of(motion) for motion in self])
@@ -256,24 +345,53 @@ class MotionSet(Sequence[GroundMotion]):
         damping_ratio: float = 0.05,
         of: str = "each",
     ) -> MotionSet:
-        """The motions with accelerations multiplied so that an intensity measure has a value.
+        """Motions with accelerations multiplied so that an intensity measure has a value.
 
-            motions.scaled_to(pga="0.4 g")
-            motions.scaled_to(sa=3.0, period=1.0, of="geometric mean")
-            motions.scaled_to("pgv", 0.5)
-
-        pga, sa, period, damping_ratio : as of `GroundMotion.scaled_to`; a peak may stand alone.
-        intensity, value : instead of these, as of `intensities`, and in the unit of the measure; a
-            function must be proportional to the accelerations.
-        of : "each" scales every motion to it; "recording" the components of each recording by one
-            factor, so that the geometric mean of the horizontal ones has it; "median" and
+        Parameters
+        ----------
+        intensity : str or callable or float or str, optional
+            Intensity measure, as for `intensities`; a function must be proportional to the
+            accelerations. A peak acceleration may stand alone.
+        value : float or str, optional
+            Value in the unit of the measure.
+        pga : float or str, optional
+            Peak acceleration, instead of these: a number [m/s2] or a text with its unit, as for
+            `GroundMotion.scaled_to`.
+        sa : float or str, optional
+            Pseudo-acceleration, likewise.
+        period : float, optional
+            Period of the oscillator of "sa" [s].
+        damping_ratio : float, optional
+            Damping ratio of the oscillator.
+        of : str, optional
+            "each" scales every motion to the value; "recording" the components of each recording by
+            one factor, so that the geometric mean of the horizontal ones has it; "median" and
             "geometric mean" multiply all by one factor, so that this of the set has it. Horizontal
             components count where there are any.
 
-        The motions keep their names, so that each is compared with itself at another intensity;
-        their `source` has the factor. Raises MotionError, also where a motion has none of that
-        intensity, where a function proves not to be proportional, and for "each" of a set that has
-        vertical components among horizontal ones.
+        Returns
+        -------
+        MotionSet
+            Motions under the same names, so that each is compared with itself at another intensity;
+            their ``source`` has the factor.
+
+        Raises
+        ------
+        MotionError
+            For impossible arguments, where a motion has none of that intensity, where a function
+            proves not to be proportional, and for "each" of a set that has vertical components
+            among horizontal ones.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> motions = rk.MotionSet(
+        ...     rk.GroundMotion.kanai_tajimi(0.01, duration=8.0, seed=seed) for seed in range(3)
+        ... )
+        >>> motions.scaled_to(pga="0.4 g").intensities("pga").round(3)  # m/s2
+        array([3.924, 3.924, 3.924])
+        >>> together = motions.scaled_to(sa=3.0, period=1.0, of="geometric mean")  # m/s2, s
+        >>> faster = motions.scaled_to("pgv", 0.5)  # m/s
         """
         intensity, wanted = _asked(intensity, value, pga, sa, period)
         measure = _function(intensity, period, damping_ratio)
@@ -334,21 +452,44 @@ class MotionSet(Sequence[GroundMotion]):
     def response_spectra(
         self, periods: ArrayLike | None = None, damping_ratio: float = 0.05
     ) -> dict[str, ResponseSpectrum]:
-        """The elastic response spectrum of each motion by its name.
+        """Elastic response spectrum of each motion by its name.
 
-        periods, damping_ratio : as of `GroundMotion.response_spectrum`.
+        Parameters
+        ----------
+        periods : array_like, optional
+            Periods (n,) [s]; if not given, 100 from 0.02 to 10 s.
+        damping_ratio : float, optional
+            Damping ratio of the oscillators.
+
+        Returns
+        -------
+        dict of str to ResponseSpectrum
+            Spectra by the name of the motion.
         """
         return {motion.name: motion.response_spectrum(periods, damping_ratio) for motion in self}
 
     def plot(
         self, periods: ArrayLike | None = None, damping_ratio: float = 0.05, **kwargs: Any
     ) -> Any:
-        """A figure of the response spectra with their median; see `plots.plot_spectra`."""
-        from rockeom.drawing.ground_motion import plot_spectra  # matplotlib
+        """Draw the response spectra with their median; see `plots.plot_spectra`.
 
+        Parameters
+        ----------
+        periods : array_like, optional
+            Periods (n,) [s]; if not given, 100 from 0.02 to 10 s.
+        damping_ratio : float, optional
+            Damping ratio of the oscillators.
+        **kwargs : object
+            Further arguments of `plots.plot_spectra`.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Figure.
+        """
         spectra = [*self.response_spectra(periods, damping_ratio).values()]
         title = self.name and f"Response spectra, {self.name}"
-        return plot_spectra(spectra, **{"title": title} | kwargs)
+        return picture("plot_spectra", spectra, **{"title": title} | kwargs)
 
 
 def _asked(

@@ -28,20 +28,33 @@ _HALF_TURN = 180
 @explained.calls()
 @dataclass(frozen=True)
 class Recording:
-    """The components that one station recorded in one earthquake.
-
-    name : of the records, without their components. horizontal : one motion, or two at right
-    angles. vertical : None where there is no such component.
+    """Components that one station recorded in one earthquake.
 
     A plane structure is shaken by one horizontal component and the vertical one. `in_plane` gives
-    these pairs, and a simulation, a case and a sweep take such a pair for a motion:
+    these pairs, and a simulation, a case and a sweep take such a pair for a motion. All components
+    are scaled by one factor.
+
+    Parameters
+    ----------
+    name : str
+        Name of the records, without their components.
+    horizontal : tuple of GroundMotion
+        One motion, or two at right angles.
+    vertical : GroundMotion, optional
+        Vertical motion; None where there is no such component.
+
+    Raises
+    ------
+    MotionError
+        For none or more than two horizontal components, and for anything but ground motions.
+
+    Examples
+    --------
+    With three components of a station and a structure `block`::
 
         recording = rk.Recording("El Centro", (north_south, east_west), vertical)
         for pair in recording.scaled_to(pga="0.4 g").in_plane():
             rk.simulate(block, pair)
-
-    All components are scaled by one factor. Raises MotionError for none or more than two horizontal
-    components, and for what is no ground motion.
     """
 
     name: str
@@ -70,16 +83,39 @@ class Recording:
             )
 
     def in_plane(self) -> tuple[Recording, ...]:
-        """A recording for each horizontal component, with the vertical one."""
+        """Recording for each horizontal component, with the vertical one.
+
+        Returns
+        -------
+        tuple of Recording
+            One recording or two.
+        """
         if len(self.horizontal) == 1:
             return (self,)
         return tuple(Recording(one.name, (one,), self.vertical) for one in self.horizontal)
 
     def along(self, angle: float) -> Recording:
-        """The horizontal component at an angle [rad] from the first, with the vertical one.
+        """Horizontal component at an angle from the first, with the vertical one.
 
+        Parameters
+        ----------
+        angle : float
+            Angle from the first component towards the second [rad].
+
+        Returns
+        -------
+        Recording
+            Recording with one horizontal component.
+
+        Raises
+        ------
+        MotionError
+            Where there is one horizontal component only.
+
+        Notes
+        -----
         A component that is up to 2 % shorter than the other gets zeros at its end, as the name of
-        the result says. Raises MotionError where there is one horizontal component only.
+        the result says.
         """
         if len(self.horizontal) == 1:
             raise MotionError(
@@ -97,7 +133,20 @@ class Recording:
     # -- scaled
 
     def scaled(self, acceleration: float = 1.0, time: float = 1.0) -> Recording:
-        """All components with accelerations and times multiplied, as by `GroundMotion.scaled`."""
+        """All components with accelerations and times multiplied, as by `GroundMotion.scaled`.
+
+        Parameters
+        ----------
+        acceleration : float, optional
+            Factor of the accelerations.
+        time : float, optional
+            Factor of the times.
+
+        Returns
+        -------
+        Recording
+            Scaled recording.
+        """
         horizontal = tuple(motion.scaled(acceleration, time) for motion in self.horizontal)
         vertical = None if self.vertical is None else self.vertical.scaled(acceleration, time)
         return replace(self, horizontal=horizontal, vertical=vertical)
@@ -114,8 +163,32 @@ class Recording:
     ) -> Recording:
         """All components by one factor, so that the horizontal intensity has a value.
 
-        The arguments are those of `GroundMotion.scaled_to`, and `of` as of `response_spectrum`.
-        Raises MotionError as these do.
+        Exactly one of peak, pga and sa is needed, a number [m/s2] or a text with its unit.
+
+        Parameters
+        ----------
+        peak : float or str, optional
+            Largest absolute acceleration.
+        pga : float or str, optional
+            Largest absolute acceleration, by its other name.
+        sa : float or str, optional
+            Pseudo-acceleration of an oscillator with the period and the damping ratio.
+        period : float, optional
+            Period of the oscillator [s].
+        damping_ratio : float, optional
+            Damping ratio of the oscillator.
+        of : str, optional
+            Intensity of both components, as for `response_spectrum`.
+
+        Returns
+        -------
+        Recording
+            Scaled recording.
+
+        Raises
+        ------
+        MotionError
+            As `GroundMotion.scaled_to` and `response_spectrum`.
         """
         wanted = target(peak, pga, sa, period)
         if wanted.period is None:
@@ -142,16 +215,32 @@ class Recording:
     def response_spectrum(
         self, periods: ArrayLike, damping_ratio: float = 0.05, of: str = "geometric mean"
     ) -> ResponseSpectrum:
-        """The elastic response spectrum of the horizontal components together.
+        """Elastic response spectrum of the horizontal components together.
 
-        periods (n,) [s]; damping_ratio : as of `GroundMotion.response_spectrum`.
-        of : "geometric mean", "larger" or "srss" (the root of the sum of squares) of both;
-            "rotd50" and "rotd100", the median and the largest value of all components in
-            directions a degree apart (Boore 2010, Bulletin of the Seismological Society of America
-            100, 1830-1835), which takes as long as 180 components do; of components as of `along`.
+        Parameters
+        ----------
+        periods : array_like
+            Periods (n,) [s].
+        damping_ratio : float, optional
+            Damping ratio of the oscillators.
+        of : str, optional
+            "geometric mean", "larger" or "srss" (the root of the sum of squares) of both; "rotd50"
+            and "rotd100", the median and the largest value of all components in directions a degree
+            apart, which takes as long as 180 components do; of components as of `along`.
 
-        Each is the spectrum itself where there is one component. Raises MotionError for another
-        word.
+        Returns
+        -------
+        ResponseSpectrum
+            Spectrum. Each is the spectrum itself where there is one component.
+
+        Raises
+        ------
+        MotionError
+            For another word.
+
+        References
+        ----------
+        Boore (2010), Bulletin of the Seismological Society of America 100, 1830-1835.
         """
         spectra: list[ResponseSpectrum] = []
 

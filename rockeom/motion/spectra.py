@@ -39,6 +39,7 @@ from rockeom.numbers import explained
 from rockeom.numbers.arguments import not_negative, positive, require
 from rockeom.numbers.checks import described
 from rockeom.numbers.functions import gauss_rule
+from rockeom.numbers.pictures import picture
 
 _PER_PERIOD = 16
 """Steps in a period, at least: no peak between two turns of the velocity is passed over then."""
@@ -49,10 +50,22 @@ _PARTS = 8
 
 @dataclass(frozen=True, eq=False)
 class ResponseSpectrum:
-    """Largest answers of elastic oscillators to a motion, (n,) each, found within the steps.
+    """Largest responses of elastic oscillators to a motion, (n,) each, within the steps too.
 
-    periods (n,) [s]; damping_ratio : one for all; displacement and velocity relative to the ground
-    [m], [m/s]; acceleration : the absolute one [m/s2]; name : of the motion.
+    Parameters
+    ----------
+    periods : ndarray
+        Periods [s].
+    damping_ratio : float
+        Damping ratio of all oscillators.
+    displacement : ndarray
+        Displacement relative to the ground [m].
+    velocity : ndarray
+        Velocity relative to the ground [m/s].
+    acceleration : ndarray
+        Absolute acceleration [m/s2].
+    name : str, optional
+        Name of the motion.
     """
 
     periods: np.ndarray
@@ -73,16 +86,32 @@ class ResponseSpectrum:
         return (2 * np.pi / self.periods) ** 2 * self.displacement
 
     def plot(self, **kwargs: Any) -> Any:
-        """A figure of pseudo-acceleration, velocity and displacement; see `plots.plot_spectra`."""
-        from rockeom.drawing.ground_motion import plot_spectra  # matplotlib
+        """Draw pseudo-acceleration, velocity and displacement; see `plots.plot_spectra`.
 
-        return plot_spectra([self], **kwargs)
+        Parameters
+        ----------
+        **kwargs : object
+            Further arguments of `plots.plot_spectra`.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Figure.
+        """
+        return picture("plot_spectra", [self], **kwargs)
 
 
 class OscillatorHistory(NamedTuple):
-    """The motion of an oscillator relative to the ground.
+    """Motion of an oscillator relative to the ground.
 
-    time (n,) [s]. displacement (n,) [m]. velocity (n,) [m/s].
+    Parameters
+    ----------
+    time : ndarray
+        Times (n,) [s].
+    displacement : ndarray
+        Displacements (n,) [m].
+    velocity : ndarray
+        Velocities (n,) [m/s].
     """
 
     time: np.ndarray
@@ -94,14 +123,40 @@ class OscillatorHistory(NamedTuple):
 def response_spectrum(
     motion: Motion, periods: ArrayLike, damping_ratio: float = 0.05
 ) -> ResponseSpectrum:
-    """The elastic response spectrum of a motion, also by `motion.response_spectrum`.
+    """Elastic response spectrum of a motion, also by ``motion.response_spectrum``.
 
-    motion : of any kind. periods of the oscillators, (n,) or a number [s]. damping_ratio xi in
-        [0, 1).
+    Parameters
+    ----------
+    motion : GroundMotion
+        Motion of any kind.
+    periods : array_like
+        Periods of the oscillators, (n,) or a number [s].
+    damping_ratio : float, optional
+        Damping ratio xi in [0, 1).
 
-    The largest values are found within the steps, and after the end of the motion, when the
+    Returns
+    -------
+    ResponseSpectrum
+        Displacement, velocity and acceleration of each oscillator.
+
+    Raises
+    ------
+    ValueError
+        For a period that is not positive and for a damping ratio outside [0, 1).
+
+    Notes
+    -----
+    The largest values are those within the steps, and after the end of the motion, when the
     oscillator is free, too.
-    Raises ValueError for a period that is not positive and for a damping_ratio outside [0, 1).
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import analysis
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> spectrum = analysis.response_spectrum(pulse, periods=[0.2, 0.5, 1.0])  # s
+    >>> spectrum.acceleration.round(2)  # m/s2
+    array([5.68, 7.89, 2.74])
     """
     if not hasattr(type(motion), "segments") and not hasattr(motion, "segments"):
         raise TypeError(
@@ -120,10 +175,29 @@ def oscillator_history(
 ) -> OscillatorHistory:
     """Response of an elastic oscillator at the samples of a motion, exact there.
 
-    motion, damping_ratio : as in `response_spectrum`; period [s]. Samples are divided where they
-    are further apart than a sixteenth of the period; an analytic motion is, so that no step is
-    longer than that and none straddles a break.
-    Raises ValueError as `response_spectrum` does.
+    Parameters
+    ----------
+    motion : GroundMotion
+        Motion of any kind.
+    period : float
+        Period of the oscillator [s].
+    damping_ratio : float, optional
+        Damping ratio xi in [0, 1).
+
+    Returns
+    -------
+    OscillatorHistory
+        Displacements and velocities.
+
+    Raises
+    ------
+    ValueError
+        For a period that is not positive and for a damping ratio outside [0, 1).
+
+    Notes
+    -----
+    Samples are divided where they are further apart than a sixteenth of the period; an analytic
+    motion is, so that no step is longer than that and none straddles a break.
     """
     (t,) = positive("oscillator_history", period=period)
     xi = _damping("oscillator_history", damping_ratio)

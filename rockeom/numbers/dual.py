@@ -144,17 +144,30 @@ def _is_number(kind: type) -> bool:
 
 
 class Dual(Compound):
-    """A number with its derivatives along m directions.
+    """Number with its derivatives along m directions.
 
-    value : the number, a float. tangent : (m,) its derivatives. All duals of a calculation have the
-    same directions: those of `duals`, for instance, are the parameters that it was given.
+    It is compared by its value. Where a float is needed it raises TypeError, so that no derivative
+    is lost in silence: take ``.value``. It is no key of a dict: two that are equal may have other
+    derivatives.
 
-    It is compared by its value. Where a float is needed it raises TypeError, so that no
-    derivative is lost in silence: take `.value`. It is no key of a dict: two that are equal may
-    have other derivatives.
+    Parameters
+    ----------
+    value : float
+        Number.
+    tangent : array_like
+        Derivatives (m,). All duals of a calculation have the same directions: those of `duals`, for
+        instance, are its arguments.
 
-    Raises TypeError for what is no number, ValueError for a tangent that is not (m,).
+    Raises
+    ------
+    TypeError
+        For anything but a number.
+    ValueError
+        For a tangent that is not (m,).
 
+    Examples
+    --------
+    >>> import rockeom as rk
     >>> x = rk.Dual(3.0, [1.0, 0.0])
     >>> x * x + 1.0
     Dual(10.0, [6.0, 0.0])
@@ -242,9 +255,27 @@ Real.register(Dual)
 def duals(**values: float) -> dict[str, Any]:
     """Duals by name, each a direction of its own, in which it has the derivative 1.
 
-    Raises TypeError for what is no number.
+    Parameters
+    ----------
+    **values : float
+        Numbers by name.
 
-        block = rk.RigidBlock(**rk.duals(half_width=0.1, half_height=0.4))
+    Returns
+    -------
+    dict of str to Dual
+        Duals by name.
+
+    Raises
+    ------
+    TypeError
+        For anything but numbers.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(**rk.duals(half_width=0.1, half_height=0.4))  # m
+    >>> block.half_width
+    Dual(0.1, [1.0, 0.0])
     """
     return {
         name: Dual(value, along)

@@ -12,7 +12,6 @@ as little as before.
 from __future__ import annotations
 
 import inspect
-import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import FrozenInstanceError, is_dataclass
 from functools import wraps
@@ -107,17 +106,15 @@ def misfit(
 
 
 def listed(names: Iterable[str], doc: str | None) -> str:
-    """Names of arguments, each with the unit and the meaning that a docstring gives it."""
-    items = {name: _item(doc or "", name) for name in names}
-    return ", ".join(f"{name} ({item})" if item else name for name, item in items.items())
+    """Names of arguments, each with the first sentence that a docstring says of it."""
+    from docstring_parser.numpydoc import parse  # of an error alone
 
-
-def _item(doc: str, name: str) -> str:
-    """The text of a docstring behind the colon of an argument, up to the end of the clause."""
-    begin = rf"(?:^|\n *|; |, )`?{re.escape(name)}`?(?:, \w+)* : "
-    end = r"(?=; |\.\s|\n\n|\n *\w+(?:, \w+)* : |\.?\s*$)"
-    found = re.search(rf"{begin}(.+?){end}", doc, re.DOTALL)
-    return " ".join(found[1].split()) if found else ""
+    said = {
+        name: " ".join((item.description or "").split()).partition(". ")[0].removesuffix(".")
+        for item in parse(doc or "").params
+        for name in item.arg_name.split(", ")
+    }
+    return ", ".join(f"{name} ({said[name]})" if said.get(name) else name for name in names)
 
 
 def _taken(required: list[str], optional: list[str], others: bool) -> str:

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rockeom.numbers import derivatives
+from rockeom.numbers.derivatives import CURVATURES, SLOPES
 
 
 @cache
@@ -33,12 +33,36 @@ class Compound:
         raise NotImplementedError
 
     def floats(self) -> Any:
-        """The same in floats; raises OverflowError for a whole number that none can hold."""
+        """The same in floats.
+
+        Returns
+        -------
+        Compound
+            Number in floats.
+
+        Raises
+        ------
+        OverflowError
+            For a whole number that no float can hold.
+        """
         return self
 
     @classmethod
     def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
-        """A function of `math` where one of what is given is of this class."""
+        """Function of `math` where one of the arguments is of this class.
+
+        Parameters
+        ----------
+        name : str
+            Name of the function.
+        given : tuple of object
+            Arguments.
+
+        Returns
+        -------
+        object
+            Value of the function.
+        """
         raise NotImplementedError
 
 
@@ -107,21 +131,16 @@ IN_NUMPY = {
 IN_MATH = {name: here for here, name in IN_NUMPY.items()} | {"arctan2": "atan2"}
 """Names of `math` by those of NumPy."""
 
-_NAMES = tuple(
-    name.removesuffix("_curvature") for name in vars(derivatives) if name.endswith("_curvature")
-)
-_ARRAYS = SimpleNamespace(**{name: getattr(np, IN_NUMPY.get(name, name)) for name in _NAMES})
+_ARRAYS = SimpleNamespace(**{name: getattr(np, IN_NUMPY.get(name, name)) for name in CURVATURES})
 
 
-def _of_arrays(name: str) -> Callable[[Any], Any]:
+def _of_arrays(derivative: Callable[..., Any]) -> Callable[[Any], Any]:
     """A function of `rockeom.numbers.derivatives`, of arrays."""
-    return FunctionType(vars(derivatives)[name].__code__, {"math": _ARRAYS})
+    return FunctionType(derivative.__code__, {"math": _ARRAYS})
 
 
 FUNCTIONS: dict[str, Derivatives] = {
-    name: Derivatives(
-        vars(_ARRAYS)[name], _of_arrays(f"{name}_slope"), _of_arrays(f"{name}_curvature")
-    )
-    for name in _NAMES
+    name: Derivatives(vars(_ARRAYS)[name], _of_arrays(SLOPES[name]), _of_arrays(curvature))
+    for name, curvature in CURVATURES.items()
 } | {"fabs": Derivatives(np.abs, np.sign, lambda x: 0.0 * x)}
 """Functions by their names in `math`."""

@@ -12,13 +12,13 @@ from rockeom.analysis.sweeps import coordinate
 from rockeom.drawing import style
 
 
-def only(function: str, found: xr.DataArray, sweep: xr.Dataset, *names: str) -> xr.DataArray:
+def only(function: str, values: xr.DataArray, sweep: xr.Dataset, *names: str) -> xr.DataArray:
     """The array without dimensions of one value: those of the names are left.
 
     Raises ValueError where others have several values.
     """
     wanted = {d for name in names for d in coordinate(function, sweep, name).dims}
-    others = {str(d): n for d, n in found.sizes.items() if d not in wanted and n > 1}
+    others = {str(d): n for d, n in values.sizes.items() if d not in wanted and n > 1}
     if others:
         told = ", ".join(f"{name} ({n} values)" for name, n in others.items())
         first = next(iter(others))
@@ -26,7 +26,7 @@ def only(function: str, found: xr.DataArray, sweep: xr.Dataset, *names: str) -> 
             f"{function}: the sweep varies {told} as well: choose one, as in "
             f"sweep.isel({first}=0), or name it"
         )
-    return found.squeeze([d for d in found.dims if d not in wanted], drop=True)
+    return values.squeeze([d for d in values.dims if d not in wanted], drop=True)
 
 
 def sortable(sweep: xr.Dataset, *names: str) -> list[str]:

@@ -22,7 +22,7 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis.design.isolation import Demands, demands, energy_balance
 from rockeom.drawing import page, style
-from rockeom.drawing.drawn import check_structure
+from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.style import digits
 from rockeom.files import check_target, write
 from rockeom.motion import STANDARD_GRAVITY, GroundMotion
@@ -102,7 +102,17 @@ class UnderRecord:
 
 @dataclass(frozen=True)
 class DesignReport:
-    """Results of `design_report`; `page` draws them, `html` and `write` hand them on."""
+    """Results of `design_report`; `page` draws them, `html` and `write` hand them on.
+
+    Parameters
+    ----------
+    structure : Structure
+        Structure.
+    impact : ImpactLaw
+        Impact law; None for the default.
+    results : tuple of UnderRecord
+        Each motion, and its effect.
+    """
 
     structure: Structure
     impact: ImpactLaw | None
@@ -133,13 +143,13 @@ class DesignReport:
     @cached_property
     def facts(self) -> tuple[tuple[str, str], ...]:
         """The structure in names and values."""
-        found = [*facts_of(self.structure, self.impact)]
+        facts = [*facts_of(self.structure, self.impact)]
         held = self._held
         if held is not None:
             periods = ", ".join(f"{p:.4g}" for p in held.periods)
             ratios = ", ".join(f"{100 * z:.3g}" for z in held.damping_ratios)
-            found += [("fixed-base period", f"{periods} s"), ("its damping", f"{ratios} %")]
-        return tuple(found)
+            facts += [("fixed-base period", f"{periods} s"), ("its damping", f"{ratios} %")]
+        return tuple(facts)
 
     @property
     def _held(self) -> FixedBase | None:
@@ -151,8 +161,8 @@ class DesignReport:
     @cached_property
     def standing(self) -> tuple[UnderRecord, ...]:
         """Motions that ended upright, the largest displacement first; others count as fallen."""
-        found = [one for one in self.results if one.stands]
-        return tuple(sorted(found, key=lambda one: -one.rocking.displacement))
+        standing = [one for one in self.results if one.stands]
+        return tuple(sorted(standing, key=lambda one: -one.rocking.displacement))
 
     @cached_property
     def rows(self) -> tuple[Row, ...]:
@@ -248,7 +258,13 @@ class DesignReport:
 
     @style.styled
     def figures(self) -> Figure:
-        """The worst record as time histories, and the demands of all records."""
+        """Draw the worst record as time histories, and the demands of all records.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Figure.
+        """
         figure = style.new_figure(7.4, 5.0)
         axes = figure.subplot_mosaic("hh;fd")
         history, force, drift = (axes[place] for place in "hfd")
@@ -258,7 +274,13 @@ class DesignReport:
 
     @style.styled
     def page(self) -> Figure:
-        """All of it on one page of A4."""
+        """Draw all of it on one page of A4.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Figure.
+        """
         figure = style.NotebookFigure(figsize=A4, dpi=150)
         write_text = partial(figure.text, parse_math=False)  # names may hold dollars
         write_text(0.07, 0.962, self.title, fontsize=15, weight="bold")
@@ -295,7 +317,13 @@ class DesignReport:
         _draw_demands(drift, self.standing, n, "displacement", 1e3, "displacement [mm]")
 
     def html(self) -> str:
-        """The same as a page that needs no other file."""
+        """Same report as a page that needs no other file.
+
+        Returns
+        -------
+        str
+            Text of the page.
+        """
         picture = page.image(
             self.figures(),
             "displacement under the worst record, base shear and displacement under all records",
@@ -309,7 +337,18 @@ class DesignReport:
         return page.whole(self.title, body)
 
     def write(self, path: str | Path) -> None:
-        """Into a file whose name ends in .html or .pdf; raises ValueError for another name."""
+        """Write the report into a file.
+
+        Parameters
+        ----------
+        path : path_like
+            File whose name ends in .html or .pdf.
+
+        Raises
+        ------
+        ValueError
+            For another name.
+        """
         path = Path(path)
         check_name(path)
         check_target(path)
@@ -331,17 +370,17 @@ def facts_of(structure: Structure, impact: ImpactLaw | None) -> tuple[tuple[str,
     if (full := getattr(structure, "full_height", None)) is not None:  # as the block was given
         base, centroid = rows.pop("half_width")[0], rows.pop("half_height")
         rows = {"width": (2 * base, "m"), "height": (full, "m"), "centroid height": centroid} | rows
-    found = [
+    facts = [
         (name.replace("_", " "), f"{digits(value, 5)} {unit}".removesuffix(" -"))
         for name, (value, unit) in rows.items()
     ]
     threshold = structure.uplift_acceleration
     if threshold is not None and math.isfinite(threshold):
-        found.append(("a foot lifts from", f"{threshold / STANDARD_GRAVITY:.3g} g"))
-    found += _angles(structure)
+        facts.append(("a foot lifts from", f"{threshold / STANDARD_GRAVITY:.3g} g"))
+    facts += _angles(structure)
     if structure.has_impacts:
-        found.append(("law of impact", structure.describe_impact(impact)))
-    return tuple(found)
+        facts.append(("law of impact", structure.describe_impact(impact)))
+    return tuple(facts)
 
 
 def check_name(path: Path) -> None:
@@ -359,11 +398,32 @@ def design_report(
 ) -> DesignReport:
     """Simulate a structure on rigid ground under each of the motions, and on a fixed base.
 
-    impact, duration : as in `simulate`. A rigid structure has no fixed base and stands alone.
+    A rigid structure has no fixed base and stands alone.
 
-    Raises ValueError for no motions and for a structure without feet on rigid ground.
+    Parameters
+    ----------
+    structure : Structure
+        Structure with feet on rigid ground.
+    motions : sequence of GroundMotion
+        Ground motions.
+    impact : ImpactLaw, optional
+        Impact law, as for `simulate`.
+    duration : float, optional
+        Duration [s], as for `simulate`.
+
+    Returns
+    -------
+    DesignReport
+        Report.
+
+    Raises
+    ------
+    ValueError
+        For no motions and for a structure without feet on rigid ground.
+    TypeError
+        For anything but a structure or ground motions.
     """
-    check_structure("structure", structure)
+    check_drawn("structure", structure, Structure)
     if isinstance(motions, GroundMotion):
         raise TypeError("motions is one motion: give a list of motions, [motion]")
     if not motions:
@@ -420,10 +480,10 @@ def _draw_demands(
         "fixed base": [getattr(one.fixed, name) for one in results if one.fixed is not None],
         "rocking": [getattr(one.rocking, name) for one in results],
     }
-    for (label, found), color in zip(both.items(), (style.LINES[1], style.LINES[0]), strict=True):
-        if found:
-            number = total if label == "rocking" else len(found)
-            values = factor * np.sort(found)
+    for (label, sizes), color in zip(both.items(), (style.LINES[1], style.LINES[0]), strict=True):
+        if sizes:
+            number = total if label == "rocking" else len(sizes)
+            values = factor * np.sort(sizes)
             ax.step(
                 [0.0, *values], [0.0, *(np.arange(1, len(values) + 1) / number)], where="post",
                 color=color, label=label,

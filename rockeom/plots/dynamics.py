@@ -36,18 +36,37 @@ _NAMED = len(style.LINES)
 def poincare_section(
     sections: xr.Dataset, *, x: str, y: str, at: str = "period", ax: Axes | None = None
 ) -> Figure:
-    """The points in which motions pass a section of their states, a dot for each look.
+    """Draw the points in which motions pass a section of their states, a dot for each look.
 
-        poincare_section(found, x="theta", y="theta_dot")
-        poincare_section(found, x="impact_time", y="theta_dot", at="after")
+    Parameters
+    ----------
+    sections : xarray.Dataset
+        Dataset of `analysis.dynamics.poincare_sections`, of one value of each parameter.
+    x : str
+        State on the horizontal axis; at impacts also "impact_time", since the start of the cycle.
+    y : str
+        State on the vertical axis; at impacts also "impact_time".
+    at : str, optional
+        "period", the starts of the cycles; or "before" or "after" the impacts.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; a new figure if not given.
 
-    sections : of `analysis.dynamics.poincare_sections`, of one value of each parameter.
-    x, y : states; at impacts also "impact_time", since the start of the cycle.
-    at : "period", the starts of the cycles; or "before" or "after" the impacts.
-    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure of the axes. Up to six starts have a colour each.
 
-    Up to six starts have a colour each. Raises ValueError for names that the sections do not have,
-    and where they vary parameters, too.
+    Raises
+    ------
+    ValueError
+        For names that the sections do not have, and where they vary parameters, too.
+
+    Examples
+    --------
+    With sections `looks`::
+
+        poincare_section(looks, x="theta", y="theta_dot")
+        poincare_section(looks, x="impact_time", y="theta_dot", at="after")
     """
     across, up = (_looks("poincare_section", sections, name, at) for name in (x, y))
     if ax is None:
@@ -68,21 +87,42 @@ def bifurcation_diagram(
     branches: Iterable[OrbitBranch] = (),
     ax: Axes | None = None,
 ) -> Figure:
-    """Motions after settling, against a parameter, with the branches of orbits over the dots.
+    """Draw motions after settling, against a parameter, with the branches of orbits over the dots.
 
-        bifurcation_diagram(found, x="beta", y="x_dot", at="before", branches=[symmetric, broken])
-
-    sections : of `analysis.dynamics.poincare_sections` over the parameter x alone, from one start
+    Parameters
+    ----------
+    sections : xarray.Dataset
+        Dataset of `analysis.dynamics.poincare_sections` over the parameter x alone, from one start
         or more: orbits that coexist show if there are starts of each.
-    y : the state that is drawn. at : "period", the starts of the cycles; or "before" or "after" the
-        impacts.
-    branches : of `analysis.dynamics.orbit_branch`, stable motions solid, unstable ones dashed,
+    x : str
+        Name of the parameter.
+    y : str
+        State on the vertical axis.
+    at : str, optional
+        "period", the starts of the cycles; or "before" or "after" the impacts.
+    branches : iterable of OrbitBranch, optional
+        Branches of `analysis.dynamics.orbit_branch`, stable motions solid, unstable ones dashed,
         with marks where they bifurcate. Drawn are looks at them or the states before their impacts,
         as `at` says.
-    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; a new figure if not given.
 
-    Up to six starts have a colour each. Raises ValueError for names that the sections do not have,
-    where they vary other parameters, and for branches that cannot be drawn so.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure of the axes. Up to six starts have a colour each.
+
+    Raises
+    ------
+    ValueError
+        For names that the sections do not have, where they vary other parameters, and for branches
+        that cannot be drawn so.
+
+    Examples
+    --------
+    With sections `looks` and branches `symmetric` and `broken`::
+
+        bifurcation_diagram(looks, x="beta", y="x_dot", at="before", branches=[symmetric, broken])
     """
     function = "bifurcation_diagram"
     coordinate(function, sections, x)
@@ -112,19 +152,19 @@ def _looks(function: str, sections: xr.Dataset, name: str, at: str, *names: str)
             "analysis.dynamics.poincare_sections impacts=, the most in a cycle"
         )
     check_finished(function, sections)
-    known = sections["state"].values.tolist()
+    states = sections["state"].values.tolist()
     if at != "period" and name == "impact_time":
-        found = sections[name]
-    elif name not in known:
-        raise ValueError(f"{function}: no state {name!r}; there are {', '.join(known)}")
+        values = sections[name]
+    elif name not in states:
+        raise ValueError(f"{function}: no state {name!r}; there are {', '.join(states)}")
     elif at == "period":
-        found = sections["strobe"].sel(state=name)
+        values = sections["strobe"].sel(state=name)
     else:
-        found = sections["impact_state"].sel(state=name, side=at)
+        values = sections["impact_state"].sel(state=name, side=at)
     starts = dims_of_starts(function, sections, *names)
     sizes = [sections.sizes[one] for one in names]
     number = math.prod(sections.sizes[one] for one in starts)
-    return found.transpose(*starts, *names, ...).values.reshape(number, *sizes, -1)
+    return values.transpose(*starts, *names, ...).values.reshape(number, *sizes, -1)
 
 
 def _looks_of_starts(sections: xr.Dataset, number: int) -> Iterator[dict[str, Any]]:
@@ -200,11 +240,11 @@ def _of_orbit(orbit: PeriodicOrbit, y: str, at: str) -> np.ndarray:
     return orbit.looks[:, orbit.states.index(y)]
 
 
-def _mark(ax: Axes, found: Bifurcation, y: str, at: str, marked: set[str]) -> None:
-    values = _of_orbit(found.orbit, y, at)
-    label = None if found.kind in marked else found.kind
-    marked.add(found.kind)
-    ax.plot(np.full(len(values), found.value), values, _MARKS[found.kind], color=_BRANCH, mfc="w",
+def _mark(ax: Axes, point: Bifurcation, y: str, at: str, marked: set[str]) -> None:
+    values = _of_orbit(point.orbit, y, at)
+    label = None if point.kind in marked else point.kind
+    marked.add(point.kind)
+    ax.plot(np.full(len(values), point.value), values, _MARKS[point.kind], color=_BRANCH, mfc="w",
             ms=4, mew=0.9, zorder=5, label=label)  # fmt: skip
 
 
@@ -217,17 +257,40 @@ _ORBITS = ("#9ecae1", "#fdae6b", "#a1d99b", "#dba9c8", "#f7f0a8", "#c7b8e2")
 
 @style.styled
 def basins_of_attraction(basins: xr.Dataset, *, x: str, y: str, ax: Axes | None = None) -> Figure:
-    """Ends of motions over the states from which they start, and the orbits themselves.
+    """Draw the ends of motions over the states from which they start, and the orbits themselves.
 
-        basins_of_attraction(analysis.dynamics.basins(found), x="theta", y="theta_dot")
+    Parameters
+    ----------
+    basins : xarray.Dataset
+        Dataset of `analysis.dynamics.basins`, over a grid of two states or a table of starts, which
+        is drawn as dots.
+    x : str
+        State on the horizontal axis.
+    y : str
+        State on the vertical axis.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; a new figure if not given.
 
-    basins : of `analysis.dynamics.basins`, over a grid of two states or a table of starts, which is
-        drawn as dots. x, y : the two states.
-    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure of the axes.
 
+    Raises
+    ------
+    ValueError
+        For states that the starts do not vary, and where they vary others as well.
+
+    Notes
+    -----
     Each orbit has a shade, which repeats itself after six, and its looks at the starts of cycles a
-    mark each. The legend tells its cycles and which part of the starts ends on it. Raises
-    ValueError for states that the starts do not vary, and where they vary others as well.
+    mark each. The legend has its cycles and the part of the starts that ends on it.
+
+    Examples
+    --------
+    With sections `looks` of `analysis.dynamics.poincare_sections`::
+
+        basins_of_attraction(analysis.dynamics.basins(looks), x="theta", y="theta_dot")
     """
     function = "basins_of_attraction"
     if "fate" not in basins:

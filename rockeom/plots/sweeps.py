@@ -61,23 +61,54 @@ def overturning_map(
     boundaries: xr.Dataset | None = None,
     ax: Axes | None = None,
 ) -> Figure:
-    """Which cases overturn, and after how many impacts, over two names of a sweep.
+    """Draw which cases overturn, and after how many impacts, over two names of a sweep.
 
-        overturning_map(sweep, x="frequency", y="amplitude")
+    Parameters
+    ----------
+    sweep : xarray.Dataset
+        Dataset of `simulate_many`.
+    x : str
+        Name of a dimension of the sweep, or a coordinate of the cases of a table, which are then
+        drawn as dots. A name's attributes `long_name` and `units` label its axis:
+        ``sweep["frequency"].attrs["units"] = "Hz"``.
+    y : str
+        Name of another dimension or coordinate.
+    boundaries : xarray.Dataset, optional
+        Dataset of `analysis.overturning_boundaries`, drawn as lines: where they cross the sides of
+        the sweep's cells they are accurate, and in a cell they are straight.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; a new figure if not given.
 
-    x, y : names of the sweep's dimensions; or two coordinates of the cases of a table, which are
-        then drawn as dots. A name's attributes `long_name` and `units` label its axis:
-        sweep["frequency"].attrs["units"] = "Hz".
-    boundaries : of `analysis.overturning_boundaries`, drawn as lines: where they cross the sides of
-        the sweep's cells they were found, and in a cell they are straight.
-    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure of the axes.
 
+    Raises
+    ------
+    ValueError
+        For names that the sweep or the boundaries do not have, where the sweep varies others as
+        well, and for boundaries of a sweep that is no grid of numbers.
+
+    Notes
+    -----
     Each class is darker than the one before, without colours, too. Overturning without an impact
-    and after some are the two modes of Zhang and Makris (2001), Journal of Engineering Mechanics
-    127(5), 473-483. Cases that were not run or gave no answer are grey and crossed out.
+    and after some are the two modes of Zhang and Makris. Cases that were not run or gave no answer
+    are grey and crossed out.
 
-    Raises ValueError for names that the sweep or the boundaries do not have, where the sweep varies
-    others as well, and for boundaries of a sweep that is no grid of numbers.
+    References
+    ----------
+    Zhang and Makris (2001), Journal of Engineering Mechanics 127(5), 473-483.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import plots
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> def shaken(amplitude, period):
+    ...     return rk.Case(block, rk.GroundMotion.single_sine(amplitude, period, duration=6.0))
+    >>> sweep = rk.simulate_many(shaken, over={"amplitude": [3.0, 4.0], "period": [0.4, 0.8]})
+    >>> figure = plots.overturning_map(sweep, x="period", y="amplitude")
     """
     kinds = coordinates.only("overturning_map", _classes(sweep), sweep, x, y)
     if ax is None:
@@ -106,8 +137,8 @@ def _classes(sweep: xr.Dataset) -> xr.DataArray:
     """Which of _CLASSES each case is."""
     before = impacts_before_overturning(sweep, most=3)
     stands = xr.where(sweep["impacts"] > 0, 1, 0)
-    found = xr.where(np.isinf(before), stands, 5 - before)
-    return found.fillna(_NO_ANSWER).astype(int)
+    classes = xr.where(np.isinf(before), stands, 5 - before)
+    return classes.fillna(_NO_ANSWER).astype(int)
 
 
 def _cells(ax: Axes, kinds: xr.DataArray, x: str, y: str) -> None:
@@ -172,12 +203,12 @@ def _closest(points: np.ndarray, there: list[tuple[int, tuple[int, int]]]) -> li
         if side != other
     )
     taken: set[int] = set()
-    found = []
+    pairs = []
     for _, i, j in choices:
         if not taken & {i, j}:
-            found.append((i, j))
+            pairs.append((i, j))
             taken |= {i, j}
-    return found
+    return pairs
 
 
 def _rgb(colour: str) -> list[float]:
@@ -198,26 +229,56 @@ def rocking_spectrum(
     fractiles: Sequence[float] = (),
     ax: Axes | None = None,
 ) -> Figure:
-    """Peak rotation over the slenderness against a name of a sweep, a line for each value of `by`.
+    """Draw the peak rotation over the slenderness against a name of a sweep, a line for each value
+    of `by`.
 
-        rocking_spectrum(sweep, x="frequency_parameter", by="alpha", alpha="alpha")
-
-    x : a name of the sweep, such as the frequency parameter p or the period 2 pi/p of the blocks.
-    alpha : slenderness of the blocks [rad], or the sweep's name of it.
-    by : another name of the sweep, if it varies one. Many lines have a scale of colours; many of
+    Parameters
+    ----------
+    sweep : xarray.Dataset
+        Dataset of `simulate_many`, such as that of `analysis.rocking_spectrum`.
+    x : str
+        Name of the sweep, such as the frequency parameter p or the period 2 pi/p of the blocks.
+    alpha : float or str
+        Slenderness of the blocks [rad], or the sweep's name of it.
+    by : str, optional
+        Another name of the sweep, if it varies one. Many lines have a scale of colours; many of
         words, such as records, are thin and grey.
-    state : the rotation.
-    fractiles : parts of the lines, such as (0.16, 0.5, 0.84): thick lines that so many of the
-        others do not exceed at each x, overturning being more than any rotation. They have gaps
-        where so many overturn.
-    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+    state : str, optional
+        The rotation.
+    fractiles : sequence of float, optional
+        Parts of the lines, such as (0.16, 0.5, 0.84): thick lines that so many of the others do not
+        exceed at each x, overturning being more than any rotation. They have gaps where so many
+        overturn.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; a new figure if not given.
 
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure of the axes.
+
+    Raises
+    ------
+    ValueError
+        For names that the sweep does not have, where it varies others as well, and for cases that
+        were not run.
+
+    Notes
+    -----
     Cases that overturn have no peak: they are triangles in the band above, a row for each line.
-    Lines have gaps there, and where there is no answer. Source: Makris and Konstantinidis (2003),
-    Earthquake Engineering and Structural Dynamics 32(2), 265-289.
+    Lines have gaps there, and where there is no answer.
 
-    Raises ValueError for names that the sweep does not have, where it varies others as well, and
-    for cases that were not run.
+    References
+    ----------
+    Makris and Konstantinidis (2003), Earthquake Engineering and Structural Dynamics 32(2), 265-289.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import analysis, plots
+    >>> pulse = rk.GroundMotion.ricker(4.0, 0.6)  # m/s2, s
+    >>> sweep = analysis.rocking_spectrum(pulse, periods=[2.0, 3.0, 4.0], alpha=[0.2, 0.3])
+    >>> figure = plots.rocking_spectrum(sweep, x="period", by="alpha", alpha="alpha")
     """
     function = "rocking_spectrum"
     check_finished(function, sweep)
@@ -274,8 +335,8 @@ def _not_exceeded(lines: np.ndarray, down: np.ndarray, part: float) -> np.ndarra
     order = np.sort(np.where(down, np.inf, lines), axis=1)  # those without an answer come last
     number = np.isfinite(order).sum(axis=1) + down.sum(axis=1)
     place = np.maximum(np.ceil(part * number - 1e-9).astype(int) - 1, 0)
-    found = order[np.arange(len(order)), place]
-    return np.where(np.isfinite(found), found, np.nan)
+    demands = order[np.arange(len(order)), place]
+    return np.where(np.isfinite(demands), demands, np.nan)
 
 
 def _looks(ax: Axes, sweep: xr.Dataset, by: str | None, n: int) -> list[dict[str, Any]]:
@@ -314,19 +375,42 @@ def fragility_curve(
     level: float = 0.95,
     ax: Axes | None = None,
 ) -> Figure:
-    """The lognormal fragility curve of a sweep, its confidence bounds, and what was observed.
+    """Draw the lognormal fragility curve of a sweep, its confidence bounds, and the observations.
+
+    Parameters
+    ----------
+    result : xarray.Dataset or Fragility
+        A sweep, or a curve that `analysis.risk.fit_fragility` has fitted.
+    intensity : str, optional
+        Name of the intensity, as for `analysis.fragility_of`; it labels the axis where a curve is
+        given.
+    demand : str, optional
+        State or quantity, as for `analysis.fragility_of`; overturning if not given.
+    limit : float, optional
+        Limit of the demand [its unit].
+    group : str, optional
+        Name of the sweep's of motions that depend on one another, as for `analysis.fragility_of`.
+    level : float, optional
+        Probability of the bounds at an intensity, which come from the covariance of the curve.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; a new figure if not given.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure of the axes. Dots are the fractions observed.
+
+    Raises
+    ------
+    ValueError
+        Where no curve is most likely, as `analysis.risk.fit_fragility` says.
+
+    Examples
+    --------
+    With a sweep over the peak ground acceleration::
 
         fragility_curve(sweep, intensity="pga")
         fragility_curve(sweep, intensity="pga", demand="theta", limit=0.05)
-
-    result : a sweep, or a curve that `analysis.risk.fit_fragility` has fitted.
-    intensity, demand, limit, group : as of `analysis.fragility_of`; of overturning without demand
-        and limit. `intensity` labels the axis of a curve that is given.
-    level : probability of the bounds at an intensity, which come from the covariance of the curve.
-    ax : axes to draw in; those of a new figure if not given. Returns their figure.
-
-    Dots are the fractions observed. Raises ValueError where no curve is most likely, as
-    `analysis.risk.fit_fragility` says.
     """
     if isinstance(result, Fragility):
         curve, label = result, style.plain(intensity.replace("_", " "))
@@ -354,12 +438,12 @@ def fragility_curve(
     return style.parent_figure(ax)
 
 
-def _event(demand: str | None, limit: float | None, found: xr.Dataset | Fragility) -> str:
-    if isinstance(found, Fragility):
+def _event(demand: str | None, limit: float | None, observed: xr.Dataset | Fragility) -> str:
+    if isinstance(observed, Fragility):
         return "probability of exceedance [-]"
     if demand is None:
         return "probability of overturning [-]"
-    unit = _unit_of_demand(found, demand)
+    unit = _unit_of_demand(observed, demand)
     reached = f"{limit:g} {unit}".rstrip()
     return f"probability that |{style.plain(demand)}|\nreaches {reached} or overturns [-]"
 
@@ -381,33 +465,57 @@ def incremental_dynamic_analysis(
     record: str | None = None,
     ax: Axes | None = None,
 ) -> Figure:
-    """Demand of each record on a structure as its intensity grows, and fractiles of all records.
+    """Draw the demand of each record on a structure as its intensity grows, and fractiles of all.
+
+    Parameters
+    ----------
+    sweep : xarray.Dataset
+        Dataset of `simulate_many`.
+    intensity : str
+        Name of the sweep, or a coordinate of its cases: of a table, or one that has other values
+        for each record, such as a spectral acceleration where the records were scaled to peaks.
+    demand : str, optional
+        State or quantity whose largest size is drawn.
+    record : str, optional
+        The sweep's name of the records: whatever else it varies, if not given.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; a new figure if not given.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure of the axes.
+
+    Raises
+    ------
+    ValueError
+        For names that the sweep does not have, where `record` is missing, and for cases that were
+        not run.
+
+    Notes
+    -----
+    A record is a thin line. Where it overturns there is no demand: the line goes to the band at the
+    right, and a few records are named where they do so first. Thick lines are the 16, 50 and 84 %
+    fractiles of the demand at an intensity, overturning being more than any demand; they end in the
+    band where so many records overturn. Between the intensities of a record the demand is linear,
+    and overturning lasts from the first of two to the second.
+
+    References
+    ----------
+    Vamvatsikos and Cornell (2002), Earthquake Engineering and Structural Dynamics 31(3), 491-514.
+
+    Examples
+    --------
+    With a sweep over motions and their peak ground acceleration::
 
         incremental_dynamic_analysis(sweep, intensity="pga", demand="theta")
-
-    intensity : a name of the sweep, or a coordinate of its cases: of a table, or one that has other
-        values for each record, such as a spectral acceleration where the records were scaled to
-        peaks.
-    demand : the state or quantity whose largest size is drawn.
-    record : the sweep's name of the records: what else it varies, if not given.
-    ax : axes to draw in; those of a new figure if not given. Returns their figure.
-
-    A record is a thin line. Where it overturns there is no demand: the line goes to the band at
-    the right, and a few records are named where they do so first. Thick lines are the 16, 50 and 84
-    % fractiles of the demand at an intensity, overturning being more than any demand; they end in
-    the band where so many records overturn. Between the intensities of a record the demand is
-    linear, and overturning lasts from the first of two to the second. Source: Vamvatsikos and
-    Cornell (2002), Earthquake Engineering and Structural Dynamics 31(3), 491-514.
-
-    Raises ValueError for names that the sweep does not have, where `record` is missing, and for
-    cases that were not run.
     """
     function = "incremental_dynamic_analysis"
     curves, names = _by_record(function, sweep, intensity, demand, record)
-    known = np.concatenate([d[np.isfinite(d)] for _, d in curves])
-    if not len(known):
+    peaks = np.concatenate([d[np.isfinite(d)] for _, d in curves])
+    if not len(peaks):
         raise ValueError(f"{function}: no case has a demand: all overturned, or gave no answer")
-    last = 1.04 * known.max() or 1.0
+    last = 1.04 * peaks.max() or 1.0
     edge = 1.14 * last
     if ax is None:
         ax = style.new_figure(7.2, 4.4).add_subplot()
@@ -447,7 +555,7 @@ def _by_record(
     check_finished(function, sweep)
     im = coordinate(function, sweep, intensity)
     labels = outcome_labels(sweep)
-    found = peaks_of(sweep, demand).where(labels.isin(STANDS)).where(labels != FALLS, np.inf)
+    peaks = peaks_of(sweep, demand).where(labels.isin(STANDS)).where(labels != FALLS, np.inf)
     others = [str(d) for d in labels.dims if d not in im.dims]
     others = others or [str(d) for d in labels.dims if sweep[d].dtype.kind in "OTU"]
     if record is None and not others:
@@ -457,7 +565,7 @@ def _by_record(
         )
     keys = [record] if record is not None else others
     columns = [coordinate(function, sweep, key) for key in keys]
-    each = [a.values.ravel() for a in xr.broadcast(im, found, *columns)]
+    each = [a.values.ravel() for a in xr.broadcast(im, peaks, *columns)]
     of = np.array([", ".join(map(str, key)) for key in zip(*each[2:], strict=True)])
     curves, names = [], list(dict.fromkeys(of.tolist()))
     for name in names:
@@ -484,10 +592,10 @@ def _demands_at(levels: np.ndarray, im: np.ndarray, demand: np.ndarray) -> np.nd
         return np.full(len(levels), np.nan)
     at, d = im[answered], demand[answered]
     down = np.isposinf(d)
-    found = np.interp(levels, at, np.where(down, 0.0, d))
-    found[np.interp(levels, at, down) > 0.0] = np.inf
-    found[np.isin(levels, im[~answered])] = np.nan
-    return found
+    demands = np.interp(levels, at, np.where(down, 0.0, d))
+    demands[np.interp(levels, at, down) > 0.0] = np.inf
+    demands[np.isin(levels, im[~answered])] = np.nan
+    return demands
 
 
 def _fractile(
@@ -498,11 +606,11 @@ def _fractile(
     demands (m, n) : of m records at n levels; nan does not count. It ends at the first intensity at
     which it is infinite.
     """
-    found = []
+    quantiles = []
     for there in demands.T:
         there = there[~np.isnan(there)]
-        found.append(np.quantile(there, part, method="inverted_cdf") if len(there) else np.nan)
-    at = np.array(found)
+        quantiles.append(np.quantile(there, part, method="inverted_cdf") if len(there) else np.nan)
+    at = np.array(quantiles)
     down = np.flatnonzero(np.isposinf(at))
     end = down[0] + 1 if len(down) else len(at)
     return at[:end], levels[:end]
@@ -539,11 +647,11 @@ def _demand_label(sweep: xr.Dataset, demand: str) -> str:
 
 def _unit_of_demand(sweep: xr.Dataset, demand: str) -> str:
     """Unit of a state or quantity, where the dataset tells it; else nothing."""
-    found = peaks_of(sweep, demand)
+    peaks = peaks_of(sweep, demand)
     for name in ("state_unit", "quantity_unit"):
-        if name in found.coords:
-            return coordinates.unit(found[name].values)
-    return coordinates.unit(found.attrs.get("units", ""))
+        if name in peaks.coords:
+            return coordinates.unit(peaks[name].values)
+    return coordinates.unit(peaks.attrs.get("units", ""))
 
 
 def _entitle(ax: Axes, sweep: xr.Dataset, n: int) -> None:

@@ -28,18 +28,37 @@ def peak_distributions(
     quantity: str = "largest rotation [rad]",
     ax: Axes | None = None,
 ) -> Figure:
-    """Empirical distributions of peaks with their confidence bands, the overturned at the right.
+    """Draw empirical distributions of peaks with their confidence bands, the overturned at the
+    right.
+
+    Parameters
+    ----------
+    ensembles : dict of str to Ensemble
+        Ensembles by their names in the legend; six at most.
+    limit : float, optional
+        Rotation at which the axis ends, in the unit of the peaks; the largest peak if not given.
+    level : float, optional
+        Level of the bands, see `Ensemble.band`; that of one campaign assumes independent tests.
+    quantity : str, optional
+        Name of the peaks, with its unit, for the axis.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; a new figure if not given.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure of the axes. The part that overturned is missing from 1 at the right end.
+
+    Raises
+    ------
+    ValueError
+        For too many or no ensembles, and where no motion has a peak and no limit is given.
+
+    Examples
+    --------
+    With two ensembles::
 
         peak_distributions({"measured": measured, "nominal": simulated}, limit=0.24)
-
-    ensembles : `analysis.validation.Ensemble` by what the legend calls it; six at most.
-    limit : rotation at which the axis ends, the largest peak if not given.
-    level : of the bands, see `Ensemble.band`; that of one campaign assumes independent tests.
-    quantity : what the peaks are, with its unit, for the axis.
-    ax : axes to draw in; those of a new figure if not given. Returns their figure.
-
-    The part that overturned is missing from 1 at the right end. Raises ValueError for too many or
-    no ensembles, and where no motion has a peak and no limit is given.
     """
     function = "peak_distributions"
     rule = f"give 1 to {_NAMED}"
@@ -66,16 +85,31 @@ def peak_distributions(
 
 @style.styled
 def reliability_diagram(calibration: Calibration, *, ax: Axes | None = None) -> Figure:
-    """Observed frequencies of overturning against predicted probabilities.
+    """Draw observed frequencies of overturning against predicted probabilities.
 
-        reliability_diagram(analysis.validation.calibration_of(overturned, probability))
+    Parameters
+    ----------
+    calibration : Calibration
+        Result of `analysis.validation.calibration_of`.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; a new figure if not given.
 
-    calibration : of `analysis.validation.calibration_of`.
-    ax : axes to draw in; those of a new figure if not given. Returns their figure.
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure of the axes.
 
+    Notes
+    -----
     A dot is a bin, with the number of its tests. The grey bar is the range in which it lies, at the
     level of the calibration, if the predictions are right: by the campaigns, or of independent
     tests, for which a dot has the interval of its probability, too.
+
+    Examples
+    --------
+    With measured outcomes and predicted probabilities::
+
+        reliability_diagram(analysis.validation.calibration_of(overturned, probability))
     """
     c = calibration
     if ax is None:

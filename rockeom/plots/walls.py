@@ -22,17 +22,35 @@ def wall_envelopes(
     *,
     figure: Figure | SubFigure | None = None,
 ) -> Figure | SubFigure:
-    """Measured envelopes and computed pushovers, a wall in each panel, with the error.
+    """Draw measured envelopes and computed pushovers, a wall in each panel, with the error.
+
+    Parameters
+    ----------
+    tests : dict of str to WallTest
+        Tests by name, such as `analysis.identification.wall_tests`; those with an envelope are
+        drawn.
+    paths : dict of str to WallPath
+        Paths by name, each with a displacement [m] and a force [N] from zero to beyond the
+        envelope, such as those of `rk.WallOnBed.pushover`.
+    figure : matplotlib.figure.Figure, optional
+        Empty figure or subfigure to draw in; a new one if not given.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Figure. Both directions of a test are drawn to one side. The error is that of
+        `WallTest.envelope_error`; dashes are the strength of rigid rocking on a crushed corner.
+
+    Raises
+    ------
+    ValueError
+        Where no test has an envelope, and where a path lacks.
+
+    Examples
+    --------
+    With tests and the walls of `rk.WallOnBed.of_tests`::
 
         wall_envelopes(tests, {name: walls[name].pushover(0.05) for name in tests})
-
-    tests : by name, such as `analysis.identification.wall_tests()`; those with an envelope are
-    drawn. paths : by name, each with a displacement [m] and a force [N] from zero to beyond the
-    envelope, such as those of `rk.WallOnBed.pushover`. figure : an empty one to draw in; a new one
-    if not given. Both directions of a test are drawn to one side. The error is that of
-    `WallTest.envelope_error`; dashes are the strength of rigid rocking on a crushed corner.
-
-    Raises ValueError where no test has an envelope, and where a path lacks.
     """
     drawn = {name: test for name, test in tests.items() if test.envelope is not None}
     if not drawn:

@@ -213,10 +213,39 @@ AT_THE_END = 1e-9
 )
 @dataclass(frozen=True)
 class Case:
-    """A structure, its ground motion and start; the arguments are those of `simulate`.
+    """Structure, its ground motion and start; the arguments are those of `simulate`.
 
-    A recording given as motion becomes its horizontal component here, and its vertical one.
-    Raises TypeError for what is no structure, no ground motion or no mapping of states.
+    Parameters
+    ----------
+    structure : Structure
+        Structure that is shaken.
+    motion : GroundMotion
+        Horizontal ground motion. A recording becomes its horizontal component here, and its
+        vertical one.
+    impact : ImpactLaw, optional
+        Impact law; `Structure.default_impact` if not given.
+    initial : dict of str to float, optional
+        Values of states by name [rad, m, rad/s, m/s]; others are zero.
+    duration : float, optional
+        Duration [s]; the motion's own if not given.
+    vertical : GroundMotion, optional
+        Vertical ground motion.
+    mode : str, optional
+        Name of the mode at the start, where the state leaves it open.
+
+    Raises
+    ------
+    TypeError
+        For anything but a structure, a ground motion or a mapping of states.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> case = rk.Case(block, pulse, impact=rk.EnergyRatio(0.8), initial={"theta": 0.02})  # rad
+    >>> print(rk.simulate(case).outcome)
+    completed
     """
 
     structure: Structure
@@ -262,7 +291,18 @@ class Case:
         object.__setattr__(self, "vertical", recording.vertical)
 
     def problem(self) -> Problem:
-        """The case in numbers; raises ValueError for a state or a duration that cannot be."""
+        """Case in numbers.
+
+        Returns
+        -------
+        Problem
+            Parameters, segments of the ground motion, initial state and mode.
+
+        Raises
+        ------
+        ValueError
+            For a state or a duration that cannot be.
+        """
         structure, motion = self.structure, self.motion
         y0 = structure.state({} if self.initial is None else self.initial)
         for name, fallen in structure.falls.items():

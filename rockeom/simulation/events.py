@@ -28,15 +28,27 @@ MEASURABLE = 1e-3
 
 @dataclass(frozen=True)
 class Event:
-    """The transition from one mode to another.
+    """Transition from one mode to another.
 
-    kind : "impact"; "uplift"; "switch" (a foot leaves or meets a spring); "rest" (the limit of
-        infinitely many impacts). Where contacts may open and slide: "landing", "lifting",
-        "slip begins", "slip ends".
-    time [s]; mode_before, mode_after : names of the modes.
-    before, after : the states on both sides, by name.
-    contact : the name of the point that landed, lifted or slipped, or of the element that switched;
-        of several at once joined by "+", such as "left+right". Empty where the modes say all.
+    Parameters
+    ----------
+    time : float
+        Time [s].
+    kind : str
+        "impact"; "uplift"; "switch" (a foot leaves or meets a spring); "rest" (the limit of
+        infinitely many impacts). Where contacts may open and slide: "landing", "lifting", "slip
+        begins", "slip ends".
+    mode_before : str
+        Name of the mode before.
+    mode_after : str
+        Name of the mode after.
+    before : dict of str to float
+        States before, by name [rad, m, rad/s, m/s].
+    after : dict of str to float
+        States after, by name.
+    contact : str, optional
+        Name of the point that landed, lifted or slipped, or of the element that switched; of
+        several at once joined by "+", such as "left+right". Empty where the modes say all.
     """
 
     time: float

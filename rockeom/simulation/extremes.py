@@ -25,7 +25,19 @@ _SIGNS = np.array([-1.0, 1.0])
 
 @dataclass(frozen=True)
 class Extremes:
-    """The least and the greatest value of a quantity in a motion, and their times [s]."""
+    """Least and greatest value of a quantity in a motion, and their times.
+
+    Parameters
+    ----------
+    minimum : float
+        Least value, in the unit of the quantity.
+    maximum : float
+        Greatest value, in the unit of the quantity.
+    minimum_time : float
+        Time of the least value [s].
+    maximum_time : float
+        Time of the greatest value [s].
+    """
 
     minimum: float
     maximum: float

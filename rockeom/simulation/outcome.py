@@ -10,7 +10,19 @@ from rockeom.codes import OUTCOMES
 
 
 class Outcome(StrEnum):
-    """How a motion ended: the word that sweeps hold, and a `sentence` that explains it."""
+    """How a motion ended: the word that sweeps hold, and a `sentence` that explains it.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> run = rk.simulate(block, pulse)
+    >>> run.outcome is rk.Outcome.COMPLETED
+    True
+    >>> run.outcome.sentence
+    'The motion was followed to the end of the duration.'
+    """
 
     sentence: str
 

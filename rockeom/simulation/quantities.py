@@ -14,7 +14,6 @@ from typing import Any
 
 import numpy as np
 
-from rockeom.drawing.positions import places, positions_of, rotations_of
 from rockeom.integrator.program import Program, program
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.motion import GroundMotion
@@ -29,6 +28,7 @@ from rockeom.simulation.works import Works, names_of_works
 from rockeom.structures import evaluation
 from rockeom.structures.base import Structure
 from rockeom.structures.evaluation import OF_ELEMENT, elements, filled, motion_of_places
+from rockeom.structures.positions import places, positions_of, rotations_of
 from rockeom.structures.units import dimensioned, main_units
 
 PLACES, ELEMENTS, BASE, WORKS, OF_ANGLE = "places", "elements", "base", "works", "of angle"

@@ -17,7 +17,6 @@ ALL, SAMPLES = KEEP = ("all", "samples")
 """The parts of a motion that `simulate` may keep."""
 
 _MANY = 100_000  # steps from which a line on stderr says how far it is, at each power of ten
-_DOUBLED = 4096  # steps up to which a full record doubles; then it grows by so many, or an eighth
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,35 +40,24 @@ class Recorder(Protocol):
 
 
 class DenseRecorder:
-    """Keeps every step, in arrays that grow in their place: none is in memory twice."""
+    """Keeps every step, in bytes that grow in their place: no array is in memory twice."""
 
     def __init__(self) -> None:
         self.n = 0
-        self.arrays: tuple[np.ndarray, ...] = ()
+        self.columns = bytearray(), bytearray(), bytearray()
 
     def __len__(self) -> int:
         return self.n
 
     def add(self, steps: Steps) -> None:
-        new, first, self.n = (steps.span, steps.mode, steps.powers), self.n, self.n + len(steps)
-        if not first:
-            self.arrays = tuple(a.copy() for a in new)
-            return
-        for array, more in zip(self.arrays, new, strict=True):
-            if self.n > len(array):
-                _resize(array, max(self.n, first + max(first // 8, min(first, _DOUBLED))))
-            array[first : self.n] = more
+        self.n += len(steps)
+        rows = steps.span, steps.mode, steps.powers
+        for column, more in zip(self.columns, rows, strict=True):
+            column.extend(more.data)
 
     def record(self, _: EventColumns) -> Steps:
-        for array in self.arrays:
-            _resize(array, self.n)
-        return Steps(*self.arrays)
-
-
-def _resize(array: np.ndarray, n: int) -> None:
-    """Change the length in place; nobody else holds the array, or a view of it."""
-    if len(array) != n:
-        array.resize((n, *array.shape[1:]), refcheck=False)
+        span, mode, powers = map(np.frombuffer, self.columns, (float, np.int64, float))
+        return Steps(span.reshape(self.n, 2), mode, powers.reshape(self.n, 8, -1))
 
 
 class SampleRecorder:

@@ -15,6 +15,7 @@ from rockeom.motion import GroundMotion
 from rockeom.numbers import explained
 from rockeom.numbers.checks import numbers
 from rockeom.numbers.degrees import with_degrees
+from rockeom.numbers.pictures import picture
 from rockeom.simulation import plausible
 from rockeom.simulation.events import Events, Impacts
 from rockeom.simulation.extremes import Extremes
@@ -81,17 +82,51 @@ def _listed(names: Sequence[str]) -> Sequence[str]:
 class Response:
     """Motion of a structure under a ground motion, as sampled and at any time.
 
-    t (n,) [s], y (n, d) states in the order of `states`, mode (n,) names of modes. Where a velocity
-    jumps t holds the instant twice, before and after. `run["theta"]` gives a column of y, or any of
-    `names`, in the unit that `units` has for it: energies [J], reactions [N], displacement and
+    `simulate` makes it. ``run["theta"]`` gives the samples of any of `names`, in the unit that
+    `units` has for it: states [rad, m, rad/s, m/s], energies [J], reactions [N], displacement and
     uplifts [m], accelerations of the ground [m/s2], and those of places, elements and works. They
-    are attributes, too: `run.theta`; `run.time` is t.
-
-    duration : asked for [s]. statistics : of the integration, such as "method", "steps" and
-    "impact_law". record : every step, or samples, see `simulate`. events : transitions between
-    modes, of which `impacts` are the most asked for. end (N,) : the last state.
+    are attributes, too: ``run.theta``; ``run.time`` is `t`. The samples are at the times `t` (n,)
+    [s], with the states `y` (n, d) in the order of `states` and the names `mode` (n,) of modes.
+    Where a velocity jumps `t` holds the instant twice, before and after.
 
     `save` keeps it in a file, from which `rk.load` makes it again; it can be pickled and copied.
+
+    Parameters
+    ----------
+    structure : Structure
+        Structure of the simulation.
+    motion : GroundMotion
+        Horizontal ground motion.
+    vertical : GroundMotion
+        Vertical ground motion.
+    impact : ImpactLaw
+        Impact law of the simulation; None for the default.
+    options : SolverOptions
+        Choices of the integration.
+    outcome : Outcome
+        How the motion ended.
+    duration : float
+        Duration asked for [s].
+    statistics : dict of str to object
+        Figures of the integration, such as "method", "steps" and "impact_law".
+    record : Steps or Samples
+        Every step, or samples, see `simulate`.
+    events : Events
+        Transitions between modes, of which `impacts` are the most asked for.
+    end : ndarray
+        Last state (N,).
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4, mass=300.0)  # m, kg
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
+    >>> run = rk.simulate(block, pulse)
+    >>> run["theta"].shape == run.t.shape
+    True
+    >>> round(run.extremes("left_uplift").peak, 3)  # m
+    0.022
+    >>> figure = run.plot()
     """
 
     structure: Structure
@@ -138,7 +173,7 @@ class Response:
 
     @property
     def impacts(self) -> Impacts:
-        """The impacts, in time order; `events` holds uplifts and other events, too.
+        """Impacts, in time order; `events` holds uplifts and other events, too.
 
         Each landing of contacts that may open and slide is one.
         """
@@ -153,7 +188,7 @@ class Response:
     def final_mode(self) -> str:
         """Name of the mode at the end.
 
-        With it and `final` a motion goes on; `impact` and `options` are those of its simulation.
+        With it and `final` a motion goes on; `impact` and `options` are those of its simulation::
 
             rk.simulate(run.structure, aftershock, initial=run.final, mode=run.final_mode)
         """
@@ -235,12 +270,36 @@ class Response:
     def at(
         self, times, side: str = "right", names: Sequence[str] | None = None
     ) -> dict[str, np.ndarray]:
-        """States at the given times [s], each with the shape of `times`, from the dense output.
+        """States, or other quantities, at any times, from the dense output.
 
-        side : "left" or "right", which one where a velocity jumps. names : of the states, or of
-        any other quantities of the response.
-        Raises ValueError for times outside the response and where only samples were kept, KeyError
-        for an unknown name.
+        Parameters
+        ----------
+        times : array_like
+            Times [s], any shape.
+        side : str, optional
+            "left" or "right", the side of a jump of a velocity.
+        names : sequence of str, optional
+            Names of states or of any other quantities of the response; all states if not given.
+
+        Returns
+        -------
+        dict of str to ndarray
+            Values by name, each in the shape of `times`.
+
+        Raises
+        ------
+        ValueError
+            For times outside the response and where only samples were kept.
+        KeyError
+            For an unknown name.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+        >>> run = rk.simulate(block, rk.GroundMotion.none(2.0), initial={"theta": 0.1})  # s, rad
+        >>> run.at([0.0, 0.1])["theta"].round(4)  # rad
+        array([0.1   , 0.0869])
         """
         self._quantities.steps("at")
         if side not in ("left", "right"):
@@ -257,14 +316,45 @@ class Response:
         return {name: values[name].reshape(times.shape) for name in names}
 
     def extremes(self, name: str) -> Extremes:
-        """Least and greatest value of any of `names`, found within the steps, and their times.
+        """Least and greatest value of a quantity, within the steps too, and their times.
 
-        They do not depend on `output_step`. Raises KeyError for an unknown name.
+        They do not depend on `output_step`.
+
+        Parameters
+        ----------
+        name : str
+            Any of `names`.
+
+        Returns
+        -------
+        Extremes
+            Extremes in the unit of the quantity.
+
+        Raises
+        ------
+        KeyError
+            For an unknown name.
         """
         return self.extremes_of([name])[name]
 
     def extremes_of(self, names: Sequence[str]) -> dict[str, Extremes]:
-        """`extremes` of several quantities, faster than one after the other."""
+        """`extremes` of several quantities, faster than one after the other.
+
+        Parameters
+        ----------
+        names : sequence of str
+            Names of the quantities.
+
+        Returns
+        -------
+        dict of str to Extremes
+            Extremes by name.
+
+        Raises
+        ------
+        KeyError
+            For an unknown name.
+        """
         return self._quantities.extremes_of(_listed(names))
 
     @cached_property
@@ -279,11 +369,20 @@ class Response:
         return Support(self._quantities, self.events, self._rows, overturned)
 
     def energy_balance(self) -> EnergyBalance:
-        """Works and losses by quadrature of the motion, and the energy of its states [J].
+        """Works and losses by quadrature of the motion, and the energy of its states.
 
-        The error measures the accuracy of the integration.
+        Returns
+        -------
+        EnergyBalance
+            Energies [J]. Their `error` measures the accuracy of the integration.
 
-        >>> run.energy_balance().error < 1e-9
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4, mass=300.0)  # m, kg
+        >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
+        >>> bool(rk.simulate(block, pulse).energy_balance().error < 1e-9)
+        True
         """
         return self._quantities.works.balance()
 
@@ -306,7 +405,13 @@ class Response:
         )
 
     def summary(self) -> str:
-        """The response in words."""
+        """Response in words.
+
+        Returns
+        -------
+        str
+            Text of several lines.
+        """
         m = self.structure.module
         rotation, unit = self.states[m.ROTATION], m.STATE_UNITS[m.ROTATION]
         largest = self.extremes(rotation)
@@ -364,18 +469,34 @@ class Response:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write all of the response to a file, from which `rk.load` makes the same one again.
 
-        path : of a netCDF-4 file, which is written whole or not at all; one that is there is
-        replaced. It takes the extra `files`, see the README.
+        Parameters
+        ----------
+        path : path_like
+            File of the format netCDF-4, which is written whole or not at all; one that is there is
+            replaced. It takes the extra `files`, see the README.
 
+        Raises
+        ------
+        TypeError
+            For a structure of a class of your own.
+        ModuleNotFoundError
+            Without the extra.
+        OSError
+            Where the file cannot be written.
+
+        Notes
+        -----
         Files hold numbers and names, no code. The file has the parameters and a hash of a structure
         that you declared: `rk.load` takes the declaration again. It has the name alone of an impact
         law of your own, and a warning says so; only going on needs the law.
 
-        Raises TypeError for a structure of a class of your own, ModuleNotFoundError without the
-        extra, and OSError where the file cannot be written.
-
-            run.save("block.nc")
-            run = rk.load("block.nc")
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+        >>> run = rk.simulate(block, rk.GroundMotion.none(2.0), initial={"theta": 0.1})  # s, rad
+        >>> run.save("block.nc")  # doctest: +SKIP
+        >>> run = rk.load("block.nc")  # doctest: +SKIP
         """
         from rockeom.simulation.saved import save  # xarray
 
@@ -384,12 +505,30 @@ class Response:
     def to_xarray(self, names: Sequence[str] | None = None, times: Any = None) -> xr.Dataset:
         """Quantities over "time" and impacts over "impact", each with its unit and its long name.
 
-        names : of the quantities, the states if not given. times (n,) : [s], by the dense record;
-        if not given those of the samples, which have the instant of a jump twice.
+        Parameters
+        ----------
+        names : sequence of str, optional
+            Names of the quantities; the states if not given.
+        times : array_like, optional
+            Times (n,) [s], by the dense record; if not given those of the samples, which have the
+            instant of a jump twice.
 
-        `mode` is the name of the mode; impact_time [s], impact_contact, and states and mode before
-        and after each impact, such as theta_dot_before. Raises KeyError for an unknown name, and
-        ValueError for times outside the response.
+        Returns
+        -------
+        xarray.Dataset
+            Dataset. `mode` is the name of the mode; impact_time [s], impact_contact, and states and
+            mode before and after each impact, such as theta_dot_before.
+
+        Raises
+        ------
+        KeyError
+            For an unknown name.
+        ValueError
+            For times outside the response.
+
+        Examples
+        --------
+        With a response `run`::
 
             run.to_xarray(["theta", "displacement"]).theta.plot()
         """
@@ -400,9 +539,32 @@ class Response:
         return table.assign(over_impacts(self.impacts, units))
 
     def to_dataframe(self, names: Sequence[str] | None = None, times: Any = None) -> pd.DataFrame:
-        """Quantities and the mode, a column each, over the time [s]; arguments as `to_xarray`.
+        """Quantities and the mode, a column each, over the time.
 
-        run.to_dataframe(times=np.arange(0, 5, 0.01)).to_csv("block.csv")
+        Parameters
+        ----------
+        names : sequence of str, optional
+            Names of the quantities; the states if not given.
+        times : array_like, optional
+            Times (n,) [s], by the dense record; those of the samples if not given.
+
+        Returns
+        -------
+        pandas.DataFrame
+            Table over the time [s].
+
+        Raises
+        ------
+        KeyError
+            For an unknown name.
+        ValueError
+            For times outside the response.
+
+        Examples
+        --------
+        With a response `run`::
+
+            run.to_dataframe(times=np.arange(0, 5, 0.01)).to_csv("block.csv")
         """
         return self._over_time(names, times).to_dataframe()
 
@@ -428,36 +590,58 @@ class Response:
         )
 
     def plot(self, *names: str, **kwargs):
-        """A figure of rotation, displacement, uplift and impacts, or of the quantities named.
+        """Draw rotation, displacement, uplift and impacts, or the quantities named.
+
+        Parameters
+        ----------
+        *names : str
+            Names of quantities, a row each; or all in the axes `ax`, where these are given.
+        **kwargs : object
+            Further arguments of `rockeom.plots.plot_response`.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            Figure.
+
+        Raises
+        ------
+        KeyError
+            For an unknown name.
+
+        Examples
+        --------
+        With a response `run`::
 
             run.plot()
             run.plot("theta", "left_uplift")
             run.plot("theta", ax=axes)
-
-        names : of quantities, a row each; or all in `ax`, of matplotlib, where one is given.
-        Others as in `rockeom.plots.plot_response`.
         """
-        from rockeom.drawing.response import plot_response  # matplotlib
-
-        return plot_response(self, *names, **kwargs)
+        return picture("plot_response", self, *names, **kwargs)
 
     def animate(self, path=None, **kwargs):
-        """The motion drawn to scale, frame by frame: a .gif, .html or .mp4 file, or in Jupyter.
+        """Draw the motion to scale, frame by frame: a .gif, .html or .mp4 file, or in Jupyter.
 
-        path : of the file, if one is wanted. Others as in `rockeom.plots.animate`.
+        Parameters
+        ----------
+        path : path_like, optional
+            File, if one is wanted.
+        **kwargs : object
+            Further arguments of `rockeom.plots.animate`.
+
+        Returns
+        -------
+        Animation
+            Animation, which Jupyter shows.
         """
-        from rockeom.drawing.animation import animate  # matplotlib
-
-        return animate(self, path, **kwargs)
+        return picture("animate", self, path, **kwargs)
 
     def _ipython_key_completions_(self) -> list[str]:
         """Names that IPython offers after `run["`."""
         return list(self.names)
 
     def _repr_html_(self) -> str:
-        from rockeom.drawing.notebook import page_of_response  # matplotlib
-
-        return page_of_response(self)
+        return picture("page_of_response", self)
 
     def __repr__(self) -> str:
         return f"<Response: {self.outcome}, {self.duration:.6g} s, {self.impacts.describe()}>"

@@ -51,25 +51,71 @@ def simulate(
     options: SolverOptions | None = None,
     keep: str = "all",
 ) -> Response:
-    """Response of a structure to a horizontal (and a vertical) ground motion.
+    """Simulate a structure under a horizontal (and a vertical) ground motion.
 
-    structure : what is shaken; or a `Case`, which has all but `options` and `keep`.
-    motion : the horizontal one, or a recording with one horizontal component, which brings its
-        vertical one along. vertical : the vertical one.
-    impact : Impulsive(), EnergyRatio(r), VelocityRatio(e), AngularMomentum() or another impact law;
-        `structure.default_impact` if not given. `statistics["impact_law"]` of the response has it.
-    initial : states by name; others are zero.
-    duration : [s]; the motion's own if not given. After the motion the ground stands still.
-    mode : at the start, where the state leaves it open.
-    keep : "all", the polynomials of every step, from which all follows at any time: 24 + 64 N bytes
-        a step, of N states. "samples", for records of hours: the states every `output_step` of the
+    Parameters
+    ----------
+    structure : Structure or Case
+        Structure that is shaken; or a `Case`, which has all but `options` and `keep`.
+    motion : GroundMotion or Recording, optional
+        Horizontal ground motion, or a recording with one horizontal component, which brings its
+        vertical one along.
+    impact : ImpactLaw, optional
+        Impact law: Impulsive(), EnergyRatio(r), VelocityRatio(e), AngularMomentum() or another one;
+        `Structure.default_impact` if not given. ``statistics["impact_law"]`` of the response has
+        it.
+    initial : dict of str to float, optional
+        Values of states by name [rad, m, rad/s, m/s]; others are zero. An angle may be named in
+        degrees: ``{"theta_degrees": 5}``.
+    duration : float, optional
+        Duration [s]; the motion's own if not given. After the motion the ground stands still.
+    vertical : GroundMotion, optional
+        Vertical ground motion.
+    mode : str, optional
+        Name of the mode at the start, where the state leaves it open.
+    options : SolverOptions, optional
+        Choices of the integration; the defaults if not given.
+    keep : str, optional
+        "all", the polynomials of every step, from which all follows at any time: 24 + 64 N bytes a
+        step, of N states. "samples", for records of hours: the states every `output_step` of the
         options and on both sides of every event, and the extremes of states, energies, forces and
-        displacements, which are found while the motion runs: some .1 ms a step, of which a line on
-        stderr tells from 100,000 steps on. Whatever needs the steps then raises
-        ValueError: `at`, works and other extremes, `support`.
+        displacements, which are evaluated while the motion runs: some .1 ms a step, as a line on
+        stderr says from 100,000 steps on. Whatever needs the steps then raises ValueError:
+        `Response.at`, works and other extremes, `Response.support`.
 
-    Raises ValueError for states that are unknown, not finite or already fallen over, and TypeError
-    for an argument of the wrong kind.
+    Returns
+    -------
+    Response
+        Motion as sampled and at any time, with its events, extremes and outcome.
+
+    Raises
+    ------
+    ValueError
+        For states that are unknown, not finite or already fallen over.
+    TypeError
+        For an argument of the wrong kind.
+
+    See Also
+    --------
+    simulate_many : Many motions at once, over the values of parameters.
+    sensitivity : Derivatives of peaks and other results by parameters.
+
+    Notes
+    -----
+    The motion is integrated through every impact: each event is located on the polynomial of its
+    step, and the impact map of the structure gives the state after it. Impacts that follow one
+    another ever faster end in rest by their closed-form sum.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4, mass=300.0)  # m, kg
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
+    >>> run = rk.simulate(block, pulse, impact=rk.VelocityRatio(0.9), initial={"theta": 0.01})
+    >>> print(run.outcome)
+    completed
+    >>> print(f"{run.extremes('theta').peak:.4f} rad")
+    0.1423 rad
     """
     if keep not in KEEP:
         raise ValueError(f"keep is {described(keep)}: choose {' or '.join(map(repr, KEEP))}")

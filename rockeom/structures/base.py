@@ -12,18 +12,19 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, cast
 import numpy as np
 
 from rockeom.codes import IMPACT
-from rockeom.drawing.positions import Shapes, places, positions_of, rotations_of, shapes
 from rockeom.integrator.schema import GeneratedModule, has_landings, name_of_law
-from rockeom.integrator.transitions.declared import velocity_ratio_at
+from rockeom.integrator.transitions.restitution import velocity_ratio_at
 from rockeom.numbers import explained
 from rockeom.numbers.checks import near, number, numbers
 from rockeom.numbers.dual import value_of
 from rockeom.numbers.functions import for_arrays, isfinite
+from rockeom.numbers.pictures import picture
 from rockeom.structures import declared_modes, evaluation, linearised, modal, plausible, statics
 from rockeom.structures.impact_laws import ImpactLaw, TabulatedLaw, check_law, default_law
 from rockeom.structures.modes import modes_of
 from rockeom.structures.parameters import SYNONYMS, named_states
 from rockeom.structures.pickled import made_of
+from rockeom.structures.positions import Shapes, places, positions_of, rotations_of, shapes
 
 
 def generated_module(name: str) -> GeneratedModule:
@@ -32,11 +33,11 @@ def generated_module(name: str) -> GeneratedModule:
 
 
 class Structure(metaclass=explained.Constructors):
-    """A rocking structure with its parameters.
+    """Rocking structure with its parameters.
 
-    Methods take a state as a mapping of state names; what is not named is zero. An angle may be
-    named in degrees: `{"theta_degrees": 5}`. The mode follows from the state, or is named by
-    `mode`.
+    Methods take a state as a mapping of state names to values; states that are not named are zero.
+    An angle may be named in degrees: ``{"theta_degrees": 5}``. The mode follows from the state, or
+    is named by `mode`.
     """
 
     model: ClassVar[str] = ""
@@ -50,18 +51,38 @@ class Structure(metaclass=explained.Constructors):
     # -- given by a subclass --------------------------------------------------------------
 
     def parameters(self) -> dict[str, float]:
-        """The parameters of the model, by name, in SI units."""
+        """Parameters of the model, by name, in SI units.
+
+        Returns
+        -------
+        dict of str to float
+            Values by name.
+        """
         raise NotImplementedError
 
     @classmethod
     def defaults(cls) -> dict[str, Any]:
-        """The names that the class takes, each with its default; `dataclasses.MISSING` for none."""
+        """Names of the arguments of the class, each with its default.
+
+        Returns
+        -------
+        dict of str to object
+            Defaults by name; ``dataclasses.MISSING`` for none.
+        """
         return {f.name: f.default for f in dataclasses.fields(cls)}  # type: ignore[arg-type]
 
     def parameter_at(self, path: tuple[Any, ...]) -> str:
-        """The parameter of the equations that a number of the structure is; "" where none is.
+        """Parameter of the equations that a number of the structure is.
 
-        path : the name of an attribute; behind it the place in a list, or an attribute of that.
+        Parameters
+        ----------
+        path : tuple
+            Name of an attribute; behind it the place in a list, or an attribute of that.
+
+        Returns
+        -------
+        str
+            Name of the parameter; "" where none is.
         """
         (name, *inside) = path
         if inside:
@@ -74,9 +95,7 @@ class Structure(metaclass=explained.Constructors):
         return generated_module(self.model)
 
     def _repr_html_(self) -> str:
-        from rockeom.drawing.notebook import page_of_structure  # matplotlib
-
-        return page_of_structure(self)
+        return picture("page_of_structure", self)
 
     if not TYPE_CHECKING:  # for type checkers an unknown attribute stays an error
 
@@ -93,7 +112,18 @@ class Structure(metaclass=explained.Constructors):
         return self.module_for(parameters).prepare(parameters)
 
     def module_for(self, *arrays: np.ndarray) -> Any:
-        """The generated module, for compounds where arrays hold such."""
+        """Generated module, for compounds where arrays hold such.
+
+        Parameters
+        ----------
+        *arrays : ndarray
+            Arrays of numbers, or of compounds such as duals.
+
+        Returns
+        -------
+        module
+            Generated module.
+        """
         return for_arrays(self.module, *arrays)
 
     @property
@@ -144,15 +174,15 @@ class Structure(metaclass=explained.Constructors):
 
     @functools.cached_property
     def velocity_ratio(self) -> float:
-        """Ratio of the angular velocities at an impact of the structure taken as rigid, 5-14.
+        """Ratio of the angular velocities at an impact of the rigid structure, 5-14.
 
-        nan where each foot has its own, see `OffsetBlock`.
+        NaN where each foot has its own, see `OffsetBlock`.
         """
         return number("velocity_ratio", self.module_for(self.vector).velocity_ratio(self.vector))
 
     @functools.cached_property
     def fastest_damping(self) -> float:
-        """A rate that no decay of small motion exceeds where springs push back [1/s].
+        """Rate that no decay of small motion exceeds where springs push back [1/s].
 
         It costs less than `small_motion`: small where little is damped.
         """
@@ -160,17 +190,32 @@ class Structure(metaclass=explained.Constructors):
 
     @functools.cached_property
     def small_motion(self) -> tuple[float, float]:
-        """(motion, decay) the fastest rates of small motion at rest in any mode [1/s].
+        """Fastest rates (motion, decay) of small motion at rest in any mode [1/s].
 
-        Eigenvalues of the linearised equations: decay is the largest of those that die out within
-        a radian, motion the largest of the others, which vibrate or grow.
+        Eigenvalues of the linearised equations: decay is the largest of those that die out within a
+        radian, motion the largest of the others, which vibrate or grow.
         """
         return linearised.fastest_rates(self.module, self.vector)
 
     def state(self, values: Mapping[str, float]) -> np.ndarray:
-        """(N,) state vector of named values.
+        """State vector of named values.
 
-        Raises ValueError for unknown names or NaN, and TypeError for what is no mapping of numbers.
+        Parameters
+        ----------
+        values : dict of str to float
+            Values of states by name; others are zero.
+
+        Returns
+        -------
+        ndarray
+            State (N,).
+
+        Raises
+        ------
+        ValueError
+            For unknown names or NaN.
+        TypeError
+            For anything but a mapping to numbers.
         """
         values = named_states("state", values, self.module)
         unknown = [n for n in values if n not in self.states]
@@ -191,9 +236,25 @@ class Structure(metaclass=explained.Constructors):
     ) -> int:
         """Number of the mode of a state vector, or of the mode named.
 
-        towards : gives the sign of the rotation to come where the state is upright and at rest.
+        Parameters
+        ----------
+        y : ndarray
+            State (N,).
+        mode : str, optional
+            Name of the mode; by default it follows from the state.
+        towards : callable, optional
+            Function that gives the sign of the rotation to come where the state is upright and at
+            rest.
 
-        Raises ValueError for a state that fits no mode, or not the mode named.
+        Returns
+        -------
+        int
+            Number of the mode.
+
+        Raises
+        ------
+        ValueError
+            For a state that fits no mode, or not the mode named.
         """
         m, y = self.module, value_of(y)  # which mode it is has no derivative
         if mode is not None:
@@ -214,15 +275,41 @@ class Structure(metaclass=explained.Constructors):
         vertical_ground_acceleration: Any = 0.0,
         mode: str | None = None,
     ) -> dict[str, Any]:
-        """Accelerations of the coordinates, by name [unit of the coordinate per s2].
+        """Accelerations of the coordinates.
 
-        A state may hold arrays, as the accelerations of the ground [m/s2], of one shape or for
-        NumPy to make of one; the result has that shape. Where contacts may slide and open, and
-        no mode is named, the mode is that which the forces lead to: a block at rest
-        slides under an acceleration that its friction cannot hold. Raises ValueError where they
-        fit none, or several (Painleve).
+        A state may hold arrays, as the accelerations of the ground, of one shape or for NumPy to
+        make of one.
 
-        >>> block.accelerations({"theta": np.linspace(0.0, 0.1, 11)}, ground_acceleration=3.0)
+        Parameters
+        ----------
+        state : dict of str to float or ndarray
+            Values of states by name; others are zero.
+        ground_acceleration : float or ndarray, optional
+            Horizontal acceleration of the ground [m/s2].
+        vertical_ground_acceleration : float or ndarray, optional
+            Vertical acceleration of the ground, upwards [m/s2].
+        mode : str, optional
+            Name of the mode; by default it follows from the state. Where contacts may slide and
+            open it is then the one that the forces lead to: a block at rest slides under an
+            acceleration that its friction cannot hold.
+
+        Returns
+        -------
+        dict of str to float or ndarray
+            Accelerations by the name of the coordinate [unit of the coordinate per s2], in the
+            shape of the arrays.
+
+        Raises
+        ------
+        ValueError
+            Where the forces fit no mode, or several (Painleve), and for unknown states.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+        >>> block.accelerations({"theta": 0.05}, ground_acceleration=2.0)["theta"]  # rad/s2
+        -7.0264...
         """
         at = self._at(state, mode, ground_acceleration, vertical_ground_acceleration)
         m, p = self.module, self.vector
@@ -237,9 +324,30 @@ class Structure(metaclass=explained.Constructors):
         vertical_ground_acceleration: Any = 0.0,
         mode: str | None = None,
     ) -> dict[str, np.ndarray]:
-        """Accelerations (..., 2) of the places of `positions`, with the ground's, by name [m/s2].
+        """Accelerations of the places of `positions`, with the ground's.
 
-        The arguments are those of `accelerations`; of a motion see `run.places`.
+        Those of a motion are in ``run.places``.
+
+        Parameters
+        ----------
+        state : dict of str to float or ndarray
+            Values of states by name; others are zero.
+        ground_acceleration : float or ndarray, optional
+            Horizontal acceleration of the ground [m/s2].
+        vertical_ground_acceleration : float or ndarray, optional
+            Vertical acceleration of the ground, upwards [m/s2].
+        mode : str, optional
+            Name of the mode, as for `accelerations`.
+
+        Returns
+        -------
+        dict of str to ndarray
+            Accelerations (..., 2) to the right and up by name [m/s2].
+
+        Raises
+        ------
+        ValueError
+            As `accelerations`.
         """
         at = self._at(state, mode, ground_acceleration, vertical_ground_acceleration)
         values = evaluation.accelerations(self.module, self.vector, at.modes, at.y, *at.ground)
@@ -248,9 +356,33 @@ class Structure(metaclass=explained.Constructors):
     def velocities(
         self, state: Mapping[str, Any], mode: str | None = None
     ) -> dict[str, np.ndarray]:
-        """Velocities (..., 2) of the places of `positions`, by name [m/s], relative to the ground.
+        """Velocities of the places of `positions`, relative to the ground.
 
-        `run.places` gives those of a motion.
+        Those of a motion are in ``run.places``.
+
+        Parameters
+        ----------
+        state : dict of str to float or ndarray
+            Values of states by name; others are zero.
+        mode : str, optional
+            Name of the mode; by default it follows from the state.
+
+        Returns
+        -------
+        dict of str to ndarray
+            Velocities (..., 2) to the right and up by name [m/s].
+
+        Raises
+        ------
+        ValueError
+            For unknown states.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+        >>> block.velocities({"theta": 0.1, "theta_dot": 0.5})["block"].round(3)  # m/s
+        array([0.204, 0.03 ])
         """
         at = self._at(state, mode)
         values = evaluation.velocities(self.module, self.vector, at.modes, at.y)
@@ -263,11 +395,39 @@ class Structure(metaclass=explained.Constructors):
         impact: ImpactLaw | None = None,
         impact_number: int = 0,
     ) -> tuple[dict[str, float], str]:
-        """State after the impact that ends `mode`, and the mode that follows.
+        """State after the impact that ends a mode, and the mode that follows.
 
-        impact : `default_impact` if not given. impact_number : of the impact in its motion, from 0
-        on, for an impact law that draws.
-        Raises ValueError where the model has no impact in that mode.
+        Parameters
+        ----------
+        state : dict of str to float
+            Values of states before the impact by name; others are zero.
+        mode : str
+            Name of the mode before the impact.
+        impact : ImpactLaw, optional
+            Impact law; `default_impact` if not given.
+        impact_number : int, optional
+            Number of the impact in its motion, from 0 on, for an impact law that draws.
+
+        Returns
+        -------
+        after : dict of str to float
+            States after the impact by name.
+        mode : str
+            Name of the mode that follows.
+
+        Raises
+        ------
+        ValueError
+            Where the model has no impact in that mode.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+        >>> law = rk.VelocityRatio(0.9)
+        >>> after, mode = block.after_impact({"theta_dot": -0.5}, mode="right", impact=law)  # rad/s
+        >>> after["theta_dot"], mode
+        (-0.45, 'left')
         """
         m, p = self.module, self.vector
         if self.has_landings:
@@ -287,10 +447,26 @@ class Structure(metaclass=explained.Constructors):
         return dict(zip(self.states, out.tolist(), strict=True)), m.MODES[follows]
 
     def law(self, impact: ImpactLaw | None) -> tuple[int, float]:
-        """(code, ratio) of an impact law for the compiled functions; None is `default_impact`.
+        """Impact law for the compiled functions.
 
-        ratio : of the angular velocities after and before an impact. Raises ValueError where a law
-        is given to a model without impacts, and TypeError for anything but an impact law.
+        Parameters
+        ----------
+        impact : ImpactLaw
+            Impact law; None is `default_impact`.
+
+        Returns
+        -------
+        code : int
+            Code of the law.
+        ratio : float
+            Ratio of the angular velocities after and before an impact.
+
+        Raises
+        ------
+        ValueError
+            Where a law is given to a model without impacts.
+        TypeError
+            For anything but an impact law.
         """
         m = self.module
         if not self.has_impacts:
@@ -317,7 +493,7 @@ class Structure(metaclass=explained.Constructors):
 
     @property
     def default_impact(self) -> ImpactLaw | None:
-        """The impact law where none is named; None for a structure that takes no impact law.
+        """Impact law where none is named; None for a structure that takes no impact law.
 
         `Impulsive` where something besides the rotation moves at an impact, such as a column that
         bends, and the masses determine the impulses; `AngularMomentum` otherwise.
@@ -325,9 +501,18 @@ class Structure(metaclass=explained.Constructors):
         return default_law(self.module) if self.has_impacts else None
 
     def describe_impact(self, impact: ImpactLaw | None) -> str:
-        """The impact law in words, and whether it is the default; empty where none applies.
+        """Impact law in words, and whether it is the default.
 
-        That of contacts is their law's name, see `rockeom.symbolic.Rigid`; empty for Newton's.
+        Parameters
+        ----------
+        impact : ImpactLaw
+            Impact law; None is `default_impact`.
+
+        Returns
+        -------
+        str
+            Text; empty where none applies. That of contacts is their law's name, see
+            `rockeom.symbolic.Rigid`; empty for Newton's.
         """
         if not self.has_impacts:
             return name_of_law(self.module)
@@ -339,14 +524,25 @@ class Structure(metaclass=explained.Constructors):
         return None
 
     def impact_table(self, impact: ImpactLaw | None) -> list[float]:
-        """The table of an impact law, which the compiled loop reads behind the parameters."""
+        """Table of an impact law, which the compiled loop reads behind the parameters.
+
+        Parameters
+        ----------
+        impact : ImpactLaw
+            Impact law; None is `default_impact`.
+
+        Returns
+        -------
+        list of float
+            Numbers of the table.
+        """
         if isinstance(impact, TabulatedLaw) and impact.table_needed and self.has_impacts:
             return impact.table(self).numbers()
         return []
 
     @property
     def rocking_inertia(self) -> float:
-        """Moment of inertia with which an impact finds the structure rocking [kg m2].
+        """Moment of inertia of the structure that rocks at an impact [kg m2].
 
         Twice the kinetic energy upright on one foot, turning by 1 rad/s, the other rates zero.
         Raises TypeError for a structure whose rotation is no angle in time.
@@ -364,9 +560,34 @@ class Structure(metaclass=explained.Constructors):
         return 2.0 * out[m.ENERGIES.index("kinetic_energy")]
 
     def energies(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, Any]:
-        """Kinetic, gravitational and elastic energy [J]; heights count from the ground.
+        """Kinetic, gravitational and elastic energy; heights count from the ground.
 
         A state may hold arrays, of one shape or for NumPy to make of one; so has the result.
+
+        Parameters
+        ----------
+        state : dict of str to float or ndarray
+            Values of states by name; others are zero.
+        mode : str, optional
+            Name of the mode; by default it follows from the state.
+
+        Returns
+        -------
+        dict of str to float or ndarray
+            "kinetic_energy", "gravitational_energy" and "elastic_energy" [J].
+
+        Raises
+        ------
+        ValueError
+            For unknown states.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4, mass=300.0)  # m, kg
+        >>> energies = block.energies({"theta": 0.05, "theta_dot": 0.2})  # rad, rad/s
+        >>> round(energies["kinetic_energy"], 3)  # J
+        1.36
         """
         at = self._at(state, mode)
         return at.shaped(self._values("energies", at))
@@ -378,34 +599,121 @@ class Structure(metaclass=explained.Constructors):
         vertical_ground_acceleration: Any = 0.0,
         mode: str | None = None,
     ) -> dict[str, Any]:
-        """Horizontal force, and vertical force at each foot [N], of the ground on the structure.
+        """Horizontal force, and vertical force at each foot, of the ground on the structure.
 
-        In full contact the horizontal force is the sum over both feet. The arguments are those of
-        `accelerations`.
+        In full contact the horizontal force is the sum over both feet.
+
+        Parameters
+        ----------
+        state : dict of str to float or ndarray
+            Values of states by name; others are zero.
+        ground_acceleration : float or ndarray, optional
+            Horizontal acceleration of the ground [m/s2].
+        vertical_ground_acceleration : float or ndarray, optional
+            Vertical acceleration of the ground, upwards [m/s2].
+        mode : str, optional
+            Name of the mode, as for `accelerations`.
+
+        Returns
+        -------
+        dict of str to float or ndarray
+            Forces by name [N].
+
+        Raises
+        ------
+        ValueError
+            As `accelerations`.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4, mass=300.0)  # m, kg
+        >>> forces = block.reactions({"theta": 0.05}, ground_acceleration=2.0)  # N
+        >>> forces["left_reaction"]
+        0.0
         """
         at = self._at(state, mode, ground_acceleration, vertical_ground_acceleration)
         return at.shaped(self._values("reactions", at))
 
     def elements(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, Any]:
-        """Deformation [m], force [N] and stored energy [J] of each spring, damper and tendon.
+        """Deformation, force and stored energy of each spring, damper and tendon.
 
-        By name, such as "storey_1_force". The deformation of an element that is pressed or
-        shortened is positive where it was declared so. The arguments are those of `energies`.
+        Parameters
+        ----------
+        state : dict of str to float or ndarray
+            Values of states by name; others are zero.
+        mode : str, optional
+            Name of the mode; by default it follows from the state.
+
+        Returns
+        -------
+        dict of str to float or ndarray
+            Deformations [m], forces [N] and energies [J] by name, such as "storey_1_force". The
+            deformation of an element that is pressed or shortened is positive where it was declared
+            so.
+
+        Raises
+        ------
+        ValueError
+            For unknown states.
         """
         at = self._at(state, mode)
         return at.shaped(evaluation.elements(self.module, self.vector, at.modes, at.y))
 
     def positions(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, np.ndarray]:
-        """Places (..., 2) of bodies, feet and the load point, by name [m].
+        """Places of bodies, feet and the load point.
 
-        x to the right and y upwards, in axes that move with the ground, from the origin of the
-        declaration: the middle between the feet at rest, of shipped structures. A state may hold
-        arrays, of one shape or for NumPy to make of one. `run.places` gives those of a motion.
+        Those of a motion are in ``run.places``. A state may hold arrays, of one shape or for NumPy
+        to make of one.
+
+        Parameters
+        ----------
+        state : dict of str to float or ndarray
+            Values of states by name; others are zero.
+        mode : str, optional
+            Name of the mode; by default it follows from the state.
+
+        Returns
+        -------
+        dict of str to ndarray
+            Places (..., 2) by name [m]: x to the right and y upwards, in axes that move with the
+            ground, from the origin of the declaration: the middle between the feet at rest, for
+            shipped structures.
+
+        Raises
+        ------
+        ValueError
+            For unknown states.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+        >>> block.positions({"theta": 0.1})["block"].round(3)  # m
+        array([0.04 , 0.408])
         """
         return positions_of(self.module, self._places(state, mode))
 
     def rotations(self, state: Mapping[str, Any], mode: str | None = None) -> dict[str, np.ndarray]:
-        """Angles (...) through which the bodies have turned, by name, clockwise [rad]."""
+        """Angles through which the bodies have turned.
+
+        Parameters
+        ----------
+        state : dict of str to float or ndarray
+            Values of states by name; others are zero.
+        mode : str, optional
+            Name of the mode; by default it follows from the state.
+
+        Returns
+        -------
+        dict of str to ndarray
+            Angles (...) by name, clockwise [rad].
+
+        Raises
+        ------
+        ValueError
+            For unknown states.
+        """
         return rotations_of(self.module, self._places(state, mode))
 
     def _places(self, state: Mapping[str, Any], mode: str | None) -> np.ndarray:
@@ -446,14 +754,21 @@ class Structure(metaclass=explained.Constructors):
         """Least horizontal ground acceleration, either way, at which a foot lifts [m/s2].
 
         The structure is in equilibrium under it: a column has bent under an acceleration that grew
-        slowly, and may lift earlier when it vibrates. For a block it is g tan(alpha). inf if
-        none lifts it; None unless the structure stands on rigid ground.
+        slowly, and may lift earlier when it vibrates. For a block it is g tan(alpha). inf if none
+        lifts it; None unless the structure stands on rigid ground.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+        >>> round(block.uplift_acceleration, 4)  # m/s2, g tan(alpha)
+        2.4525
         """
         return None if self.uplift_accelerations is None else min(self.uplift_accelerations)
 
     @functools.cached_property
     def uplift_accelerations(self) -> tuple[float, float] | None:
-        """(left, right) sizes of the ground accelerations at which it starts to lean there [m/s2].
+        """Sizes (left, right) of the ground accelerations at which it starts to lean there [m/s2].
 
         To the left it leans under an acceleration of the ground to the right, and the other way
         round. They differ where the centroid is off the middle; the lesser one is
@@ -465,11 +780,11 @@ class Structure(metaclass=explained.Constructors):
 
     @functools.cached_property
     def overturning_angles(self) -> tuple[float, float] | None:
-        """(left, right) rotations beyond which it does not come back by itself, in their unit.
+        """Rotations (left, right) beyond which it does not come back by itself, in their unit.
 
-        alpha of a block on both sides; of others the rotation at which the force of `pushover`
-        has fallen to zero, inf where it has not up to `overturning_rotation`. None where contacts
-        may open otherwise than by rocking, nan where no equilibrium was found.
+        alpha of a block on both sides; of others the rotation at which the force of `pushover` has
+        fallen to zero, inf where it has not up to `overturning_rotation`. None where contacts may
+        open otherwise than by rocking, NaN where there is no equilibrium.
         """
         if not self.has_overturning_angles:
             return None
@@ -485,19 +800,36 @@ class Structure(metaclass=explained.Constructors):
         return getattr(self, "alpha", None)
 
     def hints(self) -> tuple[str, ...]:
-        """Questions about parameters that are allowed and hardly meant, a sentence each."""
+        """Questions about parameters that are allowed and hardly meant.
+
+        Returns
+        -------
+        tuple of str
+            A sentence each.
+        """
         m, p = self.module, self.vector
         return plausible.parameters(m, p) if p.dtype == float else ()
 
     def fixed_base(self) -> FixedBase:
-        """The same structure with feet that cannot lift, with its periods.
+        """Same structure with feet that cannot lift, with its periods.
 
         It is simulated as any other, and has the same energies, forces and displacements.
 
-        Raises ValueError for a structure without full contact on rigid ground, and for a rigid
-        one, which has no degree of freedom left.
+        Returns
+        -------
+        FixedBase
+            Structure on a fixed base.
 
-        >>> column = FlexibleStructure(
+        Raises
+        ------
+        ValueError
+            For a structure without full contact on rigid ground, and for a rigid one, which has no
+            degree of freedom left.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> column = rk.FlexibleStructure(
         ...     mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1,
         ...     base_inertia=1.37, half_width=0.285, stiffness=571.8e3, damping=502.4,
         ... )
@@ -507,19 +839,52 @@ class Structure(metaclass=explained.Constructors):
         return FixedBase(self)
 
     def equilibrium(self, rotation: float) -> tuple[float, np.ndarray]:
-        """(force, state) at rest under the force at the load point that holds a rotation [N].
+        """State at rest under the force at the load point that holds a rotation.
 
-        The state is a vector (N,) in the order of `states`. Raises ValueError where no equilibrium
-        was found.
+        Parameters
+        ----------
+        rotation : float
+            Rotation [rad].
+
+        Returns
+        -------
+        force : float
+            Force at the load point [N].
+        state : ndarray
+            State (N,) in the order of `states`.
+
+        Raises
+        ------
+        ValueError
+            Where there is no equilibrium.
         """
         return modes_of(self.module).equilibrium(self.module, self.vector, rotation)
 
     def pushover(self, rotations) -> np.ndarray:
-        """Horizontal force at the load point that holds the structure at each rotation [N].
+        """Horizontal force at the load point that holds the structure at rotations.
 
-        rotations : any shape [rad]; the other coordinates are in equilibrium. At zero rotation
-        of a structure on rigid ground this is the force at which it lifts to the right.
-        Raises ValueError where no equilibrium was found.
+        Parameters
+        ----------
+        rotations : array_like
+            Rotations [rad], any shape; the other coordinates are in equilibrium.
+
+        Returns
+        -------
+        ndarray
+            Force [N], in the shape of the rotations. At zero rotation of a structure on rigid
+            ground it is the force at which the structure lifts to the right.
+
+        Raises
+        ------
+        ValueError
+            Where there is no equilibrium.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4, mass=300.0)  # m, kg
+        >>> block.pushover([0.0, 0.1, 0.2]).round(0)  # N, at the centroid
+        array([736., 430., 132.])
         """
         return statics.pushover(self.equilibrium, rotations)
 

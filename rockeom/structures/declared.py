@@ -118,7 +118,13 @@ class StructureWithFields(Structure):
 
     @classmethod
     def units(cls) -> dict[str, str]:
-        """Units of the arguments, by name."""
+        """Units of the arguments.
+
+        Returns
+        -------
+        dict of str to str
+            Units by name.
+        """
         m = generated_module(cls.model)
         rows = zip(m.PARAMETERS, m.PARAMETER_UNITS, strict=True)
         return {cls.arguments.get(name, name): unit for name, unit in rows}
@@ -135,7 +141,18 @@ class StructureWithFields(Structure):
 
     @classmethod
     def complete(cls, values: dict[str, Any]) -> dict[str, Any]:
-        """The arguments of the fields, by those that the constructor is given."""
+        """Arguments of the fields, by those of the constructor.
+
+        Parameters
+        ----------
+        values : dict of str to object
+            Arguments of the constructor by name.
+
+        Returns
+        -------
+        dict of str to object
+            Arguments of the fields by name.
+        """
         return values
 
     def parameters(self) -> dict[str, float]:
@@ -228,12 +245,12 @@ def class_of(module: Any) -> type[DeclaredStructure]:
     """The class of the structures of a generated module."""
     rows = zip(module.PARAMETERS, module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True)
     title = (module.__doc__ or "").partition("\n")[0]
-    described = "\n".join(f"{name} : {meaning} [{unit}]" for name, unit, meaning in rows)
+    described = "\n".join(f"{name} : float\n    {meaning} [{unit}]" for name, unit, meaning in rows)
     return type(
         module.CLASS,
         (DeclaredStructure,),
         {
-            "__doc__": f"{title}\n\n{described}\n",
+            "__doc__": f"{title}\n\nParameters\n----------\n{described}\n",
             "__module__": __name__,
             "model": module.NAME,
             "module": module,

@@ -20,7 +20,7 @@ import numpy as np
 
 from rockeom.codes import IMPULSIVE, RATIO, TABULATED, UNEVEN
 from rockeom.integrator.schema import GeneratedModule
-from rockeom.integrator.transitions.declared import tabulated_energy_ratio
+from rockeom.integrator.transitions.restitution import tabulated_energy_ratio
 from rockeom.numbers import explained
 from rockeom.numbers.checks import described, is_number, number, numbers
 from rockeom.numbers.functions import isfinite, mathematics
@@ -30,10 +30,28 @@ class ImpactLaw(Protocol):
     """The velocities after an impact, by those before."""
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
-        """(code, e) for the compiled loop: one of `rockeom.codes`, and the ratio of velocities.
+        """Code and ratio of the law for the compiled functions.
 
-        velocity_ratio : e of the structure taken as rigid. has_impulsive : whether its masses
-        determine the impulses. name : of its model.
+        Parameters
+        ----------
+        velocity_ratio : float
+            Ratio of the angular velocities by the angular momentum of the rigid structure.
+        has_impulsive : bool
+            Whether the structure has the impulsive form.
+        name : str
+            Name of the structure.
+
+        Returns
+        -------
+        code : int
+            Code of the law.
+        ratio : float
+            Ratio of the angular velocities after and before an impact.
+
+        Raises
+        ------
+        ValueError
+            Where the structure cannot have the law.
         """
         ...
 
@@ -103,6 +121,7 @@ class TabulatedLaw:
 
     @property
     def table_needed(self) -> bool:
+        """Whether the compiled loop reads the table of the law."""
         return True
 
     @property
@@ -111,7 +130,18 @@ class TabulatedLaw:
         raise NotImplementedError
 
     def table(self, structure: Landing) -> Table:
-        """r of the impacts of a structure."""
+        """Energy ratios r of the impacts of a structure.
+
+        Parameters
+        ----------
+        structure : Structure
+            Structure whose impacts the law describes.
+
+        Returns
+        -------
+        Table
+            Table for the compiled loop.
+        """
         raise NotImplementedError
 
 
@@ -123,14 +153,35 @@ class EnergyRatio(TabulatedLaw):
 
     The angular velocity is multiplied by sqrt(r), other rates are left (thesis 2-4).
 
-    r : of all impacts; or left and right : of those on each foot, the one that *lands*. The left
-        foot lands where the structure, leaning to the right, comes back upright: the rotation was
-        positive, its rate is negative. Thesis section 3.2.4 calls that an impact on the left edge.
+    Parameters
+    ----------
+    r : float, optional
+        Energy ratio of all impacts, 0 to 1; or `left` and `right`.
+    left : float, optional
+        Energy ratio of the impacts in which the left foot *lands*: the structure, leaning to the
+        right, comes back upright; the rotation was positive, its rate is negative. Thesis section
+        3.2.4 calls that an impact on the left edge.
+    right : float, optional
+        Energy ratio of the impacts in which the right foot lands.
 
-        rk.EnergyRatio(0.88)
-        rk.EnergyRatio(left=0.83, right=0.93)
+    Raises
+    ------
+    TypeError
+        Where neither r nor both feet are given.
+    ValueError
+        Outside 0 to 1.
 
-    Raises TypeError where neither r nor both feet are given, ValueError outside 0 to 1.
+    See Also
+    --------
+    VelocityRatio : The ratio e = sqrt(r) of the angular velocities.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> run = rk.simulate(block, pulse, impact=rk.EnergyRatio(0.81))  # r, of kinetic energies
+    >>> of_each_foot = rk.EnergyRatio(left=0.83, right=0.93)
     """
 
     r: float | None = None
@@ -152,14 +203,27 @@ class EnergyRatio(TabulatedLaw):
 
     @property
     def table_needed(self) -> bool:
+        """Whether the feet differ, so that the compiled loop reads the table of the law."""
         return self.r is None
 
     @property
     def only_velocity_ratio(self) -> float:
+        """The one ratio e of the angular velocities, where there is one."""
         return mathematics.sqrt(self.r)
 
     def of_foot(self, foot: str) -> float:
-        """r where "left" or "right" lands."""
+        """Energy ratio r where one of the feet lands.
+
+        Parameters
+        ----------
+        foot : str
+            "left" or "right".
+
+        Returns
+        -------
+        float
+            Energy ratio r.
+        """
         r = self.r if self.r is not None else {"left": self.left, "right": self.right}[foot]
         assert r is not None
         return r
@@ -172,11 +236,28 @@ class EnergyRatio(TabulatedLaw):
 @explained.calls(r="rk.EnergyRatio(r)", restitution="e=")
 @dataclass(frozen=True)
 class VelocityRatio:
-    """Prescribed ratio of the angular velocities after and before an impact, e = sqrt(r).
+    """Prescribed ratio e of the angular velocities after and before an impact, e = sqrt(r).
 
-    e : coefficient of restitution, 0 to 1 [-].
+    Parameters
+    ----------
+    e : float
+        Coefficient of restitution, 0 to 1.
 
-    Raises ValueError outside 0 to 1.
+    Raises
+    ------
+    ValueError
+        Outside 0 to 1.
+
+    See Also
+    --------
+    EnergyRatio : The ratio r of the kinetic energies.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> run = rk.simulate(block, pulse, impact=rk.VelocityRatio(0.9))  # e, of angular velocities
     """
 
     e: float
@@ -192,12 +273,28 @@ class VelocityRatio:
 @explained.calls()
 @dataclass(frozen=True)
 class AngularMomentum:
-    """Angular momentum of the structure, taken as rigid, about the new pivot is conserved.
+    """Impact law by which the angular momentum about the new pivot is conserved.
 
-    Housner (1963), thesis 2-6 and 5-14; the default of structures that rotate and do nothing else.
+    The structure counts as rigid. It is the default of structures that rotate and do nothing else.
+
+    Notes
+    -----
     For a flexible structure this is the thesis's rule: the deformation's rate is left unchanged,
     and an impact may gain energy. `Impulsive` is the exact law there, and the default. For a rigid
     block with its centroid off the middle the two are one.
+
+    References
+    ----------
+    Housner (1963); thesis 2-6 and 5-14.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> run = rk.simulate(block, pulse, impact=rk.AngularMomentum())
+    >>> round(block.velocity_ratio, 4)  # its ratio e
+    0.9118
     """
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
@@ -210,9 +307,16 @@ class AngularMomentum:
 @explained.calls()
 @dataclass(frozen=True)
 class Impulsive:
-    """The impulsive form of Lagrange's equations: exact for a flexible structure as well.
+    """Impulsive form of Lagrange's equations: exact for a flexible structure as well.
 
     It is the default of a flexible structure. Where the old foot cannot lift, full contact follows.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> run = rk.simulate(block, pulse, impact=rk.Impulsive())  # for a rigid block AngularMomentum
     """
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
@@ -230,11 +334,22 @@ class Impulsive:
 class EnergyRatioAtSpeed(TabulatedLaw):
     """Energy ratio r that depends on the speed at the impact, in straight pieces.
 
-    pieces : of increasing speed, each (limit, r at no speed, slope [s/m]); r is theirs below the
-        limit [m/s], which for the last one is infinite. At a limit the faster piece holds.
-    height : of the point whose speed it is, above the base [m]. None: the height that the structure
-        names, as walls do; without one the law is refused.
+    Parameters
+    ----------
+    pieces : tuple of tuple of (float, float, float)
+        Pieces of increasing speed, each (limit [m/s], r at no speed, slope [s/m]); r is theirs
+        below the limit, which for the last one is infinite. At a limit the faster piece holds.
+    height : float, optional
+        Height above the base of the point whose speed it is [m]. None: the height that the
+        structure names, as walls do; without one the law is refused.
 
+    Raises
+    ------
+    ValueError
+        For pieces that do not follow one another.
+
+    Notes
+    -----
     Where r would exceed 1, an impact would give energy; such a motion ends as not finite.
     """
 
@@ -268,19 +383,37 @@ class EnergyRatioAtSpeed(TabulatedLaw):
 
     @classmethod
     def equation_4_31(cls) -> EnergyRatioAtSpeed:
-        """Thesis 4-31, of the equivalent oscillator of a controlled wall."""
+        """Thesis 4-31, of the equivalent oscillator of a controlled wall.
+
+        Returns
+        -------
+        EnergyRatioAtSpeed
+            Impact law.
+        """
         return cls(
             ((0.3, 0.85, 0.01 / 0.45), (0.47, 0.81, 0.0), (0.78, 0.852, 0.0), (math.inf, 0.95, 0.0))
         )
 
     @classmethod
     def equation_4_36(cls) -> EnergyRatioAtSpeed:
-        """Thesis 4-36, of the simplified substitute gravity; as printed."""
+        """Thesis 4-36, of the simplified substitute gravity; as printed.
+
+        Returns
+        -------
+        EnergyRatioAtSpeed
+            Impact law.
+        """
         return cls(((math.inf, 0.865, 0.0441),))
 
     @classmethod
     def equation_4_38(cls) -> EnergyRatioAtSpeed:
-        """Thesis 4-38, of the substitute gravity with a rotation centre that moves."""
+        """Thesis 4-38, of the substitute gravity with a rotation centre that moves.
+
+        Returns
+        -------
+        EnergyRatioAtSpeed
+            Impact law.
+        """
         return cls(
             ((0.365, 0.445, 1.0), (0.47, 0.81, 0.0), (0.78, 0.85, 0.0), (math.inf, 0.94, 0.0))
         )
@@ -297,16 +430,40 @@ class EnergyRatioAtSpeed(TabulatedLaw):
     ) -> EnergyRatioAtSpeed:
         """Pieces fitted to measured impacts, each by least squares to those in its own band.
 
-            rk.EnergyRatioAtSpeed.from_data(speed, r, limits=(0.3, 0.47, 0.78), slopes=False)
+        Parameters
+        ----------
+        speed : iterable of float
+            Speed at each impact (n,), of either sign [m/s].
+        energy_ratio : iterable of float
+            Energy ratio r of each (n,).
+        limits : sequence of float, optional
+            Limits between the bands [m/s], increasing; none for one band.
+        slopes : bool, optional
+            Whether the pieces are straight lines; False for the mean of each band.
+        height : float, optional
+            Height above the base of the point whose speed it is [m], as for the class.
 
-        speed : (n,) at each impact, of either sign [m/s]. energy_ratio : (n,) r of each.
-        limits : between the bands [m/s], increasing; none for one band. slopes : straight lines;
-        False for the mean of each band. height as in the class.
+        Returns
+        -------
+        EnergyRatioAtSpeed
+            Impact law.
 
+        Raises
+        ------
+        ValueError
+            For a band with fewer impacts than its line has numbers, and where a fitted line leaves
+            0 to 1.
+
+        Notes
+        -----
         Impacts of r above 1, as measured ratios of small peaks may be, count as they are. Beyond
         the fastest impact the last line goes on.
-        Raises ValueError for a band with fewer impacts than its line has numbers, and where a
-        fitted line leaves 0 to 1.
+
+        Examples
+        --------
+        With measured `speed` and `r`::
+
+            rk.EnergyRatioAtSpeed.from_data(speed, r, limits=(0.3, 0.47, 0.78), slopes=False)
         """
         v, r = np.abs(numbers("speed", speed)), numbers("energy_ratio", energy_ratio)
         if v.ndim != 1 or v.shape != r.shape or not np.isfinite([v, r]).all():
@@ -328,11 +485,38 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         return cls(tuple(pieces), height)
 
     def at(self, speed: float) -> float:
-        """r at a speed [m/s], of either sign."""
+        """Energy ratio r at a speed.
+
+        Parameters
+        ----------
+        speed : float
+            Speed of either sign [m/s].
+
+        Returns
+        -------
+        float
+            Energy ratio r.
+        """
         return self._at_height(1.0).energy_ratio(abs(number("speed", speed)))
 
     def lever(self, structure: Landing) -> float:
-        """Height of the point whose speed it is [m]; raises ValueError where none is known."""
+        """Height of the point whose speed it is.
+
+        Parameters
+        ----------
+        structure : Structure
+            Structure whose impacts the law describes.
+
+        Returns
+        -------
+        float
+            Height [m].
+
+        Raises
+        ------
+        ValueError
+            Where neither the law nor the structure has one.
+        """
         lever = self.height if self.height is not None else structure.speed_height
         if lever is None:
             raise ValueError(
@@ -357,17 +541,28 @@ class EnergyRatioAtSpeed(TabulatedLaw):
 @explained.calls()
 @dataclass(frozen=True)
 class EnergyLossAtSpeed(TabulatedLaw):
-    """Energy that an impact takes, by the angular velocity w before it: a1 |w| + a2 w2 + a3 |w|3.
+    """Energy that an impact takes, by the angular velocity w before it: ``a1 |w| + a2 w2 + a3
+    |w|3``.
 
-    left, right : (a1, a2, a3) of the impacts in which that foot lands [J s, J s2, J s3]; which foot
-        it is, `EnergyRatio` says. A positive number is a loss.
+    Parameters
+    ----------
+    left : tuple of (float, float, float)
+        Coefficients (a1, a2, a3) of the impacts in which the left foot lands [J s, J s2, J s3];
+        `EnergyRatio` says which foot lands. A positive number is a loss.
+    right : tuple of (float, float, float)
+        Coefficients of the impacts in which the right foot lands.
 
+    Raises
+    ------
+    TypeError
+        For anything but three numbers each, and where it is used for a structure whose rotation is
+        no angle in time.
+
+    Notes
+    -----
     The energy is that of the rocking motion, I w2/2, with the structure's moment of inertia I about
     its foot at the impact; other rates are left. A polynomial may ask for more than that, or for
     less than nothing, where it was not measured: then all of it is lost, or none.
-
-    Raises TypeError for anything but three numbers each, and where it is used for a structure whose
-    rotation is no angle in time.
     """
 
     left: tuple[float, float, float]
@@ -389,21 +584,47 @@ class EnergyLossAtSpeed(TabulatedLaw):
     def equation_3_17(cls) -> EnergyLossAtSpeed:
         """Thesis 3-17, fitted to all impacts of the block of chapter 3, of both feet.
 
-        A cubic of the rate with its sign: the left foot loses three times as much at 1 rad/s.
+        A cubic of the angular velocity with its sign: the left foot loses three times as much at 1
+        rad/s.
+
+        Returns
+        -------
+        EnergyLossAtSpeed
+            Impact law.
         """
         return cls(left=(-0.6663, 9.661, 5.525), right=(0.6663, 9.661, -5.525))
 
     @classmethod
     def equation_3_18(cls) -> EnergyLossAtSpeed:
-        """Thesis 3-18, the second trend of impacts on the right foot; the left one by 3-17."""
+        """Thesis 3-18, the second trend of impacts on the right foot; the left one by 3-17.
+
+        Returns
+        -------
+        EnergyLossAtSpeed
+            Impact law.
+        """
         return cls(left=(-0.6663, 9.661, 5.525), right=(0.0381, 7.576, -7.144))
 
     @classmethod
     def from_data(cls, rate: Iterable[float], loss: Iterable[float]) -> EnergyLossAtSpeed:
-        """The law of measured impacts, each foot by itself, by least squares.
+        """Law of measured impacts, each foot by itself, by least squares.
 
-        rate : (n,) of rotation before each impact [rad/s], negative where the left foot lands.
-        loss : (n,) of energy [J]. Raises ValueError where a foot has fewer than three rates.
+        Parameters
+        ----------
+        rate : iterable of float
+            Angular velocities before each impact (n,) [rad/s], negative where the left foot lands.
+        loss : iterable of float
+            Losses of energy (n,) [J].
+
+        Returns
+        -------
+        EnergyLossAtSpeed
+            Impact law.
+
+        Raises
+        ------
+        ValueError
+            Where a foot has fewer than three impacts.
         """
         w, lost = numbers("rate", rate), numbers("loss", loss)
         if w.ndim != 1 or w.shape != lost.shape or not np.isfinite([w, lost]).all():
@@ -424,16 +645,37 @@ class EnergyLossAtSpeed(TabulatedLaw):
         return cls(**feet)
 
     def loss(self, rate: float) -> float:
-        """Energy lost at a rate before the impact [J]; as fitted, without bounds.
+        """Energy lost at an angular velocity before the impact, as fitted, without bounds.
 
-        rate : [rad/s], negative where the left foot lands.
+        Parameters
+        ----------
+        rate : float
+            Angular velocity [rad/s], negative where the left foot lands.
+
+        Returns
+        -------
+        float
+            Energy [J].
         """
         w = abs(number("rate", rate))
         a1, a2, a3 = getattr(self, landing_foot(rate))
         return w * (a1 + w * (a2 + w * a3))
 
     def at(self, rate: float, inertia: float) -> float:
-        """r at a rate before the impact [rad/s], of a structure with that inertia [kg m2]."""
+        """Energy ratio r at an angular velocity before the impact.
+
+        Parameters
+        ----------
+        rate : float
+            Angular velocity [rad/s], negative where the left foot lands.
+        inertia : float
+            Moment of inertia about the foot [kg m2].
+
+        Returns
+        -------
+        float
+            Energy ratio r.
+        """
         return self._with_inertia(inertia).energy_ratio(number("rate", rate))
 
     def _with_inertia(self, inertia: float) -> Table:
@@ -457,23 +699,43 @@ DRAWS = 500
 class RandomEnergyRatio(TabulatedLaw):
     """Energy ratio r drawn at each impact from a measured distribution, by seed (thesis 6.4).
 
-        rk.RandomEnergyRatio([0.763, 0.948, 0.769, 0.922], seed=1)
-        rk.RandomEnergyRatio(left=[0.763, 0.769], right=[0.948, 0.922], seed=1)
-        rk.RandomEnergyRatio.normal(mean=0.85, std=0.06, seed=1)
+    Parameters
+    ----------
+    values : tuple of float, optional
+        Measured energy ratios, each as likely as the others; or `left` and `right`.
+    left : tuple of float, optional
+        Energy ratios of the impacts in which the left foot lands, see `EnergyRatio`.
+    right : tuple of float, optional
+        Energy ratios of the impacts in which the right foot lands.
+    seed : int, optional
+        Whole number from 0 on; another seed is another motion.
 
-    values : measured r, each as likely as the others; or left and right : of the impacts in which
-        that foot lands, see `EnergyRatio`. seed : a whole number from 0 on; another seed is another
-        motion.
+    Raises
+    ------
+    TypeError
+        Where neither values nor both feet are given.
+    ValueError
+        Where no value lies within 0 to 1.
 
+    Notes
+    -----
     The ratio follows from the seed and from the number of the impact in the motion alone: it is the
     same for any step, tolerance and method, in `simulate` and `simulate_many`. The 500 impacts that
     are drawn for begin again behind the last one, which only a chatter towards rest reaches.
 
     No impact gives energy or reverses: values outside 0 to 1, as apparent ratios of small peaks
     are, are never drawn, the others as much more often. This lowers the mean where values exceed 1;
-    `mean` and `std` are those of what is drawn.
-    Raises TypeError where neither values nor both feet are given, ValueError where no value lies
-    within 0 to 1.
+    `mean` and `std` are those of the ratios that are drawn.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> law = rk.RandomEnergyRatio([0.76, 0.95, 0.77, 0.92], seed=1)  # r, drawn at each impact
+    >>> run = rk.simulate(block, pulse, impact=law)
+    >>> of_each_foot = rk.RandomEnergyRatio(left=[0.763, 0.769], right=[0.948, 0.922], seed=1)
+    >>> normal = rk.RandomEnergyRatio.normal(mean=0.85, std=0.06, seed=1)
     """
 
     values: tuple[float, ...] | None = None
@@ -500,10 +762,26 @@ class RandomEnergyRatio(TabulatedLaw):
 
     @classmethod
     def normal(cls, mean: float, std: float, *, seed: int = 0) -> RandomEnergyRatio:
-        """The law of a normal distribution, cut off at 0 and 1: a thousand equally likely values.
+        """Law of a normal distribution, cut off at 0 and 1: a thousand equally likely values.
 
-        mean, std : of the whole distribution; cutting it off changes both, see `mean` and `std`.
-        Raises ValueError for a std that is not positive, and where next to nothing lies within.
+        Parameters
+        ----------
+        mean : float
+            Mean of the whole distribution; the cut changes it, see `mean`.
+        std : float
+            Standard deviation of the whole distribution; the cut changes it, see `std`.
+        seed : int, optional
+            Whole number from 0 on.
+
+        Returns
+        -------
+        RandomEnergyRatio
+            Impact law.
+
+        Raises
+        ------
+        ValueError
+            For a std that is not positive, and where next to nothing lies within 0 to 1.
         """
         from scipy.special import ndtr, ndtri
 
@@ -525,7 +803,18 @@ class RandomEnergyRatio(TabulatedLaw):
         return f"RandomEnergyRatio(left={left}, right={right}, seed={self.seed})"
 
     def of_foot(self, foot: str) -> np.ndarray:
-        """(m,) the values from 0 to 1, sorted, of the impacts in which "left" or "right" lands."""
+        """Values of the impacts in which one of the feet lands.
+
+        Parameters
+        ----------
+        foot : str
+            "left" or "right".
+
+        Returns
+        -------
+        ndarray
+            Energy ratios from 0 to 1, sorted (m,).
+        """
         given = self.values if self.values is not None else getattr(self, foot)
         ratios = np.sort(given)
         return ratios[(ratios >= 0) & (ratios <= 1)]
@@ -559,13 +848,28 @@ class RandomEnergyRatio(TabulatedLaw):
 class EnergyRatioByImpact(TabulatedLaw):
     """Energy ratio r of the first impact, of the second, and so on.
 
-        rk.EnergyRatioByImpact([0.763, 0.948, 0.769])
+    For a test whose impacts were measured one by one, and for ratios that scatter where each is
+    itself an unknown.
 
-    values : r of each, 0 to 1; they start again after the last one. For a test whose impacts were
-    measured one by one, and for ratios that scatter where each is itself an unknown.
+    Parameters
+    ----------
+    values : tuple of float
+        Energy ratio of each, 0 to 1; they start again after the last one.
 
-    Raises TypeError for anything but a list of numbers and for an empty one, ValueError for a
-    ratio outside 0 to 1.
+    Raises
+    ------
+    TypeError
+        For anything but a list of numbers and for an empty one.
+    ValueError
+        For a ratio outside 0 to 1.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> law = rk.EnergyRatioByImpact([0.76, 0.95, 0.77])  # r of the first three impacts, and again
+    >>> run = rk.simulate(block, pulse, impact=law)
     """
 
     values: tuple[float, ...]

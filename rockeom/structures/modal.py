@@ -134,21 +134,47 @@ class RayleighDamping(NamedTuple):
 
 @explained.calls()
 def rayleigh_damping(periods: ArrayLike, ratios: ArrayLike) -> RayleighDamping:
-    """alpha and beta that give modes of these periods these parts of critical damping.
+    """Factors alpha and beta with which modes of two periods have parts of critical damping.
 
-    periods [s], ratios : of two modes; or of one, whose damping is then of the stiffnesses alone.
+    Parameters
+    ----------
+    periods : array_like
+        Periods of two modes [s]; or of one, whose damping is then of the stiffnesses alone.
+    ratios : array_like
+        Parts of critical damping of these modes.
 
-        held = frame.fixed_base()
-        alpha, beta = rk.rayleigh_damping(held.periods[:2], [0.02, 0.02])
+    Returns
+    -------
+    RayleighDamping
+        Factors alpha [1/s] and beta [s].
 
+    Raises
+    ------
+    ValueError
+        For other numbers of modes, for numbers that are not positive or finite, and for two equal
+        periods.
+
+    Notes
+    -----
     A `ShearFrame` has a damper in each storey and none between a floor and the base. The part of
-    beta, a damper of beta times the stiffness in each storey, comes from `frame.damped(0.02)`. The
-    part of alpha needs a damper of alpha times its mass between each floor and the base: declare it
-    in a model of your own, `Spring("held_1", u_1, damping=alpha * m_1)`.
+    beta, a damper of beta times the stiffness in each storey, comes from ``frame.damped(0.02)``.
+    The part of alpha needs a damper of alpha times its mass between each floor and the base:
+    declare it in a model of your own, ``Spring("held_1", u_1, damping=alpha * m_1)``.
 
-    Raises ValueError for other numbers of modes, for what is not positive or finite, and for two
-    equal periods.
-    Source: A. K. Chopra, Dynamics of Structures, section 11.4.1.
+    References
+    ----------
+    A. K. Chopra, Dynamics of Structures, section 11.4.1.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> rayleigh = rk.rayleigh_damping(periods=(0.8, 0.2), ratios=(0.05, 0.05))
+    >>> round(float(rayleigh.ratio(0.8)), 3)
+    0.05
+
+    For a frame on a fixed base::
+
+        alpha, beta = rk.rayleigh_damping(frame.fixed_base().periods[:2], [0.02, 0.02])
     """
     given = (
         numbers("rayleigh_damping: periods", periods),

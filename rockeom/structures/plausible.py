@@ -10,10 +10,10 @@ import math
 
 import numpy as np
 
-from rockeom.drawing.positions import shapes
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.structures.declared_modes import rocks_on_rigid_ground
 from rockeom.structures.modal import Modal, free_states
+from rockeom.structures.positions import shapes
 from rockeom.structures.units import is_dimensionless
 
 TALLEST = 50.0

@@ -27,8 +27,8 @@ from rockeom.codes import (
     STICKING,
     SWITCH,
 )
-from rockeom.integrator.schema import POINT_TEXTS, SearchedModes, angles
-from rockeom.integrator.texts import text_of
+from rockeom.compiler.modules import Modules, as_python, module_text
+from rockeom.integrator.schema import PROVIDED, SearchedModes, angles
 from rockeom.numbers.batch import Differs, Many, values
 from rockeom.numbers.dual import directions, tangent_of, value_of, with_tangent
 from rockeom.numbers.functions import for_arrays, of_compounds
@@ -473,9 +473,9 @@ def _searching(module: SearchedModes, compounds: bool = False) -> dict[str, Any]
     compounds : numbers may be such, in those functions of them that find closed points.
     """
     own = vars(of_compounds(module) if compounds else module)
-    names = own | {"ANGLES": angles(module)}
-    for path in POINT_TEXTS:
-        exec(compile(text_of(path), path, "exec"), names)
+    modules = Modules({PROVIDED: ()})
+    texts = modules.closure([module_text("rockeom.integrator.transitions.newton")])
+    names = as_python(texts, own | {"ANGLES": angles(module)})
     if compounds:  # their globals: what the texts import is for numbers
         names.update(math=own["math"], np=own["np"], max=np.maximum, min=np.minimum)
     return names

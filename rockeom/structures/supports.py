@@ -21,15 +21,49 @@ class Support:
     """Names in the equations of the parameters that have another name there."""
 
     def parameters(self) -> dict[str, float]:
-        """Its parameters, by the names that they have in the generated module, in SI units."""
+        """Parameters of the support, in SI units.
+
+        Returns
+        -------
+        dict of str to float
+            Values by the names that they have in the generated module.
+        """
         return {}
 
     def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
-        """The generated module of a superstructure that stands on it."""
+        """Generated module of a superstructure that stands on the support.
+
+        Parameters
+        ----------
+        superstructure : str
+            Name of the model.
+        **arguments : int
+            Arguments of a family, such as the number of storeys.
+
+        Returns
+        -------
+        GeneratedModule
+            Module.
+        """
         raise NotImplementedError
 
     def check_base(self, what: str, mass: float, inertia: float) -> None:
-        """Raise ValueError where a base that this support leaves free has no mass or inertia."""
+        """Check the base of a structure on the support.
+
+        Parameters
+        ----------
+        what : str
+            Name of the structure, for the message.
+        mass : float
+            Mass of all that moves with the base as one body [kg].
+        inertia : float
+            Its moment of inertia about the middle of the sole [kg m2].
+
+        Raises
+        ------
+        ValueError
+            Where a base that this support leaves free has no mass or inertia.
+        """
 
 
 def check_support(what: str, support: Any, mass: float, inertia: float) -> None:
@@ -59,7 +93,15 @@ class SupportedStructure(StructureWithFields):
         check_support(type(self).__name__, self.support, mass, inertia)
 
     def of_base(self) -> tuple[float, float]:
-        """(mass, inertia) of all that moves with the base as one body."""
+        """Mass and inertia of all that moves with the base as one body.
+
+        Returns
+        -------
+        mass : float
+            Mass [kg].
+        inertia : float
+            Moment of inertia about the middle of the sole [kg m2].
+        """
         raise NotImplementedError
 
     @functools.cached_property

@@ -13,6 +13,7 @@ from rockeom.codes import OUTCOMES
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.numbers import explained
 from rockeom.numbers.checks import near
+from rockeom.numbers.pictures import picture
 from rockeom.simulation.quantities import units_of
 from rockeom.structures.units import in_udunits, time_unit
 from rockeom.sweeps.cases import ROW, Cases
@@ -53,7 +54,17 @@ _MEANT = {
 
 
 class Sweep(xr.Dataset):
-    """The dataset of `simulate_many`. Jupyter shows it with a count of outcomes."""
+    """Dataset of `simulate_many`, an `xarray.Dataset`. Jupyter shows it with a count of outcomes.
+
+    Parameters
+    ----------
+    data_vars : dict, optional
+        Variables, as for `xarray.Dataset`.
+    coords : dict, optional
+        Coordinates, as for `xarray.Dataset`.
+    attrs : dict, optional
+        Attributes, as for `xarray.Dataset`.
+    """
 
     __slots__ = ()
 
@@ -91,9 +102,7 @@ class Sweep(xr.Dataset):
         return {**of_names, **_MEANT, **own, **{str(name): str(name) for name in self.variables}}
 
     def _repr_html_(self) -> str:
-        from rockeom.drawing.notebook import page_of_sweep  # matplotlib
-
-        return page_of_sweep(self)
+        return picture("page_of_sweep", self)
 
 
 def dataset(results: Results, labels: Labels, interrupted: bool) -> Sweep:

@@ -55,73 +55,110 @@ def simulate_many(
 ) -> Sweep:
     """Simulate every combination of the values in `over`, labelled by them, or each row of a table.
 
+    Parameters
+    ----------
+    case : Case or callable
+        A case, some of whose numbers `over` names; or a function that makes one case from one value
+        of each name, where cases depend on them in another way.
+    over : object
+        A mapping of names to lists of values is a grid: the dataset is over its names. A table has
+        a case in each row and is a DataFrame, a structured array, a list of dicts or a dataset over
+        one dimension: the dataset is over "case", with the columns as coordinates.
+    impact_times : int, optional
+        Number of impact times of each case to keep.
+    impact_states : bool, optional
+        Whether to keep the states before and after each of these impacts, too; each case is then
+        simulated by itself with its whole response, as for `quantities`.
+    quantities : sequence of str, optional
+        Further quantities of each case, by the names of a response ("theta", "displacement",
+        "left_uplift", ...): peak_quantity, maximum_quantity and minimum_quantity, within the steps
+        too, and their history at `times`. Each case is then also made and simulated by itself, with
+        its whole response, which takes much longer.
+    times : sequence of float or ndarray, optional
+        Times of the history [s]; NaN behind the end of a motion.
+    options : SolverOptions, optional
+        Choices of the integration. Where they name no method, the first case chooses that of all,
+        and ``attrs`` has it under "method", and why under "chosen"; the impact law of the first
+        case is under "impact_law".
+    sweep_options : SweepOptions, optional
+        Threads, progress, store and others.
+
+    Returns
+    -------
+    Sweep
+        Dataset over the names in `over`: outcome (a label; "not run" after an interrupt) and
+        outcome_flag (its number, with flag_values and flag_meanings of the CF conventions, 0 for
+        not run), final_time [s], final_mode, impacts, impact_gains and impact_energy_gained [J]
+        (how many of them gained kinetic energy, and how much in all), refined (segments of the
+        ground in which equal steps would have been too long), peak, maximum, minimum and final
+        value of each state, impact_time and impact_state (NaN where there was none). maximum and
+        minimum have a sign, peak is the larger of their sizes; they are those within the steps.
+        Every variable has a long_name and, where it has one unit, units; state_unit and
+        quantity_unit give those of each state and quantity.
+
+    Raises
+    ------
+    ValueError
+        For names that the case does not have, with all there are and their units; with the values
+        of the case for what cannot be simulated, with `lanes` or at all; and for a store that holds
+        another sweep.
+    RuntimeError
+        For a store that is in use.
+    ModuleNotFoundError
+        For a store without zarr.
+
+    See Also
+    --------
+    simulate : One motion.
+    open_sweep : Dataset of a sweep in a store.
+
+    Notes
+    -----
+    The names of the numbers of a case are those of `sensitivity`: arguments of the structure, such
+    as "half_width", "masses[0]" and "support.stiffness"; of a pulse, such as "amplitude" and
+    "period" or "frequency", its reciprocal; "scale" and "time_scale", factors of the acceleration
+    and time of any motion and of the vertical one with it, and "pga", for which both are scaled; of
+    the impact law, such as "r", or "restitution", the ratio e of the angular velocities; "initial
+    theta" of a state; "duration". A name that two parts of the case have is written with the part,
+    as "motion.amplitude" and "vertical.amplitude". "motion", "structure", "vertical", "impact" and
+    "initial" are those parts as a whole.
+
+    The result of a function must follow from its arguments alone. It is called for many cases at
+    once, with arguments that calculate like numbers and hold the values of all; the threads call it
+    in turn, never two at a time. Where cases do not go the same way (``if amplitude > 3``), or one
+    number is asked for (``math.sin(x)``, a record scaled by x), it is called again for those that
+    do, and in the end for each; ``np.sin(x)`` is of all at once. The first, the middle and the last
+    case of each call are compared with calls for one case, to the last bit: where they differ, it
+    is called for each. That takes tens of microseconds a case, at once a microsecond or two. All
+    cases are of one model.
+
+    Numbers and words are their own labels. Motions, structures and whatever else has a name go by
+    it, numbered where several have the same; other objects are numbered. Values in a DataArray keep
+    their attributes, such as units.
+
+    Memory is bounded by the dataset. A keyboard interrupt ends the work early: the part that is
+    done is returned, ``attrs["interrupted"]`` is 1. Functions of the package that make something
+    else of a sweep raise it. The error of an executor that does not run some cases has a note that
+    says whose it is and which cases are missing.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> def shaken(amplitude, period):
+    ...     return rk.Case(block, rk.GroundMotion.single_sine(amplitude, period, duration=6.0))
+    >>> sweep = rk.simulate_many(shaken, over={"amplitude": [3.0, 4.0], "period": [0.4, 0.8]})
+    >>> sweep.outcome.values.tolist()
+    [['came to rest', 'overturned'], ['completed', 'overturned']]
+
+    The numbers of a case, kept on disk::
+
         case = rk.Case(block, rk.GroundMotion.single_sine(amplitude=3.0, period=0.8, duration=8.0))
         rk.simulate_many(
             case,
             over={"frequency": np.linspace(0.5, 4, 100), "amplitude": np.linspace(1, 8, 100)},
             sweep_options=rk.SweepOptions(store="map.zarr"),
         )
-
-        def slender(slenderness, amplitude):
-            other = rk.RigidBlock.from_frequency(p=2.14, alpha=slenderness)
-            return rk.Case(other, rk.GroundMotion.half_sine(amplitude, 1.2))
-
-        rk.simulate_many(slender, over={"slenderness": [0.15, 0.2], "amplitude": [3.0, 4.0, 5.0]})
-
-    case : a case, whose numbers `over` names as `sensitivity` does: arguments of the structure,
-        such as "half_width", "masses[0]" and "support.stiffness"; of a pulse, such as "amplitude"
-        and "period" or "frequency", its reciprocal; "scale" and "time_scale", factors of the
-        acceleration and time of any motion and of the vertical one with it, and "pga", for which
-        both are scaled; of the impact law, such
-        as "r", or "restitution", the ratio e of the angular velocities; "initial theta" of a state;
-        "duration". A name that two parts of the case have is written with the part, as
-        "motion.amplitude" and "vertical.amplitude". "motion", "structure", "vertical", "impact" and
-        "initial" are those parts as a whole.
-        Or a function that makes one case from one value of each name, where cases depend on them in
-        another way. Its result must follow from its arguments alone. It is called for many cases at
-        once, with arguments that calculate like numbers and hold the values of all; the threads
-        call it in turn, never two at a time. Where cases do not go the same way
-        (`if amplitude > 3`), or one number is asked for (`math.sin(x)`, a record scaled by x), it
-        is called again for those that do, and in the end for each; `np.sin(x)` is of all at once.
-        The first, the middle and the last case of each call are compared with calls for one case,
-        to the last bit: where they differ, it is called for each. That takes tens of microseconds a
-        case, at once a microsecond or two. All cases are of one model.
-    over : a mapping of names to lists of values is a grid: the dataset is over its names. A table
-        has a case in each row and is a DataFrame, a structured array, a list of dicts or a dataset
-        over one dimension: the dataset is over "case", with the columns as coordinates. Numbers and
-        words are their own labels. Motions, structures and whatever else has a name go by it,
-        numbered where several have the same; other objects are numbered. Values in a DataArray keep
-        their attributes, such as units.
-    impact_times : how many impact times of each case to keep. impact_states : keep the states
-        before and after each of these impacts, too; each case is then simulated by itself with its
-        whole response, as for `quantities`.
-    quantities : what else to keep of each case, by the names of a response ("theta",
-        "displacement", "left_uplift", ...): peak_quantity, maximum_quantity and minimum_quantity,
-        found within the steps, and, at the `times` [s] given, their history (nan behind the end).
-        Each case is then also made and simulated by itself, with its whole response, which takes
-        much longer.
-    options : as of `simulate`. Where they name no method, the first case chooses that of all, and
-        `attrs` has it under "method", and why under "chosen"; the impact law of the first case is
-        under "impact_law".
-    sweep_options : threads, progress, store and others, see `SweepOptions`.
-
-    Returns a dataset over the names in `over`: outcome (a label; "not run" after an interrupt) and
-    outcome_flag (its number, with flag_values and flag_meanings of the CF conventions, 0 for not
-    run), final_time [s], final_mode, impacts, impact_gains and impact_energy_gained [J] (how many
-    of them gained kinetic energy, and how much in all), refined (segments of the ground in which
-    equal steps would have been too long), peak, maximum, minimum and final value of each state,
-    impact_time and impact_state (nan where there was none). maximum and minimum have a sign, peak
-    is the larger of their sizes; they are found within the steps. Every variable has a long_name
-    and, where it has one unit, units; state_unit and quantity_unit tell those of each state and
-    quantity. Memory is bounded by the dataset. A keyboard interrupt ends the work early: what is
-    done is returned, `attrs["interrupted"]` is 1. Functions of the package that make something else
-    of a sweep raise it.
-
-    Raises ValueError for names that the case does not have, with all there are and their units;
-    with the values of the case for what cannot be simulated, with `lanes` or at all; and for a
-    store that holds another sweep. RuntimeError for a store that is in use, ModuleNotFoundError
-    without zarr. The error of an executor that does not run some cases has a note that says
-    whose it is and which cases are missing.
     """
     cases = Cases.of(over)
     how = SweepOptions.of(sweep_options)

@@ -32,12 +32,26 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Sensitivity:
-    """Answers of a simulation and their derivatives; printed as a table, with units.
+    """Results of a simulation and their derivatives; printed as a table, with units.
 
-    of : names of the n answers, values (n,) what they are; to : names of the k numbers that they
-    are derived by, parameters (k,) what those are; derivatives (n, k), each in the unit of the
-    answer over that of the number. units, parameter_units : of both, "" where none is known.
-    tangents : the motion with its derivatives, whose `response` is that of the case.
+    Parameters
+    ----------
+    of : tuple of str
+        Names of the n results.
+    to : tuple of str
+        Names of the k numbers by which they are derived.
+    values : ndarray
+        Results (n,).
+    parameters : ndarray
+        Numbers (k,).
+    derivatives : ndarray
+        Derivatives (n, k), each in the unit of the result over that of the number.
+    units : tuple of str
+        Units of the results, "" where none is known.
+    parameter_units : tuple of str
+        Units of the numbers, "" where none is known.
+    tangents : Tangents
+        Motion with its derivatives, whose `response` is that of the case.
     """
 
     of: tuple[str, ...]
@@ -51,7 +65,7 @@ class Sensitivity:
 
     @property
     def elasticities(self) -> np.ndarray:
-        """(n, k) per cent by which each answer changes for each per cent of a number.
+        """Per cent by which each result changes for each per cent of a number (n, k).
 
         d ln(value) / d ln(parameter); not finite where a value is zero.
         """
@@ -59,7 +73,13 @@ class Sensitivity:
             return self.derivatives * self.parameters / self.values[:, None]
 
     def to_dataframe(self) -> pd.DataFrame:
-        """The derivatives, a row for each of `of` and a column for each of `to`."""
+        """Derivatives, a row for each of `of` and a column for each of `to`.
+
+        Returns
+        -------
+        pandas.DataFrame
+            Table of the derivatives.
+        """
         import pandas as pd
 
         return pd.DataFrame(self.derivatives, index=list(self.of), columns=list(self.to))
@@ -94,30 +114,55 @@ def _line(row: Sequence[str], widths: Sequence[int]) -> str:
 def sensitivity(
     case: Case, of: Sequence[str], to: Sequence[str], options: SolverOptions | None = None
 ) -> Sensitivity:
-    """Derivatives of answers of a simulation by any numbers of its case, at the cost of few runs.
+    """Derivatives of results of a simulation by any numbers of its case, at the cost of few runs.
 
-    of : "peak theta", the largest size of it; "greatest theta" and "least theta"; "theta at 2.5",
-        at a time [s]; "end theta"; "impact 3 time", and of the third impact (or "event 3", of
-        `run.events`) "impact 3 theta_dot", before it, and "impact 3 theta_dot after"; "overturning
-        time" and "rest time". Instead of theta any state, energy, displacement, or deformation,
-        force and energy of an element, such as "storey_1_force".
-    to : numbers that the structure was given, by their names, "masses[0]" for an item of a list
-        and "support.stiffness" for one of its support; those of a pulse, "amplitude" and "period"
-        or "frequency"; those of the law of impact, such as "r"; "restitution", the ratio e of the
-        angular velocities, of a law of one ratio; "initial theta" of what `initial` names, or any
+    Parameters
+    ----------
+    case : Case
+        Case.
+    of : sequence of str
+        Names of the results: "peak theta", the largest size of it; "greatest theta" and "least
+        theta"; "theta at 2.5", at a time [s]; "end theta"; "impact 3 time", and of the third impact
+        (or "event 3", of ``run.events``) "impact 3 theta_dot", before it, and "impact 3 theta_dot
+        after"; "overturning time" and "rest time". Instead of theta any state, energy,
+        displacement, or deformation, force and energy of an element, such as "storey_1_force".
+    to : sequence of str
+        Names of the numbers: arguments of the structure, "masses[0]" for an item of a list and
+        "support.stiffness" for one of its support; those of a pulse, "amplitude" and "period" or
+        "frequency"; those of the impact law, such as "r"; "restitution", the ratio e of the angular
+        velocities, of a law of one ratio; "initial theta" of a state that `initial` names, or any
         state of a structure whose feet do not slip; "scale", a factor of the ground's acceleration,
         and "time_scale", one of its time, both of the vertical motion, too; "duration". A name that
         two parts have is one of "structure.height" and "impact.height".
-    options : as for `simulate`.
+    options : SolverOptions, optional
+        Choices of the integration; the defaults if not given.
 
-        block = rk.RigidBlock(half_width=0.1, half_height=0.4)
-        case = rk.Case(block, rk.GroundMotion.single_sine(3.0, 0.8), impact=rk.VelocityRatio(0.9))
-        print(rk.sensitivity(case, of=["peak theta"], to=["half_width", "restitution"]))
+    Returns
+    -------
+    Sensitivity
+        Results and derivatives. Derivatives are NaN where an event grazes.
 
-    They are the derivatives of the motion through all its events, see `tangents`: of a motion that
-    does not overturn they do not tell how near it is to. Where an event grazes they are nan.
-    Raises ValueError for names that are unknown, for an event that the motion has not, and what
-    `tangents` raises; TypeError for a case that holds duals already.
+    Raises
+    ------
+    ValueError
+        For names that are unknown, for an event that the motion has not, and as `tangents` does.
+    TypeError
+        For a case that holds duals already.
+
+    Notes
+    -----
+    They are the derivatives of the motion through all its events, see `tangents`: those of a motion
+    that does not overturn do not tell how near it is to overturning.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> case = rk.Case(block, pulse, impact=rk.VelocityRatio(0.9))
+    >>> slopes = rk.sensitivity(case, of=["peak theta"], to=["half_width", "restitution"])
+    >>> slopes.derivatives.shape
+    (1, 2)
     """
     _check_plain(case)
     wanted, given = _names("of", of), _names("to", to)

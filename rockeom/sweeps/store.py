@@ -123,16 +123,34 @@ def _not_empty(results: Results) -> dict[str, np.ndarray]:
 
 
 def open_sweep(path: str | os.PathLike[str]) -> Sweep:
-    """The dataset of a sweep that a store holds, as `simulate_many` returns it.
+    """Dataset of a sweep that a store holds, as `simulate_many` returns it.
+
+    Parameters
+    ----------
+    path : path_like
+        Folder of the store. Neither the function of the sweep nor its structure are needed, and a
+        sweep may still be under way: cases that are not there yet are "not run",
+        ``attrs["interrupted"]`` is 1.
+
+    Returns
+    -------
+    Sweep
+        Dataset of the sweep.
+
+    Raises
+    ------
+    ModuleNotFoundError
+        Without zarr.
+    ValueError
+        For a folder that is no store of a sweep. A chunk whose checksum says that it has changed
+        raises the error of zarr.
+
+    Examples
+    --------
+    With a function `case` and its values `over`::
 
         rk.simulate_many(case, over, sweep_options=rk.SweepOptions(store="map.zarr"))
         sweep = rk.open_sweep("map.zarr")
-
-    path : of the store. Neither the function of the sweep nor its structure are needed, and a sweep
-        may still be under way: what is not there yet is "not run", `attrs["interrupted"]` is 1.
-
-    Raises ModuleNotFoundError without zarr, ValueError for what is no store of a sweep, and the
-    error of zarr for a chunk whose checksum says that it has changed.
     """
     path = Path(path)
     group = _group(path, "r")

@@ -40,17 +40,32 @@ from rockeom.simulation.simulate import simulated
 
 @dataclass(frozen=True, eq=False)
 class Tangents:
-    """A motion with its derivatives along m directions, those of the duals of its case.
+    """Motion with its derivatives along m directions, those of the duals of its case.
 
-    response : the motion, with the bits that `simulate` gives. start (N, m) : of the state at the
-    start. event_times (k, m) : of the time of each of `response.events`. before, after
-    (k, N, m) : of the states on both sides of each event, at the event, which moves. end (N, m)
-    : of the state at the end of the motion, as far as a dual `duration` moves that, too; end_time
-    (m,) : of the time of that end: zero, but where a structure falls or `duration` is a dual.
-
-    grazing : "", or a sentence on the event that cannot be passed: one whose guard falls so slowly
-    that its time is not known, so that a little more or less of anything and it is another, or
-    none. Derivatives behind it are nan.
+    Parameters
+    ----------
+    response : Response
+        Motion, with the bits that `simulate` gives.
+    start : ndarray
+        Derivatives of the state at the start (N, m).
+    event_times : ndarray
+        Derivatives of the time of each of ``response.events`` (k, m).
+    before : ndarray
+        Derivatives of the states before each event, at the event, which moves (k, N, m).
+    after : ndarray
+        Derivatives of the states after each event (k, N, m).
+    end : ndarray
+        Derivatives of the state at the end of the motion, as far as a dual `duration` moves that,
+        too (N, m).
+    end_time : ndarray
+        Derivatives of the time of that end (m,): zero, but where a structure falls or `duration` is
+        a dual.
+    grazing : str
+        "", or a sentence on the event that cannot be passed: one whose guard falls so slowly that
+        its time is not known, so that a little more or less of anything and it is another, or none.
+        Derivatives behind it are NaN.
+    motion : object
+        Motion of the integrator.
     """
 
     response: Response
@@ -74,9 +89,22 @@ class Tangents:
         return self.along.p[: len(self.response.structure.vector)]
 
     def at(self, times: ArrayLike) -> np.ndarray:
-        """(n, N, m) derivatives of the states at fixed times (n,) [s], behind an event at one.
+        """Derivatives of the states at fixed times, behind an event at one.
 
-        Raises ValueError for times outside of the motion.
+        Parameters
+        ----------
+        times : array_like
+            Times (n,) [s].
+
+        Returns
+        -------
+        ndarray
+            Derivatives (n, N, m).
+
+        Raises
+        ------
+        ValueError
+            For times outside of the motion.
         """
         instants = np.atleast_1d(numbers("Tangents.at: times", times))
         end = self.motion.last_time
@@ -90,16 +118,35 @@ class Tangents:
 
 @explained.calls()
 def tangents(case: Case, options: SolverOptions | None = None) -> Tangents:
-    """The motion of a case that holds duals, with its derivatives along their directions.
+    """Motion of a case that holds duals, with its derivatives along their directions.
 
-    options : as for `simulate`. The derivatives are those of the steps that were taken, and as
-    accurate as the motion.
+    Parameters
+    ----------
+    case : Case
+        Case some of whose numbers are duals, see `duals`.
+    options : SolverOptions, optional
+        Choices of the integration; the defaults if not given.
 
-    Raises what `simulate` raises, and ValueError for a structure of which a force jumps where no
-    mode ends: derivatives end there, too.
+    Returns
+    -------
+    Tangents
+        Motion and derivatives. They are those of the steps that were made, and as accurate as the
+        motion.
 
-    >>> start = rk.duals(theta=0.1, theta_dot=0.0)
-    >>> flow = rk.tangents(rk.Case(block, motion, initial=start, duration=2.0))
+    Raises
+    ------
+    ValueError
+        As `simulate`, and for a structure of which a force jumps where no mode ends: derivatives
+        end there, too.
+    TypeError
+        As `simulate`.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> start = rk.duals(theta=0.1, theta_dot=0.0)  # rad, rad/s
+    >>> flow = rk.tangents(rk.Case(block, rk.GroundMotion.none(2.0), initial=start))
     >>> flow.end.shape
     (2, 2)
     """

@@ -116,11 +116,11 @@ def in_executor(
         for future in under_way.values():
             future.cancel()
     if lost:
-        raise _of_executor(executor, lost, chunks)
+        raise _of_executor(executor, task, lost, chunks)
 
 
 def _of_executor(
-    executor: Any, lost: Mapping[int, BaseException], chunks: Sequence[np.ndarray]
+    executor: Any, task: Task, lost: Mapping[int, BaseException], chunks: Sequence[np.ndarray]
 ) -> BaseException:
     """The first error of an executor, with notes on whose it is and the chunks not run."""
     error = lost[min(lost)]
@@ -130,7 +130,9 @@ def _of_executor(
         f"{', ...' if len(lost) > 5 else ''}. Give another executor; with store=... the call "
         "then does only what is missing"
     )
-    if "pickle" in str(error):
+    try:
+        pickle.dumps(task)
+    except type(error):  # the same error: its class and its words vary with the version of Python
         error.add_note(
             "what goes to another process must be picklable: let the function stand at the top "
             "level of a module"

@@ -136,19 +136,56 @@ class HybridModel:
         return {d.symbol: d.value for d in self.definitions}
 
     def written_out(self, expr: sp.Expr) -> sp.Expr:
-        """The expression with all named functions and their derivatives in place of their names."""
+        """Expression with all named functions and their derivatives in place of their names.
+
+        Parameters
+        ----------
+        expr : sympy.Expr
+            Expression.
+
+        Returns
+        -------
+        sympy.Expr
+            Expression in states and parameters.
+        """
         return _written_out(self.functions, sp.sympify(expr))
 
     def in_mode(self, expr: sp.Expr, name: str) -> sp.Expr:
-        """The expression written out for a mode, its side and its switches put in as numbers."""
+        """Expression written out for a mode, its side and its switches put in as numbers.
+
+        Parameters
+        ----------
+        expr : sympy.Expr
+            Expression.
+        name : str
+            Name of the mode.
+
+        Returns
+        -------
+        sympy.Expr
+            Expression in states and parameters.
+        """
         return self.mode(name).put(self.written_out(expr), name)
 
     # -- equations -----------------------------------------------------------------------------
 
     def mode(self, name: str) -> Mode:
-        """The declared mode of a name, such as "left", "both" or "right".
+        """Declared mode of a name, such as "left", "both" or "right".
 
-        Raises KeyError, naming all modes, if there is none of that name.
+        Parameters
+        ----------
+        name : str
+            Name of the mode.
+
+        Returns
+        -------
+        Mode
+            Mode.
+
+        Raises
+        ------
+        KeyError
+            If there is none of that name; the message names all modes.
         """
         for mode in self.modes:
             if name in mode.sides:
@@ -156,7 +193,23 @@ class HybridModel:
         raise KeyError(f"{self.name} has no mode {name!r}; it has {', '.join(self.mode_names)}")
 
     def equations(self, name: str) -> Equations:
-        """Equations of motion of a mode, its side and its switches put in as numbers."""
+        """Equations of motion of a mode, its side and its switches put in as numbers.
+
+        Parameters
+        ----------
+        name : str
+            Name of the mode.
+
+        Returns
+        -------
+        Equations
+            Mass matrix, forces and other parts of the equations.
+
+        Raises
+        ------
+        KeyError
+            If there is no mode of that name.
+        """
         mode = self.mode(name)
         whole = not mode.has_side and not mode.switches
         return mode.equations if whole else mode.equations.map(lambda e: mode.put(e, name))
@@ -167,7 +220,20 @@ class HybridModel:
         return any(t.kind == "impact" for t in self.transitions)
 
     def impulse_map(self, source: str, target: str) -> ImpulseMap:
-        """Velocities after the sudden change from one mode to another."""
+        """Velocities after the sudden change from one mode to another.
+
+        Parameters
+        ----------
+        source : str
+            Name of the mode before.
+        target : str
+            Name of the mode after.
+
+        Returns
+        -------
+        ImpulseMap
+            Velocities after as functions of the state before.
+        """
         if (source, target) not in self._impulse_maps:
             before, after = (
                 OnSide(self.mode(x), self.mode(x).side_of(x)) for x in (source, target)
@@ -184,9 +250,9 @@ class HybridModel:
 
     @cached_property
     def velocity_ratio(self) -> sp.Expr | None:
-        """Ratio of angular velocities at an impact of the structure taken as rigid.
+        """Ratio of angular velocities at an impact of the rigid structure.
 
-        None without impacts, nan where a rigid body's centroid is nearer to one foot: each foot has
+        None without impacts, NaN where a rigid body's centroid is nearer to one foot: each foot has
         its own ratio there, and the impulse maps give both.
         """
         if self.rigid_velocity_ratio is not None:
@@ -201,7 +267,18 @@ class HybridModel:
         return ratio if all(sp.cancel(other - ratio) == 0 for other in others) else sp.nan
 
     def velocity_ratio_at(self, impact: Transition) -> sp.Expr:
-        """The same ratio, derived for one impact."""
+        """Ratio of angular velocities, derived for one impact.
+
+        Parameters
+        ----------
+        impact : Transition
+            Transition with an impact.
+
+        Returns
+        -------
+        sympy.Expr
+            Ratio.
+        """
         return rigid_velocity_ratio(
             self.impulse_map(impact.source, impact.target),
             self.coordinates,

@@ -35,22 +35,42 @@ class Switch(NamedTuple):
 class Mode:
     """Bodies, springs and dampers while the same contacts stay closed.
 
-    sides : the side of each mode that these equations serve. A rocking mode serves two,
-        {"left": -1, "right": +1}, written once with `SIDE`, s = sgn(theta).
-    coordinates : those free to move; all others stay where they are.
-    elements : springs and dampers by name, see `Spring`; their energies and losses are added to
+    Parameters
+    ----------
+    sides : dict of str to int
+        Side of each mode that these equations serve. A rocking mode serves two, {"left": -1,
+        "right": +1}, written once with `SIDE`, s = sgn(theta).
+    coordinates : tuple of Coordinate
+        Coordinates free to move; all others stay where they are.
+    bodies : tuple of Body
+        Bodies.
+    gravity : sympy.Expr
+        Acceleration of gravity.
+    elastic_energy : sympy.Expr, optional
+        Elastic energy besides that of the elements.
+    dissipation : sympy.Expr, optional
+        Rayleigh's function, half the power lost, besides that of the elements.
+    feet : dict of str to Foot, optional
+        The "left" and the "right" foot.
+    load_point : tuple of (sympy.Expr, sympy.Expr), optional
+        Point (x, y) of the load of a pushover.
+    small : tuple of sympy.Symbol, optional
+        Symbols that are small of first order; energies are then truncated at second order, which
+        gives the linearised equations. Impacts keep the exact geometry.
+    forces : tuple of sympy.Expr, optional
+        Generalised force on each coordinate, in their order, for everything that neither potential
+        nor dissipation gives; its virtual work is forces . dq. Empty for none.
+    quantities : dict of str to tuple of (str, sympy.Expr), optional
+        Further quantities of a response, by name: (unit, value) in "m" or "N". The names are the
+        same in each mode.
+    beside_feet : tuple of (sympy.Expr, sympy.Expr), optional
+        Force (horizontal, vertical) of the ground on the structure elsewhere than at its feet, such
+        as that of the columns of a frame next to a wall.
+    elements : tuple of Spring, optional
+        Springs and dampers by name, see `Spring`; their energies and losses are added to
         elastic_energy and dissipation. The names are the same in each mode.
-    dissipation : Rayleigh's function, half the power lost.
-    forces : generalised force on each coordinate, in their order, for everything that neither
-        potential nor dissipation gives; its virtual work is forces . dq. Empty for none.
-    feet : the "left" and the "right" foot.
-    small : symbols taken as small of first order; energies are then truncated at second
-        order, which gives the linearised equations. Impacts keep the exact geometry.
-    quantities : further quantities of a response, by name: (unit, value) in "m" or "N". The names
-        are the same in each mode.
-    beside_feet : (horizontal, vertical) force of the ground on the structure elsewhere than at its
-        feet, such as that of the columns of a frame beside a wall.
-    switches : of states of elements that these equations serve; the same symbols in each mode.
+    switches : tuple of Switch, optional
+        States of elements that these equations serve; the same symbols in each mode.
     """
 
     sides: dict[str, int]
@@ -101,11 +121,33 @@ class Mode:
         return sum(parts, sp.sympify(self.dissipation))
 
     def approximated(self, expr: sp.Expr) -> sp.Expr:
-        """The expression to second order in what this mode takes as small; else as it is."""
+        """Expression to second order in the small symbols of this mode; else as it is.
+
+        Parameters
+        ----------
+        expr : sympy.Expr
+            Expression.
+
+        Returns
+        -------
+        sympy.Expr
+            Expression.
+        """
         return truncated(expr, self.small, 2) if self.small else sp.sympify(expr)
 
     def quantities_in(self, unit: str) -> dict[str, sp.Expr]:
-        """The further quantities that have a unit, by name."""
+        """Further quantities that have a unit.
+
+        Parameters
+        ----------
+        unit : str
+            Unit, "m" or "N".
+
+        Returns
+        -------
+        dict of str to sympy.Expr
+            Expressions by name.
+        """
         return {name: e for name, (u, e) in self.quantities.items() if u == unit}
 
     @property
@@ -119,15 +161,50 @@ class Mode:
         return any(self.sides.values())
 
     def side_of(self, name: str) -> int:
-        """Side of one of the modes that these equations serve: -1, 0 or 1."""
+        """Side of one of the modes that these equations serve.
+
+        Parameters
+        ----------
+        name : str
+            Name of the mode.
+
+        Returns
+        -------
+        int
+            -1, 0 or 1.
+        """
         return self.sides[name]
 
     def states_of(self, name: str) -> list[int]:
-        """The number of each switch in one of the modes that these equations serve."""
+        """Number of each switch in one of the modes that these equations serve.
+
+        Parameters
+        ----------
+        name : str
+            Name of the mode.
+
+        Returns
+        -------
+        list of int
+            1 where a switch is on, else 0.
+        """
         return [int(name in switch.on) for switch in self.switches]
 
     def put(self, expr: sp.Expr, name: str) -> sp.Expr:
-        """The expression in one of the modes: its side and its switches put in as numbers."""
+        """Expression in one of the modes: its side and its switches put in as numbers.
+
+        Parameters
+        ----------
+        expr : sympy.Expr
+            Expression.
+        name : str
+            Name of the mode.
+
+        Returns
+        -------
+        sympy.Expr
+            Expression without them.
+        """
         return at_side(self._switched(expr, name), self.side_of(name))
 
     def _switched(self, expr: sp.Expr, name: str) -> sp.Expr:
@@ -136,7 +213,13 @@ class Mode:
         return sp.sympify(expr).xreplace(numbers)
 
     def of_each_state(self) -> list[Mode]:
-        """Its equations of motion once for each state of its switches, put in as numbers."""
+        """Modes with its equations of motion, the states of its switches put in as numbers.
+
+        Returns
+        -------
+        list of Mode
+            One for each state.
+        """
         served: dict[tuple[int, ...], dict[str, int]] = {}
         for name, side in self.sides.items():
             served.setdefault(tuple(self.states_of(name)), {})[name] = side

@@ -25,7 +25,19 @@ GROUND_X, GROUND_Y = sp.symbols("a_x a_y", real=True)
 @explained.calls()
 @dataclass(frozen=True)
 class Parameter:
-    """A constant of a structure. It has no default: physics is never assumed silently."""
+    """Constant of a structure. It has no default: physics is never assumed silently.
+
+    Parameters
+    ----------
+    symbol : sympy.Symbol
+        Symbol in the equations.
+    name : str
+        Name of the argument.
+    unit : str
+        Unit, "-" for a pure number.
+    meaning : str
+        Meaning, in words.
+    """
 
     symbol: sp.Symbol
     name: str
@@ -125,15 +137,39 @@ class InternalVariable:
 @explained.calls()
 @dataclass(frozen=True)
 class Body:
-    """A rigid body: `mass` at `position` (x, y), with rotary `inertia` about its centroid.
+    """Rigid body.
 
-    `rotation` is the angle through which the body turns. `polar` names the radius R and the
-    angle alpha that replace the half-width and the body's height where equations are shown
-    in the form R sin(alpha - s theta): (half_width, height, R, alpha).
+    Parameters
+    ----------
+    name : str
+        Name.
+    mass : sympy.Expr
+        Mass.
+    position : tuple of (sympy.Expr, sympy.Expr)
+        Place (x, y) of the centroid.
+    inertia : sympy.Expr, optional
+        Moment of inertia about the centroid.
+    rotation : sympy.Expr, optional
+        Angle through which the body turns, clockwise.
+    polar : tuple of (sympy.Symbol, sympy.Symbol, sympy.Symbol, sympy.Symbol), optional
+        Symbols (half_width, height, R, alpha): the radius R and the angle alpha replace the
+        half-width and the body's height where equations are shown in the form R sin(alpha - s
+        theta).
+    outline : tuple of (sympy.Expr, sympy.Expr), optional
+        Corners in a sketch, from the centroid in axes that turn with the body, see `rectangle`;
+        none for a mass without a size.
+    copies : sympy.Expr, optional
+        Number of bodies where one represents several alike, side by side.
+    apart : sympy.Expr, optional
+        Distance of the copies in a sketch.
 
-    outline : corners of what a sketch shows, from the centre in axes that turn with the body, see
-    `rectangle`; none for a mass without a size. copies, apart : how many there are of a body that
-    represents several alike, side by side, and their distance in a sketch.
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> from rockeom.symbolic import Body, rectangle, turned
+    >>> m, b, h, theta = sp.symbols("m b h theta")
+    >>> body = Body("block", m, turned((0, h), (b, 0), theta), m * (b**2 + h**2) / 3, theta,
+    ...             outline=rectangle(b, h))
     """
 
     name: str

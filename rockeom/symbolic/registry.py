@@ -79,18 +79,52 @@ SHIPPED = found()
 
 
 def models() -> tuple[str, ...]:
-    """Names of the shipped structures. `rockeom models` lists families, too."""
+    """Names of the shipped structures. ``rockeom models`` lists families, too.
+
+    Returns
+    -------
+    tuple of str
+        Names.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> "rigid_block" in rk.models()
+    True
+    """
     return tuple(SHIPPED)
 
 
 @explained.calls()
 def derive(name: str, **arguments: str | int) -> RockingModel:
-    """A shipped structure by its name, derived once in a session.
+    """Shipped structure by its name, derived once in a session.
 
-    arguments : of a family, such as `derive("shear_frame", storeys=3)`.
+    Parameters
+    ----------
+    name : str
+        Name of a shipped structure or of a family.
+    **arguments : str or int
+        Arguments of a family, such as ``derive("shear_frame", storeys=3)``.
 
-    Raises KeyError, naming all of them, if there is none of that name, and ArgumentError for
-    arguments that it does not take.
+    Returns
+    -------
+    RockingModel
+        Model with its equations of motion and impact maps.
+
+    Raises
+    ------
+    KeyError
+        If there is none of that name; the message names all of them.
+    ArgumentError
+        For arguments that it does not take.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> model = rk.derive("rigid_block")
+    >>> [c.name for c in model.coordinates]
+    ['theta']
+    >>> mass_matrix = model.equations("right").mass_matrix  # SymPy
     """
     every = SHIPPED | FAMILIES
     if not isinstance(name, str):

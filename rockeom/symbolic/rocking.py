@@ -32,19 +32,53 @@ class Declared:
         raise NotImplementedError
 
     def check_derived(self) -> None:
-        """Raise ValueError where equations that follow from the declaration cannot be simulated."""
+        """Check that the equations that follow from the declaration can be simulated.
+
+        Raises
+        ------
+        ValueError
+            Where they cannot.
+        """
         check_derived(self.hybrid)
 
     def check_values(self, values: Mapping[str, float]) -> None:
-        """Raise ValueError where these parameters, by name, give a body or a base no size."""
+        """Check that parameters give bodies and bases a size.
+
+        Parameters
+        ----------
+        values : dict of str to float
+            Values by name.
+
+        Raises
+        ------
+        ValueError
+            Where they do not.
+        """
         check_values(self.hybrid, values)
 
     def latex(self, form: str = "width") -> str:
-        """A LaTeX document of the whole model; `form` is "width" (B, H) or "polar" (R, alpha)."""
+        """LaTeX document of the whole model.
+
+        Parameters
+        ----------
+        form : str, optional
+            "width" (B, H) or "polar" (R, alpha).
+
+        Returns
+        -------
+        str
+            Text of the document.
+        """
         return latex_document(self.hybrid, form)
 
     def markdown(self) -> str:
-        """The same equations as a Markdown page."""
+        """Same equations as a Markdown page.
+
+        Returns
+        -------
+        str
+            Text of the page.
+        """
         return markdown_page(self.hybrid)
 
 
@@ -52,12 +86,46 @@ class Declared:
 @explained.calls()
 @dataclass(frozen=True)
 class RockingModel(HybridModel, Declared):
-    """A structure: parameters, coordinates, modes and the transitions between them.
+    """Structure: parameters, coordinates, modes and the transitions between them.
 
-    falls : further coordinates, each with the size at which the structure has overturned, as it has
-    where the rotation reaches `overturning`. members : what a sketch shows between bodies.
+    Parameters
+    ----------
+    name : str
+        Name.
+    title : str
+        Title.
+    parameters : tuple of Parameter
+        Parameters.
+    coordinates : tuple of Coordinate
+        Coordinates.
+    modes : tuple of Mode
+        Modes.
+    transitions : tuple of Transition
+        Transitions between the modes.
+    rotation : Coordinate
+        Coordinate that overturns.
+    overturning : sympy.Expr, optional
+        Size of the rotation at which the structure has overturned.
+    definitions : tuple of Definition, optional
+        Symbols that stand for expressions of the parameters.
+    rigid_velocity_ratio : sympy.Expr, optional
+        Ratio of the angular velocities at an impact of the rigid structure; derived if not given.
+    reference : str, optional
+        Source of the equations.
+    functions : tuple of NamedFunction, optional
+        Named functions in the equations.
+    members : tuple of Member, optional
+        Lines of a sketch between bodies.
+    falls : dict of Coordinate to sympy.Expr, optional
+        Further coordinates, each with the size at which the structure has overturned, as it has
+        where the rotation reaches `overturning`.
+    search : Search, optional
+        Search of the mode that follows an event; None for transitions that are declared.
 
-    Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
+    Raises
+    ------
+    ValueError
+        For a declaration that cannot be meant; the message names the item and the remedy.
     """
 
     def __post_init__(self) -> None:
@@ -69,7 +137,13 @@ class RockingModel(HybridModel, Declared):
         return self
 
     def lambdify(self) -> dict[str, NumpyMode]:
-        """Vectorised NumPy functions of every mode, see `numpy_functions`."""
+        """Vectorised NumPy functions of every mode, see `numpy_functions`.
+
+        Returns
+        -------
+        dict of str to NumpyMode
+            Functions by the name of the mode.
+        """
         return numpy_functions(self)
 
     def _repr_latex_(self) -> str:

@@ -222,8 +222,8 @@ def _measured_displacements(table: PrintedTable, *runs: tuple[str, ...]) -> list
     """The first columns after the name by Table 4-2, one for each row of `runs`."""
     measured = dict(zip(TABLE_4_2.column("run"), TABLE_4_2.column(_LARGEST), strict=True))
     return [
-        (row[0], *known, *(None for _ in row[1 + len(known) :]))
-        for row, known in zip(
+        (row[0], *cells, *(None for _ in row[1 + len(cells) :]))
+        for row, cells in zip(
             table.rows, zip(*((measured[r] for r in of) for of in runs), strict=True), strict=True
         )
     ]

@@ -150,8 +150,8 @@ def _findings(
 
 def _excess(one: Equation) -> Iterator[Finding]:
     """Check that printed minus right form is the excess, which vanishes in the domain only."""
-    found = excess_of_print(one.printed, one.right)
-    for difference, excess in zip(found, one.excess, strict=True):
+    differences = excess_of_print(one.printed, one.right)
+    for difference, excess in zip(differences, one.excess, strict=True):
         rest = difference - with_fractions(sp.sympify(excess))
         yield vanishes("printed minus right form minus the excess", rest, normal_form)
     if one.domain is None:

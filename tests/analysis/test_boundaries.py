@@ -7,7 +7,7 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import dynamics, formulas
 from rockeom.motion import STANDARD_GRAVITY as GRAVITY
-from tests.numeric.structures import column
+from tests.typical import column
 
 from .exact_slender import exact_fates
 

@@ -11,8 +11,8 @@ from rockeom.analysis import identification
 from rockeom.structures.classes import SHIPPED
 from rockeom.structures.declared import class_of
 from rockeom.structures.evaluation import at_states
-from tests.numeric.structures import FOUNDATION_STIFFNESS, S1, column, every_structure
 from tests.shipped import plain
+from tests.typical import FOUNDATION_STIFFNESS, S1, column, every_structure
 
 WALL = analysis.Wall.thesis()
 BARE_TABLE = identification.FreeVibration.table_a1()

@@ -8,8 +8,8 @@ import pytest
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import identification
-from tests.numeric.exact import FreeBlock
-from tests.numeric.structures import S1 as COLUMN
+from tests.exact import FreeBlock
+from tests.typical import S1 as COLUMN
 
 BLOCK = rk.RigidBlock(half_width=0.095, half_height=0.4549, mass=334.44)
 SHAPE = {"mass": BLOCK.mass, "alpha": BLOCK.alpha, "radius": BLOCK.radius}

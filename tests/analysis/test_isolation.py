@@ -9,7 +9,7 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import design
 from rockeom.thesis import shaken
-from tests.numeric.structures import S1, column, on_springs
+from tests.typical import S1, column, on_springs
 
 PULSE = rk.GroundMotion.single_sine(amplitude=9.0, period=0.12, duration=1.0)
 RIGID = rk.LumpedMassStructure(**S1)

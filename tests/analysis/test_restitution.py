@@ -8,7 +8,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.analysis import formulas
-from tests.numeric.structures import S1 as COLUMN
+from tests.typical import S1 as COLUMN
 
 
 def peaks_of(run, count):

@@ -7,7 +7,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.analysis import formulas
-from tests.numeric import structures
+from tests import typical
 
 
 @pytest.mark.parametrize(("factor", "lifts"), [(0.999, False), (1.001, True)])
@@ -19,7 +19,7 @@ def test_block_lifts_above_the_static_criterion_and_not_below(factor, lifts):
 
 
 NOTHING = dict.fromkeys(("inertia", "base_mass", "base_height", "base_inertia"), 0.0)
-column = partial(structures.column, **NOTHING)
+column = partial(typical.column, **NOTHING)
 """A mass without inertia on an elastic column whose base has no mass."""
 
 

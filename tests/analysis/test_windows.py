@@ -7,7 +7,7 @@ from scipy import signal
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import identification
-from tests.numeric.structures import column
+from tests.typical import column
 
 RATE = 200.0
 T = np.arange(0.0, 8.0, 1 / RATE)

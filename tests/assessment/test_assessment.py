@@ -15,7 +15,7 @@ from rockeom.motion import JenningsEnvelope
 from rockeom.plots.design_report import facts_of
 from rockeom.sweeps import run as sweeps
 from tests.interrupts import interrupted_at
-from tests.numeric.structures import column, stack
+from tests.typical import column, stack
 
 G = 9.81
 BLOCK = rk.RigidBlock(half_width=0.25, half_height=1.0, mass=400.0)

@@ -10,7 +10,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.assessment.statics import Load, Statics, is_symmetric, statics_of
-from tests.numeric.structures import column, stack
+from tests.typical import column, stack
 
 G = 9.81
 

@@ -25,8 +25,8 @@ import numpy as np
 
 import rockeom as rk
 from rockeom.browser.page import Explorer
+from rockeom.browser.places import NUMBERS
 from rockeom.browser.program import METHOD
-from rockeom.browser.questions import NUMBERS
 from rockeom.browser.traced import UntracedError
 from rockeom.codes import OUTCOMES
 from rockeom.structures.classes import SHIPPED

@@ -12,7 +12,7 @@ from rockeom.assessment.statics import statics_of
 from rockeom.browser.setup import difference
 from rockeom.browser.sizes import enlarged
 from rockeom.browser.traced import UntracedError
-from tests.numeric.structures import column
+from tests.typical import column
 
 from .browsers import native
 

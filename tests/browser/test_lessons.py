@@ -13,7 +13,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.browser.lesson import COMPARED, ends_of
-from rockeom.drawing.positions import legs
+from rockeom.structures.positions import legs
 
 from .browsers import BROWSERS, _declared_block, answered, with_script
 

@@ -12,8 +12,8 @@ import pytest
 
 import rockeom as rk
 from rockeom.structures.classes import SHIPPED
-from tests.numeric.structures import column
 from tests.shipped import plain
+from tests.typical import column
 
 from .browsers import native
 

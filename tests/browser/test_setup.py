@@ -10,11 +10,11 @@ import pytest
 import rockeom as rk
 from rockeom.browser import setup
 from rockeom.browser.controls import Controls, Slider
-from rockeom.browser.questions import OF_MODE
+from rockeom.browser.places import OF_MODE
 from rockeom.browser.setup import difference
 from rockeom.browser.traced import Tape, UntracedError
 from rockeom.sweeps.case_numbers import OtherCase
-from tests.numeric import structures
+from tests import typical
 
 from .browsers import _declared_block
 
@@ -40,7 +40,7 @@ def under_record(half_width, scale):
 
 
 def column(half_width, stiffness, theta, amplitude):
-    structure = structures.column(half_width=half_width, stiffness=stiffness, damping=500.0)
+    structure = typical.column(half_width=half_width, stiffness=stiffness, damping=500.0)
     motion = rk.GroundMotion.ricker(amplitude, 1.0)
     return rk.Case(structure, motion, rk.EnergyRatio(left=0.8, right=0.9), initial={"theta": theta})
 

@@ -124,7 +124,7 @@ MISSING = {
     "": "",
     "thesis": "",
     "simulate $BLOCK": "one of the arguments --motion --pulse --record --free is required",
-    f"simulate rigid_block {PULSE}": "missing half_width (half of the width of the base [m])",
+    f"simulate rigid_block {PULSE}": "missing half_width (Half of the width of the base [m])",
     f"simulate rigid_block --set half_width=0.2 {PULSE}": "Write --set NAME=VALUE",
     f"simulate $BLOCK {PULSE} --set": "--set: expected at least one argument",
     "simulate $BLOCK --free": "--free needs --duration",

@@ -12,7 +12,7 @@ import pytest
 import rockeom as rk
 from rockeom.cli import main
 from rockeom.plots import design_report
-from tests.numeric.structures import S1, column
+from tests.typical import S1, column
 
 SET = [f"{name}={value}" for name, value in column().parameters().items()]
 

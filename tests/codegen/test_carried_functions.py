@@ -16,17 +16,15 @@ import sympy as sp
 import rockeom as rk
 from rockeom.codes import IMPULSIVE
 from rockeom.compiler.types import WIDTH
-from rockeom.integrator.texts import source, text_of
 from rockeom.numbers.functions import of_compounds
 from rockeom.structures.classes import SHIPPED
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from tests.codegen.test_generated_functions import JUMPS, STRUCTURES, Sample, model, module
 from tests.evaluation import Values
-from tests.machine_code import functions
+from tests.machine_code import HEAD, RULES, functions
 from tests.shipped import PINNED, plain
 
 STATES, STEP = 10, 1e-30
-SLOPES = text_of("numbers/derivatives.py") + text_of("integrator/derivatives.py")
 TOLERANCE = 1e-11
 
 ENTRIES = """
@@ -50,7 +48,7 @@ def carried_jump(
 @functools.cache
 def compiled(name):
     jumps = JUMP if name in PINNED else ""
-    return functions(source(module(name)) + SLOPES + ENTRIES + jumps)
+    return functions(HEAD + ENTRIES + jumps, module(name), more=RULES)
 
 
 class Carried:

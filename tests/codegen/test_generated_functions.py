@@ -25,8 +25,8 @@ from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.reactions import reactions
 from rockeom.symbolic.statics import LOAD, equilibrium
 from tests.evaluation import Values
-from tests.numeric.structures import S1, oscillator
 from tests.shipped import PINNED, plain
+from tests.typical import S1, oscillator
 
 N = 1000
 TOLERANCE = 1e-12

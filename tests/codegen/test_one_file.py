@@ -53,7 +53,7 @@ ring = rk.HollowRing(mass=3.0, radius=0.5, half_width=0.15, narrower=0.05)
 assert "HollowRing" in rk.__all__ and "HollowRing" in dir(rk)
 assert ring == rk.structure("hollow_ring", **ring.parameters()) == pickle.loads(pickle.dumps(ring))
 assert (ring.radius, ring.gravity) == (0.5, 9.81)
-assert "half of the width of the base [m]" in rk.HollowRing.__doc__
+assert "Half of the width of the base [m]" in rk.HollowRing.__doc__
 print(ring)
 for wrong in ({"radius": 0.5}, {"mass": -3.0}, {"half_width": 0.05}):
     try:

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from functools import cache, cached_property
 
-from .reference import Block, Motion
+from .reference import Block, Motion, follow
 
 P, ALPHA = 2.14, 0.25
 LEANING = 0.2
@@ -20,8 +20,7 @@ def leaning(friction: float = 0.15) -> Block:
 @cache
 def leaning_motion() -> Motion:
     """Let go on its right foot, until its impacts are small."""
-    block = leaning()
-    return block.assembly.follow(*block.state(theta=LEANING), 4.2, least_impact=1e-4)
+    return follow(leaning().at(theta=LEANING), 4.2, least_impact=1e-4)
 
 
 @dataclass(frozen=True)
@@ -44,8 +43,7 @@ class Shaken:
     @cached_property
     def motion(self) -> Motion:
         breaks = self.across[1], self.up[1]
-        start = self.block.state()
-        return self.block.assembly.follow(*start, self.end, self.ground, breaks)
+        return follow(self.block.at(), self.end, self.ground, breaks)
 
 
 SHAKEN = {

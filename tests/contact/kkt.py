@@ -3,7 +3,7 @@
     M q'' - W lambda = f,    J q'' = -bias
 
 of all closed points together, solved by numpy. From the generated module come M, f and the points'
-gaps and rows alone, which `tests.contact.test_points` compares with their declaration.
+gaps and rows alone, which `tests.contact.test_modes` compares with their declaration.
 """
 
 from __future__ import annotations

@@ -5,8 +5,7 @@ from functools import cache
 import numpy as np
 
 from rockeom.codes import CONTACT_LAWS, NEVER_SLIPS
-from rockeom.integrator.schema import IMPACT_TEXTS, POINT_TEXTS
-from rockeom.integrator.texts import text_of
+from tests.machine_code import plain_texts
 
 
 @cache
@@ -14,11 +13,9 @@ def text(points, law):
     """The names of the texts, for so many points; each coordinate is a gap or a slip of its own."""
     names = {
         "N_STATES": 4 * points, "N_POINTS": points, "N_GUARDS": 1, "N_PARTS": 0, "ROTATION": 0,
-        "N_ELEMENTS": 0, "IMPACT_LAW": law, "__name__": "laws alone",
+        "N_ELEMENTS": 0, "IMPACT_LAW": law,
     }  # fmt: skip
-    for path in (*POINT_TEXTS, *IMPACT_TEXTS):
-        exec(text_of(path), names)
-    return names
+    return plain_texts("transitions.impacts", **names)
 
 
 def impulses(law, d, v, w, e, mu, k=None, e_t=None):

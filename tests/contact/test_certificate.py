@@ -6,17 +6,13 @@ import numpy as np
 import pytest
 
 from rockeom.codes import LANDING, LIFTING, STAYS_OPEN, UNCLEAR
-from rockeom.integrator.schema import POINT_TEXTS
-from rockeom.integrator.texts import text_of
+from tests.machine_code import plain_texts
 
 N = 2
-TEXT = {
-    "N_STATES": 2, "N_STAGES": 1, "N_POINTS": 1, "N_GUARDS": N, "N_PARTS": 0, "GUARDS": (1, 2),
-    "KINDS": ((LANDING, LANDING), (LANDING, LIFTING)),
-}  # fmt: skip
-for path in POINT_TEXTS:
-    exec(text_of(path), TEXT)
-exec(text_of("integrator/transitions/landings.py"), TEXT)
+TEXT = plain_texts(
+    "transitions.landings", N_STATES=2, N_STAGES=1, N_POINTS=1, N_GUARDS=N, N_PARTS=0,
+    GUARDS=(1, 2), KINDS=((LANDING, LANDING), (LANDING, LIFTING)),
+)  # fmt: skip
 
 
 def at(cubic, t):
@@ -91,9 +87,7 @@ def test_a_landing_is_told_only_where_nothing_else_ends_the_state():
 def test_equations_of_an_event(order):
     """Against numpy; where two say the same, by one of the solutions."""
     rng = np.random.default_rng(order)
-    text = {"N_STATES": 4, "N_POINTS": 2, "N_GUARDS": 1, "N_PARTS": 0}
-    for path in POINT_TEXTS:
-        exec(text_of(path), text)
+    text = plain_texts("transitions.points", N_STATES=4, N_POINTS=2, N_GUARDS=1, N_PARTS=0)
     for turn in range(100):
         root = rng.normal(size=(order, order if turn % 2 else max(order - 1, 1)))
         matrix = root @ root.T
@@ -107,9 +101,7 @@ def test_equations_of_an_event(order):
 def test_coordinates_move_by_their_mass():
     """Against numpy; what has no inertia stays."""
     rng, n = np.random.default_rng(6), 4
-    text = {"N_STATES": 2 * n, "N_POINTS": 1, "N_GUARDS": 1, "N_PARTS": 0}
-    for path in POINT_TEXTS:
-        exec(text_of(path), text)
+    text = plain_texts("transitions.points", N_STATES=2 * n, N_POINTS=1, N_GUARDS=1, N_PARTS=0)
     solve = text["through_mass"]
     for _ in range(50):
         root = rng.normal(size=(n, n))

@@ -10,8 +10,8 @@ import pytest
 import rockeom as rk
 from rockeom.codes import OPEN
 from rockeom.structures.searched_modes import Points
+from tests.mechanics import of_sliding_block, of_stack
 from tests.soak.cases import Motion
-from tests.soak.mechanics import of_sliding_block, of_stack
 from tests.soak.newton import Told, lost, on_contacts
 
 STILL = rk.GroundMotion.none

@@ -14,7 +14,7 @@ from rockeom.structures import searched_modes
 from rockeom.symbolic import SHIPPED, Rigid, parameter
 from rockeom.symbolic.parts.supports import X
 from tests.contact import declared
-from tests.numeric.structures import stack
+from tests.typical import stack
 
 STACK = rk.StackedBlocks(
     lower=rk.RigidBlock(half_width=0.3, half_height=1.0, mass=10.0),

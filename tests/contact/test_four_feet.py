@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 import rockeom as rk
+from tests.mechanics import BlockOnFeet, Foot
 
 from .declared import four_feet
-from .reference import Assembly, Body, Point
+from .reference import follow
 
 G, MASS, HEIGHT, INERTIA, FRICTION = 9.81, 2.0, 0.9, 0.9, 0.8
 FEET = {"a": (-1.5, 0.2), "b": (-0.5, 0.0), "c": (0.4, 0.0), "d": (1.4, 0.3)}
@@ -53,8 +54,8 @@ def rough():
 
 @pytest.fixture(scope="module")
 def by_hand():
-    points = [Point(f, 0, u, w - HEIGHT, FRICTION) for f, (u, w) in FEET.items()]
-    return Assembly([Body(MASS, INERTIA)], points, G)
+    feet = tuple(Foot(name, *place, FRICTION, 0.0) for name, place in FEET.items())
+    return BlockOnFeet(MASS, INERTIA, HEIGHT, feet, gravity=G)
 
 
 def test_the_two_lowest_feet_carry_it_by_the_lever(structure):
@@ -123,16 +124,14 @@ def test_shaken_it_slides_and_climbs_as_the_reference(structure, by_hand):
     def ground(t):
         return amplitude * math.sin(2 * math.pi * t / period), 0.0
 
-    q = np.array([0.0, HEIGHT, 0.0])
-    reference = by_hand.follow(q, np.zeros(3), end, ground)
+    still = np.zeros((1, 3))
+    reference = follow(by_hand.at(still, still), end, ground)
     motion = rk.GroundMotion.single_sine(amplitude, period)
     run = rk.simulate(structure, motion, duration=end)
     assert {e.kind for e in reference.events} >= {"landing", "slip begins"}
     landings = [e.time for e in run.events if e.kind == "landing"]
     np.testing.assert_allclose(landings, reference.times("landing"), atol=1e-8)
     for t in np.linspace(0.05, 1.0, 10) * end:
-        x, y, theta = reference.at(t)[1][:3]
-        at = run.at(t)
-        expected = x - HEIGHT * math.sin(theta), y - HEIGHT * math.cos(theta), theta
-        found = [float(at[name]) for name in ("x", "y", "theta")]
-        np.testing.assert_allclose(found, expected, atol=1e-7)
+        at, expected = run.at(t), reference.named(t)
+        for name in ("x", "y", "theta"):
+            assert float(at[name]) == pytest.approx(expected[name], abs=1e-7), (name, t)

@@ -13,10 +13,11 @@ from rockeom.modelling import declared as of_declarations
 from rockeom.structures.searched_modes import Points
 from rockeom.symbolic.algebra import SIDE, brief, vanishes
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from tests.mechanics import OPEN, STICK
 
 from . import declared
-from .reference import OPEN, STICK
-from .test_two_blocks import STACK, STILL, moved, structure
+from .reference import held
+from .test_two_blocks import STACK, STILL, structure
 
 
 @cache
@@ -45,10 +46,16 @@ def test_all_bodies_stand_on_one_another_at_the_start(theta):
 def test_blocks_that_rock_on_one_another_move_as_the_reference():
     state = {"theta": 0.1, "phi": -0.05, "theta_dot": 0.2, "phi_dot": 0.4}
     run = rk.simulate(structure(STACK), STILL, initial=state, duration=1e-6)
-    q, v = moved(STACK, {name: float(run[name][0]) for name in run.states})
+    at = STACK.mechanics.in_state({name: float(run[name][0]) for name in run.states})
     model = declared.two_blocks()
     mechanism = model.mode("right_upper_left")
-    lower, upper = STACK.assembly.bodies
+    lower, upper = at.parts.masses
+    moves = np.vstack(
+        [row for body in at.parts.masses for row in (*body.centre.jacobian[0], body.turn)]
+    )
+    biases = [x for body in at.parts.masses for x in (*body.centre.bias[0], 0.0)]
+    q = [x for body in at.parts.masses for x in (*body.centre.value[0], at.states.q[0] @ body.turn)]
+    v = moves @ at.states.v[0]
     values = {
         "mass": lower.mass, "inertia": lower.inertia, "gravity": 9.81,
         "half_width": STACK.b1, "half_height": STACK.h1, "upper_half_width": STACK.b2,
@@ -66,7 +73,7 @@ def test_blocks_that_rock_on_one_another_move_as_the_reference():
     motions = number(mechanism.motions)
     turned = np.linalg.solve(number(mechanism.mass_matrix), number(mechanism.forcing))
     found = (motions @ turned + number(mechanism.drift)).ravel()
-    expected = STACK.assembly.forces(q, v, (OPEN, STICK, STICK, OPEN), (0.0, 0.0)).motion
+    expected = moves @ held(at, (OPEN, STICK, STICK, OPEN)).motion + biases
     np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-9)
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .reference import Assembly, Body, Point
+from tests.mechanics import At, TwoBlocks, of_stack
 
 LOWER_LEFT, LOWER_RIGHT, UPPER_LEFT, UPPER_RIGHT = range(4)
 
@@ -22,50 +22,34 @@ class Stack:
     m2: float
 
     @property
-    def assembly(self) -> Assembly:
-        b, h, free = (self.b1, self.b2), (self.h1, self.h2), math.inf
-        bodies = [
-            Body(m, m * (b[i] ** 2 + h[i] ** 2) / 3) for i, m in enumerate((self.m1, self.m2))
-        ]
-        points = [
-            Point("left", 0, -b[0], -h[0], free),
-            Point("right", 0, b[0], -h[0], free),
-            Point("upper left", 1, -b[1], -h[1], free, on=0, level=h[0]),
-            Point("upper right", 1, b[1], -h[1], free, on=0, level=h[0]),
-        ]
-        return Assembly(bodies, points)
+    def mechanics(self) -> TwoBlocks:
+        names = (f"{part}_{of}" for of in ("half_width", "half_height", "mass")
+                 for part in ("lower", "upper"))  # fmt: skip
+        sizes = self.b1, self.b2, self.h1, self.h2, self.m1, self.m2
+        return of_stack({"restitution": 0.0, **dict(zip(names, sizes, strict=True))})
 
-    def state(self, rotations, rates, feet) -> tuple[np.ndarray, np.ndarray]:
-        """(q, v) of both mass centres, each block on its foot: -1 the left one, 1 the right one."""
-        place, moves = np.array([feet[0] * self.b1, 0.0]), np.zeros(2)
+    def at(self, rotations, rates, feet) -> At:
+        """Each block on its foot: -1 the left one, 1 the right one."""
+        turned = rotations[0], rotations[1] - rotations[0]
+        turns = rates[0], rates[1] - rates[0]
         q, v = [], []
-        for block, (b, h) in enumerate(((self.b1, self.h1), (self.b2, self.h2))):
-            c, s, rate = math.cos(rotations[block]), math.sin(rotations[block]), rates[block]
-            along, across = np.array([c, -s]), np.array([s, c])
-            if block == 1:  # from the lower block's mass centre to the upper's foot
-                place = place + feet[1] * b * along + self.h1 * across
-                moves = moves + (-feet[1] * b * across + self.h1 * along) * rates[0]
-            place = place - feet[block] * b * along + h * across
-            moves = moves + (feet[block] * b * across + h * along) * rate
-            q += [*place, rotations[block]]
-            v += [*moves, rate]
-        return np.array(q), np.array(v)
+        for b, foot, angle, rate, whole, whole_rate in zip(
+            (self.b1, self.b2), feet, turned, turns, rotations, rates, strict=True
+        ):
+            c, s = math.cos(angle), math.sin(angle)
+            q += [foot * b * (1.0 - c), foot * b * s, whole]
+            v += [foot * b * s * rate, foot * b * c * rate, whole_rate]
+        return self.mechanics.at(np.array([q]), np.array([v]))
 
-    def momentum(self, q, v, about, blocks=(0, 1)) -> float:
-        """Angular momentum about a point, clockwise."""
-        bodies, found = self.assembly.bodies, 0.0
-        for i in blocks:
-            x, y = q[3 * i : 3 * i + 2] - about
-            u, w, rate = v[3 * i : 3 * i + 3]
-            found += bodies[i].mass * (y * u - x * w) + bodies[i].inertia * rate
-        return found
 
-    def foot(self, q, point) -> np.ndarray:
-        """Where a foot is."""
-        p = self.assembly.points[point]
-        x, y, rotation = q[3 * p.of : 3 * p.of + 3]
-        c, s = math.cos(rotation), math.sin(rotation)
-        return np.array([x + p.along * c + p.across * s, y - p.along * s + p.across * c])
+def momentum(at: At, v: np.ndarray, about: tuple[float, float], blocks=(0, 1)) -> float:
+    """Angular momentum about a point, clockwise, at other rates."""
+    total = 0.0
+    for i in blocks:
+        body = at.parts.masses[i]
+        (x, y), (u, w) = body.centre.value[0] - about, body.centre.jacobian[0] @ v
+        total += body.mass * (y * u - x * w) + body.inertia * (body.turn @ v)
+    return total
 
 
 def lower_begins_to_rock(stack: Stack) -> bool:

@@ -17,8 +17,8 @@ import numpy as np
 import rockeom as rk
 from rockeom.codes import CONTACT_LAWS
 from rockeom.structures.classes import SHIPPED
-from tests.numeric.structures import S1, column, on_springs
 from tests.shipped import plain
+from tests.typical import S1, column, on_springs
 
 METHODS = ("DOP853", "RK45", "Radau")
 LAWS = {

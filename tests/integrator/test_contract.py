@@ -1,8 +1,13 @@
-"""What the parts of a program ask of one another is there, under the name that is declared."""
+"""The names that texts of programs take from one another are there, each with one home."""
 
 import ast
 import importlib
-import inspect
+import io
+import os
+import subprocess
+import sys
+import tokenize
+from collections import defaultdict
 from pathlib import Path
 
 import numpy as np
@@ -11,80 +16,146 @@ import pytest
 import rockeom as rk
 from rockeom import codes
 from rockeom.compiler.frontend import _BUILT_IN
-from rockeom.integrator.program import JOINED, texts
-from rockeom.integrator.schema import POINT_TEXTS
-from rockeom.integrator.texts import text_of
+from rockeom.compiler.modules import Modules, Refused, Text, parsed
+from rockeom.compiler.printer import Program
+from rockeom.integrator.program import GLUE, LOOP, TANGENTS, linked
+from rockeom.integrator.schema import PROVIDED
 
-DECLARED = ast.parse((Path(rk.__file__).parent / "integrator" / "interface.pyi").read_text())
-FUNCTIONS = {
-    node.name: [a.arg for a in node.args.args]
-    for node in DECLARED.body
-    if isinstance(node, ast.FunctionDef)
+FOLDER = Path(rk.__file__).parent / "integrator"
+TEXTS = {
+    f"rockeom.integrator.{'.'.join(file.relative_to(FOLDER).with_suffix('').parts)}": file
+    for file in sorted(FOLDER.rglob("*.py"))
 }
-TABLES = {node.target.id for node in DECLARED.body if isinstance(node, ast.AnnAssign)}
-OF_POINTS = {
-    "N_ELEMENTS", "POINT_STATES", "ELEMENT_STATES", "SHARED", "SUBJECTS", "ANGLES", "free_motion",
-    "points", "point_laws", "landed", "FEET_OF",
-}  # fmt: skip
-"""What only modules have whose modes are found; the loop asks no other for them."""
-OF_LAWS = {"IMPACT_LAW", "point_numbers"}
-"""What those of them have whose points have another impact law than Newton's."""
-OF_TABLES = {"jump", "full_contact_guards"}
-"""What they do not have, in turn."""
-OF_FALLS = {"FALLS", "overturns_at"}
-"""What only those have of which several coordinates may fall."""
-TABLE, *SEARCH = (
-    {
-        node.name: [a.arg for a in node.args.args]
-        for node in ast.parse(text_of(f"integrator/transitions/{name}.py")).body
-        if isinstance(node, ast.FunctionDef)
-    }
-    for name in ("table", "search", "landings")
-)
-OF_CONTRACT = FUNCTIONS.keys() & TABLE.keys()
-"""What the loop asks of transitions, whichever way they are found."""
+TREES = {module: ast.parse(file.read_text()) for module, file in TEXTS.items()}
+DECLARED = parsed(TEXTS[PROVIDED].read_text(), "provided.py").functions
+TABLES = {node.target.id for node in TREES[PROVIDED].body if isinstance(node, ast.AnnAssign)}
+PYTHON = {
+    f"rockeom.integrator.{name}"
+    for name in ("program", "schema", "texts", "methods.tableau", "methods.radau", "lanes.step")
+}
+"""Modules that Python runs, to write texts and to link them."""
 OF_PRINTER = {"value", "moving", "rate"}
-"""What numbers with derivatives are asked by."""
+"""Functions that numbers with derivatives are asked by; the printer has them."""
 
 
+def imported(module: str) -> dict[str, str]:
+    """Names that a module of the integrator imports from others, with these."""
+    return {
+        alias.name: str(node.module)
+        for node in TREES[module].body
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+
+
+def test_every_provided_name_is_declared_and_every_declared_one_is_imported():
+    wanted = {
+        name for module in TREES for name, home in imported(module).items() if home == PROVIDED
+    }
+    of_pages = {"energies", "positions", "powers", "shapes", "statics"}
+    assert wanted <= DECLARED.keys() | TABLES
+    of_steps = {"EQUATIONS", "accelerations"}
+    assert (DECLARED.keys() | TABLES) - wanted <= of_pages | of_steps
+
+
+def test_every_name_that_is_imported_has_its_home_in_a_file_that_can_be_opened():
+    for module in TREES:
+        for name, home in imported(module).items():
+            if home in TREES and home != PROVIDED:
+                parts = parsed(TEXTS[home].read_text(), home)
+                assert name in parts.functions or name in parts.constants, (module, name, home)
+    assert not [*FOLDER.rglob("*.pyi")]
+    assert not [file for file in TEXTS.values() if "if TYPE_CHECKING:\n    from rockeom.integrator"
+                in file.read_text()]  # fmt: skip
+
+
+@pytest.mark.parametrize("part", [LOOP, GLUE, TANGENTS])
 @pytest.mark.parametrize("method", ["DOP853", "RK45", "Radau"])
 @pytest.mark.parametrize("name", rk.models())
-def test_generated_modules_and_steps_define_what_the_loop_asks_for(name, method):
+def test_texts_define_what_is_declared_as_it_is_declared(name, method, part):
     generated = importlib.import_module(f"rockeom.generated.{name}")
-    lanes = method != "Radau"
-    joined = {"__name__": "joined"}
-    for text in texts(generated, method, lanes):
-        if text.name not in JOINED or text.name in POINT_TEXTS:
-            exec(compile(text.source, text.name, "exec"), joined)
-    of_lanes = {f for f in FUNCTIONS if f.endswith("_lanes")}
-    elsewhere = OF_PRINTER | OF_CONTRACT | (OF_TABLES if joined["N_POINTS"] else OF_POINTS)
-    elsewhere |= OF_LAWS | (set() if joined["N_FALLS"] else OF_FALLS)
-    for function in FUNCTIONS.keys() - elsewhere - (set() if lanes else of_lanes):
-        assert [*inspect.signature(joined[function]).parameters] == FUNCTIONS[function]
-    tables = {"LANES", "N_PARAMETERS", "PLACES", "STAGE_PLACES", "NODE_PLACES", "DAMPING"}
-    tables.add("GAP_SIDES")
-    tables = set() if lanes else tables
-    contract = {"MOST_IDLE", "QUIET_STEPS", "EXTRAPOLATES", "Gap"}
-    assert TABLES - elsewhere - contract - tables <= joined.keys()
-
-
-def test_a_table_and_a_search_of_transitions_fulfil_one_contract():
-    search = SEARCH[0] | SEARCH[1]
-    assert len(OF_CONTRACT) == 15
-    for function in OF_CONTRACT:
-        assert TABLE[function] == search[function] == FUNCTIONS[function]
+    if part == GLUE and (method == "Radau" or getattr(generated, "N_POINTS", 0)):
+        pytest.skip("no lanes")
+    defined = defaultdict(list)
+    for text in linked(generated, method, part).modules.provided[PROVIDED]:
+        for function, tree in parsed(text.source, text.name).functions.items():
+            defined[function].append([a.arg for a in tree.args.args])
+    for function in defined.keys() & DECLARED.keys():
+        assert defined[function] == [[a.arg for a in DECLARED[function].args.args]], function
+    assert {"rates", "guards", "take_step", "dense_output", "transition"} <= defined.keys()
 
 
 def test_printer_defines_what_numbers_with_derivatives_are_asked_by():
-    for function in OF_PRINTER:
-        assert function in _BUILT_IN
+    assert _BUILT_IN.keys() & DECLARED.keys() >= OF_PRINTER
 
 
-def test_every_name_that_is_declared_is_asked_for():
-    asked = set()
-    for name in (*JOINED, "browser/questions.py"):
-        asked |= {n.id for n in ast.walk(ast.parse(text_of(name))) if isinstance(n, ast.Name)}
-    assert FUNCTIONS.keys() | TABLES <= asked
+def test_every_constant_and_function_of_the_integrator_has_one_home():
+    homes = defaultdict(set)
+    alternatives = ("table", "search", "landings", "newton", "impacts", "radau_step")
+    for module, file in TEXTS.items():
+        own = module in PYTHON or module == PROVIDED
+        if own or module.endswith(alternatives):
+            continue
+        parts = parsed(file.read_text(), module)
+        for name in {**parts.functions, **parts.constants}:
+            homes[name].add(module)
+    twice = {name: modules for name, modules in homes.items() if len(modules) > 1}
+    assert not {name for name in twice if not name.startswith("__")}
+
+
+def test_powers_of_ten_stand_among_the_tolerances_or_the_coefficients():
+    of_series = {"3.1415926534682512", "1.2154201013012384e-10"}  # pi in parts, of the sine
+    for module, file in TEXTS.items():
+        if module.endswith(("tolerances", "coefficients", "tableau")):
+            continue
+        tokens = tokenize.generate_tokens(io.StringIO(file.read_text()).readline)
+        numbers = {token.string for token in tokens if token.type == tokenize.NUMBER}
+        assert not {number for number in numbers - of_series if "e" in number}, module
+
+
+def test_a_name_with_two_homes_is_refused_with_both():
+    texts = {
+        "rockeom.one": Text("one.py", "def f(x):\n    return x\n", alone=True),
+        "rockeom.two": Text("two.py", "\nf = 1\n", alone=True),
+    }
+    root = Text("root", "from rockeom.one import f\nfrom rockeom.two import g\n")
+    with pytest.raises(Refused, match=r"f has two homes in one program: one.py, line 1, and two"):
+        Program([root], Modules({}, texts.__getitem__))
+
+
+def test_what_is_absent_is_an_error_where_it_is_used():
+    head = (
+        "from rockeom.provided import N, f\nfrom rockeom.compiler.decorators import entry\nM = N\n"
+    )
+    use = "@entry\ndef g(x: float) -> float:\n    return {}\n"
+    nothing = Modules({"rockeom.provided": ()})
+    assert Program([Text("text", head + use.format("x"))], nothing).entries.keys() == {"g"}
+    for used in ("f(x)", "x + M"):
+        with pytest.raises(Refused, match="text, line 6, in g"):
+            Program([Text("text", head + use.format(used))], nothing)
+
+
+def test_texts_become_machine_code_without_being_imported(tmp_path):
+    """And nothing that Python imports asks for what is provided."""
+    code = """
+import sys, pkgutil, importlib
+import rockeom as rk
+rk.simulate(rk.RigidBlock(half_width=0.3, half_height=1.0), rk.GroundMotion.single_sine(5.0, 0.5))
+for package in ("structures", "simulation", "sweeps", "browser", "exports", "codegen"):
+    for module in pkgutil.iter_modules(importlib.import_module(f"rockeom.{package}").__path__):
+        if f"{package}.{module.name}" not in ("browser.questions", "browser.verdict"):
+            importlib.import_module(f"rockeom.{package}.{module.name}")
+own = {m for m in sys.modules if m.startswith("rockeom.integrator.")}
+print(*sorted(m.removeprefix("rockeom.integrator.") for m in own))
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True,
+        env=os.environ | {"ROCKEOM_CACHE_DIR": str(tmp_path)},
+    )  # fmt: skip
+    assert done.stdout.split() == [
+        "methods", "methods.coefficients", "methods.tableau", "program", "records", "schema",
+        "texts", "transitions", "transitions.restitution",
+    ]  # fmt: skip
 
 
 def test_outcomes_are_numbered_as_the_loop_numbers_them():

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import example, given, settings, strategies as st
 
 import rockeom as rk
-from tests.numeric.structures import on_springs
+from tests.typical import on_springs
 
 from .models import CHAIN, point, thrown
 

@@ -9,7 +9,7 @@ from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
 from rockeom.motion.segments import SegmentKind
-from tests.numeric.structures import on_springs
+from tests.typical import on_springs
 
 from .models import point, thrown
 

@@ -12,8 +12,8 @@ import pytest
 from scipy.interpolate import BPoly
 from scipy.optimize import brentq
 
-from tests.numeric.structures import column, oscillator
 from tests.oracle.ways import python
+from tests.typical import column, oscillator
 
 COLUMN = column()
 OSCILLATOR = oscillator()

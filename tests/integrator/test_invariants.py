@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given, settings, strategies as st
 
 import rockeom as rk
-from tests.numeric.structures import S1, column, on_springs
+from tests.typical import S1, column, on_springs
 
 STRUCTURES = {
     s.model: s
@@ -50,7 +50,7 @@ seeds = st.integers(0, 2**32 - 1)
 @given(seed=seeds, tilt=st.floats(-0.05, 0.05), e=st.floats(0.0, 1.0))
 def test_mirror_image_to_the_last_bit(structure, seed, tilt, e):
     """theta to -theta, a_g to -a_g, under vertical shaking that stays as it is."""
-    rotation = structure.states[0]
+    rotation, rate = structure.states[0], structure.states[len(structure.states) // 2]
     motion, vertical = record(seed, structure), record(seed + 1, structure).scaled(0.3)
     run, image = (
         rk.simulate(
@@ -58,7 +58,7 @@ def test_mirror_image_to_the_last_bit(structure, seed, tilt, e):
             horizontal,
             vertical=vertical,
             impact=law(structure, e),
-            initial={rotation: start},
+            initial={rotation: start, rate: -2 * start},
         )
         for horizontal, start in ((motion, tilt), (-motion, -tilt))
     )

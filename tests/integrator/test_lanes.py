@@ -12,14 +12,15 @@ from hypothesis import given, settings, strategies as st
 import rockeom as rk
 from rockeom.compiler.machine import Loaded, compiled
 from rockeom.compiler.printer import Program as Printed
-from rockeom.integrator.program import GLUE, LOOP, VECTORS, joined_texts
+from rockeom.integrator.program import GLUE, LOOP, VECTORS, linked
 from rockeom.simulation.case import Problems
 from rockeom.sweeps.cases import Batch
 from rockeom.sweeps.results import Results
 from rockeom.sweeps.run import lanes_pay
-from tests.numeric.structures import S1, column, on_springs
+from tests.machine_code import plain as plain_functions
 from tests.oracle.ways import flat
 from tests.sweeping import simulate_many
+from tests.typical import S1, column, on_springs
 
 STEP = rk.SolverOptions(steps_per_segment=1)
 
@@ -440,13 +441,11 @@ def test_vectors_have_the_bits_of_plain_python(which):
     problems = [case.problem() for case in STARTS[which]]
     codes, entries, spaces = [], {}, {}
     for part in (LOOP, VECTORS, GLUE):
-        joined = joined_texts(module, "RK45", part)
-        printed = Printed(joined, contract=False)
+        roots, modules, _ = linked(module, "RK45", part)
+        printed = Printed(roots, modules, contract=False)
         codes.append(compiled(printed.ir(), part == VECTORS))
         entries |= printed.entries
-        spaces[part] = {"__name__": part}
-        for text in joined:
-            exec(text.source, spaces[part])
+        spaces[part] = plain_functions(module, "RK45", part)
         if part == GLUE:  # each part calls the others' entries
             of_vectors = [name for name in entries if name.endswith("_lanes")]
             spaces[GLUE] |= {n: spaces[VECTORS][n] for n in of_vectors if n != "integrate_lanes"}

@@ -9,7 +9,7 @@ import pytest
 import rockeom as rk
 from rockeom.codes import FULL
 from rockeom.integrator.program import program
-from tests.numeric.structures import S1
+from tests.typical import S1
 
 
 def column(stiffness=50e6):

@@ -11,6 +11,7 @@ import pytest
 from scipy import integrate
 
 import rockeom as rk
+from rockeom.compiler.modules import Text, as_python
 from rockeom.integrator.methods import coefficients
 from rockeom.integrator.methods.tableau import step_text, tableau
 
@@ -83,11 +84,10 @@ from rockeom.integrator.methods import coefficients
 coefficients.PAIRS["Prince"] = coefficients.RK45
 import rockeom as rk
 import rockeom.generated.rigid_block as module
-from rockeom.compiler.printer import Program
-from rockeom.integrator.program import texts
+from rockeom.integrator.program import GLUE, LOOP, printed
 assert rk.SolverOptions(method="Prince").method == "Prince"
-for lanes in (False, True):
-    one, other = (Program(texts(module, m, lanes)).ir() for m in ("Prince", "RK45"))
+for part in (LOOP, GLUE):
+    one, other = (printed(module, m, part).ir() for m in ("Prince", "RK45"))
     assert one == other
 try:
     rk.SolverOptions(method="Dormand")
@@ -187,7 +187,7 @@ def test_no_decay_or_vibration_is_wrong_unseen(name, angle):
         "np": np, "math": math, "N_STATES": 4, "accelerations": accelerations,
         "ground_at_stages": lambda *ground: None, "FULL_CONTACT": -1,
     }  # fmt: skip
-    exec(step_text(tableau(name), 2), step)
+    as_python([Text("step", step_text(tableau(name), 2))], step)
     k, y = np.zeros(4 * step["N_ALL_STAGES"] + 99), np.array([0.0, 0.0, 1.0, 0.0])
     new, still, atol = np.zeros(4), np.zeros(7), np.full(4, tolerance)
     for size in np.linspace(1.0, 6.5, 1101):

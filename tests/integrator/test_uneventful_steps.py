@@ -12,7 +12,7 @@ from rockeom.integrator.program import program
 from rockeom.simulation.case import Case
 from rockeom.simulation.recorder import DenseRecorder
 from rockeom.simulation.simulate import run
-from tests.numeric.structures import column, oscillator
+from tests.typical import column, oscillator
 
 STRUCTURES = {
     "block": rk.RigidBlock(half_width=0.095, half_height=0.45),

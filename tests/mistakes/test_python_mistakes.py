@@ -91,11 +91,11 @@ def mistake(kind: str, call: Callable[[], Any], error: type[Exception], *says: s
 STRUCTURES = [
     mistake(
         MISSING, lambda: rk.RigidBlock(half_width=0.1), TypeError,
-        "RigidBlock: missing half_height", "height of the centroid above the base [m]",
+        "RigidBlock: missing half_height", "Height of the centroid above the base [m]",
     ),
     mistake(
         MISSING, lambda: rk.FlexibleStructure(mass=1.0, height=1.0), TypeError,
-        "stiffness (flexural stiffness of the column [N/m])", "half_width",
+        "stiffness (Flexural stiffness of the column [N/m])", "half_width",
     ),
     mistake(
         NAME, lambda: rk.RigidBlock(width=0.2, height=0.8), TypeError,
@@ -115,7 +115,7 @@ STRUCTURES = [
     ),
     mistake(
         NAME, lambda: rk.RigidBlock.from_dimensions(width=0.6, heigth=2.0), TypeError,
-        "missing height (of the whole block [m])", "did you mean height?",
+        "missing height (Height of the whole block [m])", "did you mean height?",
     ),
     mistake(
         SIGN,
@@ -201,7 +201,7 @@ MOTIONS = [
     ),
     mistake(
         MISSING, lambda: GM.kanai_tajimi(0.01, duration=10.0), TypeError,
-        "missing seed (equal seeds give equal motions)",
+        "missing seed (Seed; equal seeds give equal motions)",
     ),
     mistake(MISSING, lambda: GM.from_array([0.0, 1.0]), TypeError, "from_array: missing dt"),
     mistake(SHAPE, lambda: GM.from_array([], 0.01), rk.MotionError, "0 sample(s)", "two or more"),
@@ -267,7 +267,7 @@ MOTIONS = [
 LAWS = [
     mistake(
         NAME, lambda: rk.VelocityRatio(r=0.9), TypeError,
-        "missing e (coefficient of restitution, 0 to 1 [-])", "give rk.EnergyRatio(r)",
+        "missing e (Coefficient of restitution, 0 to 1)", "give rk.EnergyRatio(r)",
     ),
     mistake(NAME, lambda: rk.EnergyRatio(e=0.9), TypeError, "give rk.VelocityRatio(e)"),
     mistake(SIGN, lambda: rk.VelocityRatio(-0.1), ValueError, "e is -0.1", "0 (no rebound)"),
@@ -367,7 +367,7 @@ RESPONSES = [
 SWEEPS = [
     mistake(
         MISSING, lambda: rk.simulate_many(pulse), TypeError,
-        "missing over (a mapping of names to lists of values",
+        "missing over (A mapping of names to lists of values",
     ),
     mistake(
         SHAPE, lambda: rk.simulate_many(pulse, {"amplitude": 3.0}), TypeError,

@@ -5,8 +5,8 @@ import pytest
 
 import rockeom as rk
 from tests.machine_code import functions
-from tests.numeric.structures import S1
 from tests.oracle.ways import differences, flat, printed, python, run
+from tests.typical import S1
 
 STRUCTURES = {
     "flexible structure": rk.FlexibleStructure(**S1, stiffness=571.8e3, damping=502.4),

@@ -9,6 +9,7 @@ import ast
 import math
 import warnings
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import cache
 from itertools import islice
 from types import ModuleType
@@ -16,7 +17,9 @@ from typing import Any, get_type_hints
 
 import numpy as np
 
-from rockeom.integrator.program import texts
+from rockeom.compiler.modules import Text, as_python
+from rockeom.integrator.program import linked
+from rockeom.integrator.texts import source
 from tests.machine_code import HEAD, functions
 
 Ways = dict[str, Callable[..., Any]]
@@ -73,16 +76,14 @@ def product(x: float, n: int) -> float:
 
 def python(module: ModuleType, method: str) -> dict[str, Any]:
     """All functions of a program as Python runs them."""
-    names: dict[str, Any] = {"__name__": "plain", "product_": product}
-    for text in [*texts(module, method)]:
-        _run(text.source, names)
-    _run(questions(module), names)
-    return names
+    roots, modules, _ = linked(module, method)
+    texts = [*modules.closure(roots), Text("the questions", questions(module))]
+    texts = [replace(text, source=_with_products(text.source)) for text in texts]
+    return as_python(texts, {"__name__": "plain", "product_": product})
 
 
-def _run(source: str, names: dict[str, Any]) -> None:
-    tree = ast.fix_missing_locations(_Products().visit(ast.parse(source)))
-    exec(compile(tree, "plain", "exec"), names)
+def _with_products(source: str) -> str:
+    return ast.unparse(_Products().visit(ast.parse(source)))
 
 
 def flat(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -105,7 +106,7 @@ def by_numba(module: ModuleType) -> Ways:
     from numba import njit
 
     names: dict[str, Any] = {"__name__": "jitted"}
-    exec(texts(module, "DOP853")[0].source + questions(module), names)
+    exec(source(module) + questions(module), names)
     for name, value in names.items():
         if isinstance(value, type(by_numba)) and name not in ("entry", "fused", "inlined"):
             names[name] = njit(error_model="numpy")(value)

@@ -3,9 +3,7 @@
 The generated text is executed by Python itself, so that nothing needs to be compiled.
 """
 
-import ast
 import functools
-import importlib
 import types
 from dataclasses import replace
 
@@ -16,10 +14,9 @@ from hypothesis import given, strategies as st
 import rockeom as rk
 from rockeom.codegen import module_text
 from rockeom.codegen.names import Names, is_own
-from rockeom.integrator.lanes.step import lanes_text
-from rockeom.integrator.methods.tableau import step_text, tableau
-from rockeom.integrator.program import JOINED
-from rockeom.integrator.texts import text_of
+from rockeom.codes import IMPACT
+from rockeom.integrator.program import LOOP, printed
+from rockeom.integrator.texts import load_text
 from rockeom.structures.declared import class_of
 from rockeom.symbolic import Coordinate, Mode, RockingModel, Transition
 from rockeom.symbolic.evaluate import NumpyMode
@@ -205,32 +202,14 @@ def test_given_names_are_different_and_none_is_the_program_s(words):
     assert not any(map(is_own, given_names))
 
 
-def bound_by(text: str) -> set[str]:
-    """Names that a text defines for the whole of the program."""
-    found: set[str] = set()
-    for statement in ast.parse(text).body:
-        if isinstance(statement, ast.FunctionDef):
-            found.add(statement.name)
-            continue
-        if isinstance(statement, ast.ImportFrom):
-            found |= {alias.asname or alias.name for alias in statement.names}
-        stored = (n for n in ast.walk(statement) if isinstance(n, ast.Name))
-        found |= {node.id for node in stored if isinstance(node.ctx, ast.Store)}
-    return found
-
-
-@pytest.mark.parametrize("method", ["DOP853", "RK45"])
-def test_no_mode_can_meet_what_is_joined_to_the_module(method):
-    """In the joined program numbers of modes are global, as all of the loop's names."""
-    frame = importlib.import_module("rockeom.generated.flexible_structure")
-    joined = [text_of(name) for name in JOINED]
-    joined += [step_text(tableau(method), 2), lanes_text(tableau(method), frame)]
-    names = set().union(*map(bound_by, joined))
-    assert {"REST", "IMPACT", "EPS"} <= names
-    for name in names:
-        assert Names().of_mode(name.lower()) not in names
-        assert not name.endswith("_")
-    assert not {"LEFT", "BOTH", "RIGHT", "FLIGHT"} & names
+def test_modes_may_be_named_as_the_texts_of_the_loop_name_things():
+    """Numbers of modes are constants of the module alone."""
+    model = rk.derive("dirac_delta_block")
+    names = dict(zip(model.mode_names, ("impact", "eps", "left", "rest", "n", "k"), strict=True))
+    text = module_text(with_modes(model, names))
+    program = printed(load_text("block", text), "RK45", LOOP)
+    assert program.names_in(program.texts[-1])["IMPACT"] == IMPACT
+    assert sorted(program.names["MODES"]) == sorted(names.values())
 
 
 def test_modes_of_any_name():

@@ -17,8 +17,8 @@ import rockeom as rk
 from rockeom.motion.segments import COLUMNS
 from rockeom.structures.base import Structure
 from rockeom.structures.classes import SHIPPED
-from tests.numeric.structures import S1
 from tests.shipped import plain
+from tests.typical import S1
 
 NEWER = ("sliding_block", "stacked_blocks", "rocking_frame", "wall_with_frame", "offset_block")
 """Structures that are not drawn: seeds keep their meaning. Those of contacts have random motions of

@@ -21,9 +21,7 @@ from rockeom.structures.base import Structure
 from rockeom.symbolic import Contact, Rigid, Unilateral, Yielding, dead_load
 from rockeom.symbolic.model import Parameter, parameter
 from tests.contact import declared
-from tests.soak import cases
-from tests.soak.cases import Dice, Motion
-from tests.soak.mechanics import (
+from tests.mechanics import (
     AtWall,
     BlockOnFeet,
     Foot,
@@ -33,6 +31,8 @@ from tests.soak.mechanics import (
     of_sliding_block,
     of_stack,
 )
+from tests.soak import cases
+from tests.soak.cases import Dice, Motion
 
 BASE = 10**12
 METHODS = ("DOP853", "DOP853", "RK45 1e-6", "DOP853", "RK45 1e-6", "DOP853", "RK45", "DOP853")

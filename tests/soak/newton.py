@@ -20,9 +20,8 @@ Each check yields a line for each violation; its first words name the kind. The 
 
 from __future__ import annotations
 
-import itertools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -31,9 +30,20 @@ import numpy as np
 import rockeom as rk
 from rockeom.codes import LANDING, LZB, NEWTON, PAIRWISE, REST
 from rockeom.integrator.schema import impact_law
+from tests.mechanics import (
+    OPEN,
+    SENSE,
+    STICK,
+    At,
+    Fit,
+    Mechanics,
+    Solved,
+    distinct,
+    impulses,
+    motions,
+)
 from tests.soak.cases import is_even
 from tests.soak.checks import FINEST, Record, finite, joined, ordered
-from tests.soak.mechanics import OPEN, SENSE, SLIP_LEFT, SLIP_RIGHT, STICK, At, Mechanics, Solved
 
 Found = Iterator[str]
 
@@ -208,16 +218,10 @@ def _followed(r: Told, mode: int, steps: np.ndarray) -> Found:
     yield from _yielded(r, at, elements, steps, where)
 
 
-def _scale(at: At, ax: np.ndarray, ay: np.ndarray) -> np.ndarray:
-    """(k,) a force of the structure: its masses times accelerations."""
-    mass = at.whole
-    return mass * (at.of.gravity + np.abs(ax) + np.abs(ay))
-
-
 def _possible(r: Told, at: At, pattern, solved: Solved, ax, ay, where) -> Found:
     """No tension, friction within its bound and against the slip, no sinking, no slip of sticks."""
     size, speed = r.by_hand.size, r.speed
-    force = _scale(at, ax, ay) + np.abs(solved.pressed).max(axis=1, initial=0.0)
+    force = at.load(ax, ay) + np.abs(solved.pressed).max(axis=1, initial=0.0)
     room = (r.loose + 1e-7) * force
     gap_room = (r.loose + 1e-8) * size
     rate_room = (r.loose + 1e-8) * (speed + np.abs(at.rates).max(axis=(1, 2), initial=0.0))
@@ -785,15 +789,6 @@ def _stands(r: Told) -> Found:
         yield f"end: came to rest with a velocity of {speed:.3g} m/s"
 
 
-@dataclass(frozen=True)
-class Fit:
-    """A pattern whose forces fit after a landing, that state, and its accelerations."""
-
-    at: At
-    pattern: tuple[int, ...]
-    motion: np.ndarray
-
-
 def _undecided(r: Told, word: str, last: float) -> Found:
     """No solution, or several: so say all patterns of the last state."""
     at = r.at(r.run.end[None])
@@ -808,14 +803,14 @@ def _undecided(r: Told, word: str, last: float) -> Found:
         touching = closed.copy()
         touching[[i for k, i in enumerate(beside) if count >> k & 1]] = True
         fits = modes_that_fit(at, ax, ay, touching, r.speed, margin)
-        distinct = _distinct([fit for fit in fits if _lasts(r, fit, last)])
-        if len(distinct) != 1:
+        apart = distinct([fit for fit in fits if _lasts(r, fit, last)])
+        if len(apart) != 1:
             return
-        everywhere += distinct
-    if len(_distinct(everywhere)) == 1:
+        everywhere += apart
+    if len(distinct(everywhere)) == 1:
         names = [p.name for p in at.parts.points]
         words = ("open", "sticks", "slips to the right", "slips to the left")
-        states = [f"{n} {words[s]}" for n, s in zip(names, distinct[0].pattern, strict=True)]
+        states = [f"{n} {words[s]}" for n, s in zip(names, apart[0].pattern, strict=True)]
         yield f"{word}: at {last:.9g} s, where one mode fits: {', '.join(states)}"
 
 
@@ -828,17 +823,8 @@ def _lasts(r: Told, fit: Fit, last: float) -> bool:
     moved = q + tau * v + 0.5 * tau**2 * fit.motion
     later = at.of.at(moved, v + tau * fit.motion, at.states.internal)
     solved = later.solve(fit.pattern, later.forces(ax, ay))
-    scale = 1e-9 * float(_scale(later, np.array([ax]), np.array([ay]))[0])
+    scale = 1e-9 * float(later.load(ax, ay))
     return not (solved.pressed < -scale).any()
-
-
-def _distinct(fits: Sequence[Fit]) -> list[Fit]:
-    kept: list[Fit] = []
-    for fit in fits:
-        near = 1e-5 * (1.0 + np.abs(fit.motion).max())
-        if all(np.abs(fit.motion - other.motion).max() > near for other in kept):
-            kept.append(fit)
-    return kept
 
 
 def modes_that_fit(
@@ -853,114 +839,9 @@ def modes_that_fit(
     small = 0.1 * margin * (speed + math.sqrt(at.of.gravity * size) * 1e-6)
     closing = touching & (at.rates[0, :, 1] < -small)
     if closing.any():
-        after = _after_landing(at, touching, small)
+        after = distinct(impulses(at, touching, small))
         if len(after) != 1:
             return []
-        at = at.of.at(at.states.q, after[0][None], at.states.internal)
+        at = at.of.at(at.states.q, after[0].solved.motion, at.states.internal)
     near = touching & (at.rates[0, :, 1] <= small)
-    force = at.forces(ax, ay)
-    found = []
-    whole = float(_scale(at, np.array([ax]), np.array([ay]))[0])
-    for pattern in patterns(at, near):
-        if not all(
-            _agrees(s, at.rates[0, i, 0], small) or not at.parts.points[i].friction
-            for i, s in enumerate(pattern)
-        ):
-            continue
-        try:
-            solved = at.solve(pattern, force)
-        except np.linalg.LinAlgError:
-            continue
-        if not np.isfinite(solved.motion).all():
-            continue
-        scale = margin * (whole + np.abs(solved.pressed).max(initial=0.0))
-        if (solved.pressed < -scale).any():
-            continue
-        bounds = [float(at.bound(i, solved)[0]) for i in solved.along]
-        if any(abs(t) > b + scale for t, b in zip(solved.friction[0], bounds, strict=True)):
-            continue
-        opening = at.rows[0, :, 1] @ solved.motion[0] + at.biases[0, :, 1]
-        slipping = at.rows[0, :, 0] @ solved.motion[0] + at.biases[0, :, 0]
-        tiny = margin * (at.of.gravity + np.abs(solved.motion).max())
-        if any(near[i] and s == OPEN and opening[i] < -tiny for i, s in enumerate(pattern)):
-            continue
-        if any(
-            SENSE[s]
-            and at.parts.points[i].friction
-            and abs(at.rates[0, i, 0]) <= small
-            and SENSE[s] * slipping[i] < -tiny
-            for i, s in enumerate(pattern)
-        ):
-            continue
-        found.append(Fit(at, pattern, solved.motion[0]))
-    return found
-
-
-def _agrees(state: int, slip: float, small: float) -> bool:
-    if state == STICK:
-        return abs(slip) <= small
-    return state == OPEN or SENSE[state] * slip >= -small
-
-
-def patterns(at: At, near: np.ndarray) -> Iterator[tuple[int, ...]]:
-    """All in which points of a pair that are closed do the same."""
-    points = at.parts.points
-    choices = []
-    for i, point in enumerate(points):
-        if not near[i]:
-            choices.append((OPEN,))
-        elif math.isinf(point.friction):
-            choices.append((STICK, OPEN))
-        elif not point.friction:
-            choices.append((SLIP_RIGHT, OPEN))
-        else:
-            choices.append((STICK, OPEN, SLIP_RIGHT, SLIP_LEFT))
-    for pattern in itertools.product(*choices):
-        pairs: dict[int, set[int]] = {}
-        for i, state in enumerate(pattern):
-            if state != OPEN:
-                pairs.setdefault(points[i].pair, set()).add(state)
-        if all(len(states) == 1 for states in pairs.values()):
-            yield pattern
-
-
-def _after_landing(at: At, touching: np.ndarray, small: float) -> list[np.ndarray]:
-    """All velocities that may follow where touching points meet, by the law of restitution."""
-    found: list[np.ndarray] = []
-    points = at.parts.points
-    v = at.states.v[0]
-    mass = at.mass[0]
-    for pattern in patterns(at, touching):
-        normal, along = at.held(pattern)
-        stuck = [i for i in along if pattern[i] == STICK]
-        least = {i: points[i].restitution * max(-at.rates[0, i, 1], 0.0) for i in normal}
-        rows = [at.rows[0, i, 1] for i in normal] + [at.rows[0, i, 0] for i in stuck]
-        if not rows:
-            continue
-        pushes = [at.push_of(i, pattern[i])[0] for i in normal] + [at.rows[0, i, 0] for i in stuck]
-        j, p = np.array(rows), np.array(pushes)
-        wanted = np.array([least[i] for i in normal] + [0.0] * len(stuck)) - j @ v
-        impulse = np.linalg.lstsq(j @ np.linalg.solve(mass, p.T), wanted, rcond=1e-12)[0]
-        after = v + np.linalg.solve(mass, p.T @ impulse)
-        room = 1e-7 * np.abs(impulse).max()
-        if (
-            np.abs(j @ after - wanted - j @ v).max() > small
-            or (impulse[: len(normal)] < -room).any()
-        ):
-            continue
-        pressed = Solved(after[None], impulse[None, : len(normal)], np.zeros((1, 0)), normal, along)
-        bounds = [float(at.bound(i, pressed)[0]) for i in stuck]
-        if any(abs(t) > b + room for t, b in zip(impulse[len(normal) :], bounds, strict=True)):
-            continue
-        rate = at.rows[0] @ after
-        needed = [points[i].restitution * max(-at.rates[0, i, 1], 0.0) for i in range(len(points))]
-        if any(touching[i] and rate[i, 1] < needed[i] - small for i in range(len(points))):
-            continue
-        if any(
-            SENSE[s] * rate[i, 0] < -small and points[i].friction for i, s in enumerate(pattern)
-        ):
-            continue
-        apart = 1e-5 * np.abs(after - v).max() + 1e-12 * np.abs(after).max()
-        if all(np.abs(after - other).max() > apart for other in found):
-            found.append(after)
-    return found
+    return motions(at, near, (ax, ay), small, margin)

@@ -1,12 +1,15 @@
 """Indices of whole programs: with every check on, motions, lanes and derivatives leave no array."""
 
+from dataclasses import replace
+
 import pytest
 
 import rockeom as rk
 from rockeom.compiler.machine import OutOfBoundsError
 from rockeom.integrator import program
-from rockeom.integrator.schema import POINT_TEXTS
 from tests.soak import bounds
+
+FAULT = "rockeom.integrator.transitions.candidates"
 
 
 @pytest.mark.parametrize("name", ["nondimensional_block", "stacked_blocks", "sliding_block"])
@@ -17,14 +20,13 @@ def test_no_index_leaves_its_array_in_motions_lanes_and_derivatives(name):
 
 def test_a_planted_read_beyond_the_scratch_of_a_stack_is_found(monkeypatch):
     """The one that these programs once had: of a foot's friction, in the row behind the last."""
-    fault = POINT_TEXTS[1]
-    right = program.text_of(fault)
-    wrong = right.replace("row + friction[s]", "row + unknown[s] + 1")
+    right = program.module_text(FAULT)
+    wrong = replace(right, source=right.source.replace("row + friction[s]", "row + unknown[s] + 1"))
     assert wrong != right
-    own = program.text_of
-    monkeypatch.setattr(program, "text_of", lambda path: wrong if path == fault else own(path))
+    own = program.module_text
+    monkeypatch.setattr(program, "module_text", lambda name: wrong if name == FAULT else own(name))
     program._of_parts.cache_clear()
-    line = wrong[: wrong.index("row + unknown[s] + 1")].count("\n") + 1
+    line = wrong.source[: wrong.source.index("row + unknown[s] + 1")].count("\n") + 1
     stack = rk.StackedBlocks(
         lower=rk.RigidBlock(half_width=0.5, half_height=1.0),
         upper=rk.RigidBlock(half_width=0.3, half_height=0.6),

@@ -9,9 +9,9 @@ import pytest
 import rockeom as rk
 from rockeom.codes import LANDING, REST
 from rockeom.simulation.response import Outcome
+from tests.mechanics import Mechanics, of_sliding_block, of_stack
 from tests.soak.cases import Motion
 from tests.soak.families import FAMILIES, drawn, family_of, first_of, model_of, spread
-from tests.soak.mechanics import Mechanics, of_sliding_block, of_stack
 from tests.soak.newton import Told, on_contacts
 
 # -- the mechanics by hand: derivatives of places by differences

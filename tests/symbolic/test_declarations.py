@@ -626,7 +626,7 @@ def test_texts_of_a_declaration_are_never_run(text):
     assert set(module.PARAMETER_MEANINGS) == {text} == set(module.PARAMETER_UNITS)
     assert len(module.PARAMETERS) == len(PARAMETERS)
     assert module.STATE_UNITS[0] == text
-    assert text in module.__doc__
+    assert text.encode("utf-8", "backslashreplace").decode() in module.__doc__
     # the text apart, the module is the usual one
     assert functions(written) == usual_functions()
 

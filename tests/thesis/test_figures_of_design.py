@@ -37,7 +37,7 @@ def test_residual_rotation_by_the_moment_at_the_opening_and_not_by_lambda(margin
 
 def test_damping_over_that_of_a_flag_in_closed_form():
     """2 (1 - k)/(1 + k (mu - 1)) of 2-32a over beta/(1 + 0.05 (mu - 1)) of 2-32c, Table 2-4."""
-    bilinear, takeda = (one.judged().found for one in statements.of_figure("2-22"))
+    bilinear, takeda = (one.judged().finding for one in statements.of_figure("2-22"))
     ends = [2 * 0.8 / (1 + 0.2 * x) * (1 + 0.05 * x) / 0.35 for x in (7.0, 0.5)]
     assert [bilinear.low[0], bilinear.low[1]] == pytest.approx(ends)
     assert bilinear.high == pytest.approx([2 * 0.95 / 0.35] * 2)

@@ -102,7 +102,7 @@ def test_run_4_is_on_a_cliff():
     assert peaks == pytest.approx([4.94, 17.6, 92], rel=0.01)
     (judged,) = (one.judged() for one in statements.select("Table 4-3, run 4, SDOF"))
     assert judged.verdict.value == "open"
-    assert judged.found.high[0] == pytest.approx(23.05, abs=0.01)  # with the time scale of Tabas
+    assert judged.finding.high[0] == pytest.approx(23.05, abs=0.01)  # with the time scale of Tabas
 
 
 def test_runs_of_appendix_c_are_drawn_with_their_measured_peaks():

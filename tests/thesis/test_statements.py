@@ -19,7 +19,7 @@ from rockeom.thesis.statements.statement import (
     between,
     closed_form,
     data,
-    found,
+    finding,
     near,
     ranging,
     simulation,
@@ -37,15 +37,15 @@ def statement(limits, number, **options):
 @pytest.mark.parametrize(
     ("limits", "number", "verdict"),
     [
-        (near(35.7, 0.05, why=""), found(35.73, ""), "holds"),
-        (near(35.7, 0.05, why=""), found(35.80, ""), "differs"),
-        (at_most(0.8, why=""), found(0.72, ""), "holds"),
-        (at_least(11.1, why=""), found(11.0, ""), "differs"),
+        (near(35.7, 0.05, why=""), finding(35.73, ""), "holds"),
+        (near(35.7, 0.05, why=""), finding(35.80, ""), "differs"),
+        (at_most(0.8, why=""), finding(0.72, ""), "holds"),
+        (at_least(11.1, why=""), finding(11.0, ""), "differs"),
         (between(2.0, 3.0, why=""), ranging([2.1, 2.9], ""), "holds"),
         (between(2.0, 3.0, why=""), ranging([2.1, 4.3], ""), "open"),
         (between(2.0, 3.0, why=""), ranging([3.1, 4.3], ""), "differs"),
-        (near([1.0, 2.0], 0.1, why=""), found([1.0, 2.0], ""), "holds"),
-        (near([1.0, 2.0], 0.1, why=""), found([1.0, 3.0], ""), "differs"),
+        (near([1.0, 2.0], 0.1, why=""), finding([1.0, 2.0], ""), "holds"),
+        (near([1.0, 2.0], 0.1, why=""), finding([1.0, 3.0], ""), "differs"),
     ],
 )
 def test_number_within_the_limits_holds_and_a_range_across_one_is_open(limits, number, verdict):
@@ -53,7 +53,7 @@ def test_number_within_the_limits_holds_and_a_range_across_one_is_open(limits, n
 
 
 def test_lost_input_leaves_a_statement_open_with_what_can_be_said():
-    one = statement(at_most(1.0, why=""), found(0.5, "0.5 mm"), lost="the trace is lost").judged()
+    one = statement(at_most(1.0, why=""), finding(0.5, "0.5 mm"), lost="the trace is lost").judged()
     assert one.verdict is Verdict.OPEN
     assert one.words == "the trace is lost; 0.5 mm"
 
@@ -77,18 +77,18 @@ def test_two_simulated_sides_are_refused():
     with pytest.raises(ValueError, match="both sides are simulated"):
         Statement(
             "4.9.1.4", "adequately characterises the response", at_least(0.9, why="adequate"),
-            (simulation("4-42 of a simulation"), simulation("4-27")), lambda: found(0.99, ""),
+            (simulation("4-42 of a simulation"), simulation("4-27")), lambda: finding(0.99, ""),
         )  # fmt: skip
 
 
 def test_comparison_without_evidence_is_refused():
     with pytest.raises(ValueError, match="one or two"):
-        Statement("4.5", "a number", at_most(1.0, why=""), (), lambda: found(0.5, ""))
+        Statement("4.5", "a number", at_most(1.0, why=""), (), lambda: finding(0.5, ""))
 
 
 def test_number_that_is_none_is_refused():
     with pytest.raises(ValueError, match="not a number"):
-        found(np.nan, "R2 of no rows")
+        finding(np.nan, "R2 of no rows")
 
 
 # --- the list
@@ -104,7 +104,7 @@ def test_printed_number_changed_beyond_the_threshold_makes_holds_differ(judgemen
     decided = [one for one in judgements if one.verdict is not Verdict.OPEN]
     assert decided
     for one in decided:
-        of, number = one.statement, one.found
+        of, number = one.statement, one.finding
         if one.verdict is Verdict.HOLDS:
             limits, expected = of.limits.excluding(number), Verdict.DIFFERS
         else:

@@ -15,7 +15,7 @@ from rockeom.symbolic.statics import pushover
 from rockeom.thesis import EQUATIONS
 from rockeom.thesis.checks.engine import THETA, B, lift_off_sine, shipped
 from rockeom.thesis.comparison import CART, PIER, in_engine_notation, normal_form
-from tests.numeric.structures import S1
+from tests.typical import S1
 
 H_E, G = PIER["height"], PIER["gravity"]
 K_F = CART["foundation_stiffness"]

@@ -37,10 +37,28 @@ BELOW = "target below the spectrum"
 
 
 def damping_modifier(damping_ratio: ArrayLike, exponent: float = 0.5):
-    """Displacement of a damped spectrum over that of 5 %, (0.07/(0.02 + xi))**exponent.
+    """Displacement of a damped spectrum over that of 5 %, ``(0.07/(0.02 + xi))**exponent``.
 
-    damping_ratio xi, any shape. exponent : 0.5, or 0.25 near a fault whose motion is a pulse.
-    Source: Priestley, Calvi and Kowalsky (2007).
+    Parameters
+    ----------
+    damping_ratio : array_like
+        Damping ratio xi, any shape.
+    exponent : float, optional
+        0.5, or 0.25 near a fault whose motion is a pulse.
+
+    Returns
+    -------
+    float or ndarray
+        Modifier, in the shape of the damping ratio.
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive.
+
+    References
+    ----------
+    Priestley, Calvi and Kowalsky (2007).
     """
     (xi,) = not_negative("damping_modifier", damping_ratio=damping_ratio)
     positive("damping_modifier", exponent=exponent)
@@ -50,12 +68,25 @@ def damping_modifier(damping_ratio: ArrayLike, exponent: float = 0.5):
 def modified_spectrum(
     spectrum: Callable[[float], float] | DesignSpectrum, exponent: float = 0.5
 ) -> Spectrum:
-    """A spectrum of displacements for any damping, out of that for 5 %.
+    """Spectrum of displacements for any damping, from that for 5 %.
 
-    spectrum : period [s] to displacement [m], for 5 % of damping; or a `DesignSpectrum`, with
-    its displacements. exponent of `damping_modifier`.
+    Parameters
+    ----------
+    spectrum : callable or DesignSpectrum
+        Function of period [s] that gives the displacement [m] for 5 % of damping; or a
+        `DesignSpectrum`, with its displacements.
+    exponent : float, optional
+        Exponent of `damping_modifier`.
 
-    Raises ValueError for a design spectrum of another damping.
+    Returns
+    -------
+    callable
+        Displacement [m] of period [s] and damping ratio.
+
+    Raises
+    ------
+    ValueError
+        For a design spectrum of another damping.
     """
     if isinstance(spectrum, DesignSpectrum):
         xi, rule = spectrum.damping_ratio, "make the spectrum with damping_ratio=0.05"
@@ -70,7 +101,13 @@ def modified_spectrum(
 
 @dataclass(frozen=True)
 class MeanSpectrum:
-    """The mean of the elastic spectra of some motions, exact for any period and damping."""
+    """Mean of the elastic spectra of some motions, exact for any period and damping.
+
+    Parameters
+    ----------
+    motions : sequence of GroundMotion
+        Ground motions.
+    """
 
     motions: Sequence[GroundMotion]
 
@@ -84,13 +121,29 @@ class MeanSpectrum:
 
 @dataclass(frozen=True)
 class DisplacementDesign:
-    """Result of the design.
+    """Result of a displacement-based design.
 
-    outcome : "designed"; "target beyond the spectrum", no period up to the longest needs so much;
-        or "target below the spectrum", the shortest period needs more.
-    target_displacement, yield_displacement [m]; ductility; mass [kg].
-    damping_ratio; effective_period [s]; effective_stiffness, the secant one [N/m]; base_shear,
-    the force at the target displacement [N]. NaN where there is no design.
+    Parameters
+    ----------
+    outcome : str
+        "designed"; "target beyond the spectrum", where no period up to the longest needs so much;
+        or "target below the spectrum", where the shortest period needs more.
+    target_displacement : float
+        Target displacement [m].
+    yield_displacement : float
+        Yield displacement [m].
+    ductility : float
+        Ratio of the two.
+    mass : float
+        Effective mass [kg].
+    damping_ratio : float
+        Damping ratio at the effective period; NaN where there is no design.
+    effective_period : float
+        Effective period [s]; NaN where there is no design.
+    effective_stiffness : float
+        Secant stiffness at the target [N/m]; NaN where there is no design.
+    base_shear : float
+        Force at the target displacement [N]; NaN where there is no design.
     """
 
     outcome: str
@@ -104,10 +157,19 @@ class DisplacementDesign:
     base_shear: float
 
     def flag(self, stiffness_ratio: float, flag_height: float = 0.0) -> FlagRule:
-        """The flag-shaped rule of this strength.
+        """Flag-shaped rule of this strength.
 
-        stiffness_ratio, flag_height : as in `FlagRule`; its force at the target displacement is
-        the base shear.
+        Parameters
+        ----------
+        stiffness_ratio : float
+            Ratio k_p/k_i of the stiffness after yield and the initial one.
+        flag_height : float, optional
+            Height beta_FS of the flag over the yield force, as in `FlagRule`.
+
+        Returns
+        -------
+        FlagRule
+            Rule whose force at the target displacement is the base shear.
         """
         strength = self.base_shear / (1 + stiffness_ratio * (self.ductility - 1))
         return FlagRule(strength, self.yield_displacement, stiffness_ratio, flag_height)
@@ -122,18 +184,40 @@ def displacement_based_design(
     *,
     periods: tuple[float, float] = (0.05, 10.0),
 ) -> DisplacementDesign:
-    """The base shear with which a structure keeps to a target displacement.
+    """Base shear with which a structure keeps to a target displacement.
 
-    target_displacement, yield_displacement [m], of the substitute structure; mass, the effective
-    one [kg].
-    spectrum : displacement [m] of period [s] and damping ratio, such as `MeanSpectrum(motions)`, or
-        `modified_spectrum` of one for 5 %; or a `DesignSpectrum`, for which it is called.
-    damping : ratio of ductility and effective period [s], such as 2-31 with 2-32c,
-        `lambda mu, t: 0.05 + flag_damping(mu, 0.05, 0.35)`, 2-33 (`grant_damping`), 2-34 or 2-35.
-    periods : shortest and longest of the search [s].
+    Parameters
+    ----------
+    target_displacement : float
+        Target displacement of the substitute structure [m].
+    yield_displacement : float
+        Yield displacement of the substitute structure [m].
+    mass : float
+        Effective mass [kg].
+    spectrum : callable or DesignSpectrum
+        Displacement [m] of period [s] and damping ratio, such as ``MeanSpectrum(motions)`` or
+        `modified_spectrum` of one for 5 %; or a `DesignSpectrum`, for which `modified_spectrum` is
+        called.
+    damping : callable
+        Damping ratio of ductility and effective period [s], such as 2-31 with 2-32c, ``lambda mu,
+        t: 0.05 + flag_damping(mu, 0.05, 0.35)``, 2-33 (`grant_damping`), 2-34 or 2-35.
+    periods : tuple of (float, float), optional
+        Shortest and longest period of the search [s].
 
+    Returns
+    -------
+    DisplacementDesign
+        Base shear, effective stiffness, period and damping, or the reason why there is no design.
+
+    Raises
+    ------
+    ValueError
+        For a target below the yield displacement, where the structure is elastic, and for numbers
+        that are not positive.
+
+    Notes
+    -----
     Several periods may have the target displacement; the shortest is the effective one.
-    Raises ValueError for a target below the yield displacement, where the structure is elastic.
     """
     from scipy.optimize import brentq  # takes long to import
 
@@ -178,7 +262,14 @@ def displacement_based_design(
 class DesignCheck:
     """Peaks of a non-linear structure under some motions, compared with the target of its design.
 
-    peaks (m,) [m]; factors (m,) by which the motions were scaled; target_displacement [m].
+    Parameters
+    ----------
+    peaks : ndarray
+        Largest displacements (m,), one for each motion [m].
+    factors : ndarray
+        Factors (m,) by which the motions were scaled.
+    target_displacement : float
+        Target of the design [m].
     """
 
     peaks: np.ndarray
@@ -205,16 +296,31 @@ def check_design(
     *,
     matched: bool = True,
 ) -> DesignCheck:
-    """Comparison of a design with the integration of the structure designed.
+    """Compare a design with the integration of the structure designed.
 
-    design : of `displacement_based_design`. peaks : function from m motions to the largest
-    displacements (m,) [m], such as `lambda some: oscillator.response(some).peak` of an
-    `EquivalentOscillator`, or a sweep of a structure.
-    motions : matched, each is first scaled so that its own damped spectrum has the target at the
-    effective period: this compares the substitute structure with the non-linear one.
-    Otherwise they are used unscaled, and their scatter counts as well.
+    Parameters
+    ----------
+    design : DisplacementDesign
+        Result of `displacement_based_design`.
+    motions : sequence of GroundMotion
+        Ground motions, m of them.
+    peaks : callable
+        Function from the m motions to the largest displacements (m,) [m], such as ``lambda some:
+        oscillator.response(some).peak`` of an `EquivalentOscillator`, or a sweep of a structure.
+    matched : bool, optional
+        Whether each motion is first scaled so that its own damped spectrum has the target at the
+        effective period: this compares the substitute structure with the non-linear one. Otherwise
+        the motions are used unscaled, and their scatter counts as well.
 
-    Raises ValueError for a design that has no effective period.
+    Returns
+    -------
+    DesignCheck
+        Peaks and factors of the motions, with the target.
+
+    Raises
+    ------
+    ValueError
+        For a design that has no effective period.
     """
     rule = "there is no design to check: choose another target or spectrum"
     designed = design.outcome == DESIGNED
@@ -229,12 +335,27 @@ def check_design(
 
 
 def wall_for_base_shear(wall: Wall, displacement: float, base_shear: float) -> Wall:
-    """The wall with the prestress of its tendons at which its force at a displacement is given.
+    """Wall with the prestress of its tendons that gives a force at a displacement.
 
-    wall : whose tendons are all prestressed by the same factor more or less. displacement [m];
-    base_shear, the horizontal force at the wall's height there [N].
+    Parameters
+    ----------
+    wall : Wall
+        Wall whose tendons are all prestressed by the same factor more or less.
+    displacement : float
+        Displacement at the wall's height [m].
+    base_shear : float
+        Horizontal force there [N].
 
-    Raises ValueError, with the possible range, where no prestress between none and yield gives it.
+    Returns
+    -------
+    Wall
+        Wall with the other initial forces of its tendons.
+
+    Raises
+    ------
+    ValueError
+        Where no prestress between none and yield gives the force; the message has the possible
+        range.
     """
     from scipy.optimize import brentq  # takes long to import
 

@@ -34,8 +34,19 @@ from rockeom.sweeps.run import simulate_many
 class RestitutionEnvelope:
     """Peaks over restitution and motion.
 
-    ratios r (n,); motions : names, m of them; peaks (n, m) : largest absolute value of the state,
-    infinite where the structure overturned; state : its name; overturned (n, m).
+    Parameters
+    ----------
+    ratios : ndarray
+        Energy ratios r (n,).
+    motions : tuple of str
+        Names of the motions, m of them.
+    peaks : ndarray
+        Largest absolute value (n, m) of the state, in its unit; infinite where the structure
+        overturned.
+    state : str
+        Name of the state.
+    overturned : ndarray
+        Whether the structure overturned (n, m).
     """
 
     ratios: np.ndarray
@@ -55,7 +66,18 @@ class RestitutionEnvelope:
         return self.ratios[self.peaks.argmax(axis=0)]
 
     def conservative(self, reference: ArrayLike) -> np.ndarray:
-        """(m,) part of the analyses whose peak exceeds a reference, for each motion or for all."""
+        """Part of the analyses whose peak exceeds a reference.
+
+        Parameters
+        ----------
+        reference : array_like
+            Reference in the unit of the state, one for each motion (m,) or one for all.
+
+        Returns
+        -------
+        ndarray
+            Part of the n ratios (m,), for each motion.
+        """
         return (self.peaks > np.asarray(reference, dtype=float)).mean(axis=0)
 
 
@@ -66,15 +88,30 @@ def restitution_envelope(
     *,
     state: str | None = None,
 ) -> RestitutionEnvelope:
-    """Peaks of a structure for each ratio r of kinetic energies and each ground motion.
+    """Peaks of a structure for each energy ratio r and each ground motion.
 
-    structure : one with the impact law EnergyRatio(r), or a function that makes the `Case` of r and
-        a motion, where r enters in another way, as in `ControlledWallOscillator`.
-    motions : with enough quiet time at the end to overturn in. ratios (n,) in (0, 1].
-    state : whose peaks are kept, the first one of the structure if not given.
+    Parameters
+    ----------
+    structure : Structure or callable
+        Structure, whose impact law is then EnergyRatio(r), or a function that makes the `Case` of r
+        and a motion, where r enters in another way, as in `ControlledWallOscillator`.
+    motions : sequence of GroundMotion
+        Ground motions, with enough quiet time at the end to overturn in.
+    ratios : array_like
+        Energy ratios r (n,) in (0, 1].
+    state : str, optional
+        State whose peaks are kept; the first one of the structure if not given.
 
-    Raises ValueError for a ratio outside (0, 1], an unknown state and a motion without an answer,
-    such as one that stalled.
+    Returns
+    -------
+    RestitutionEnvelope
+        Peaks (n, m), and which analyses overturned.
+
+    Raises
+    ------
+    ValueError
+        For a ratio outside (0, 1], an unknown state and a motion without an answer, such as one
+        that stalled.
     """
     where = "restitution_envelope"
     (r,) = positive(where, ratios=np.atleast_1d(ratios))

@@ -52,15 +52,29 @@ _DAMPINGS = {"2-15": fema_356_damping, "2-16": priestley_damping}
 
 @dataclass(frozen=True, eq=False)
 class FemaEstimate:
-    """Result of the procedure.
+    """Result of the FEMA 356 procedure.
 
-    outcome : "no rocking" (S_a is not above g tan(alpha)), "converged", "overturned" (a rotation
-        reached alpha, where 2-5 has no period) or "not converged" (the rotation goes to and fro).
-    rotation : the estimate [rad]; 0 without rocking, NaN where there is none.
-    rotations : those of the iteration, the first guess first [rad].
-    alpha [rad], p [rad/s], energy_ratio r, damping_ratio : of the block about its pivot.
-    initiation : S_a/(g tan(alpha)) of step 2.
-    period : of the last rotation but one, at which the spectrum was read last [s].
+    Parameters
+    ----------
+    outcome : str
+        "no rocking" (S_a is not above g tan(alpha)), "converged", "overturned" (a rotation reached
+        alpha, where 2-5 has no period) or "not converged" (the rotation goes to and fro).
+    rotation : float
+        Estimate of the peak rotation [rad]; 0 without rocking, NaN where there is none.
+    rotations : ndarray
+        Rotations of the iteration, the first guess first [rad].
+    alpha : float
+        Slenderness of the block about its pivot [rad].
+    p : float
+        Frequency parameter of the block about its pivot [rad/s].
+    energy_ratio : float
+        Energy ratio r of the block about its pivot.
+    damping_ratio : float
+        Damping ratio of the block about its pivot.
+    initiation : float
+        Ratio S_a/(g tan(alpha)) of step 2.
+    period : float
+        Period of the last rotation but one, at which the spectrum was read last [s].
     """
 
     outcome: str
@@ -86,21 +100,45 @@ def fema_356_rocking(
     tolerance: float = 1e-3,
     iterations: int = 100,
 ) -> FemaEstimate:
-    """Peak rotation of a rocking block by FEMA 356; the steps are those of this module.
+    """Peak rotation of a rocking block by FEMA 356.
 
-    block, motion : its spectrum replaces the design spectrum; or a design spectrum, a
-        function of period [s] and damping ratio that gives the displacement [m], such as
-        `modified_spectrum` of one for 5 %; or a `DesignSpectrum`, for which `modified_spectrum`
-        is called. Both need a fixed_base_period.
-    damping : "2-15" (FEMA 356), or "2-16" (Priestley et al. 1978), which is more.
-    bearing_capacity q_c of the ground for each metre of the edge's way in [N/m]: the pivot lies
+    The steps are those in the docstring of this module.
+
+    Parameters
+    ----------
+    block : RigidBlock
+        Block on rigid ground.
+    motion : GroundMotion or callable or DesignSpectrum
+        Ground motion, whose spectrum replaces the design spectrum; or a function of period [s] and
+        damping ratio that gives the displacement [m], such as `modified_spectrum` of one for 5 %;
+        or a `DesignSpectrum`, for which `modified_spectrum` is called. Both spectra need a
+        `fixed_base_period`.
+    damping : str, optional
+        "2-15" (FEMA 356), or "2-16" (Priestley et al. 1978), which is more.
+    bearing_capacity : float, optional
+        Force q_c by which the ground resists each metre of the edge's way in [N/m]: the pivot lies
         m g/(2 q_c) inside the edge, which needs the block's mass; infinite for rigid ground.
-    fixed_base_period : at which S_a is read, with 5 % of damping, in step 2 [s]; at 0, a rigid
-        block, S_a is the peak of the ground's acceleration.
-    arm of the rotation, theta = delta/arm [m]; R about the pivot if not given.
-    first_guess, tolerance : of the rotation, over alpha. iterations : their greatest number.
+    fixed_base_period : float, optional
+        Period at which S_a is read, with 5 % of damping, in step 2 [s]; at 0, a rigid block, S_a is
+        the peak of the ground's acceleration.
+    arm : float, optional
+        Arm of the rotation, theta = delta/arm [m]; R about the pivot if not given.
+    first_guess : float, optional
+        First rotation of the iteration, over alpha.
+    tolerance : float, optional
+        Change of the rotation, over alpha, at which the iteration ends.
+    iterations : int, optional
+        Largest number of iterations.
 
-    Raises ValueError for impossible arguments, such as a stress block as wide as the block.
+    Returns
+    -------
+    FemaEstimate
+        Peak rotation, and how the iteration ended.
+
+    Raises
+    ------
+    ValueError
+        For impossible arguments, such as a stress block as wide as the block.
     """
     where = "fema_356_rocking"
     if damping not in _DAMPINGS:
@@ -184,11 +222,22 @@ def _spectral_acceleration(
 
 @dataclass(frozen=True, eq=False)
 class FemaComparison:
-    """The procedure and integration side by side, a row for each motion.
+    """FEMA 356 and integration side by side, a row for each motion.
 
-    motions : names. fema, priestley : the estimates with 2-15 and with 2-16. rotation (n,) : the
-    largest |theta| by integration [rad]; outcome (n,) : how it ended, "overturned" or not.
-    alpha [rad].
+    Parameters
+    ----------
+    motions : tuple of str
+        Names of the motions, n of them.
+    fema : tuple of FemaEstimate
+        Estimates with thesis 2-15.
+    priestley : tuple of FemaEstimate
+        Estimates with thesis 2-16.
+    rotation : ndarray
+        Largest rotation by integration, without its sign (n,) [rad].
+    outcome : tuple of str
+        How each motion ended, as "overturned".
+    alpha : float
+        Slenderness of the block [rad].
     """
 
     motions: tuple[str, ...]
@@ -249,7 +298,13 @@ class FemaComparison:
         return "\n".join([*lines, "", self.summary()])
 
     def summary(self) -> str:
-        """Number of each outcome, and range of the ratios."""
+        """Number of each outcome, and range of the ratios.
+
+        Returns
+        -------
+        str
+            Text of several lines.
+        """
         number = len(self.motions)
         plural = "" if number == 1 else "s"
         text = [f"{number} motion{plural}; integrated: {self.overturned.sum()} overturned"]
@@ -290,11 +345,28 @@ def fema_356_against_integration(
 ) -> FemaComparison:
     """FEMA 356's estimate and direct integration, for each of some motions.
 
-    block : a `RigidBlock`. motions : scaled as they should be, such as
-        [record.scaled_to(peak=3.0) for record in records].
-    impact : of the integration, AngularMomentum() if not given, whose r is 2-6. quiet : time that
-        the block has to fall or to come to rest after the shaking [s].
-    choices : of `fema_356_rocking`, but for the damping, which is 2-15 and 2-16 in turn.
+    Parameters
+    ----------
+    block : RigidBlock
+        Block on rigid ground.
+    motions : sequence of GroundMotion
+        Ground motions, scaled as they should be, such as ``[record.scaled_to(peak=3.0) for record
+        in records]``.
+    impact : ImpactLaw, optional
+        Impact law of the integration; AngularMomentum(), whose r is 2-6, if not given.
+    quiet : float, optional
+        Time that the block has to fall or to come to rest after the shaking [s].
+    **choices : object
+        Arguments of `fema_356_rocking` but for the damping, which is 2-15 and 2-16 in turn.
+
+    Returns
+    -------
+    FemaComparison
+        Estimates and integrated rotations, a row for each motion.
+
+    See Also
+    --------
+    fema_356_rocking : The estimate for one motion, with its errors.
     """
     shaken = [motion.padded_by(quiet) for motion in motions]
 

@@ -27,9 +27,14 @@ from rockeom.numbers.arguments import not_negative, numbers, positive, require
 
 
 class HysteresisLoop(NamedTuple):
-    """A closed loop of force against displacement, straight between its points.
+    """Closed loop of force against displacement, straight between its points.
 
-    displacement (n,) [m]. force (n,) [N].
+    Parameters
+    ----------
+    displacement : ndarray
+        Displacements of the points (n,) [m].
+    force : ndarray
+        Forces of the points (n,) [N].
     """
 
     displacement: np.ndarray
@@ -48,7 +53,15 @@ class HysteresisLoop(NamedTuple):
 
 
 class HysteresisStep(NamedTuple):
-    """The force [N] after a step, (n,), and the memory of the rule then, (k, n)."""
+    """Force after a step, and the memory of the rule then.
+
+    Parameters
+    ----------
+    force : ndarray
+        Force of each spring (n,) [N].
+    memory : ndarray
+        Memory of the rule (k, n).
+    """
 
     force: np.ndarray
     memory: np.ndarray
@@ -58,8 +71,19 @@ class HysteresisStep(NamedTuple):
 class HysteresisRule:
     """Common part of the rules: elastic up to yield, and a stiffness after it.
 
-    yield_force F_y [N]; yield_displacement u_y [m]; stiffness_ratio k_p/k_i in [0, 1), of the
-    stiffness after yield and the initial one, F_y/u_y.
+    Parameters
+    ----------
+    yield_force : float
+        Force F_y at yield [N].
+    yield_displacement : float
+        Displacement u_y at yield [m].
+    stiffness_ratio : float
+        Ratio k_p/k_i in [0, 1) of the stiffness after yield and the initial one, F_y/u_y.
+
+    Raises
+    ------
+    ValueError
+        For a force or a displacement that is not positive, and a ratio outside its range.
     """
 
     yield_force: float
@@ -78,20 +102,66 @@ class HysteresisRule:
         return self.yield_force / self.yield_displacement
 
     def backbone(self, displacement: ArrayLike) -> np.ndarray:
-        """Force of the first loading [N]; displacement [m], any shape."""
+        """Force of the first loading.
+
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Force [N], in the shape of the displacement.
+        """
         (u,) = numbers(f"{type(self).__name__}.backbone", displacement=displacement)
         return self._envelope(u)
 
     def start(self, number: int = 1) -> np.ndarray:
-        """Memory of `number` springs before any displacement, (k, number)."""
+        """Memory of some springs before any displacement.
+
+        Parameters
+        ----------
+        number : int, optional
+            Number n of springs.
+
+        Returns
+        -------
+        ndarray
+            Memory (k, n) of the rule.
+        """
         raise NotImplementedError
 
     def step(self, memory: np.ndarray, displacement: np.ndarray) -> HysteresisStep:
-        """The force after going straight to a displacement (n,) [m]."""
+        """Force after going straight to a displacement.
+
+        Parameters
+        ----------
+        memory : ndarray
+            Memory (k, n) of n springs.
+        displacement : ndarray
+            Displacement of each (n,) [m].
+
+        Returns
+        -------
+        HysteresisStep
+            Force of each spring (n,) [N] and the memory then.
+        """
         raise NotImplementedError
 
     def along(self, displacement: ArrayLike) -> np.ndarray:
-        """Forces [N] along a path of displacements (n,) [m], from a spring never moved."""
+        """Force along a path of displacements, of a spring that was never moved.
+
+        Parameters
+        ----------
+        displacement : array_like
+            Path (n,) [m].
+
+        Returns
+        -------
+        ndarray
+            Force (n,) [N].
+        """
         (path,) = numbers(f"{type(self).__name__}.along", displacement=displacement)
         memory, forces = self.start(), np.empty(len(path))
         for i, u in enumerate(path):
@@ -100,17 +170,38 @@ class HysteresisRule:
         return forces
 
     def loop(self, ductility: float) -> HysteresisLoop:
-        """The closed loop between -ductility u_y and ductility u_y: its corners."""
+        """Corners of the closed loop between -ductility u_y and ductility u_y.
+
+        Parameters
+        ----------
+        ductility : float
+            Largest displacement over that at yield.
+
+        Returns
+        -------
+        HysteresisLoop
+            Loop by its corners.
+        """
         mu = self._ductility(ductility)
         corners = np.array(self._half_loop(mu)).T
         u, f = np.concatenate([corners, -corners], axis=1)
         return HysteresisLoop(u * self.yield_displacement, f * self.yield_force)
 
     def simulated_loop(self, ductility: float, points: int = 200) -> HysteresisLoop:
-        """The path of the second of two cycles to and fro.
+        """Path of the second of two cycles to and fro.
 
-        ductility : largest displacement over that at yield. points of the cycle, besides the
-        corners of `loop`, which are among them: between its points the loop is then straight.
+        Parameters
+        ----------
+        ductility : float
+            Largest displacement over that at yield.
+        points : int, optional
+            Number of points of the cycle besides the corners of `loop`, which are among them:
+            between its points the loop is then straight.
+
+        Returns
+        -------
+        HysteresisLoop
+            Loop by its points.
         """
         largest = self._ductility(ductility) * self.yield_displacement
         corners = self.loop(ductility).displacement
@@ -120,7 +211,18 @@ class HysteresisRule:
         return HysteresisLoop(cycle, forces[-len(cycle) :])
 
     def damping(self, ductility: ArrayLike) -> np.ndarray:
-        """Hysteretic damping ratio, by thesis 2-32; ductility of any shape."""
+        """Hysteretic damping ratio, by thesis 2-32.
+
+        Parameters
+        ----------
+        ductility : array_like
+            Largest displacement over that at yield, any shape.
+
+        Returns
+        -------
+        ndarray
+            Damping ratio, in the shape of the ductility.
+        """
         raise NotImplementedError
 
     def _envelope(self, u: np.ndarray) -> np.ndarray:
@@ -159,11 +261,31 @@ class _BetweenBounds(HysteresisRule):
 class BilinearRule(_BetweenBounds):
     """Elastic and plastic with kinematic hardening; thesis Figure 2-21, 2-32a.
 
-    As `HysteresisRule`: it unloads with the initial stiffness over twice the yield force.
+    It unloads with the initial stiffness over twice the yield force.
+
+    Parameters
+    ----------
+    yield_force : float
+        Force F_y at yield [N].
+    yield_displacement : float
+        Displacement u_y at yield [m].
+    stiffness_ratio : float
+        Ratio k_p/k_i in [0, 1) of the stiffness after yield and the initial one, F_y/u_y.
     """
 
     def damping(self, ductility: ArrayLike) -> np.ndarray:
-        """Hysteretic damping ratio, by thesis 2-32; ductility of any shape."""
+        """Hysteretic damping ratio, by thesis 2-32a.
+
+        Parameters
+        ----------
+        ductility : array_like
+            Largest displacement over that at yield, any shape.
+
+        Returns
+        -------
+        ndarray
+            Damping ratio, in the shape of the ductility.
+        """
         return damping.bilinear_damping(ductility, self.stiffness_ratio)
 
     def _bounds(self, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -178,10 +300,19 @@ class BilinearRule(_BetweenBounds):
 
 @dataclass(frozen=True)
 class FlagRule(_BetweenBounds):
-    """Returns to the origin: a controlled rocking structure; thesis Figure 2-21, 2-32c.
+    """Rule that returns to the origin: a controlled rocking structure; thesis Figure 2-21, 2-32c.
 
-    As `HysteresisRule`. flag_height beta_FS : the gap between loading and unloading at the same
-    displacement, over the yield force, up to 1 - k_p/k_i.
+    Parameters
+    ----------
+    yield_force : float
+        Force F_y at yield [N].
+    yield_displacement : float
+        Displacement u_y at yield [m].
+    stiffness_ratio : float
+        Ratio k_p/k_i in [0, 1) of the stiffness after yield and the initial one, F_y/u_y.
+    flag_height : float, optional
+        Height beta_FS of the flag: the gap between loading and unloading at the same displacement,
+        over the yield force, up to 1 - k_p/k_i.
     """
 
     flag_height: float = 0.0
@@ -193,7 +324,18 @@ class FlagRule(_BetweenBounds):
         require(height <= 1 - self.stiffness_ratio, "FlagRule", "flag_height", height, rule)
 
     def damping(self, ductility: ArrayLike) -> np.ndarray:
-        """Hysteretic damping ratio, by thesis 2-32; ductility of any shape."""
+        """Hysteretic damping ratio, by thesis 2-32c.
+
+        Parameters
+        ----------
+        ductility : array_like
+            Largest displacement over that at yield, any shape.
+
+        Returns
+        -------
+        ndarray
+            Damping ratio, in the shape of the ductility.
+        """
         return damping.flag_damping(ductility, self.stiffness_ratio, self.flag_height)
 
     def _bounds(self, u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -213,12 +355,24 @@ class FlagRule(_BetweenBounds):
 
 @dataclass(frozen=True)
 class TakedaRule(HysteresisRule):
-    """Softer on unloading, aims at the last peak on reloading; thesis Figure 2-21, 2-32b.
+    """Rule softer on unloading that aims at the last peak; thesis Figure 2-21, 2-32b.
 
-    As `HysteresisRule`. unloading_exponent alpha_T in [0, 1): from a peak of the ductility mu it
-    unloads with k_i mu**-alpha_T, and from zero force it goes straight to the largest displacement
-    that there was on the other side, or to yield. Otani's beta, which lets it aim at less, is 0,
-    as in 2-32b.
+    Parameters
+    ----------
+    yield_force : float
+        Force F_y at yield [N].
+    yield_displacement : float
+        Displacement u_y at yield [m].
+    stiffness_ratio : float
+        Ratio k_p/k_i in [0, 1) of the stiffness after yield and the initial one, F_y/u_y.
+    unloading_exponent : float, optional
+        Exponent alpha_T in [0, 1): from a peak of the ductility mu the rule unloads with k_i
+        mu^-alpha_T.
+
+    Notes
+    -----
+    From zero force it goes straight to the largest displacement that there was on the other side,
+    or to yield. Otani's beta, which lets it aim at less, is 0, as in 2-32b.
     """
 
     unloading_exponent: float = 0.5
@@ -230,17 +384,52 @@ class TakedaRule(HysteresisRule):
         require(exponent < 1, "TakedaRule", "unloading_exponent", exponent, rule)
 
     def damping(self, ductility: ArrayLike) -> np.ndarray:
-        """Hysteretic damping ratio, by thesis 2-32; ductility of any shape."""
+        """Hysteretic damping ratio, by thesis 2-32b.
+
+        Parameters
+        ----------
+        ductility : array_like
+            Largest displacement over that at yield, any shape.
+
+        Returns
+        -------
+        ndarray
+            Damping ratio, in the shape of the ductility.
+        """
         return damping.takeda_damping(ductility, self.stiffness_ratio, self.unloading_exponent)
 
     def start(self, number: int = 1) -> np.ndarray:
-        """Displacement, force, largest displacement of either side, and that of zero force."""
+        """Memory of some springs before any displacement.
+
+        Parameters
+        ----------
+        number : int, optional
+            Number n of springs.
+
+        Returns
+        -------
+        ndarray
+            Displacement, force, largest displacement of either side, and that of zero force (5, n).
+        """
         memory = np.zeros((5, number))
         memory[2:4] = self.yield_displacement
         return memory
 
     def step(self, memory: np.ndarray, displacement: np.ndarray) -> HysteresisStep:
-        """The force after going straight to a displacement (n,) [m]."""
+        """Force after going straight to a displacement.
+
+        Parameters
+        ----------
+        memory : ndarray
+            Memory of n springs, as in `start`.
+        displacement : ndarray
+            Displacement of each (n,) [m].
+
+        Returns
+        -------
+        HysteresisStep
+            Force of each spring (n,) [N] and the memory then.
+        """
         u0, f0, right, left, zero = memory
         way = np.sign(displacement - u0)
         side = np.where(f0 != 0, np.sign(f0), way)

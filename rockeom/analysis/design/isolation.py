@@ -28,10 +28,19 @@ from rockeom.structures.impact_laws import ImpactLaw
 class Demands(NamedTuple):
     """Largest absolute values in a response.
 
-    base_shear [N] : horizontal force of the ground. base_moment [N m] : of the ground's forces
-    about the middle of the base, as `Response.support.base_moment`; nan where it is unknown.
-    displacement [m] : of the load point, deformation and rocking together. deformations [m] : of
-    the coordinates besides the rotation, by name. uplift [m] : of either foot.
+    Parameters
+    ----------
+    base_shear : float
+        Horizontal force of the ground [N].
+    base_moment : float
+        Moment of the ground's forces about the middle of the base, as
+        `Response.support.base_moment` [N m]; NaN where it is unknown.
+    displacement : float
+        Displacement of the load point, deformation and rocking together [m].
+    deformations : dict of str to float
+        Deformations, the coordinates besides the rotation, by name [m].
+    uplift : float
+        Uplift of either foot [m].
     """
 
     base_shear: float
@@ -43,7 +52,15 @@ class Demands(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Isolation:
-    """Responses of a structure that rocks and of the same on a fixed base, under one motion."""
+    """Responses of a structure that rocks and of the same on a fixed base, under one motion.
+
+    Parameters
+    ----------
+    rocking_run : Response
+        Response of the structure that rocks.
+    fixed_run : Response
+        Response on a fixed base.
+    """
 
     rocking_run: Response
     fixed_run: Response
@@ -76,17 +93,52 @@ def compare_with_fixed_base(
     duration: float | None = None,
     options: SolverOptions | None = None,
 ) -> Isolation:
-    """The same structure, rocking and on a fixed base, under the same motion.
+    """Compare a structure that rocks with the same on a fixed base, under one motion.
 
-    structure, motion, duration [s], options : as in `simulate`. impact : impact law of the
-    structure that rocks, as in `simulate`.
+    Parameters
+    ----------
+    structure : Structure
+        Structure that rocks and has a fixed base, see `Structure.fixed_base`.
+    motion : GroundMotion
+        Horizontal ground motion.
+    impact : ImpactLaw, optional
+        Impact law of the structure that rocks; its default if not given.
+    duration : float, optional
+        Duration [s]; the motion's own if not given.
+    options : SolverOptions, optional
+        Choices of the integration.
 
-    Raises ValueError for a structure that has no fixed base, see `Structure.fixed_base`.
+    Returns
+    -------
+    Isolation
+        Both responses, with their demands and the ratios of these.
+
+    Raises
+    ------
+    ValueError
+        For a structure that has no fixed base.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import analysis
+    >>> column = rk.FlexibleStructure(
+    ...     mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1,
+    ...     base_inertia=1.37, half_width=0.285, stiffness=571.8e3, damping=502.4,
+    ... )  # kg, m, kg m2, N/m, N s/m
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
+    >>> both = analysis.compare_with_fixed_base(column, pulse, impact=rk.Impulsive())
+    >>> sorted(both.ratios)[:2]
+    ['base_moment', 'base_shear']
 
     Over the scale of a record:
 
-    >>> found = [compare_with_fixed_base(column, record.scaled(a)) for a in (1, 2, 4)]
-    >>> [one.ratios["base_shear"] for one in found]
+    >>> isolations = [
+    ...     analysis.compare_with_fixed_base(column, pulse.scaled(a), impact=rk.Impulsive())
+    ...     for a in (0.5, 1.0)
+    ... ]
+    >>> len([isolation.ratios["base_shear"] for isolation in isolations])
+    2
     """
     if not isinstance(structure, Structure):
         raise TypeError(
@@ -100,9 +152,22 @@ def compare_with_fixed_base(
 
 
 def demands(run: Response) -> Demands:
-    """The largest forces and displacements of a response `run`, found within its steps.
+    """Largest forces and displacements of a response, within its steps too.
 
-    Raises ValueError for a response without forces on feet.
+    Parameters
+    ----------
+    run : Response
+        Response of a structure on feet.
+
+    Returns
+    -------
+    Demands
+        Largest absolute values.
+
+    Raises
+    ------
+    ValueError
+        For a response without forces on feet.
     """
     if "left_uplift" not in run.names:
         raise ValueError(
@@ -126,10 +191,25 @@ def demands(run: Response) -> Demands:
 
 @explained.calls()
 def energy_balance(run: Response) -> EnergyBalance:
-    """The energies of a response `run`: work and losses by quadrature, and those of its states.
+    """Energies of a response: work and losses by quadrature, and those of its states.
 
-    Work and losses are integrals over the steps, the energies those of the states at the ends:
-    their difference measures the accuracy of the integration. The same as `run.energy_balance()`.
+    The same as ``run.energy_balance()``.
+
+    Parameters
+    ----------
+    run : Response
+        Response with all its steps.
+
+    Returns
+    -------
+    EnergyBalance
+        Work and losses [J], integrals over the steps, and the energies of the states at the ends:
+        their difference measures the accuracy of the integration.
+
+    Raises
+    ------
+    TypeError
+        For anything but a response.
     """
     if not isinstance(run, Response):
         raise TypeError(f"run is {described(run)}: give the response of rk.simulate")

@@ -55,10 +55,25 @@ def _check_force(where: str, force: Force | HysteresisRule) -> None:
 
 
 def linear_start(force: Force, displacement: float) -> Force:
-    """A backbone that starts with a straight line, as in the first trial of 4.9.1.4.
+    """Backbone that starts with a straight line, as in the first trial of 4.9.1.4.
 
-    force : F_k [N] of displacements (n,) [m]. displacement : up to which the line goes, from the
-    origin to the force there, on either side [m]; positive.
+    Parameters
+    ----------
+    force : callable
+        Force F_k [N] of displacements (n,) [m].
+    displacement : float
+        Displacement up to which the line goes, from the origin to the force there, on either side
+        [m]; positive.
+
+    Returns
+    -------
+    callable
+        Force [N] of displacements (n,) [m].
+
+    Raises
+    ------
+    ValueError
+        For a displacement that is not positive.
     """
     _check_force("linear_start", force)
     (end,) = positive("linear_start", displacement=displacement)
@@ -72,10 +87,26 @@ def linear_start(force: Force, displacement: float) -> Force:
 
 
 def tabulated(force: Force, largest: float, points: int = 4001) -> Force:
-    """A backbone by straight lines between points of it, which is faster for costly ones.
+    """Backbone by straight lines between its points, which is faster for costly ones.
 
-    force : F_k [N] of displacements (n,) [m]. largest : displacement up to which it is tabulated
-    on either side [m]; beyond it the force stays. points : of both sides, evenly apart.
+    Parameters
+    ----------
+    force : callable
+        Force F_k [N] of displacements (n,) [m].
+    largest : float
+        Displacement up to which it is tabulated on either side [m]; beyond it the force stays.
+    points : int, optional
+        Number of points on both sides together, evenly apart.
+
+    Returns
+    -------
+    callable
+        Force [N] of displacements (n,) [m].
+
+    Raises
+    ------
+    ValueError
+        For a displacement that is not positive.
     """
     _check_force("tabulated", force)
     (end,) = positive("tabulated", largest=largest)
@@ -85,13 +116,26 @@ def tabulated(force: Force, largest: float, points: int = 4001) -> Force:
 
 
 def bilinear_fit(force: Force, largest: float, points: int = 400) -> FlagRule:
-    """The bilinear backbone nearest to another one, as in the third trial of 4.9.1.4.
+    """Bilinear backbone nearest to another one, as in the third trial of 4.9.1.4.
 
-    force : F_k [N] of displacements (n,) [m]. largest : displacement up to which they are to agree
-    [m]. The sum of the squares of the differences, at so many points, is least. Returns a rule
-    without a flag, which loses nothing: its `backbone` is the force.
+    Parameters
+    ----------
+    force : callable
+        Force F_k [N] of displacements (n,) [m].
+    largest : float
+        Displacement up to which the two agree [m].
+    points : int, optional
+        Number of points at which the sum of the squares of the differences is least.
 
-    Raises ValueError for a backbone that softens so much that it falls after yield.
+    Returns
+    -------
+    FlagRule
+        Rule without a flag, which loses nothing: its `FlagRule.backbone` is the force.
+
+    Raises
+    ------
+    ValueError
+        For a backbone that softens so much that it falls after yield.
     """
     from scipy.optimize import minimize_scalar  # takes long to import
 
@@ -121,20 +165,50 @@ def bilinear_fit(force: Force, largest: float, points: int = 400) -> FlagRule:
 
 
 class Damping(Protocol):
-    """A force against the motion, of an oscillator that knows its stiffness."""
+    """Force against the motion of an oscillator that knows its stiffness.
+
+    Parameters
+    ----------
+    *args : object
+        A protocol is not made.
+    **kwargs : object
+        A protocol is not made.
+    """
 
     def force(
         self, mass: float, u: np.ndarray, v: np.ndarray, tangent: Callable[[], np.ndarray]
     ) -> np.ndarray:
-        """[N], of displacements u [m] and velocities v [m/s] (n,); tangent stiffness() [N/m]."""
+        """Force on the mass, against the motion.
+
+        Parameters
+        ----------
+        mass : float
+            Mass [kg].
+        u : ndarray
+            Displacements (n,) [m].
+        v : ndarray
+            Velocities (n,) [m/s].
+        tangent : callable
+            Function without arguments that gives the tangent stiffness (n,) [N/m].
+
+        Returns
+        -------
+        ndarray
+            Force (n,) [N].
+        """
         ...
 
 
 @dataclass(frozen=True)
 class ViscousDamping:
-    """c times the velocity, while |x| < below; the second and third trial of 4.9.1.4.
+    """Damping c x' below a displacement; the second and third trial of 4.9.1.4.
 
-    coefficient c [N s/m]; below [m], infinite if not given.
+    Parameters
+    ----------
+    coefficient : float
+        Coefficient c [N s/m].
+    below : float, optional
+        Displacement |x| below which it acts [m].
     """
 
     coefficient: float
@@ -149,14 +223,53 @@ class ViscousDamping:
     def of_ratio(
         cls, ratio: float, mass: float, period: float, below: float = math.inf
     ) -> ViscousDamping:
-        """c = 4 pi xi M/T of the ratio xi of the critical damping, mass M [kg], period T [s]."""
+        """Damping with the coefficient c = 4 pi xi M/T.
+
+        Parameters
+        ----------
+        ratio : float
+            Ratio xi of the critical damping.
+        mass : float
+            Mass M [kg].
+        period : float
+            Period T [s].
+        below : float, optional
+            Displacement |x| below which it acts [m].
+
+        Returns
+        -------
+        ViscousDamping
+            Viscous damping.
+
+        Raises
+        ------
+        ValueError
+            For numbers that are not positive.
+        """
         ratio_, mass_, period_ = positive("ViscousDamping", ratio=ratio, mass=mass, period=period)
         return cls(float(4 * np.pi * ratio_ * mass_ / period_), below)
 
     def force(
         self, mass: float, u: np.ndarray, v: np.ndarray, tangent: Callable[[], np.ndarray]
     ) -> np.ndarray:
-        """[N], of displacements u [m] and velocities v [m/s] (n,)."""
+        """Force on the mass, against the motion.
+
+        Parameters
+        ----------
+        mass : float
+            Mass [kg].
+        u : ndarray
+            Displacements (n,) [m].
+        v : ndarray
+            Velocities (n,) [m/s].
+        tangent : callable
+            Function that gives the tangent stiffness; not called.
+
+        Returns
+        -------
+        ndarray
+            Force (n,) [N].
+        """
         return np.where(np.abs(u) < self.below, self.coefficient * v, 0.0)
 
 
@@ -164,7 +277,10 @@ class ViscousDamping:
 class TangentDamping:
     """Damping in proportion to the tangent stiffness, a k_t x'; the fourth trial of 4.9.1.4.
 
-    factor a [s]. Where the backbone falls there is none: k_t counts from zero.
+    Parameters
+    ----------
+    factor : float
+        Factor a [s]. Where the backbone falls there is no damping: k_t counts from zero.
     """
 
     factor: float
@@ -174,24 +290,67 @@ class TangentDamping:
 
     @classmethod
     def of_ratio(cls, ratio: float, period: float) -> TangentDamping:
-        """a = xi T/pi: the ratio xi of the critical damping at the period T [s]."""
+        """Damping with the factor a = xi T/pi.
+
+        Parameters
+        ----------
+        ratio : float
+            Ratio xi of the critical damping.
+        period : float
+            Period T at which it is xi [s].
+
+        Returns
+        -------
+        TangentDamping
+            Damping in proportion to the tangent stiffness.
+
+        Raises
+        ------
+        ValueError
+            For numbers that are not positive.
+        """
         ratio_, period_ = positive("TangentDamping", ratio=ratio, period=period)
         return cls(float(ratio_ * period_ / np.pi))
 
     def force(
         self, mass: float, u: np.ndarray, v: np.ndarray, tangent: Callable[[], np.ndarray]
     ) -> np.ndarray:
-        """[N], of displacements u [m] and velocities v [m/s] (n,)."""
+        """Force on the mass, against the motion.
+
+        Parameters
+        ----------
+        mass : float
+            Mass [kg].
+        u : ndarray
+            Displacements (n,) [m].
+        v : ndarray
+            Velocities (n,) [m/s].
+        tangent : callable
+            Function without arguments that gives the tangent stiffness (n,) [N/m].
+
+        Returns
+        -------
+        ndarray
+            Force (n,) [N].
+        """
         return self.factor * np.maximum(tangent(), 0.0) * v
 
 
 @dataclass(frozen=True)
 class PassageDamping:
-    """A loss at each passage through upright, by Dirac's delta of a width; thesis 4-27, 4-28.
+    """Loss at each passage through upright, by Dirac's delta of a width; thesis 4-27, 4-28.
 
-    energy_ratio r of a passage : a number in (0, 1], or a function of the speeds (n,) [m/s] such
-    as `energy_ratio_4_31`. width n [m]. The force is
-    -M ln(sqrt(r))/(n sqrt(pi)) v**2 exp(-(x/n)**2) sgn(v).
+    Parameters
+    ----------
+    energy_ratio : float or callable
+        Energy ratio r of a passage: a number in (0, 1], or a function of the speeds (n,) [m/s] such
+        as `energy_ratio_4_31`.
+    width : float
+        Width n of the smoothed delta [m].
+
+    Notes
+    -----
+    The force is ``-M ln(sqrt(r))/(n sqrt(pi)) v**2 exp(-(x/n)**2) sgn(v)``.
     """
 
     energy_ratio: float | Callable[[np.ndarray], np.ndarray]
@@ -206,7 +365,24 @@ class PassageDamping:
     def force(
         self, mass: float, u: np.ndarray, v: np.ndarray, tangent: Callable[[], np.ndarray]
     ) -> np.ndarray:
-        """[N], of displacements u [m] and velocities v [m/s] (n,)."""
+        """Force on the mass, against the motion.
+
+        Parameters
+        ----------
+        mass : float
+            Mass [kg].
+        u : ndarray
+            Displacements (n,) [m].
+        v : ndarray
+            Velocities (n,) [m/s].
+        tangent : callable
+            Function that gives the tangent stiffness; not called.
+
+        Returns
+        -------
+        ndarray
+            Force (n,) [N].
+        """
         r = self.energy_ratio(np.abs(v)) if callable(self.energy_ratio) else self.energy_ratio
         gaussian = np.exp(-((u / self.width) ** 2)) / (self.width * math.sqrt(math.pi))
         return -mass * np.log(r) / 2 * gaussian * v * np.abs(v)
@@ -216,8 +392,19 @@ class PassageDamping:
 
 
 class OscillatorResponse(NamedTuple):
-    """time (n,) [s]; displacement [m], velocity [m/s] relative to the ground, and the restoring
-    force [N], (n,) each, or (n, m) of m motions."""
+    """Response of an equivalent oscillator to one motion or to m of them.
+
+    Parameters
+    ----------
+    time : ndarray
+        Instants (n,) [s].
+    displacement : ndarray
+        Displacement relative to the ground (n,) or (n, m) [m].
+    velocity : ndarray
+        Velocity relative to the ground (n,) or (n, m) [m/s].
+    force : ndarray
+        Restoring force (n,) or (n, m) [N].
+    """
 
     time: np.ndarray
     displacement: np.ndarray
@@ -232,11 +419,23 @@ class OscillatorResponse(NamedTuple):
 
 @dataclass(frozen=True)
 class EquivalentOscillator:
-    """M x'' + F_k(x) + F_D(x, x') = -M a_g; thesis 4-41.
+    """Oscillator M x'' + F_k(x) + F_D(x, x') = -M a_g; thesis 4-41.
 
-    mass M [kg]. force F_k : a function of displacements (n,) [m], such as
-    `Wall.restoring_force`, or a `HysteresisRule`. damping : none, one or several, such as
-    `ViscousDamping`, `TangentDamping`, `PassageDamping`, whose forces are added.
+    Parameters
+    ----------
+    mass : float
+        Mass M [kg].
+    force : callable or HysteresisRule
+        Restoring force F_k [N]: a function of displacements (n,) [m], such as
+        `Wall.restoring_force`, or a `HysteresisRule`.
+    damping : tuple of Damping, optional
+        Dampings whose forces are added: none, one or several, such as `ViscousDamping`,
+        `TangentDamping` and `PassageDamping`.
+
+    Raises
+    ------
+    ValueError
+        For a mass that is not positive.
     """
 
     mass: float
@@ -260,12 +459,30 @@ class EquivalentOscillator:
         duration: float | None = None,
         step: float = 1e-3,
     ) -> OscillatorResponse:
-        """The motion under one or several ground motions, side by side.
+        """Motion under one or several ground motions, side by side.
 
-        motions : one, or several, of which each has its column. initial : displacement [m] and
-        velocity [m/s]. duration : that of the longest motion if not given [s]. step [s].
+        Parameters
+        ----------
+        motions : GroundMotion or sequence of GroundMotion
+            One ground motion, or m of them, of which each has its column.
+        initial : array_like, optional
+            Displacement [m] and velocity [m/s] at the start.
+        duration : float, optional
+            Duration [s]; that of the longest motion if not given.
+        step : float, optional
+            Time step [s].
 
-        Raises ArithmeticError where the displacement is no longer finite.
+        Returns
+        -------
+        OscillatorResponse
+            Displacements, velocities and forces, (n,) of one motion or (n, m).
+
+        Raises
+        ------
+        ValueError
+            For a step or a duration that is not positive.
+        ArithmeticError
+            Where the displacement is no longer finite.
         """
         several = [motions] if isinstance(motions, GroundMotion) else list(motions)
         (step_,) = positive("EquivalentOscillator.response", step=step)

@@ -36,12 +36,21 @@ _LONGER = 5
 
 @dataclass(frozen=True, eq=False)
 class OverturningPoint:
-    """A case at which the fate changes: its motion converges to the unstable equilibrium.
+    """Case at which the fate changes: its motion converges to the unstable equilibrium.
 
-    at : the values, by name. normal (k,) : the direction in which the fate changes from `below` to
-    `above` fastest, of length 1, in the order of the names; changes at right angles to it stay on
-    the boundary. below, above : impacts before overturning on both sides, inf where it stands.
-    runs : number of motions simulated, with their derivatives.
+    Parameters
+    ----------
+    at : dict of str to float
+        Values of the case, by name.
+    normal : ndarray
+        Direction (k,) of length 1 in which the fate changes from `below` to `above` fastest, in the
+        order of the names; changes at right angles to it stay on the boundary.
+    below : float
+        Number of impacts before overturning on the one side, inf where the structure stands.
+    above : float
+        Number of impacts before overturning on the other side, inf where the structure stands.
+    runs : int
+        Number of motions simulated, with their derivatives.
     """
 
     at: dict[str, float]
@@ -59,19 +68,39 @@ def overturning_point(
     accuracy: float = 1e-10,
     options: SolverOptions | None = None,
 ) -> OverturningPoint:
-    """The case between two at which the number of impacts before overturning changes.
+    """Case between two at which the number of impacts before overturning changes.
 
-    case : makes a case from numbers by name, which may be duals (`rk.duals`), as of `rk.tangents`.
-    start, end : numbers by the same names, of cases with different fates; the point is looked for
-        on the straight line between them.
-    accuracy : of the place on that line, in parts of the size of the numbers.
-    options : of the integrator. Its tolerance limits the accuracy of the boundary.
+    Parameters
+    ----------
+    case : callable
+        Function that makes a case from numbers by name, which may be duals (`rk.duals`), as for
+        `rk.tangents`.
+    start : dict of str to float
+        Numbers by name.
+    end : dict of str to float
+        Numbers by the same names, of a case with another fate; the point is searched on the
+        straight line between the two.
+    accuracy : float, optional
+        Accuracy of the place on that line, in parts of the size of the numbers.
+    options : SolverOptions, optional
+        Choices of the integration. Its tolerance limits the accuracy of the boundary.
 
-    Secants of 1/(dT/dh), see above, are as good as Newton's method, and are bracketed by points of
-    both sides (Brent's method); where there is no such derivative the line is halved.
+    Returns
+    -------
+    OverturningPoint
+        Values at the change, the direction across it, and the fates on both sides.
 
-    Raises ValueError for names that differ, for two cases of one fate, and where a third fate, or
-    none, comes between them: then give closer ones.
+    Raises
+    ------
+    ValueError
+        For names that differ, for two cases of one fate, and where a third fate, or none, comes
+        between them: then give closer ones.
+
+    Notes
+    -----
+    Secants of 1/(dT/dh), see the docstring of the module, are as good as Newton's method, and are
+    bracketed by points of both sides (Brent's method); where there is no such derivative the line
+    is halved.
     """
     return _Line(case, *_ends("overturning_point", start, end), options).point(accuracy)
 
@@ -224,20 +253,42 @@ def followed_boundary(
     most: int = 1000,
     options: SolverOptions | None = None,
 ) -> xr.Dataset:
-    """The boundary through a point, followed both ways through all its turns.
+    """Boundary of overturning through a point, followed both ways through all its turns.
 
-    case, accuracy, options : as of `overturning_point`. point : its result, of two names.
-    within : the least and the largest value of each name, where the boundary is left.
-    step : the longest, in parts of the ranges; less where the boundary bends. most : points, each
-        way.
+    Parameters
+    ----------
+    case : callable
+        Function that makes a case from numbers by name, which may be duals, as for
+        `overturning_point`.
+    point : OverturningPoint
+        Result of `overturning_point`, of two names.
+    within : dict of str to tuple of (float, float)
+        Least and largest value of each name, where the boundary is left.
+    step : float, optional
+        Longest step, in parts of the ranges; steps are shorter where the boundary bends.
+    accuracy : float, optional
+        Accuracy of each point, in parts of the size of the numbers.
+    most : int, optional
+        Largest number of points, each way.
+    options : SolverOptions, optional
+        Choices of the integration. Its tolerance limits the accuracy of the boundary.
 
+    Returns
+    -------
+    xarray.Dataset
+        Dataset over "point" with a coordinate of each name, the normal's components, the fates in
+        ``attrs`` "below" and "above", and in "first" and "last" why it ended there.
+
+    Raises
+    ------
+    ValueError
+        For another number of names than two, and a point that is not within the ranges.
+
+    Notes
+    -----
     From a point the line goes on at a right angle to its normal, and from there along it to the
-    next point. A step that finds other fates is halved; the line ends where a hundredth of it does
-    not help: where three fates meet, or nearly so, because one of the two is too narrow.
-
-    Returns a dataset over "point" with a coordinate of each name, the normal's components, the
-    fates in `attrs` "below" and "above", and in "first" and "last" why it ended there.
-    Raises ValueError for other names than two, and a point that is not within.
+    next point. A step that ends between other fates is halved; the line ends where a hundredth of
+    it does not help: where three fates meet, or nearly so, because one of the two is too narrow.
     """
     where = "followed_boundary"
     names = tuple(point.at)

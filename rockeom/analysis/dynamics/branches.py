@@ -86,7 +86,17 @@ Family = Callable[[Any], StroboscopicMap]
 
 @dataclass(frozen=True)
 class Bifurcation:
-    """Where the motions of a branch change: kind, value of the parameter, and the motion there."""
+    """Place at which the motions of a branch change.
+
+    Parameters
+    ----------
+    kind : str
+        Kind of change, such as "period doubling".
+    value : float
+        Value of the parameter there.
+    orbit : PeriodicOrbit
+        Motion there.
+    """
 
     kind: str
     value: float
@@ -100,10 +110,25 @@ class Bifurcation:
 class OrbitBranch:
     """Motions that grow into one another as a parameter changes.
 
-    values (k,) : of the parameter, which may go back and forth. orbits : one of each. bifurcations
-    in the order in which they were passed; they are among the motions. ended : why the branch was
-    not followed further. An interrupt (Ctrl-C) returns what is done; `orbit_branch` continues it
-    from the last value and the `looks` of the last orbit.
+    An interrupt (Ctrl-C) returns what is done; `orbit_branch` continues it from the last value and
+    the `PeriodicOrbit.looks` of the last orbit.
+
+    Parameters
+    ----------
+    values : ndarray
+        Values (k,) of the parameter, which may go back and forth.
+    orbits : tuple of PeriodicOrbit
+        Motion at each value.
+    bifurcations : tuple of Bifurcation
+        Bifurcations in the order in which they were passed; they are among the motions.
+    ended : str
+        Why the branch was not followed further.
+    family : callable
+        Function that makes the map of a value.
+    between : tuple of (float, float)
+        Values of the parameter between which the branch was followed.
+    tolerance : float, optional
+        Accuracy of a bifurcation's place, in parts of the range.
     """
 
     values: np.ndarray
@@ -137,10 +162,24 @@ class OrbitBranch:
         return np.array([orbit.multipliers for orbit in self.orbits])
 
     def at(self, value: float) -> PeriodicOrbit:
-        """The motion at a value of the parameter, by Newton's method from the nearest found.
+        """Motion at a value of the parameter, by Newton's method from the nearest one.
 
-        A branch that folds has several. Raises ValueError for a value that the branch does not
-        reach.
+        A branch that folds has several.
+
+        Parameters
+        ----------
+        value : float
+            Value of the parameter.
+
+        Returns
+        -------
+        PeriodicOrbit
+            Motion there.
+
+        Raises
+        ------
+        ValueError
+            For a value that the branch does not reach.
         """
         if not self.values.min() <= value <= self.values.max():
             raise ValueError(
@@ -151,7 +190,18 @@ class OrbitBranch:
         return self.family(value).orbit(near.looks, near.cycles)
 
     def at_impacts(self, name: str) -> np.ndarray:
-        """(k, m) a state just before the impacts of each motion, nan where one has fewer than m."""
+        """State just before the impacts of each motion.
+
+        Parameters
+        ----------
+        name : str
+            Name of the state.
+
+        Returns
+        -------
+        ndarray
+            Values (k, m), NaN where a motion has fewer than m impacts.
+        """
         rows = [orbit.at_impacts(name) for orbit in self.orbits]
         table = np.full((len(rows), max(map(len, rows))), np.nan)
         for row, values in zip(table, rows, strict=True):
@@ -166,15 +216,34 @@ class OrbitBranch:
         step: float = 0.02,
         until: Sequence[str] = (),
     ) -> OrbitBranch:
-        """The branch that begins at a bifurcation of this one, followed away from it.
+        """Branch that begins at a bifurcation of this one, followed away from it.
 
-        at : a period doubling or a break of symmetry, behind which the motions have twice the
-        cycles, or a branch point. It leaves along the eigenvector of the multiplier -1 or +1,
-        on one of the two ways, which are one motion a cycle later, or two mirror images.
-        between : values that are not left, those of this branch if not given. step, until : as for
-        `orbit_branch`.
+        Parameters
+        ----------
+        at : Bifurcation
+            A period doubling or a break of symmetry, behind which the motions have twice the
+            cycles, or a branch point.
+        between : tuple of (float, float), optional
+            Values that are not left; those of this branch if not given.
+        step : float, optional
+            Longest step, as for `orbit_branch`.
+        until : sequence of str, optional
+            Kinds of bifurcation at which to stop, as for `orbit_branch`.
 
-        Raises ValueError for another kind of bifurcation.
+        Returns
+        -------
+        OrbitBranch
+            The other branch.
+
+        Raises
+        ------
+        ValueError
+            For another kind of bifurcation.
+
+        Notes
+        -----
+        The branch leaves along the eigenvector of the multiplier -1 or +1, on one of the two ways,
+        which are one motion a cycle later, or two mirror images.
         """
         if at.kind not in (*FLIPS, "branch point"):
             raise ValueError(
@@ -203,16 +272,38 @@ def orbit_branch(
     until: Sequence[str] = (),
     tolerance: float = 1e-10,
 ) -> OrbitBranch:
-    """A branch of periodic motions, followed from one value of a parameter towards another.
+    """Branch of periodic motions, followed from one value of a parameter towards another.
 
-    stroboscope : makes the map of a value; it is called with a float for the first motion, then
-    with a `Dual`. between : the first value and the one to go to, beyond neither of which the
-    branch is followed; a branch that folds may come back to the first. guess, cycles : of the first
-    motion, as for `StroboscopicMap.orbit`. step : the longest, in parts of the branch: of the range
-    of values and of the size of the motion. until : kinds of bifurcation at the first of which to
-    stop. tolerance : of a bifurcation's place, in parts of the range.
+    Parameters
+    ----------
+    stroboscope : callable
+        Function that makes the map of a value; it is called with a float for the first motion, then
+        with a `Dual`.
+    between : tuple of (float, float)
+        First value and the one to go to, beyond neither of which the branch is followed; a branch
+        that folds may come back to the first.
+    guess : dict of str to float or array_like
+        Guess of the first motion, as for `StroboscopicMap.orbit`.
+    cycles : int, optional
+        Number of cycles of the first motion.
+    step : float, optional
+        Longest step, in parts of the branch: of the range of values and of the size of the motion.
+    until : sequence of str, optional
+        Kinds of bifurcation at the first of which to stop.
+    tolerance : float, optional
+        Accuracy of a bifurcation's place, in parts of the range.
 
-    Raises ArithmeticError where there is no first motion.
+    Returns
+    -------
+    OrbitBranch
+        Motions, bifurcations, and why the branch ended.
+
+    Raises
+    ------
+    ArithmeticError
+        Where there is no first motion.
+    ValueError
+        For an unknown kind of bifurcation, and a step or a tolerance that is not positive.
     """
     first, last = (float(v) for v in numbers("orbit_branch", first=between[0], last=between[1]))
     positive("orbit_branch", step=step, tolerance=tolerance)
@@ -463,7 +554,10 @@ def _leaving(family: Family, at: Bifurcation) -> tuple[np.ndarray, np.ndarray]:
 class Cascade:
     """Period doublings, each of the motions that the one before leaves.
 
-    bifurcations : in their order; of a mirrored map the break of symmetry comes first.
+    Parameters
+    ----------
+    bifurcations : tuple of Bifurcation
+        Doublings in their order; of a mirrored map the break of symmetry comes first.
     """
 
     bifurcations: tuple[Bifurcation, ...]
@@ -481,10 +575,11 @@ class Cascade:
 
     @property
     def accumulations(self) -> np.ndarray:
-        """(k - 1,) where they pile up, from each and the one before by Feigenbaum's limit.
+        """Values (k - 1,) at which they pile up, from each and the one before by Feigenbaum's
+        limit.
 
-        It is exact for a geometric series. The distance of the last from the one before estimates
-        the error.
+        The limit is exact for a geometric series. The distance of the last from the one before
+        estimates the error.
         """
         return self.values[1:] + np.diff(self.values) / (FEIGENBAUM - 1)
 
@@ -496,10 +591,26 @@ def period_doublings(
     cycles: int = 1,
     number: int = 4,
 ) -> Cascade:
-    """The first period doublings of a cascade, by following each branch to where the next begins.
+    """First period doublings of a cascade, by following each branch to where the next begins.
 
-    stroboscope, between, guess, cycles : as for `orbit_branch`. number : of the doublings; there
-    are fewer where a branch has none in between. The time it takes doubles with each.
+    Parameters
+    ----------
+    stroboscope : callable
+        Function that makes the map of a value.
+    between : tuple of (float, float)
+        First value of the parameter and the one to go to.
+    guess : dict of str to float or array_like
+        Guess of the first motion, as for `StroboscopicMap.orbit`.
+    cycles : int, optional
+        Number of cycles of the first motion.
+    number : int, optional
+        Number of doublings; there are fewer where a branch has none in between. The time it takes
+        doubles with each.
+
+    Returns
+    -------
+    Cascade
+        Doublings in their order.
     """
     branch = orbit_branch(stroboscope, between, guess, cycles, step=0.1, until=FLIPS)
     doublings: list[Bifurcation] = []
@@ -523,15 +634,36 @@ def bifurcation_value(
     multiplier: int = -1,
     tolerance: float = 1e-9,
 ) -> float:
-    """Value of a parameter at which a multiplier of an orbit is -1, its period doubles, or +1.
+    """Value of a parameter at which a multiplier of an orbit is -1 (its period doubles) or +1.
 
-    The first on the branch from one value to another, see `orbit_branch`. stroboscope : makes the
-    map of a value. between : the two values. guess : of the orbit at the first, cycles : of its
-    period, as for `StroboscopicMap.orbit`. multiplier : -1 or 1. tolerance : of the value, in its
-    own unit.
+    It is the first on the branch from one value to another, see `orbit_branch`.
 
-    Raises ValueError where the multiplier does not pass it in between, ArithmeticError where the
-    orbit is lost.
+    Parameters
+    ----------
+    stroboscope : callable
+        Function that makes the map of a value.
+    between : tuple of (float, float)
+        The two values.
+    guess : dict of str to float or array_like
+        Guess of the orbit at the first value, as for `StroboscopicMap.orbit`.
+    cycles : int, optional
+        Number of cycles of its period.
+    multiplier : int, optional
+        -1 or 1.
+    tolerance : float, optional
+        Accuracy of the value, in its own unit.
+
+    Returns
+    -------
+    float
+        Value of the parameter.
+
+    Raises
+    ------
+    ValueError
+        Where the multiplier does not pass this value in between.
+    ArithmeticError
+        Where the orbit is lost.
     """
     if multiplier not in (-1, 1):
         raise ValueError(f"bifurcation_value: multiplier is {multiplier}: give -1 or 1")
@@ -555,15 +687,26 @@ def continued_orbits(
     guess: Mapping[str, float] | ArrayLike,
     cycles: int = 1,
 ) -> list[PeriodicOrbit]:
-    """One orbit followed through given values of a parameter; `orbit_branch` chooses them itself.
+    """Follow one orbit through given values of a parameter; `orbit_branch` chooses them itself.
 
-    stroboscope : makes the map of a value. values : in steps so small that an orbit is a good
-    guess for the next; after the first two, the guess is extrapolated. guess, cycles : of the
-    first, as for `StroboscopicMap.orbit`.
+    Parameters
+    ----------
+    stroboscope : callable
+        Function that makes the map of a value.
+    values : sequence of float or ndarray
+        Values in steps so small that an orbit is a good guess for the next; after the first two,
+        the guess is extrapolated.
+    guess : dict of str to float or array_like
+        Guess of the first orbit, as for `StroboscopicMap.orbit`.
+    cycles : int, optional
+        Number of cycles of its period.
 
-    Stops, with fewer orbits than values, where Newton's method finds no orbit, or only one that is
-    not near the last: at a fold, where this orbit meets another and both end, or because the steps
-    are too long.
+    Returns
+    -------
+    list of PeriodicOrbit
+        Orbits. They are fewer than the values where Newton's method converges to no orbit, or only
+        to one that is not near the last: at a fold, where this orbit meets another and both end, or
+        because the steps are too long.
     """
     orbits: list[PeriodicOrbit] = []
     for index, value in enumerate(values):

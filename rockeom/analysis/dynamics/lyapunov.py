@@ -48,14 +48,26 @@ _NOISE = 1e-13
 
 @dataclass(frozen=True, eq=False)
 class LyapunovSpectrum:
-    """The Lyapunov exponents of a motion under periodic shaking, and their errors.
+    """Lyapunov exponents of a motion under periodic shaking, and their errors.
 
-    states (n names) : those that are followed. period : of the ground [s].
-    growth (c, n) : logarithm of how much each direction grew in each cycle; -inf where a cycle
+    Parameters
+    ----------
+    states : tuple of str
+        Names of the n states that are followed.
+    period : float
+        Period of the ground [s].
+    growth : ndarray
+        Logarithm (c, n) of how much each direction grew in each of c cycles; -inf where a cycle
         forgets it, as one in which the structure comes to rest or into full contact does.
-    state (n,), mode, directions (n, n) : of the motion after the cycles, with the orthogonal
-        directions in the columns; a call can continue from there.
-    interrupted : whether a keyboard interrupt came before the last of the cycles asked for.
+    state : ndarray
+        State (n,) of the motion after the cycles.
+    mode : str
+        Mode of the motion after the cycles.
+    directions : ndarray
+        Orthogonal directions after the cycles, in the columns (n, n); a call can continue from
+        there.
+    interrupted : bool, optional
+        Whether a keyboard interrupt came before the last of the cycles.
     """
 
     states: tuple[str, ...]
@@ -78,11 +90,11 @@ class LyapunovSpectrum:
 
     @property
     def standard_errors(self) -> np.ndarray:
-        """(n,) of the `exponents` [1/s], by the means of 20 batches of cycles; nan of -inf.
+        """Standard errors (n,) of the `exponents`, by the means of 20 batches of cycles [1/s].
 
-        A cycle is correlated with the one before, long batches hardly are (Law 2015, Simulation
-        Modeling and Analysis, 9.5.3). The error says how much the mean of so many cycles of a
-        motion that has settled varies; not whether it has.
+        NaN for an exponent of -inf. A cycle is correlated with the one before, long batches hardly
+        are (Law 2015, Simulation Modeling and Analysis, 9.5.3). The error says how much the mean of
+        so many cycles of a motion that has settled varies; not whether it has.
         """
         order = np.argsort(-self.growth.mean(axis=0), kind="stable")
         batches = np.array_split(self.growth[:, order], min(BATCHES, self.cycles))
@@ -91,9 +103,24 @@ class LyapunovSpectrum:
             return means.std(axis=0, ddof=1) / np.sqrt(len(means)) / self.period
 
     def bounds(self, level: float = 0.95) -> tuple[np.ndarray, np.ndarray]:
-        """Lower and upper confidence bound of each exponent (n,) [1/s], by Student's t.
+        """Confidence bounds of each exponent, by Student's t.
 
-        Raises ValueError for a level that does not lie between 0 and 1.
+        Parameters
+        ----------
+        level : float, optional
+            Confidence level, between 0 and 1.
+
+        Returns
+        -------
+        lower : ndarray
+            Lower bounds (n,) [1/s].
+        upper : ndarray
+            Upper bounds (n,) [1/s].
+
+        Raises
+        ------
+        ValueError
+            For a level that does not lie between 0 and 1.
         """
         from scipy.stats import t  # takes long to import
 
@@ -105,8 +132,9 @@ class LyapunovSpectrum:
     def dimension(self) -> float:
         """Dimension of the attractor in a section, by the conjecture of Kaplan and Yorke.
 
-        j + (sum of the first j exponents)/|the next one|, j being as large as that sum is not
-        negative. Source: Farmer, Ott and Yorke (1983), Physica D 7, 153-180.
+        It is j plus the sum of the first j exponents over the size of the next one, j being as
+        large as that sum is not negative. Source: Farmer, Ott and Yorke (1983), Physica D 7,
+        153-180.
         """
         exponents = self.exponents
         sums = np.concatenate([[0.0], np.cumsum(exponents)])
@@ -131,26 +159,43 @@ def lyapunov_spectrum(
 ) -> LyapunovSpectrum:
     """All Lyapunov exponents of the motion from a start, of any structure, with their errors.
 
-    stroboscope : the structure and its shaking, of which the states that it follows are varied; a
-        mirrored map, too, is followed over whole periods.
-    initial : states at the start, by name or in the order of `stroboscope.states`; or a spectrum
-        of a previous call, which is continued: two calls for 500 cycles give the same as one
-        for 1000, to the last bit.
-    cycles : number of periods of the mean; twenty or more. settling : periods before
-        them, in which the motion settles and the directions turn to where they grow; none where a
-        spectrum is continued.
-    progress : a line on stderr; if not given, where stderr is a terminal.
+    Parameters
+    ----------
+    stroboscope : StroboscopicMap
+        Structure and its shaking, of which the states that it follows are varied; a mirrored map,
+        too, is followed over whole periods.
+    initial : dict of str to float or array_like or LyapunovSpectrum
+        States at the start, by name or in the order of `StroboscopicMap.states`; or a spectrum of a
+        previous call, which is continued: two calls for 500 cycles give the same as one for 1000,
+        to the last bit.
+    cycles : int, optional
+        Number of periods of the mean, twenty or more.
+    settling : int, optional
+        Number of periods before them, in which the motion settles and the directions turn to where
+        they grow; none where a spectrum is continued.
+    progress : bool, optional
+        Whether a line on stderr shows the progress; where stderr is a terminal if not given.
 
-    The motion continues from period to period in its mode. A keyboard interrupt ends the
-    work early, once twenty cycles are done, and returns the spectrum so far, which says so and can
-    be continued.
+    Returns
+    -------
+    LyapunovSpectrum
+        Exponents with their errors. A keyboard interrupt ends the work early, once twenty cycles
+        are done, and returns the spectrum so far, which says so and can be continued.
 
-    The sum of the exponents is the mean rate at which volumes of states grow: of a block without
-    damping only impacts reduce them, e**2 each. In the plane of the states of a block there are
-    two; the direction of time, whose exponent is zero, is not among them.
+    Raises
+    ------
+    ArithmeticError
+        Where a motion ends before its cycle does, as one that overturns, and where it grazes, so
+        that no derivative exists.
+    ValueError
+        For fewer than twenty cycles.
 
-    Raises ArithmeticError where a motion ends before its cycle does, as one that overturns, and
-    where it grazes, so that no derivative is known.
+    Notes
+    -----
+    The motion continues from period to period in its mode. The sum of the exponents is the mean
+    rate at which volumes of states grow: of a block without damping only impacts reduce them,
+    ``e**2`` each. In the plane of the states of a block there are two; the direction of time, whose
+    exponent is zero, is not among them.
     """
     cycles, settling = (
         whole_number("cycles", cycles, BATCHES),

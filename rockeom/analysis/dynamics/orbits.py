@@ -64,10 +64,20 @@ class GrazingError(ArithmeticError):
 class Shooting:
     """Several states, each integrated over a cycle: multiple shooting.
 
-    x (k, n) : states, each of which should become the next, and the last the first. after (k, n) :
-    the states a cycle later. by_state (k, n, n), by_value (k, n, m) : its derivatives by the state
-    and by the m directions of the map's own duals. runs : the k motions. size (n,) : the largest
-    absolute value of each state in them.
+    Parameters
+    ----------
+    x : ndarray
+        States (k, n), each of which should become the next, and the last the first.
+    after : ndarray
+        States a cycle later (k, n).
+    by_state : ndarray
+        Derivatives (k, n, n) of these by the state.
+    by_value : ndarray
+        Derivatives (k, n, m) by the m directions of the map's own duals.
+    runs : tuple of Response
+        The k motions.
+    size : ndarray
+        Largest absolute value of each state in them (n,).
     """
 
     x: np.ndarray
@@ -101,7 +111,13 @@ class Shooting:
         return product
 
     def jacobian(self) -> np.ndarray:
-        """(k n, k n + m) derivatives of the gaps by the states and by the map's directions."""
+        """Derivatives of the gaps by the states and by the map's directions.
+
+        Returns
+        -------
+        ndarray
+            Matrix (k n, k n + m).
+        """
         k, n = self.x.shape
         blocks = np.zeros((k, n, k, n))
         for i, one in enumerate(self.by_state):
@@ -110,9 +126,14 @@ class Shooting:
         return np.hstack([blocks.reshape(k * n, k * n), self.by_value.reshape(k * n, -1)])
 
     def closer(self) -> np.ndarray:
-        """(k, n) states after a step of Newton's method.
+        """States after a step of Newton's method.
 
         Where a multiplier is 1 the map says nothing of that direction: no step along it.
+
+        Returns
+        -------
+        ndarray
+            States (k, n).
         """
         k, n = self.x.shape
         scale = np.tile(self.scale, k)
@@ -121,11 +142,20 @@ class Shooting:
 
     @staticmethod
     def solve(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
-        """x of matrix x = right, without the directions that a nearly singular matrix leaves
+        """Solve matrix x = right without the directions that a nearly singular matrix leaves
         undetermined.
 
-        matrix (n, n), right (n,), scaled to be of the order of 1: x (n,) is the shortest of all
-        where singular values are below 1e-8.
+        Parameters
+        ----------
+        matrix : ndarray
+            Matrix (n, n), scaled to be of the order of 1.
+        right : ndarray
+            Right side (n,), scaled likewise.
+
+        Returns
+        -------
+        ndarray
+            Solution x (n,), the shortest of all where singular values are below 1e-8.
         """
         with contextlib.suppress(np.linalg.LinAlgError):
             inverse = np.linalg.inv(matrix)
@@ -143,14 +173,30 @@ class Shooting:
 
 @dataclass(frozen=True, eq=False)
 class PeriodicOrbit:
-    """A motion that repeats itself after `cycles` cycles of its map.
+    """Motion that repeats itself after some cycles of its map.
 
-    state (n,) at the time zero of the ground's motion, in the order of `states`. multipliers (n,)
-    complex, the largest first, after all the cycles; derivative A (n, n), whose eigenvalues they
-    are. size (n,) : the largest absolute value of each state in the motion. residual : how far the
-    motion is from closing, in parts of it. looks (cycles, n) : the states at the start of each
-    cycle. runs : the motion in each cycle. mirror (N,) : of a mirrored map, -1 for each state of
-    the structure that changes its sign in the mirror, else 1; None of another map.
+    Parameters
+    ----------
+    states : tuple of str
+        Names of the states.
+    state : ndarray
+        State (n,) at the time zero of the ground's motion, in the order of `states`.
+    cycles : int
+        Number of cycles after which the motion repeats itself.
+    derivative : ndarray
+        Derivative A (n, n) of the state after all the cycles by that before, whose eigenvalues are
+        the `multipliers`.
+    size : ndarray
+        Largest absolute value of each state in the motion (n,).
+    residual : float
+        How far the motion is from closing, in parts of its size.
+    looks : ndarray
+        States at the start of each cycle (cycles, n).
+    runs : tuple of Response
+        Motion in each cycle.
+    mirror : ndarray, optional
+        For a mirrored map, -1 for each state of the structure that changes its sign in the mirror,
+        else 1 (N,); None for another map.
     """
 
     states: tuple[str, ...]
@@ -186,7 +232,7 @@ class PeriodicOrbit:
 
     @property
     def order(self) -> tuple[int, int]:
-        """(m, n) of Hogan (1989): m impacts to each side in n periods of the ground.
+        """Order (m, n) of Hogan (1989): m impacts to each side in n periods of the ground.
 
         n is the least: a motion of one period that was sought as one of two is (m, 1). Impacts are
         counted in all and halved, so that the thesis's (1, 1) of Figure 2-12 comes upright twice a
@@ -198,7 +244,18 @@ class PeriodicOrbit:
         return sum(len(run.impacts) for run in legs) // 2, periods
 
     def at_impacts(self, name: str) -> np.ndarray:
-        """(k,) a state just before each impact of the motion, in time order."""
+        """State just before each impact of the motion.
+
+        Parameters
+        ----------
+        name : str
+            Name of the state.
+
+        Returns
+        -------
+        ndarray
+            Values (k,) in time order.
+        """
         return np.array(
             [
                 sign[run.states.index(name)] * impact.before[name]
@@ -208,7 +265,15 @@ class PeriodicOrbit:
         )
 
     def trajectory(self) -> tuple[np.ndarray, np.ndarray]:
-        """Times (n,) [s] and states (n, N) of the structure over the whole motion, for drawing."""
+        """States of the structure over the whole motion, for drawing.
+
+        Returns
+        -------
+        t : ndarray
+            Times (n,) [s].
+        y : ndarray
+            States (n, N).
+        """
         times, states, start = [], [], 0.0
         for run, sign in self.legs():
             times.append(start + run.t)
@@ -217,7 +282,13 @@ class PeriodicOrbit:
         return np.concatenate(times), np.concatenate(states)
 
     def nearest_event(self) -> float:
-        """Time from a look to the event nearest to one, in parts of the cycle; inf without any."""
+        """Time from a look to the event nearest to one, in parts of the cycle.
+
+        Returns
+        -------
+        float
+            Part of the cycle; inf without any event.
+        """
         parts = [run.events.columns[0] / run.duration for run in self.runs]
         return float(min((np.minimum(t, 1 - t).min() for t in parts if len(t)), default=np.inf))
 
@@ -232,10 +303,20 @@ class PeriodicOrbit:
         return self.cycles
 
     def legs(self, cycles: int | None = None) -> Iterator[tuple[Response, np.ndarray]]:
-        """Runs one after the other, each with the factors (N,) of its states.
+        """Runs one after the other, each with the factors of its states.
 
-        cycles : their number, those of the orbit if not given. A motion that an odd number of
-        mirrored half periods turns into its mirror image needs as many again to repeat itself.
+        Parameters
+        ----------
+        cycles : int, optional
+            Number of cycles; those of the orbit if not given. A motion that an odd number of
+            mirrored half periods turns into its mirror image needs as many again to repeat itself.
+
+        Yields
+        ------
+        run : Response
+            Motion of a cycle.
+        factors : ndarray
+            Factors (N,) of its states, 1 or -1.
         """
         cycles = self.cycles if cycles is None else cycles
         mirror = np.ones(len(self.runs[0].states)) if self.mirror is None else self.mirror
@@ -246,25 +327,41 @@ class PeriodicOrbit:
 
 @dataclass(frozen=True)
 class StroboscopicMap:
-    """The state of a structure one period of the ground after another.
-
-    motion repeats itself with the `period` [s], from time zero on, and is given for two of them at
-    least; impact as for `simulate`. states : those that are followed, all of the structure if none
-    are named. Other states start in each cycle as `simulate` starts them, mostly at zero. A
-    permanent extension that no cycle changes has the multiplier 1, and an orbit for each value:
-    leave it out for the orbits without one. options : tolerances of 1e-12, 1e-14 if not given.
-
-    mirrored : a cycle is half a period, and its end is mirrored: all states change their sign but
-    those named by `upward`, such as heights. A symmetric motion then repeats itself after one
-    cycle, one that is not after two. For structures and impact laws without a preferred side,
-    and a motion that is its own negative half a period later.
-
-    Structure, motion, impact and period may hold duals, whose directions come behind those of the
-    states in `shooting`.
+    """State of a structure one period of the ground after another.
 
     Each cycle is a simulation of its own. One that does not reach its end, because the structure
     overturns, is an ArithmeticError. The mode at its start follows from the state: shift the
     motion, by its phase angle, so that no impact coincides with the start of a cycle.
+
+    Parameters
+    ----------
+    structure : Structure
+        Structure that is shaken.
+    motion : GroundMotion
+        Ground motion that repeats itself with the `period`, from time zero on, over two periods at
+        least.
+    period : float
+        Period of the ground [s].
+    impact : ImpactLaw, optional
+        Impact law, as for `simulate`.
+    states : tuple of str, optional
+        States that are followed; all of the structure if none are named. Other states start in each
+        cycle as `simulate` starts them, mostly at zero. A permanent extension that no cycle changes
+        has the multiplier 1, and an orbit for each value: leave it out for the orbits without one.
+    options : SolverOptions, optional
+        Choices of the integration; tolerances of 1e-12 and 1e-14 if not given.
+    mirrored : bool, optional
+        Whether a cycle is half a period, and its end is mirrored: all states change their sign but
+        those named by `upward`. A symmetric motion then repeats itself after one cycle, one that is
+        not after two. For structures and impact laws without a preferred side, and a motion that is
+        its own negative half a period later.
+    upward : tuple of str, optional
+        States that keep their sign in the mirror, such as heights.
+
+    Notes
+    -----
+    Structure, motion, impact and period may hold duals, whose directions come behind those of the
+    states in `shooting`.
     """
 
     structure: Structure
@@ -326,9 +423,24 @@ class StroboscopicMap:
         return np.array(turned)
 
     def points(self, initial: Mapping[str, float] | ArrayLike, cycles: int) -> np.ndarray:
-        """States (cycles + 1, n) at the starts of the cycles, `initial` first.
+        """States at the starts of the cycles, `initial` first.
 
-        initial : by name, what is not named being zero, or (n,) in the order of `states`.
+        Parameters
+        ----------
+        initial : dict of str to float or array_like
+            States by name, those that are not named being zero, or (n,) in the order of `states`.
+        cycles : int
+            Number of cycles.
+
+        Returns
+        -------
+        ndarray
+            States (cycles + 1, n).
+
+        Raises
+        ------
+        ArithmeticError
+            Where a cycle does not reach its end.
         """
         states = [self._vector(initial)]
         for _ in range(cycles):
@@ -336,16 +448,41 @@ class StroboscopicMap:
         return np.array(states)
 
     def derivative(self, state: Mapping[str, float] | ArrayLike, cycles: int = 1) -> np.ndarray:
-        """(n, n) derivatives of the state after `cycles` by that before, exact to the tolerance.
+        """Derivatives of the state after some cycles by that before, exact to the tolerance.
 
-        Raises GrazingError where an event grazes, so that there are none.
+        Parameters
+        ----------
+        state : dict of str to float or array_like
+            States by name or (n,), as `initial` of `points`.
+        cycles : int, optional
+            Number of cycles.
+
+        Returns
+        -------
+        ndarray
+            Matrix (n, n).
+
+        Raises
+        ------
+        GrazingError
+            Where an event grazes, so that there are none.
         """
         return self.shooting(self.points(state, cycles)[:-1]).derivative
 
     def shooting(self, states: ArrayLike, more: int = 0) -> Shooting:
-        """Several states (k, n), each integrated over a cycle, with the derivatives.
+        """Several states, each integrated over a cycle, with the derivatives.
 
-        more : directions of the duals that the map holds, which number n + more.
+        Parameters
+        ----------
+        states : array_like
+            States (k, n).
+        more : int, optional
+            Number m of directions of the duals that the map holds, which number n + m.
+
+        Returns
+        -------
+        Shooting
+            States a cycle later, with their derivatives.
         """
         x = np.array([self._vector(one) for one in np.asarray(states)])
         self._check_stands(x)
@@ -367,15 +504,36 @@ class StroboscopicMap:
         tolerance: float = 1e-9,
         iterations: int = 20,
     ) -> PeriodicOrbit:
-        """The periodic motion near a guess, stable or not, by Newton's method.
+        """Periodic motion near a guess, stable or not, by Newton's method.
 
-        guess : as `initial` of `points`, or (cycles, n) at the start of each cycle. cycles : after
-        which it closes; a motion of fewer cycles repeats itself after these too, and may be the
-        result. tolerance : of the residual. Each cycle is shot by itself (multiple shooting), so
-        that errors do not grow from one to the next.
+        Parameters
+        ----------
+        guess : dict of str to float or array_like
+            Guess of the state as `initial` of `points`, or (cycles, n) at the start of each cycle.
+        cycles : int, optional
+            Number of cycles after which the motion closes; a motion of fewer cycles repeats itself
+            after these too, and may be the result.
+        tolerance : float, optional
+            Largest residual.
+        iterations : int, optional
+            Largest number of iterations.
 
-        Raises ArithmeticError where no orbit is found, and ValueError where a map is mirrored and
-        its structure is not.
+        Returns
+        -------
+        PeriodicOrbit
+            Motion with its multipliers.
+
+        Raises
+        ------
+        ArithmeticError
+            Where Newton's method converges to no orbit.
+        ValueError
+            Where a map is mirrored and its structure is not.
+
+        Notes
+        -----
+        Each cycle is shot by itself (multiple shooting), so that errors do not grow from one to the
+        next.
         """
         x = self._start(guess, cycles)
         residual = np.inf
@@ -393,7 +551,18 @@ class StroboscopicMap:
         )
 
     def closed(self, shot: Shooting) -> PeriodicOrbit:
-        """The orbit of states that meet one another."""
+        """Orbit of states that meet one another.
+
+        Parameters
+        ----------
+        shot : Shooting
+            States that each become the next.
+
+        Returns
+        -------
+        PeriodicOrbit
+            Motion through them.
+        """
         mirror = self.mirror if self.mirrored else None
         return PeriodicOrbit(
             self.states, shot.x[0], len(shot.x), shot.derivative, shot.size, shot.residual,

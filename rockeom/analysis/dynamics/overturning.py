@@ -51,11 +51,27 @@ MOST = 3
 def impacts_before_overturning(sweep: xr.Dataset, most: int | None = None) -> xr.DataArray:
     """Number of impacts of each case of a sweep before it overturned: its fate, 0, 1, 2, ...
 
-    sweep : of `simulate_many`. most : so many and more count as this number; all numbers if not
-        given.
+    Parameters
+    ----------
+    sweep : xarray.Dataset
+        Dataset of `simulate_many`.
+    most : int, optional
+        This number stands for itself and all above it; all numbers if not given.
 
-    inf is a case that never overturns, nan one without an answer, of the shape of the sweep.
-    Raises ValueError as `outcome_labels` does. Source: Zhang and Makris (2001).
+    Returns
+    -------
+    xarray.DataArray
+        Fates in the shape of the sweep; inf for a case that never overturns, NaN for one without an
+        answer.
+
+    Raises
+    ------
+    ValueError
+        As `outcome_labels` does.
+
+    References
+    ----------
+    Zhang and Makris (2001).
     """
     labels = outcome_labels(sweep)
     impacts = sweep["impacts"].astype(float)
@@ -74,16 +90,41 @@ def dimensionless_pulses(
     p: float | None = None,
     acceleration: float | None = None,
 ) -> Callable[[float, float], Case]:
-    """The function of a sweep over pulses in the units of a structure: (frequency, amplitude).
+    """Function of a sweep over pulses in the units of a structure: (frequency, amplitude).
 
-    structure : which they push. pulse : makes a motion of an amplitude [m/s2] and a period [s], as
-        `GroundMotion.single_sine` and `GroundMotion.ricker` do. impact : as of `simulate`.
-    p : in units of which frequencies are [rad/s], omega_p/p = 2 pi/(p period); if not given, the
-        structure's `frequency_parameter`. acceleration : in units of which amplitudes are [m/s2];
-        if not given, the structure's `uplift_acceleration`, g tan(alpha) of a block.
+    Parameters
+    ----------
+    structure : Structure
+        Structure that the pulses shake.
+    pulse : callable, optional
+        Function that makes a motion of an amplitude [m/s2] and a period [s], as
+        `GroundMotion.single_sine` and `GroundMotion.ricker` do.
+    impact : ImpactLaw, optional
+        Impact law, as for `simulate`.
+    p : float, optional
+        Unit of the frequencies [rad/s], omega_p/p = 2 pi/(p period); the structure's
+        `frequency_parameter` if not given.
+    acceleration : float, optional
+        Unit of the amplitudes [m/s2]; the structure's `uplift_acceleration`, g tan(alpha) of a
+        block, if not given.
 
+    Returns
+    -------
+    callable
+        Function of frequency and amplitude, both dimensionless, that makes a `Case`.
+
+    Raises
+    ------
+    ValueError
+        Where the structure has no p or uplift acceleration of its own: then give them.
+
+    Notes
+    -----
     The numbers of a block depend on these two, on its slenderness and on its restitution alone.
-    Source: Zhang and Makris (2001). Raises ValueError where p or acceleration is to be given.
+
+    References
+    ----------
+    Zhang and Makris (2001).
     """
     where = "dimensionless_pulses"
     if p is None:
@@ -123,32 +164,60 @@ def overturning_boundaries(
     threads: int | None = None,
     progress: bool | None = None,
 ) -> xr.Dataset:
-    """Where the number of impacts before overturning changes, between the cases of a sweep.
+    """Places between the cases of a sweep where the number of impacts before overturning changes.
 
-        sweep = rk.simulate_many(case, {"amplitude": np.linspace(1.0, 6.0, 501)})
-        analysis.overturning_boundaries(case, sweep, accuracy=1e-9)
-
-    case : the case or the function of the sweep. sweep : a grid of `simulate_many`; or a previous
-        result of this function, to continue after an interrupt or with a finer accuracy.
-    along : names of the sweep along which neighbours are compared; all that hold numbers if not
-        given.
-    accuracy : of each value, in parts of it.
-    most : so many impacts and more are one fate. threads : as of `SweepOptions`.
-    options : of the integrator, the defaults if not given: the sweep may be rougher. Cases next
+    Parameters
+    ----------
+    case : Case or callable
+        Case or function of the sweep.
+    sweep : xarray.Dataset
+        Grid of `simulate_many`; or a previous result of this function, to continue after an
+        interrupt or with a finer accuracy.
+    along : str or sequence of str, optional
+        Names of the sweep along which neighbours are compared; all that hold numbers if not given.
+    accuracy : float, optional
+        Accuracy of each value, in parts of it.
+    most : int, optional
+        This number of impacts and all above it are one fate.
+    options : SolverOptions, optional
+        Choices of the integration, the defaults if not given: the sweep may be rougher. Cases next
         to a boundary are simulated again with these.
-    progress : a line on stderr; if not given, where stderr is a terminal.
+    threads : int, optional
+        Number of threads, as for `SweepOptions`.
+    progress : bool, optional
+        Whether a line on stderr shows the progress; where stderr is a terminal if not given.
 
+    Returns
+    -------
+    xarray.Dataset
+        Dataset over "boundary": a coordinate of each name of the sweep, `along`, and low and high,
+        between which the fate changes along that name from `below` to `above`. The coordinate is
+        their middle. An interval with a case without an answer stays as long as it is. A keyboard
+        interrupt returns what there is, with ``attrs["interrupted"]`` 1.
+
+    Raises
+    ------
+    ValueError
+        For a sweep that is no grid or was not run to its end, and for names that hold no numbers.
+
+    Notes
+    -----
     Between neighbours of different fates the interval is halved until it is as short as asked for,
     all of them at once; a third fate makes two intervals of one. A window that is narrower than the
     sweep's spacing, and lies between neighbours of the same fate, remains undetected.
 
-    Returns a dataset over "boundary": a coordinate of each name of the sweep, `along`, and low and
-    high, between which the fate changes along that name from `below` to `above`. The coordinate is
-    their middle. An interval with a case without an answer stays as long as it is. A keyboard
-    interrupt returns what there is, with `attrs["interrupted"]` 1.
-
-    Raises ValueError for a sweep that is no grid or was not run to its end, and for names that hold
-    no numbers.
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import rockeom as rk
+    >>> from rockeom import analysis
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> def case(amplitude):
+    ...     return rk.Case(block, rk.GroundMotion.single_sine(amplitude, 0.8, duration=6.0))
+    >>> sweep = rk.simulate_many(case, {"amplitude": np.linspace(2.5, 4.5, 5)})  # m/s2
+    >>> borders = analysis.overturning_boundaries(case, sweep, accuracy=1e-3)
+    >>> len(borders.amplitude) > 0
+    True
     """
     (parts,) = positive("overturning_boundaries", accuracy=accuracy)
     fates = _Fates(
@@ -343,18 +412,39 @@ def _halvings(brackets: _Brackets, accuracy: float) -> int:
 
 
 def minimum_overturning(boundaries: xr.Dataset, x: str, y: str) -> xr.DataArray:
-    """The least `y` at which a structure overturns, at each `x`: the spectrum of overturning.
+    """Least `y` at which a structure overturns, at each `x`: the spectrum of overturning.
+
+    Parameters
+    ----------
+    boundaries : xarray.Dataset
+        Dataset of `overturning_boundaries`, searched along y.
+    x : str
+        Name of a coordinate.
+    y : str
+        Name of the other coordinate.
+
+    Returns
+    -------
+    xarray.DataArray
+        y over x, with the number of impacts before overturning as a coordinate. An x without a
+        boundary between standing and overturning is missing: nothing of the sweep overturned there,
+        or all of it did. Windows of overturning that the sweep missed are missing here.
+
+    Raises
+    ------
+    ValueError
+        For a name that is not there, where there is no boundary along y, and for boundaries whose
+        search was interrupted.
+
+    References
+    ----------
+    Zhang and Makris (2001).
+
+    Examples
+    --------
+    With `borders` of `overturning_boundaries`::
 
         dynamics.minimum_overturning(borders, x="frequency", y="amplitude")
-
-    boundaries : of `overturning_boundaries`, found along y. x, y : names of its coordinates.
-
-    Returns y over x, with the number of impacts before overturning as a coordinate. x without a
-    boundary between standing and overturning are missing: nothing of the sweep overturned there, or
-    all of it did. Windows of overturning that the sweep missed are missing here.
-
-    Source: Zhang and Makris (2001). Raises ValueError for a name that is not there, where nothing
-    was found along y, and for boundaries whose search was interrupted.
     """
     if boundaries.attrs.get("interrupted"):
         raise ValueError(
@@ -394,19 +484,49 @@ def rocking_spectrum(
 ) -> xr.Dataset:
     """Homogeneous blocks of many sizes under a motion, or each of a set of motions.
 
+    Parameters
+    ----------
+    motions : GroundMotion or sequence of GroundMotion
+        One ground motion or several.
+    periods : array_like
+        Periods 2 pi/p of the blocks [s], p = sqrt(3 g/(4 R)).
+    alpha : array_like
+        Slenderness of the blocks, one or several [rad].
+    impact : ImpactLaw, optional
+        Impact law, as for `simulate`.
+    **how : object
+        Arguments of `simulate_many`, such as ``options`` and ``sweep_options``.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dataset of `simulate_many` over motion, period and alpha.
+
+    Raises
+    ------
+    ValueError
+        For an impossible period or angle.
+
+    References
+    ----------
+    Makris and Konstantinidis (2003), Earthquake Engineering and Structural Dynamics 32(2), 265-289.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> from rockeom import analysis
+    >>> pulse = rk.GroundMotion.ricker(4.0, 0.6)  # m/s2, s
+    >>> sweep = analysis.rocking_spectrum(pulse, periods=[2.0, 4.0], alpha=0.3)  # s, rad
+    >>> dict(sweep.sizes)["period"]
+    2
+
+    A set of records, drawn::
+
         far_field = rk.MotionSet.from_library("far field")
         sweep = analysis.rocking_spectrum(far_field, np.linspace(0.5, 8.0, 100), alpha=0.3)
         rk.plots.rocking_spectrum(
             sweep, x="period", by="motion", alpha="alpha", fractiles=(0.16, 0.5, 0.84)
         )
-
-    periods : 2 pi/p of the blocks [s], p = sqrt(3 g/(4 R)). alpha : their slenderness, one or
-        several [rad]. impact : as of `simulate`. how : options, sweep_options and others of
-        `simulate_many`.
-
-    Returns the dataset of `simulate_many` over motion, period and alpha. Source: Makris and
-    Konstantinidis (2003), Earthquake Engineering and Structural Dynamics 32(2), 265-289.
-    Raises ValueError for an impossible period or angle.
     """
     where = "rocking_spectrum"
     lengths, angles = positive(where, periods=np.ravel(periods))[0], slenderness(where, alpha)

@@ -61,6 +61,58 @@ def poincare_sections(
 ) -> xr.Dataset:
     """States at the starts of cycles, and at impacts, of motions from several starts.
 
+    Parameters
+    ----------
+    stroboscope : StroboscopicMap or callable
+        A map; or a function that makes one from one value of each name in `over`, of any parameter
+        of the structure, its impacts or its shaking, whose period may vary, too. All states are
+        followed, and looked at once a whole period, whatever the map says of these.
+    over : dict of str to object, optional
+        Names and their values, a grid.
+    starts : object
+        States at the time zero, those that are not named being zero: names and their values are a
+        grid, over which the dataset is, too; a table (a list of dicts, a DataFrame) has a start in
+        each row, and the dataset is over "start".
+    settling : int, optional
+        Number of cycles before the recorded ones.
+    cycles : int, optional
+        Number of recorded cycles.
+    impacts : int, optional
+        Largest number of recorded impacts, in the mean of a cycle.
+    threads : int, optional
+        Number of threads, as for `SweepOptions`.
+    progress : bool, optional
+        Whether a line on stderr shows the progress, as for `SweepOptions`.
+    store : path_like, optional
+        Folder of finished cases, of the package zarr, as for `SweepOptions`: the same call
+        continues where the last one was stopped, with the same result to the last bit.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dataset over the names and the starts: strobe over "look" and "state", all states at the
+        start of each recorded cycle and at the end of the last; impact_count over "cycle"; outcome,
+        a label, of the last cycle that was followed. With `impacts`, also impact_time since the
+        start of its cycle [s], and impact_state over "side", which is before or after, both over
+        "impact", in the order of time; for these the cycles are followed a second time. Missing
+        values are NaN: a motion that has overturned has no states. An interrupt ends the work
+        early, ``attrs["interrupted"]`` is 1.
+
+    Raises
+    ------
+    ValueError
+        For names that are no states, and as `simulate_many` does.
+
+    Notes
+    -----
+    As many cycles as the motion of the ground lasts are settled in one go, one after the other
+    otherwise; a motion that lasts for all of them saves time. The motions have the options of the
+    first map, and continue from cycle to cycle in their mode.
+
+    Examples
+    --------
+    With a block and the unit of acceleration `unit`::
+
         def shaken(beta):
             ground = rk.GroundMotion.harmonic(beta * unit, period=3.0, duration=600.0)
             return dynamics.StroboscopicMap(block, ground, 3.0, impact=rk.VelocityRatio(0.5))
@@ -73,32 +125,6 @@ def poincare_sections(
             cycles=32,
             impacts=4,
         )
-
-    stroboscope : a map; or a function that makes one from one value of each name in `over`, of any
-        parameter of the structure, its impacts or its shaking, whose period may vary, too. All
-        states are followed, and looked at once a whole period, whatever the map says of these.
-    over : names and their values, a grid. starts : states at the time zero, what is not named being
-        zero: names and their values are a grid, over which the dataset is, too; a table (a list of
-        dicts, a DataFrame) has a start in each row, and the dataset is over "start".
-    settling : cycles before the recorded ones. cycles : number of recorded cycles.
-    impacts : most recorded impacts, in the mean of a cycle.
-    threads, progress : as of `SweepOptions`.
-    store : a folder of finished cases, of the package zarr, as of `SweepOptions`: the same call
-        continues where the last one was stopped, with the same result to the last bit.
-
-    Returns a dataset over the names and the starts: strobe over "look" and "state", all states at
-    the start of each cycle that is kept and at the end of the last; impact_count over "cycle";
-    outcome, a label, of the last cycle that was followed. With `impacts`, also impact_time since
-    the start of its cycle [s], and impact_state over "side", which is before or after, both over
-    "impact", in the order of time; for these the cycles are followed a second time. Missing values
-    are nan: a motion that has overturned has no states. An interrupt ends the work early,
-    `attrs["interrupted"]` is 1.
-
-    As many cycles as the motion of the ground lasts are settled in one go, one after the other
-    otherwise; a motion that lasts for all of them saves time. The motions have the `options` of the
-    first map, and continue from cycle to cycle in their mode.
-
-    Raises ValueError for names that are no states, and what `simulate_many` raises.
     """
     plan = _Plan.of(stroboscope, over, starts)
     settling, cycles = whole_number("settling", settling, 0), whole_number("cycles", cycles, 1)
@@ -138,30 +164,49 @@ NOT_PERIODIC, FALLEN, UNKNOWN = 0, -1, -2
 
 
 def basins(sections: xr.Dataset, tolerance: float = 1e-3) -> xr.Dataset:
-    """Which starts end on the same periodic orbit, from sections of one map.
+    """Starts that end on the same periodic orbit, from sections of one map.
 
-        found = dynamics.poincare_sections(
+    Parameters
+    ----------
+    sections : xarray.Dataset
+        Dataset of `poincare_sections`, over starts alone.
+    tolerance : float, optional
+        Tolerance of a look at a motion, in parts of the largest size that each state has in any of
+        them.
+
+    Returns
+    -------
+    xarray.Dataset
+        Dataset with the `fate` of each start: from 1 on the number of its orbit, the one with the
+        most starts first; 0 not periodic within the recorded cycles, whether chaotic, of a long
+        period or not yet settled; -1 overturned; -2 without an answer. Its attributes flag_values
+        and flag_meanings say so. orbit_cycles and orbit_state, a look at it, belong to each orbit.
+
+    Raises
+    ------
+    ValueError
+        For sections of several maps or that were not run to their end, and for a tolerance that is
+        not positive.
+
+    Notes
+    -----
+    A motion is periodic if all its looks repeat themselves within the tolerance after as many
+    cycles as half of the recorded ones or fewer; two are on one orbit if the last look at one is as
+    near to one at the other. Orbits that are nearer to each other than that, as late in a cascade,
+    count as one, and a motion that settles so slowly that it seems to repeat itself counts as
+    periodic.
+
+    Examples
+    --------
+    With a map `stroboscope`::
+
+        looks = dynamics.poincare_sections(
             stroboscope,
             starts={"theta": np.linspace(-0.2, 0.2, 200), "theta_dot": np.linspace(-1, 1, 200)},
             settling=200,
             cycles=16,
         )
-        dynamics.basins(found)
-
-    sections : of `poincare_sections`, over starts alone. tolerance : of a look at a motion, in
-        parts of the largest size that each state has in any of them. A motion is periodic if all
-        its looks repeat themselves within it after as many cycles as half of those kept or fewer;
-        two are on one orbit if the last look at one is as near to one at the other. Orbits that are
-        nearer to each other than that, as late in a cascade, count as one, and a motion that
-        settles so slowly that it seems to repeat itself counts as periodic.
-
-    Returns the dataset with `fate` of each start: from 1 on the number of its orbit, the one with
-    the most starts first; 0 not periodic within the cycles kept, whether chaotic, of a long period
-    or not yet settled; -1 overturned; -2 without an answer. flag_values and
-    flag_meanings say so. orbit_cycles and orbit_state, a look at it, are those of each orbit.
-
-    Raises ValueError for sections of several maps or that were not run to their end, and for a
-    tolerance that is not positive.
+        dynamics.basins(looks)
     """
     (tolerance,) = (float(one) for one in positive("basins", tolerance=tolerance))
     dims_of_starts("basins", sections)  # refuses others
@@ -191,18 +236,36 @@ def basins(sections: xr.Dataset, tolerance: float = 1e-3) -> xr.Dataset:
 def basin_stability(basins: xr.Dataset, level: float = 0.95) -> xr.Dataset:
     """Part of the starts that ends on each orbit, with confidence bounds.
 
+    Parameters
+    ----------
+    basins : xarray.Dataset
+        Dataset of `basins`. Starts without an answer are not counted.
+    level : float, optional
+        Probability of the bounds, which are Wilson's, of starts that were drawn at random; those of
+        a grid are no sample: the areas are then more accurate than the bounds.
+
+    Returns
+    -------
+    xarray.Dataset
+        Share, low, high and number of starts over `fate`, the meanings of `basins`.
+
+    Raises
+    ------
+    ValueError
+        For a level that does not lie between 0 and 1, and where no start has an answer.
+
+    References
+    ----------
+    Menck, Heitzig, Marwan and Kurths (2013), Nature Physics 9, 89-92.
+
+    Examples
+    --------
+    With a map `stroboscope`::
+
         rng = np.random.default_rng(1)
         starts = [{"theta": a, "theta_dot": b} for a, b in rng.uniform(-0.1, 0.1, (2000, 2))]
-        found = dynamics.poincare_sections(stroboscope, starts=starts, settling=200, cycles=16)
-        dynamics.basin_stability(dynamics.basins(found))
-
-    basins : of `basins`. Those without an answer are not counted. level : probability of the
-        bounds, which are Wilson's, of starts that were drawn at random; those of a grid are no
-        sample: the areas are then more accurate than the bounds.
-
-    Returns share, low, high and number of starts over `fate`, the meanings of `basins`. Source:
-    Menck, Heitzig, Marwan and Kurths (2013), Nature Physics 9, 89-92. Raises ValueError for a level
-    that does not lie between 0 and 1 and where no start has an answer.
+        looks = dynamics.poincare_sections(stroboscope, starts=starts, settling=200, cycles=16)
+        dynamics.basin_stability(dynamics.basins(looks))
     """
     from scipy.stats import binomtest  # takes long to import
 

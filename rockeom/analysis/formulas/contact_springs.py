@@ -33,16 +33,27 @@ from rockeom.numbers.arguments import not_negative, positive, require
 
 @dataclass(frozen=True)
 class ContactSprings:
-    """A spring and a damper for each foot of a block, and what to expect of them.
+    """Spring and damper of each foot of a block, and the losses to expect of them.
 
-    stiffness [N/m], damping [N s/m] : of each foot.
-    time_step : for Newmark's method, a tenth of the shortest time constant of the contacts [s]; r
+    Parameters
+    ----------
+    stiffness : float
+        Stiffness of the spring of each foot [N/m].
+    damping : float
+        Coefficient of the damper of each foot [N s/m].
+    time_step : float
+        Time step for Newmark's method, a tenth of the shortest time constant of the contacts [s]; r
         measured in OpenSees with it differed by up to 0.006.
-    damping_ratio : zeta of the heave with both feet down.
-    uplift_rotation : at which a foot lifts [rad]; below it the block does not rock.
-    energy_ratio : r of the landing after the peak rotation that was given.
-    energy_ratio_at_half_peak : r after a peak half as large, with the same springs.
-    rigid_energy_ratio : r of Housner's impact, which stiff springs have.
+    damping_ratio : float
+        Damping ratio of the heave with both feet down.
+    uplift_rotation : float
+        Rotation at which a foot lifts [rad]; below it the block does not rock.
+    energy_ratio : float
+        Energy ratio r of the landing after the requested peak rotation.
+    energy_ratio_at_half_peak : float
+        Energy ratio r after a peak half as large, with the same springs.
+    rigid_energy_ratio : float
+        Energy ratio r of Housner's impact, the limit of stiff springs.
     """
 
     stiffness: float
@@ -67,27 +78,54 @@ def energy_ratio_on_contact_springs(
     inertia: ArrayLike | None = None,
     gravity: ArrayLike = STANDARD_GRAVITY,
 ):
-    """r of the first landing of a block on contact springs, after a peak rotation.
+    """Energy ratio r of the first landing of a block on contact springs.
 
-    stiffness [N/m], damping [N s/m] : of the spring and the damper of each foot.
-    half_width, half_height [m], mass [kg] : of the block.
-    peak_rotation : from which it falls, its spring settled [rad].
-    pulls : whether a damper acts as long as its foot is below the ground, so that it holds the foot
-        down as that leaves: `ViscoelasticGap` of OpenSees. With False the contact never pulls, as
+    Parameters
+    ----------
+    stiffness : array_like
+        Stiffness of the spring of each foot [N/m].
+    damping : array_like
+        Coefficient of the damper of each foot [N s/m].
+    half_width : array_like
+        Half of the width of the block [m].
+    half_height : array_like
+        Height of the centroid above the base [m].
+    mass : array_like
+        Mass of the block [kg].
+    peak_rotation : array_like
+        Rotation from which the block falls, its spring settled [rad].
+    pulls : bool, optional
+        Whether a damper acts as long as its foot is below the ground, so that it holds the foot
+        down as that leaves: ``ViscoelasticGap`` of OpenSees. With False the contact never pulls, as
         in `TwoSprings` and `TwoSpringStructure`.
-    inertia : about the centroid [kg m2]; that of a homogeneous rectangle if not given.
-    gravity [m/s2]. Any shapes, broadcast.
+    inertia : array_like, optional
+        Moment of inertia about the centroid [kg m2]; that of a homogeneous rectangle if not given.
+    gravity : array_like, optional
+        Acceleration of gravity [m/s2].
 
-    Returns the ratio of the energies at the two peaks, as `energy_ratios_from_peaks` has it of the
-    rotations; nan where the old foot does not leave the ground, since the springs are too soft or
-    the dampers hold it. The vibration of the foot that landed must have died out by the next
-    landing. Against integration at large rotations, damping ratios of 0.1 to 3, the error is below
-    0.008 where N > 1 and 0.002 where N > 4 (see the module) for half_height of 4 half_width, 0.0003
-    for 10, and up to 0.07 and 0.04 for 2.
+    Returns
+    -------
+    float or ndarray
+        Ratio of the energies at the two peaks, as `energy_ratios_from_peaks` has it of the
+        rotations, in the shape of all arguments, broadcast. NaN where the old foot does not leave
+        the ground, since the springs are too soft or the dampers hold it.
 
-    Raises ValueError for numbers that are not positive, a peak beyond the balance, and a block so
-    squat that it does not roll from foot to foot.
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, a peak beyond the balance, and a block so squat that it
+        does not roll from foot to foot.
 
+    Notes
+    -----
+    The vibration of the foot that landed must have died out by the next landing. Against
+    integration at large rotations, damping ratios of 0.1 to 3, the error is below 0.008 where N > 1
+    and 0.002 where N > 4 (N as in the docstring of the module) for a `half_height` of 4
+    `half_width`, 0.0003 for 10, and up to 0.07 and 0.04 for 2.
+
+    Examples
+    --------
+    >>> from rockeom.analysis.formulas import energy_ratio_on_contact_springs
     >>> block = {"half_width": 0.1, "half_height": 0.4, "mass": 1.0, "peak_rotation": 0.07}
     >>> stiffness, damping = [1e4, 1e6, 1e8], [100.0, 1e3, 1e4]
     >>> energy_ratio_on_contact_springs(stiffness, damping, **block).round(3)
@@ -112,20 +150,54 @@ def contact_springs_for_energy_ratio(
     inertia: float | None = None,
     gravity: float = STANDARD_GRAVITY,
 ) -> ContactSprings:
-    """Stiffness, damping and time step with which a landing has a given ratio r of energies.
+    """Stiffness, damping and time step with which a landing has a chosen energy ratio r.
 
-    energy_ratio : r wanted of the landing after the peak_rotation [rad].
-    uplift_rotation : W/(2 k b), at which a foot lifts [rad], by which the stiffness is chosen; a
-        hundredth of the peak rotation if not given. The smaller, the more rigid is the ground, the
-        shorter the time step, and the narrower the range of r about Housner's.
-    The others are as in `energy_ratio_on_contact_springs`.
+    Parameters
+    ----------
+    energy_ratio : float
+        Wanted energy ratio r of the landing after `peak_rotation`.
+    half_width : float
+        Half of the width of the block [m].
+    half_height : float
+        Height of the centroid above the base [m].
+    mass : float
+        Mass of the block [kg].
+    peak_rotation : float
+        Rotation from which the block falls, its spring settled [rad].
+    uplift_rotation : float, optional
+        Rotation W/(2 k b) at which a foot lifts, by which the stiffness is chosen [rad]; a
+        hundredth of the peak rotation if not given. The smaller it is, the more rigid is the
+        ground, the shorter the time step, and the narrower the range of r about Housner's.
+    pulls : bool, optional
+        Whether a damper may hold its foot down, as in `energy_ratio_on_contact_springs`.
+    inertia : float, optional
+        Moment of inertia about the centroid [kg m2]; that of a homogeneous rectangle if not given.
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
 
-    r depends on the speed of the landing, so that other peaks have others:
-    `energy_ratio_at_half_peak` says how much that is.
+    Returns
+    -------
+    ContactSprings
+        Springs, dampers and time step, with the energy ratios to expect.
 
-    Raises ValueError for an energy ratio out of reach, with the range that is reached, and as
-    `energy_ratio_on_contact_springs` does.
+    Raises
+    ------
+    ValueError
+        For an energy ratio out of reach, with the range that is reached, and for the arguments that
+        `energy_ratio_on_contact_springs` refuses.
 
+    See Also
+    --------
+    energy_ratio_on_contact_springs : The inverse.
+
+    Notes
+    -----
+    r depends on the speed of the landing, so that other peaks have other ratios:
+    `ContactSprings.energy_ratio_at_half_peak` says how much that is.
+
+    Examples
+    --------
+    >>> from rockeom.analysis.formulas import contact_springs_for_energy_ratio
     >>> springs = contact_springs_for_energy_ratio(
     ...     0.80, half_width=0.1, half_height=0.4, mass=1.0, peak_rotation=0.07
     ... )

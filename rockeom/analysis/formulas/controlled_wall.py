@@ -5,7 +5,7 @@
     wall = analysis.Wall.thesis()
     wall.restoring_force(0.03), wall.tendon_force(0.03)  # N, at 30 mm
 
-The wall, its tendons and its rotation centre are those of `rockeom.structures.wall`.
+Its tendons and its rotation centre, too, are of `rockeom.structures.shipped.tendoned_wall`.
 """
 
 from __future__ import annotations
@@ -17,7 +17,13 @@ from numpy.typing import ArrayLike
 
 from rockeom.numbers.arguments import numbers, positive, require
 from rockeom.numbers.quadrature import integral
-from rockeom.structures.wall import DissipationLimit, RotationCentre, Tendon, TendonPath, Wall
+from rockeom.structures.shipped.tendoned_wall import (
+    DissipationLimit,
+    RotationCentre,
+    Tendon,
+    TendonPath,
+    Wall,
+)
 
 __all__ = ["DissipationLimit", "RotationCentre", "Tendon", "TendonPath", "Wall", "peak_sequence"]
 

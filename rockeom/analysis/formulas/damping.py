@@ -24,8 +24,24 @@ from rockeom.numbers.arguments import not_negative, numbers, positive, require
 def fema_356_damping(energy_ratio: ArrayLike):
     """Damping ratio of rocking after FEMA 356, 0.4 (1 - sqrt(r)); thesis 2-15.
 
-    energy_ratio : r of an impact (thesis 2-6), any shape. An empirical fit, and 40 to 50 % below
-    `priestley_damping`. Raises ValueError outside 0 < r <= 1.
+    Parameters
+    ----------
+    energy_ratio : array_like
+        Energy ratio r of an impact (thesis 2-6), any shape.
+
+    Returns
+    -------
+    float or ndarray
+        Damping ratio, in the shape of the argument.
+
+    Raises
+    ------
+    ValueError
+        Outside 0 < r <= 1.
+
+    Notes
+    -----
+    An empirical fit, 40 to 50 % below `priestley_damping`.
     """
     return 0.4 * (1 - np.sqrt(_energy_ratio("fema_356_damping", energy_ratio)))
 
@@ -33,9 +49,25 @@ def fema_356_damping(energy_ratio: ArrayLike):
 def priestley_damping(energy_ratio: ArrayLike):
     """Damping ratio of rocking after Priestley et al. (1978), -0.34 ln(r); thesis 2-16.
 
-    energy_ratio : r of an impact (thesis 2-6), any shape; not the velocity ratio, which Table 2-3
-    took for it. The decrement of small rocking is -ln(r)/pi = -0.318 ln(r).
-    Raises ValueError outside 0 < r <= 1.
+    Parameters
+    ----------
+    energy_ratio : array_like
+        Energy ratio r of an impact (thesis 2-6), any shape; not the velocity ratio, which Table 2-3
+        has in its place.
+
+    Returns
+    -------
+    float or ndarray
+        Damping ratio, in the shape of the argument.
+
+    Raises
+    ------
+    ValueError
+        Outside 0 < r <= 1.
+
+    Notes
+    -----
+    The decrement of small rocking is -ln(r)/pi = -0.318 ln(r).
     """
     return -0.34 * np.log(_energy_ratio("priestley_damping", energy_ratio))
 
@@ -53,13 +85,35 @@ def _energy_ratio(where: str, value: ArrayLike) -> np.ndarray:
 def recentring_ratio(
     restoring_moment: ArrayLike, axial_moment: ArrayLike, dissipating_moment: ArrayLike
 ):
-    """lambda = (M_AE + M_N)/M_ED of a controlled rocking system; thesis 2-30.
+    """Ratio lambda = (M_AE + M_N)/M_ED of a controlled rocking system; thesis 2-30.
 
-    restoring_moment M_AE of an added elastic element (a tendon), axial_moment M_N of the weight,
-    dissipating_moment M_ED of the dissipaters: contributions to the design moment [N m], any
-    shapes, broadcast. The system returns upright where lambda exceeds the ratio of the restoring
-    moments at the design rotation and at the opening of the joint; 1 is not enough where they rise.
-    Source: Palermo et al. (2005).
+    Parameters
+    ----------
+    restoring_moment : array_like
+        Contribution M_AE of an added elastic element, a tendon, to the design moment [N m].
+    axial_moment : array_like
+        Contribution M_N of the weight [N m].
+    dissipating_moment : array_like
+        Contribution M_ED of the dissipaters [N m].
+
+    Returns
+    -------
+    float or ndarray
+        Ratio lambda, in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        Where the dissipating moment is not positive, or a contribution is negative.
+
+    Notes
+    -----
+    The system returns upright where lambda exceeds the ratio of the restoring moments at the design
+    rotation and at the opening of the joint; 1 is not enough where they rise.
+
+    References
+    ----------
+    Palermo et al. (2005).
     """
     where = "recentring_ratio"
     restoring, axial = not_negative(
@@ -72,8 +126,26 @@ def recentring_ratio(
 def equivalent_damping(elastic_damping: ArrayLike, hysteretic_damping: ArrayLike):
     """Total damping ratio: the sum of the elastic and the hysteretic one; thesis 2-31.
 
-    elastic_damping xi_el, hysteretic_damping xi_hyst; any shapes, broadcast.
-    Source: Jacobsen (1930).
+    Parameters
+    ----------
+    elastic_damping : array_like
+        Elastic damping ratio xi_el.
+    hysteretic_damping : array_like
+        Hysteretic damping ratio xi_hyst.
+
+    Returns
+    -------
+    float or ndarray
+        Damping ratio, in the shape of both arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a negative damping ratio, or shapes that do not broadcast.
+
+    References
+    ----------
+    Jacobsen (1930).
     """
     elastic, hysteretic = not_negative(
         "equivalent_damping",
@@ -86,10 +158,32 @@ def equivalent_damping(elastic_damping: ArrayLike, hysteretic_damping: ArrayLike
 def bilinear_damping(ductility: ArrayLike, stiffness_ratio: ArrayLike):
     """Hysteretic damping ratio of the bilinear rule; thesis 2-32a.
 
-    ductility mu, stiffness_ratio k_p/k_i in [0, 1]; any shapes, broadcast. As of all three rules,
-    the area of a cycle over 2 pi F_m u_m: the damping goes with the secant stiffness at the
-    largest displacement, although chapter 2 introduces it with the initial one.
-    Source: Priestley and Grant (2005).
+    Parameters
+    ----------
+    ductility : array_like
+        Ductility mu.
+    stiffness_ratio : array_like
+        Ratio k_p/k_i of the stiffness after yield and the initial one, in [0, 1].
+
+    Returns
+    -------
+    float or ndarray
+        Damping ratio, in the shape of both arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a ductility below 1 and a stiffness ratio outside its range.
+
+    Notes
+    -----
+    As with all three rules, the damping is the area of a cycle over 2 pi F_m u_m. It goes with the
+    secant stiffness at the largest displacement, although chapter 2 introduces it with the initial
+    one.
+
+    References
+    ----------
+    Priestley and Grant (2005).
     """
     mu, ratio = _rule_arguments("bilinear_damping", ductility, stiffness_ratio)
     return 2 * (mu - 1) * (1 - ratio) / (np.pi * mu * (1 + ratio * (mu - 1)))
@@ -98,11 +192,30 @@ def bilinear_damping(ductility: ArrayLike, stiffness_ratio: ArrayLike):
 def takeda_damping(ductility: ArrayLike, stiffness_ratio: ArrayLike, unloading_exponent: ArrayLike):
     """Hysteretic damping ratio of the Takeda rule; thesis 2-32b.
 
-    ductility mu, stiffness_ratio k_p/k_i in [0, 1]; unloading_exponent alpha_T in [0, 1): the rule
-    unloads with k_i mu**-alpha_T and reloads towards the last peak of the other side. Any shapes,
-    broadcast. Source: Priestley and Grant (2005).
+    Parameters
+    ----------
+    ductility : array_like
+        Ductility mu.
+    stiffness_ratio : array_like
+        Ratio k_p/k_i of the stiffness after yield and the initial one, in [0, 1].
+    unloading_exponent : array_like
+        Exponent alpha_T in [0, 1): the rule unloads with k_i mu^-alpha_T and reloads towards the
+        last peak of the other side.
 
-    Raises ValueError where such an unloading would reach zero force beyond the origin.
+    Returns
+    -------
+    float or ndarray
+        Damping ratio, in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        Where such an unloading would reach zero force beyond the origin, and for a ductility below
+        1 or a stiffness ratio outside its range.
+
+    References
+    ----------
+    Priestley and Grant (2005).
     """
     where = "takeda_damping"
     mu, ratio = _rule_arguments(where, ductility, stiffness_ratio)
@@ -118,13 +231,35 @@ def takeda_damping(ductility: ArrayLike, stiffness_ratio: ArrayLike, unloading_e
 def flag_damping(ductility: ArrayLike, stiffness_ratio: ArrayLike, flag_height: ArrayLike):
     """Hysteretic damping ratio of the flag-shaped rule; thesis 2-32c.
 
-    ductility mu, stiffness_ratio k_p/k_i in [0, 1); flag_height beta_FS: the gap between the
-    loading and the unloading branch at the same displacement, over the force at yield. Any shapes,
-    broadcast. Source: Priestley and Grant (2005).
+    Parameters
+    ----------
+    ductility : array_like
+        Ductility mu.
+    stiffness_ratio : array_like
+        Ratio k_p/k_i of the stiffness after yield and the initial one, in [0, 1).
+    flag_height : array_like
+        Height beta_FS of the flag: the gap between the loading and the unloading branch at the same
+        displacement, over the force at yield.
 
-    Where beta_FS is measured along the elastic branch instead, the damping is 1 - k_p/k_i times
-    as large. Raises ValueError for a flag_height above 1 - k_p/k_i: the flag would not return to
-    the origin.
+    Returns
+    -------
+    float or ndarray
+        Damping ratio, in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a ductility below 1, a stiffness ratio outside its range, and a flag higher than 1 -
+        k_p/k_i, which would not return to the origin.
+
+    Notes
+    -----
+    Where beta_FS is measured along the elastic branch instead, the damping is 1 - k_p/k_i times as
+    large.
+
+    References
+    ----------
+    Priestley and Grant (2005).
     """
     where = "flag_damping"
     mu, ratio = _rule_arguments(where, ductility, stiffness_ratio)
@@ -151,7 +286,19 @@ def _ductility(where: str, value: ArrayLike) -> np.ndarray:
 
 @dataclass(frozen=True)
 class DesignFactors:
-    """Factors of thesis 2-35 for a rule of hysteresis: damping a, b; periods c [s], d."""
+    """Factors of thesis 2-35 for a rule of hysteresis.
+
+    Parameters
+    ----------
+    a : float
+        Largest hysteretic damping ratio.
+    b : float
+        Exponent of the ductility.
+    c : float
+        Period added to the effective one [s].
+    d : float
+        Exponent of the period.
+    """
 
     a: float
     b: float
@@ -161,7 +308,23 @@ class DesignFactors:
 
 @dataclass(frozen=True)
 class GrantFactors(DesignFactors):
-    """Factors of thesis 2-33: those of 2-35, and the exponents e, f of the elastic damping."""
+    """Factors of thesis 2-33 for a rule of hysteresis.
+
+    Parameters
+    ----------
+    a : float
+        Largest hysteretic damping ratio.
+    b : float
+        Exponent of the ductility.
+    c : float
+        Period added to the effective one [s].
+    d : float
+        Exponent of the period.
+    e : float
+        Exponent of the ductility with a constant coefficient of elastic damping.
+    f : float
+        Exponent of the ductility with elastic damping proportional to the tangent stiffness.
+    """
 
     e: float
     f: float
@@ -203,14 +366,31 @@ def grant_damping(
 ):
     """Damping ratio by the "analysis" expression of Grant et al. (2005); thesis 2-33.
 
-    rule : a name of GRANT_FACTORS, or factors of your own. ductility mu; effective_period T_e, of
-        the secant stiffness [s].
-    constant_damping, tangent_damping : elastic damping ratio, whichever of the two the structure
-        has: with a constant coefficient, or proportional to the tangent stiffness.
-        The other is 0.
-    Any shapes, broadcast: a (1 - mu**-b)(1 + (T_e + c)**-d) + mu**e xi_const + mu**f xi_tang.
+    Parameters
+    ----------
+    rule : str or GrantFactors
+        Name of one of GRANT_FACTORS, or your own factors.
+    ductility : array_like
+        Ductility mu.
+    effective_period : array_like
+        Effective period T_e, of the secant stiffness [s].
+    constant_damping : array_like
+        Elastic damping ratio xi_const of a structure whose damper has a constant coefficient;
+        otherwise 0.
+    tangent_damping : array_like
+        Elastic damping ratio xi_tang of a structure whose damping is proportional to the tangent
+        stiffness; otherwise 0.
 
-    Raises ValueError for an unknown rule, a ductility below 1, and a period of -c or less.
+    Returns
+    -------
+    float or ndarray
+        Damping ratio, in the shape of all arguments, broadcast: a (1 - mu^-b)(1 + (T_e + c)^-d) +
+        mu^e xi_const + mu^f xi_tang.
+
+    Raises
+    ------
+    ValueError
+        For an unknown rule, a ductility below 1, and a period of -c or less.
     """
     where = "grant_damping"
     factors = _factors(where, rule, GRANT_FACTORS)
@@ -225,8 +405,28 @@ def grant_damping(
 def simplified_damping(viscous_damping: ArrayLike, coefficient: ArrayLike, ductility: ArrayLike):
     """Damping ratio without the period: xi_v + C (mu - 1)/(pi mu); thesis 2-34.
 
-    viscous_damping xi_v; coefficient C of the rule of hysteresis; ductility mu; any shapes,
-    broadcast. Sources: Dwairi et al. (2007), Priestley et al. (2007).
+    Parameters
+    ----------
+    viscous_damping : array_like
+        Viscous damping ratio xi_v.
+    coefficient : array_like
+        Coefficient C of the rule of hysteresis.
+    ductility : array_like
+        Ductility mu.
+
+    Returns
+    -------
+    float or ndarray
+        Damping ratio, in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For negative numbers and a ductility below 1.
+
+    References
+    ----------
+    Dwairi et al. (2007), Priestley et al. (2007).
     """
     where = "simplified_damping"
     viscous, coefficient = not_negative(
@@ -239,10 +439,25 @@ def simplified_damping(viscous_damping: ArrayLike, coefficient: ArrayLike, ducti
 def design_damping(rule: str | DesignFactors, ductility: ArrayLike, effective_period: ArrayLike):
     """Damping ratio by the "design" expression of Grant et al. (2005); thesis 2-35.
 
-    rule : a name of DESIGN_FACTORS, or factors of your own; the others as in `grant_damping`.
-    The elastic damping of 5 % is contained: 0.05 + a (1 - mu**-b)(1 + (T_e + c)**-d).
+    Parameters
+    ----------
+    rule : str or DesignFactors
+        Name of one of DESIGN_FACTORS, or your own factors.
+    ductility : array_like
+        Ductility mu.
+    effective_period : array_like
+        Effective period T_e, of the secant stiffness [s].
 
-    Raises ValueError as `grant_damping` does.
+    Returns
+    -------
+    float or ndarray
+        Damping ratio 0.05 + a (1 - mu^-b)(1 + (T_e + c)^-d), in the shape of all arguments,
+        broadcast. It contains the elastic damping of 5 %.
+
+    Raises
+    ------
+    ValueError
+        For an unknown rule, a ductility below 1, and a period of -c or less.
     """
     where = "design_damping"
     factors = _factors(where, rule, DESIGN_FACTORS)
@@ -281,11 +496,27 @@ def _factors(where: str, rule: str | F, table: Mapping[str, F]) -> F:
 def damping_from_decrement(peak: ArrayLike, next_peak: ArrayLike):
     """Damping ratio of a cycle for small damping, ln(peak/next_peak)/(2 pi); thesis 5-7.
 
-    peak, next_peak : peaks a whole cycle apart, so of the same sign, in any unit; any shapes,
-    broadcast: `damping_from_decrement(peaks[:-2], peaks[2:])` where peaks are of both sides in
-    turn. Negative where the motion grew.
+    Parameters
+    ----------
+    peak : array_like
+        Peak, in any unit.
+    next_peak : array_like
+        Peak a whole cycle later, so of the same sign, in the same unit.
 
-    Raises ValueError where a peak is zero or the two are of opposite sides.
+    Returns
+    -------
+    float or ndarray
+        Damping ratio, in the shape of both arguments, broadcast; negative where the motion grew.
+
+    Raises
+    ------
+    ValueError
+        Where a peak is zero or the two are of opposite sides.
+
+    Notes
+    -----
+    Where peaks are of both sides in turn, a cycle is two peaks apart:
+    ``damping_from_decrement(peaks[:-2], peaks[2:])``.
     """
     return _decrement("damping_from_decrement", peak, next_peak) / (2 * np.pi)
 
@@ -293,8 +524,30 @@ def damping_from_decrement(peak: ArrayLike, next_peak: ArrayLike):
 def damping_from_decrement_exact(peak: ArrayLike, next_peak: ArrayLike):
     """Damping ratio of a cycle of a linear oscillator, delta/sqrt(4 pi**2 + delta**2).
 
-    delta = ln(peak/next_peak), which thesis 5-7 divides by 2 pi; arguments and errors as in
-    `damping_from_decrement`.
+    Parameters
+    ----------
+    peak : array_like
+        Peak, in any unit.
+    next_peak : array_like
+        Peak a whole cycle later, so of the same sign, in the same unit.
+
+    Returns
+    -------
+    float or ndarray
+        Damping ratio, in the shape of both arguments, broadcast; negative where the motion grew.
+
+    Raises
+    ------
+    ValueError
+        Where a peak is zero or the two are of opposite sides.
+
+    See Also
+    --------
+    damping_from_decrement : For small damping, as thesis 5-7 has it.
+
+    Notes
+    -----
+    The logarithmic decrement is delta = ln(peak/next_peak), which thesis 5-7 divides by 2 pi.
     """
     delta = _decrement("damping_from_decrement_exact", peak, next_peak)
     return delta / np.hypot(2 * np.pi, delta)

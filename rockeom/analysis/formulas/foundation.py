@@ -19,11 +19,16 @@ from rockeom.numbers.arguments import numbers, positive, require
 
 @dataclass(frozen=True, eq=False)
 class FoundationSprings:
-    """Two springs with dampers that stand for an elastic half-space under a mat; Table 2-2.
+    """Two springs with dampers in place of an elastic half-space under a mat; Table 2-2.
 
-    vertical_stiffness K_z [N/m], vertical_damping C_z [N s/m] : of the mat on the half-space.
-    stiffness [N/m], damping [N s/m] : of each spring and damper, half of these.
-    half_spacing : distance of each from the centre line [m].
+    Parameters
+    ----------
+    vertical_stiffness : ndarray
+        Stiffness K_z of the mat on the half-space [N/m].
+    vertical_damping : ndarray
+        Coefficient C_z of the mat on the half-space [N s/m].
+    half_spacing : ndarray
+        Distance of each spring from the centre line [m].
     """
 
     vertical_stiffness: np.ndarray
@@ -32,10 +37,12 @@ class FoundationSprings:
 
     @property
     def stiffness(self) -> np.ndarray:
+        """Stiffness of each of the two springs, K_z/2 [N/m]."""
         return self.vertical_stiffness / 2
 
     @property
     def damping(self) -> np.ndarray:
+        """Coefficient of each of the two dampers, C_z/2 [N s/m]."""
         return self.vertical_damping / 2
 
     @property
@@ -49,10 +56,35 @@ def circular_mat(
 ) -> FoundationSprings:
     """Springs of a circular mat on an elastic half-space; thesis Table 2-2.
 
-    radius [m]; shear_modulus [Pa], poisson_ratio, density [kg/m3] of the ground; any shapes,
-    broadcast. K_z = 4 G R/(1 - nu), C_z = 0.85 K_z R sqrt(rho/G), springs at sqrt(2/3) R: they
-    have the half-space's rotational stiffness 8 G R**3/(3 (1 - nu)).
-    Sources: Timoshenko and Goodier (1951), Richart et al. (1970), Yim and Chopra (1983).
+    Parameters
+    ----------
+    radius : array_like
+        Radius R of the mat [m].
+    shear_modulus : array_like
+        Shear modulus G of the ground [Pa].
+    poisson_ratio : array_like
+        Poisson's ratio nu of the ground.
+    density : array_like
+        Density rho of the ground [kg/m3].
+
+    Returns
+    -------
+    FoundationSprings
+        Springs and dampers, in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, and a Poisson's ratio outside [0, 0.5].
+
+    Notes
+    -----
+    K_z = 4 G R/(1 - nu), C_z = 0.85 K_z R sqrt(rho/G). The springs stand at sqrt(2/3) R, where they
+    have the half-space's rotational stiffness ``8 G R**3/(3 (1 - nu))``.
+
+    References
+    ----------
+    Timoshenko and Goodier (1951), Richart et al. (1970), Yim and Chopra (1983).
     """
     where = "circular_mat"
     radius, modulus, density = positive(
@@ -73,17 +105,44 @@ def rectangular_mat(
 ) -> FoundationSprings:
     """Springs of a rectangular mat on an elastic half-space; thesis Table 2-2, put right.
 
-    half_width [m] at right angles to the axis of rotation, half_length [m] along it;
-    shape_factor beta_z, a chart of Richart et al. (1970) over the ratio of the sides;
-    shear_modulus [Pa], poisson_ratio, density [kg/m3] of the ground; any shapes, broadcast.
+    Parameters
+    ----------
+    half_width : array_like
+        Half-width b, at right angles to the axis of rotation [m].
+    half_length : array_like
+        Half-length l, along the axis of rotation [m].
+    shape_factor : array_like
+        Factor beta_z, a chart of Richart et al. (1970) over the ratio of the sides.
+    shear_modulus : array_like
+        Shear modulus G of the ground [Pa].
+    poisson_ratio : array_like
+        Poisson's ratio nu of the ground.
+    density : array_like
+        Density rho of the ground [kg/m3].
 
-    With half-width b and half-length l, K_z = G beta_z sqrt(4 b l)/(1 - nu) and
-    C_z = 13.6 b l sqrt(rho G)/(pi (1 - nu)), and the springs of K_z/2 each stand at b/sqrt(3):
-    they have the rotational stiffness K_z b**2/3 of the Winkler bed with the same K_z. The table
-    has K_z B_f and C_z B_f for each spring, which have another dimension than the stiffness that
-    is named with them. B_f and L_f are the whole sides in its K_z, but the halves in its C_z,
-    which is that of the circle of equal area, and in its place of the springs.
-    Sources: Barkan (1962), Richart et al. (1970), Yim and Chopra (1983).
+    Returns
+    -------
+    FoundationSprings
+        Springs and dampers, in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, and a Poisson's ratio outside [0, 0.5].
+
+    Notes
+    -----
+    K_z = G beta_z sqrt(4 b l)/(1 - nu) and C_z = 13.6 b l sqrt(rho G)/(pi (1 - nu)), and the
+    springs of K_z/2 each stand at b/sqrt(3): they have the rotational stiffness ``K_z b**2/3`` of
+    the Winkler bed with the same K_z.
+
+    The table has K_z B_f and C_z B_f for each spring, which have another dimension than the
+    stiffness that is named with them. B_f and L_f are the whole sides in its K_z, but the halves in
+    its C_z, which is that of the circle of equal area, and in its place of the springs.
+
+    References
+    ----------
+    Barkan (1962), Richart et al. (1970), Yim and Chopra (1983).
     """
     where = "rectangular_mat"
     half_width, half_length, factor, modulus, density = positive(
@@ -104,7 +163,12 @@ def rectangular_mat(
 class FootingStiffness:
     """Static stiffness of a rigid footing on an elastic half-space.
 
-    vertical [N/m]; rotational [N m], moment over rotation in the plane.
+    Parameters
+    ----------
+    vertical : ndarray
+        Vertical stiffness [N/m].
+    rotational : ndarray
+        Rotational stiffness, moment over rotation in the plane [N m].
     """
 
     vertical: np.ndarray
@@ -119,18 +183,42 @@ def rectangular_footing(
 ) -> FootingStiffness:
     """Static stiffness of a rigid rectangular footing at the surface of an elastic half-space.
 
-    half_width [m] in the plane in which the footing turns, half_length [m] at right angles to it;
-    shear_modulus G [Pa] and poisson_ratio of the ground, G at the strain of the earthquake; any
-    shapes, broadcast. With B the lesser and L the greater of the half sides
+    Parameters
+    ----------
+    half_width : array_like
+        Half of the side in the plane in which the footing turns [m].
+    half_length : array_like
+        Half of the side at right angles to that plane [m].
+    shear_modulus : array_like
+        Shear modulus G of the ground at the strain of the earthquake [Pa].
+    poisson_ratio : array_like
+        Poisson's ratio nu of the ground.
+
+    Returns
+    -------
+    FootingStiffness
+        Vertical and rotational stiffness, in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, and a Poisson's ratio outside [0, 0.5].
+
+    Notes
+    -----
+    With B the lesser and L the greater of the half sides::
 
         K_z = G B/(1 - nu) (3.1 (L/B)**0.75 + 1.6)
-        K_rot = G B**3/(1 - nu) (3.2 L/B + 0.8) where it turns about its longer side,
-        K_rot = G B**3/(1 - nu) (3.73 (L/B)**2.4 + 0.27) where it turns about its shorter side.
+        K_rot = G B**3/(1 - nu) (3.2 L/B + 0.8)            turning about its longer side
+        K_rot = G B**3/(1 - nu) (3.73 (L/B)**2.4 + 0.27)   turning about its shorter side
 
     Embedment stiffens a footing, and layers and frequency change it: all are left out.
-    Sources: A. Pais and E. Kausel, Approximate formulas for dynamic stiffnesses of rigid
-    foundations, Soil Dyn. Earthq. Eng. 7 (1988) 213-227; NIST GCR 12-917-21 (2012), Table 2-2a.
-    FEMA 356 (2000), Figure 4-4, and ASCE 41 have the same in the whole sides, with fewer digits.
+
+    References
+    ----------
+    A. Pais and E. Kausel, Approximate formulas for dynamic stiffnesses of rigid foundations, Soil
+    Dyn. Earthq. Eng. 7 (1988) 213-227; NIST GCR 12-917-21 (2012), Table 2-2a. FEMA 356 (2000),
+    Figure 4-4, and ASCE 41 have the same in the whole sides, with fewer digits.
     """
     where = "rectangular_footing"
     width, length, modulus = positive(
@@ -152,10 +240,28 @@ def _poisson(where: str, value: ArrayLike) -> np.ndarray:
 
 
 def winkler_stiffness(vertical_stiffness: ArrayLike, half_width: ArrayLike):
-    """Stiffness per unit width of the bed of springs with a vertical stiffness [N/m2].
+    """Stiffness per unit width of the bed of springs with a given vertical stiffness, K_z/(2 b).
 
-    vertical_stiffness of the mat [N/m]; half_width b of the mat [m]; any shapes, broadcast.
-    K_z/(2 b). See `winkler_stiffness_from_rotation`.
+    Parameters
+    ----------
+    vertical_stiffness : array_like
+        Vertical stiffness K_z of the mat [N/m].
+    half_width : array_like
+        Half-width b of the mat [m].
+
+    Returns
+    -------
+    float or ndarray
+        Stiffness of the bed per unit width [N/m2], in the shape of both arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For arguments that are not finite and positive, or whose shapes do not broadcast.
+
+    See Also
+    --------
+    winkler_stiffness_from_rotation : The bed with a given rotational stiffness.
     """
     stiffness, half_width = positive(
         "winkler_stiffness", vertical_stiffness=vertical_stiffness, half_width=half_width
@@ -164,11 +270,38 @@ def winkler_stiffness(vertical_stiffness: ArrayLike, half_width: ArrayLike):
 
 
 def winkler_stiffness_from_rotation(rotational_stiffness: ArrayLike, half_width: ArrayLike):
-    """Stiffness per unit width of the bed of springs with a rotational stiffness [N/m2].
+    """Stiffness per unit width of the bed of springs with a given rotational stiffness.
 
-    rotational_stiffness of the mat [N m]; half_width b of the mat [m]; any shapes, broadcast.
-    3 K/(2 b**3). A half-space asks for more of it than `winkler_stiffness` gives: no bed has
-    both of its stiffnesses. Source: Jennings and Bielak (1973).
+    Parameters
+    ----------
+    rotational_stiffness : array_like
+        Rotational stiffness K of the mat [N m].
+    half_width : array_like
+        Half-width b of the mat [m].
+
+    Returns
+    -------
+    float or ndarray
+        Stiffness ``3 K/(2 b**3)`` of the bed per unit width [N/m2], in the shape of both arguments,
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        For arguments that are not finite and positive, or whose shapes do not broadcast.
+
+    See Also
+    --------
+    winkler_stiffness : The bed with a given vertical stiffness.
+
+    Notes
+    -----
+    For a half-space this is more than `winkler_stiffness` gives: no bed has both of its
+    stiffnesses.
+
+    References
+    ----------
+    Jennings and Bielak (1973).
     """
     stiffness, half_width = positive(
         "winkler_stiffness_from_rotation",
@@ -182,10 +315,30 @@ def winkler_stiffness_from_rotation(rotational_stiffness: ArrayLike, half_width:
 
 
 def rigid_moment(rotation: ArrayLike, weight: ArrayLike, half_width: ArrayLike):
-    """Moment of a mat on rigid ground, W b sgn(rotation) [N m]; thesis Figure 2-8.
+    """Moment of a mat on rigid ground, W b sgn(rotation); thesis Figure 2-8.
 
-    rotation [rad], weight W [N], half_width b [m]; any shapes, broadcast. At rest the ground
-    bears any moment up to W b; the 0 returned there is that of the weight alone.
+    Parameters
+    ----------
+    rotation : array_like
+        Rotation of the mat [rad].
+    weight : array_like
+        Weight W [N].
+    half_width : array_like
+        Half-width b of the mat [m].
+
+    Returns
+    -------
+    float or ndarray
+        Moment [N m], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a weight or a half-width that is not positive.
+
+    Notes
+    -----
+    At rest the ground bears any moment up to W b; the 0 returned there is that of the weight alone.
     """
     (rotation,) = numbers("rigid_moment", rotation=rotation)
     weight, half_width = positive("rigid_moment", weight=weight, half_width=half_width)
@@ -193,10 +346,26 @@ def rigid_moment(rotation: ArrayLike, weight: ArrayLike, half_width: ArrayLike):
 
 
 def two_spring_uplift_rotation(weight: ArrayLike, stiffness: ArrayLike, half_spacing: ArrayLike):
-    """Rotation at which a mat lifts off one of two springs, W/(2 k d) [rad].
+    """Rotation at which a mat lifts off one of two springs, W/(2 k d).
 
-    weight W [N]; stiffness k of each spring [N/m]; half_spacing d, the distance of each from the
-    centre line [m]; any shapes, broadcast.
+    Parameters
+    ----------
+    weight : array_like
+        Weight W [N].
+    stiffness : array_like
+        Stiffness k of each spring [N/m].
+    half_spacing : array_like
+        Distance d of each spring from the centre line [m].
+
+    Returns
+    -------
+    float or ndarray
+        Rotation [rad], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For arguments that are not finite and positive, or whose shapes do not broadcast.
     """
     weight, stiffness, half_spacing = positive(
         "two_spring_uplift_rotation", weight=weight, stiffness=stiffness, half_spacing=half_spacing
@@ -207,10 +376,29 @@ def two_spring_uplift_rotation(weight: ArrayLike, stiffness: ArrayLike, half_spa
 def two_spring_moment(
     rotation: ArrayLike, weight: ArrayLike, stiffness: ArrayLike, half_spacing: ArrayLike
 ):
-    """Moment of a mat on two compression-only springs [N m]; thesis Figure 2-8.
+    """Moment of a mat on two compression-only springs; thesis Figure 2-8.
 
-    rotation [rad]; else as `two_spring_uplift_rotation`. 2 k d**2 times the rotation until a
-    spring is free, W d from there on.
+    Parameters
+    ----------
+    rotation : array_like
+        Rotation of the mat [rad].
+    weight : array_like
+        Weight W [N].
+    stiffness : array_like
+        Stiffness k of each spring [N/m].
+    half_spacing : array_like
+        Distance d of each spring from the centre line [m].
+
+    Returns
+    -------
+    float or ndarray
+        Moment [N m], in the shape of all arguments, broadcast: ``2 k d**2`` times the rotation
+        until a spring is free, W d from there on.
+
+    Raises
+    ------
+    ValueError
+        For a weight, stiffness or spacing that is not positive.
     """
     (rotation,) = numbers("two_spring_moment", rotation=rotation)
     weight, stiffness, half_spacing = positive(
@@ -221,10 +409,30 @@ def two_spring_moment(
 
 
 def winkler_uplift_rotation(weight: ArrayLike, stiffness: ArrayLike, half_width: ArrayLike):
-    """Rotation at which an edge lifts off a bed of springs, W/(2 k_w b**2) [rad].
+    """Rotation at which an edge lifts off a bed of springs.
 
-    weight W [N]; stiffness k_w of the bed per unit width [N/m2]; half_width b [m]; any shapes,
-    broadcast. The moment is then W b/3, a third of the largest.
+    Parameters
+    ----------
+    weight : array_like
+        Weight W [N].
+    stiffness : array_like
+        Stiffness k_w of the bed per unit width [N/m2].
+    half_width : array_like
+        Half-width b of the mat [m].
+
+    Returns
+    -------
+    float or ndarray
+        Rotation ``W/(2 k_w b**2)`` [rad], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For arguments that are not finite and positive, or whose shapes do not broadcast.
+
+    Notes
+    -----
+    The moment is then W b/3, a third of the largest.
     """
     weight, stiffness, half_width = positive(
         "winkler_uplift_rotation", weight=weight, stiffness=stiffness, half_width=half_width
@@ -235,11 +443,34 @@ def winkler_uplift_rotation(weight: ArrayLike, stiffness: ArrayLike, half_width:
 def winkler_moment(
     rotation: ArrayLike, weight: ArrayLike, stiffness: ArrayLike, half_width: ArrayLike
 ):
-    """Moment of a mat on a bed of compression-only springs [N m]; thesis Figure 2-8.
+    """Moment of a mat on a bed of compression-only springs; thesis Figure 2-8.
 
-    rotation [rad]; else as `winkler_uplift_rotation`. W b/3 times rotation/uplift rotation until
-    an edge lifts; from there on W b (1 - (2/3) sqrt(uplift rotation/rotation)): the part of the
-    mat that presses shrinks towards its edge.
+    Parameters
+    ----------
+    rotation : array_like
+        Rotation of the mat [rad].
+    weight : array_like
+        Weight W [N].
+    stiffness : array_like
+        Stiffness k_w of the bed per unit width [N/m2].
+    half_width : array_like
+        Half-width b of the mat [m].
+
+    Returns
+    -------
+    float or ndarray
+        Moment [N m], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a weight, stiffness or half-width that is not positive.
+
+    Notes
+    -----
+    The moment is W b/3 times rotation/uplift rotation until an edge lifts. From there on it is W b
+    (1 - (2/3) sqrt(uplift rotation/rotation)): the part of the mat under pressure shrinks towards
+    its edge.
     """
     (rotation,) = numbers("winkler_moment", rotation=rotation)
     weight, stiffness, half_width = positive(

@@ -23,11 +23,37 @@ from rockeom.numbers.arguments import positive, require
 def overturning_constant(
     duration: ArrayLike, alpha: ArrayLike, p: ArrayLike, gravity: ArrayLike = STANDARD_GRAVITY
 ):
-    """Constant acceleration that overturns a slender block in a given time [m/s2].
+    """Constant acceleration that overturns a slender block within the time of its push.
 
-    duration t_1 of the push [s]; alpha [rad]; p [rad/s]; gravity [m/s2]; any shapes, broadcast.
+    Parameters
+    ----------
+    duration : array_like
+        Duration t_1 of the push [s].
+    alpha : array_like
+        Slenderness: angle of the line from an edge to the centroid, from the vertical [rad].
+    p : array_like
+        Frequency parameter sqrt(m g R/I_o) of the block about an edge [rad/s].
+    gravity : array_like, optional
+        Acceleration of gravity [m/s2].
+
+    Returns
+    -------
+    float or ndarray
+        Least acceleration a that overturns [m/s2], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, and an alpha outside (0, pi/2).
+
+    Notes
+    -----
     The least a with 2 (a/(g alpha)) (a/(g alpha) - 1) (cosh(p t_1) - 1) >= 1, which is the same as
-    (a/(g alpha)) (1 - exp(-p t_1)) >= 1. Source: Housner (1963).
+    (a/(g alpha)) (1 - exp(-p t_1)) >= 1.
+
+    References
+    ----------
+    Housner (1963).
     """
     where = "overturning_constant"
     duration, p, gravity = positive(where, duration=duration, p=p, gravity=gravity)
@@ -42,18 +68,49 @@ def overturning_half_sine(
     *,
     whole: bool = True,
 ):
-    """Amplitude of half a sine that overturns a slender block [m/s2].
+    """Amplitude of half a sine that overturns a slender block.
 
-    duration t_1 of the half wave, pi/omega [s]; alpha [rad]; p [rad/s]; gravity [m/s2]; any
-    shapes, broadcast.
-    whole : that the pulse ends counts too. With False it is Housner's g alpha
-        sqrt(1 + (omega/p)**2), in which the sine goes on while the block falls: it then pulls the
-        block back, and the amplitude is larger.
+    Parameters
+    ----------
+    duration : array_like
+        Duration t_1 of the half wave, pi/omega [s].
+    alpha : array_like
+        Slenderness: angle of the line from an edge to the centroid, from the vertical [rad].
+    p : array_like
+        Frequency parameter sqrt(m g R/I_o) of the block about an edge [rad/s].
+    gravity : array_like, optional
+        Acceleration of gravity [m/s2].
+    whole : bool, optional
+        Whether the end of the pulse counts. With False the result is Housner's ``g alpha sqrt(1 +
+        (omega/p)**2)``, in which the sine goes on while the block falls: it then pulls the block
+        back, and the amplitude is larger.
 
-    With A = a/(g alpha), sin(psi) = 1/A, the ground reaching g alpha at psi/omega, and
-    w = omega/p, q vanishes in the end for
-    A (sin(psi) + w (cos(psi) + exp(-(pi - psi)/w))) = 1 + w**2.
-    Source: Housner (1963), and q of this module. Raises ValueError as the others do.
+    Returns
+    -------
+    float or ndarray
+        Amplitude a of the acceleration [m/s2], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, and an alpha outside (0, pi/2).
+
+    Notes
+    -----
+    With A = a/(g alpha), sin(psi) = 1/A, the ground reaching g alpha at psi/omega, w = omega/p, and
+    q = theta - alpha + theta'/p, q vanishes in the end for ``A (sin(psi) + w (cos(psi) + exp(-(pi -
+    psi)/w))) = 1 + w**2``.
+
+    References
+    ----------
+    Housner (1963).
+
+    Examples
+    --------
+    >>> from rockeom import analysis
+    >>> amplitude = analysis.formulas.overturning_half_sine(duration=0.5, alpha=0.25, p=2.14)
+    >>> round(float(amplitude), 2)  # m/s2
+    5.55
     """
     where = "overturning_half_sine"
     duration, p, gravity = positive(where, duration=duration, p=p, gravity=gravity)
@@ -82,11 +139,35 @@ def overturning_spectral_velocity(
 ):
     """Undamped spectral velocity of an earthquake that overturns a slender block with even odds.
 
-    alpha [rad]; p = sqrt(m g R/I_o) [rad/s]; gravity [m/s2]; any shapes, broadcast. Returns
-    S_v = alpha g/p [m/s]: the energy that pushes like those of an earthquake bring on the average,
-    (m R S_v)**2/(2 I_o), is that of the balance, m g R alpha**2/2. For the rectangle with the
-    half-diagonal R it is alpha sqrt(4 g R/3). The spectrum is assumed flat, as that of white
-    noise, and impacts to lose nothing. Source: Housner (1963).
+    Parameters
+    ----------
+    alpha : array_like
+        Slenderness: angle of the line from an edge to the centroid, from the vertical [rad].
+    p : array_like
+        Frequency parameter sqrt(m g R/I_o) of the block about an edge [rad/s].
+    gravity : array_like, optional
+        Acceleration of gravity [m/s2].
+
+    Returns
+    -------
+    float or ndarray
+        Spectral velocity S_v = alpha g/p [m/s], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, and an alpha outside (0, pi/2).
+
+    Notes
+    -----
+    The energy that pushes like those of an earthquake bring on the average, ``(m R S_v)**2/(2
+    I_o)``, is that of the balance, ``m g R alpha**2/2``. For the rectangle with the half-diagonal
+    R, S_v is alpha sqrt(4 g R/3). The spectrum is assumed flat, as that of white noise, and impacts
+    to lose nothing.
+
+    References
+    ----------
+    Housner (1963).
     """
     where = "overturning_spectral_velocity"
     p, gravity = positive(where, p=p, gravity=gravity)
@@ -96,10 +177,30 @@ def overturning_spectral_velocity(
 def stable_slenderness(
     spectral_velocity: ArrayLike, p: ArrayLike, gravity: ArrayLike = STANDARD_GRAVITY
 ):
-    """alpha of the block that an earthquake overturns with even odds [rad]: p S_v/g.
+    """Slenderness of the block that an earthquake overturns with even odds, p S_v/g.
 
-    spectral_velocity S_v, undamped [m/s]; p, gravity as in `overturning_spectral_velocity`, of
-    which it is the inverse. Raises ValueError where it is pi/2 or more.
+    Parameters
+    ----------
+    spectral_velocity : array_like
+        Undamped spectral velocity S_v [m/s].
+    p : array_like
+        Frequency parameter sqrt(m g R/I_o) of the block about an edge [rad/s].
+    gravity : array_like, optional
+        Acceleration of gravity [m/s2].
+
+    Returns
+    -------
+    float or ndarray
+        Slenderness alpha [rad], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, and where alpha is pi/2 or more.
+
+    See Also
+    --------
+    overturning_spectral_velocity : The inverse.
     """
     where = "stable_slenderness"
     velocity, p, gravity = positive(

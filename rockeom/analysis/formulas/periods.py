@@ -14,14 +14,28 @@ from rockeom.numbers.arguments import not_negative, positive, require
 
 
 def quarter_period(amplitude_ratio: ArrayLike, p: ArrayLike):
-    """Time from rest at a rotation to the impact, of the slender block [s]; thesis 2-5 over 4.
+    """Time from rest at a rotation to the impact of a slender block; thesis 2-5 over 4.
 
-    amplitude_ratio : theta_0/alpha, any shape; at least 0 and below 1.
-    p : frequency parameter [rad/s].
-    Returns acosh(1/(1 - theta_0/alpha))/p in the shape of both, broadcast.
+    Parameters
+    ----------
+    amplitude_ratio : array_like
+        Rotation at rest over the slenderness, theta_0/alpha, at least 0 and below 1.
+    p : array_like
+        Frequency parameter sqrt(m g R/I_o) of the block about an edge [rad/s].
 
-    Raises ValueError for a rotation at or beyond alpha: the block does not fall back.
-    Source: Housner (1963); Muto et al. (1960).
+    Returns
+    -------
+    float or ndarray
+        Time acosh(1/(1 - theta_0/alpha))/p [s], in the shape of both arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a rotation at or beyond alpha: the block does not fall back.
+
+    References
+    ----------
+    Housner (1963); Muto et al. (1960).
     """
     where = "quarter_period"
     (p,) = positive(where, p=p)
@@ -32,20 +46,46 @@ def quarter_period(amplitude_ratio: ArrayLike, p: ArrayLike):
 
 
 def exact_quarter_period(theta_0: ArrayLike, alpha: ArrayLike, p: ArrayLike):
-    """Time from rest at a rotation to the impact, of the block of any rotation [s].
+    """Time from rest at any rotation to the impact of a block.
 
-    theta_0 : rotation at rest, at least 0 and below alpha [rad]. alpha [rad]. p [rad/s].
-    Returns the time in the shape of all three, broadcast.
+    Parameters
+    ----------
+    theta_0 : array_like
+        Rotation at rest, at least 0 and below alpha [rad].
+    alpha : array_like
+        Slenderness: angle of the line from an edge to the centroid, from the vertical [rad].
+    p : array_like
+        Frequency parameter sqrt(m g R/I_o) of the block about an edge [rad/s].
 
-    This is what thesis 2-5 approximates: the exact time of theta'' = -p**2 sin(alpha - theta),
-    thesis 2-2. With a = sin((alpha - theta_0)/2) and b = sin(alpha/2) it is the elliptic integral
+    Returns
+    -------
+    float or ndarray
+        Time [s], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a rotation at or beyond alpha: the block does not fall back.
+
+    See Also
+    --------
+    quarter_period : The approximation for slender blocks and small rotations, thesis 2-5.
+
+    Notes
+    -----
+    This is what thesis 2-5 approximates: the exact time of ``theta'' = -p**2 sin(alpha - theta)``,
+    thesis 2-2. With a = sin((alpha - theta_0)/2) and b = sin(alpha/2) it is the elliptic integral::
 
         (1/p) int_a^b ds/sqrt((1 - s**2)(s**2 - a**2))
             = (K(k) - F(asin(cos(alpha/2)/k), k))/p,  k = cos((alpha - theta_0)/2),
 
     which is evaluated in Carlson's symmetric form, where nothing cancels.
 
-    Raises ValueError for a rotation at or beyond alpha: the block does not fall back.
+    Examples
+    --------
+    >>> from rockeom import analysis
+    >>> float(analysis.formulas.exact_quarter_period(0.1, alpha=0.25, p=2.14))  # s
+    0.5145...
     """
     from scipy.special import elliprf  # takes long to import
 
@@ -63,10 +103,38 @@ def exact_quarter_period(theta_0: ArrayLike, alpha: ArrayLike, p: ArrayLike):
 
 
 def rocking_period(amplitude_ratio: ArrayLike, p: ArrayLike):
-    """Period of a cycle of the slender block whose impacts lose nothing [s]; thesis 2-5.
+    """Period of a cycle of the slender block whose impacts lose nothing; thesis 2-5.
 
-    Four quarter periods; arguments and errors are those of `quarter_period`. With losses each
-    half cycle starts from a smaller rotation and is shorter.
+    Parameters
+    ----------
+    amplitude_ratio : array_like
+        Rotation at rest over the slenderness, theta_0/alpha, at least 0 and below 1.
+    p : array_like
+        Frequency parameter sqrt(m g R/I_o) of the block about an edge [rad/s].
+
+    Returns
+    -------
+    float or ndarray
+        Period, four quarter periods [s], in the shape of both arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a rotation at or beyond alpha: the block does not fall back.
+
+    Notes
+    -----
+    With losses each half cycle starts from a smaller rotation and is shorter.
+
+    References
+    ----------
+    Housner (1963).
+
+    Examples
+    --------
+    >>> from rockeom import analysis
+    >>> float(analysis.formulas.rocking_period(0.5, p=2.14))  # s, of theta_0/alpha = 0.5
+    2.4616...
     """
     return 4 * quarter_period(amplitude_ratio, p)
 

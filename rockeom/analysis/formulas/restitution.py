@@ -23,9 +23,28 @@ from rockeom.numbers.arguments import not_negative, numbers, positive, require
 
 
 def velocity_ratio_from_energy_ratio(energy_ratio: ArrayLike):
-    """e = sqrt(r), the ratio of the angular velocities after and before an impact; thesis 2-4.
+    """Velocity ratio e = sqrt(r) of an impact, angular velocities after and before it; thesis 2-4.
 
-    energy_ratio : r, any shape. Raises ValueError outside 0 (no rebound) to 1 (no loss).
+    Parameters
+    ----------
+    energy_ratio : array_like
+        Energy ratio r of the impact, any shape.
+
+    Returns
+    -------
+    float or ndarray
+        Velocity ratio e, in the shape of the argument.
+
+    Raises
+    ------
+    ValueError
+        Outside 0 (no rebound) to 1 (no loss).
+
+    Examples
+    --------
+    >>> from rockeom import analysis
+    >>> round(float(analysis.formulas.velocity_ratio_from_energy_ratio(0.81)), 6)  # e of r
+    0.9
     """
     (r,) = numbers("velocity_ratio_from_energy_ratio", energy_ratio=energy_ratio)
     require((r >= 0) & (r <= 1), "velocity_ratio_from_energy_ratio", "energy_ratio", r, _RANGE)
@@ -33,9 +52,28 @@ def velocity_ratio_from_energy_ratio(energy_ratio: ArrayLike):
 
 
 def energy_ratio_from_velocity_ratio(velocity_ratio: ArrayLike):
-    """r = e**2, the ratio of the kinetic energies after and before an impact; thesis 2-4.
+    """Energy ratio r = e^2 of an impact, kinetic energies after and before it; thesis 2-4.
 
-    velocity_ratio : e, any shape. Raises ValueError outside 0 (no rebound) to 1 (no loss).
+    Parameters
+    ----------
+    velocity_ratio : array_like
+        Velocity ratio e of the impact, any shape.
+
+    Returns
+    -------
+    float or ndarray
+        Energy ratio r, in the shape of the argument.
+
+    Raises
+    ------
+    ValueError
+        Outside 0 (no rebound) to 1 (no loss).
+
+    Examples
+    --------
+    >>> from rockeom import analysis
+    >>> round(float(analysis.formulas.energy_ratio_from_velocity_ratio(0.9)), 6)  # r of e
+    0.81
     """
     (e,) = numbers("energy_ratio_from_velocity_ratio", velocity_ratio=velocity_ratio)
     require((e >= 0) & (e <= 1), "energy_ratio_from_velocity_ratio", "velocity_ratio", e, _RANGE)
@@ -52,15 +90,37 @@ def energy_ratio_of_block(
     mass: ArrayLike | None = None,
     radius: ArrayLike | None = None,
 ):
-    """r of a symmetric block that rolls from edge to edge; thesis 2-6, Housner (1963).
+    """Energy ratio r of a symmetric block that rolls from edge to edge; thesis 2-6, Housner (1963).
 
-    alpha : angle of the line from an edge to the centroid, from the vertical [rad].
-    inertia : about the centroid [kg m2]; with it mass [kg] and radius R [m], the distance from an
-        edge to the centroid. Without the three, those of a homogeneous rectangle: I = m R**2/3.
-    Returns (1 - (m R**2/I_o)(1 - cos(2 alpha)))**2 with I_o = I + m R**2, broadcast.
+    Parameters
+    ----------
+    alpha : array_like
+        Slenderness: angle of the line from an edge to the centroid, from the vertical [rad].
+    inertia : array_like, optional
+        Moment of inertia I about the centroid [kg m2]; with it `mass` and `radius`. Without the
+        three, those of a homogeneous rectangle: ``I = m R**2/3``.
+    mass : array_like, optional
+        Mass m [kg].
+    radius : array_like, optional
+        Distance R from an edge to the centroid [m].
 
-    Raises ValueError where only some of the three are given, and for a block so squat that the
-    rate after the impact would be reversed: it does not roll on, both edges stay down.
+    Returns
+    -------
+    float or ndarray
+        Energy ratio ``(1 - (m R**2/I_o)(1 - cos(2 alpha)))**2`` with ``I_o = I + m R**2``, in the
+        shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        Where only some of the three are given, and for a block so squat that the angular velocity
+        after the impact would be reversed: it does not roll on, both edges stay down.
+
+    Examples
+    --------
+    >>> from rockeom import analysis
+    >>> round(float(analysis.formulas.energy_ratio_of_block(0.2)), 4)  # r
+    0.8851
     """
     where = "energy_ratio_of_block"
     alpha = slenderness(where, alpha)
@@ -92,14 +152,37 @@ def energy_ratio_of_lumped_mass(
     base_inertia: ArrayLike,
     half_width: ArrayLike,
 ):
-    """r of a rigid structure of two lumped masses on two feet; thesis 5-14.
+    """Energy ratio r of a rigid structure of two lumped masses on two feet; thesis 5-14.
 
-    mass, base_mass [kg] at height, base_height [m] above the ground; inertia, base_inertia about
-    their own centroids [kg m2]; half_width [m] half of the distance between the feet. The names
-    are those of LumpedMassStructure. Any shapes, broadcast.
+    The names are those of `LumpedMassStructure`.
 
-    Raises ValueError for a structure so squat that the rate would be reversed: it does not roll
-    on, both feet stay down.
+    Parameters
+    ----------
+    mass : array_like
+        Upper mass [kg].
+    height : array_like
+        Height of the upper mass above the ground [m].
+    inertia : array_like
+        Moment of inertia of the upper mass about its own centroid [kg m2].
+    base_mass : array_like
+        Mass of the base [kg].
+    base_height : array_like
+        Height of the mass of the base above the ground [m].
+    base_inertia : array_like
+        Moment of inertia of the base about its own centroid [kg m2].
+    half_width : array_like
+        Half of the distance between the feet [m].
+
+    Returns
+    -------
+    float or ndarray
+        Energy ratio r, in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a structure so squat that the angular velocity would be reversed: it does not roll on,
+        both feet stay down.
     """
     where = "energy_ratio_of_lumped_mass"
     mass, height, half_width = positive(where, mass=mass, height=height, half_width=half_width)
@@ -127,10 +210,30 @@ def gravitational_energy(
     alpha: ArrayLike,
     gravity: ArrayLike = STANDARD_GRAVITY,
 ):
-    """Potential energy of a tilted mass, above that upright [J]; thesis 3-2, a term of 5-3.
+    """Potential energy of a tilted mass, above that upright; thesis 3-2, a term of 5-3.
 
-    theta : rotation [rad], either sign. mass [kg]; radius [m] and alpha [rad] of the line from
-    the pivot to it; gravity [m/s2]. Any shapes, broadcast. Source: thesis 3-2.
+    Parameters
+    ----------
+    theta : array_like
+        Rotation, either sign [rad].
+    mass : array_like
+        Mass [kg].
+    radius : array_like
+        Length R of the line from the pivot to the mass [m].
+    alpha : array_like
+        Angle of that line from the vertical, upright [rad].
+    gravity : array_like, optional
+        Acceleration of gravity [m/s2].
+
+    Returns
+    -------
+    float or ndarray
+        Energy [J], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a mass or a radius that is not positive, and an alpha outside (0, pi/2).
     """
     where = "gravitational_energy"
     (theta,) = numbers(where, theta=theta)
@@ -139,9 +242,24 @@ def gravitational_energy(
 
 
 def spring_energy(theta: ArrayLike, rotational_stiffness: ArrayLike):
-    """Energy of a rotational spring [J]; thesis 3-4.
+    """Energy of a rotational spring; thesis 3-4.
 
-    theta [rad]; rotational_stiffness [N m/rad]; any shapes, broadcast.
+    Parameters
+    ----------
+    theta : array_like
+        Rotation [rad].
+    rotational_stiffness : array_like
+        Stiffness of the spring [N m/rad].
+
+    Returns
+    -------
+    float or ndarray
+        Energy [J], in the shape of both arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For arguments that are not finite, or whose shapes do not broadcast.
     """
     (theta,) = numbers("spring_energy", theta=theta)
     (stiffness,) = not_negative("spring_energy", rotational_stiffness=rotational_stiffness)
@@ -157,18 +275,39 @@ def energy_ratios_from_peaks(
     radius: ArrayLike | None = None,
     gravity: ArrayLike = STANDARD_GRAVITY,
 ):
-    """r of each impact between successive peaks of a rocking block; thesis 3-3 and 3-16.
+    """Energy ratio r of each impact between successive peaks of a rocking block; thesis 3-3 and
+    3-16.
 
-    `Impacts.of_peaks` serves any other structure, with intervals.
+    Parameters
+    ----------
+    peaks : array_like
+        Peak rotations (..., n), one on each side in turn [rad]; the signs do not count.
+    alpha : array_like
+        Slenderness [rad]; for several blocks (..., 1), as the others.
+    rotational_stiffness : float, optional
+        Stiffness of an elastic rotational spring [N m/rad], thesis 3-16; with it `mass` and
+        `radius`. Without it thesis 3-3, for which neither counts.
+    mass : array_like, optional
+        Mass [kg].
+    radius : array_like, optional
+        Distance R from an edge to the centroid [m].
+    gravity : array_like, optional
+        Acceleration of gravity [m/s2].
 
-    peaks : (..., n) peak rotations, one on each side in turn [rad]; the signs do not count.
-    alpha : as in `energy_ratio_of_block` [rad]; for several blocks (..., 1), as the others.
-    rotational_stiffness : of an elastic spring [N m/rad], thesis 3-16; with it
-        mass [kg] and radius [m]. Without it thesis 3-3, for which neither counts.
-    Returns (..., n - 1).
+    Returns
+    -------
+    ndarray
+        Energy ratios (..., n - 1). A measured r exceeds 1 where a peak is higher than the one
+        before.
 
-    A measured r may exceed 1, where a peak is higher than the one before.
-    Raises ValueError for fewer than two peaks, and for a peak that is zero or at or beyond alpha.
+    Raises
+    ------
+    ValueError
+        For fewer than two peaks, and for a peak that is zero or at or beyond alpha.
+
+    See Also
+    --------
+    rockeom.analysis.identification.Impacts.of_peaks : For any other structure, with intervals.
     """
     where = "energy_ratios_from_peaks"
     alpha = slenderness(where, alpha)
@@ -195,13 +334,33 @@ def energy_ratios_from_peaks_of_lumped_mass(
     base_height: ArrayLike,
     half_width: ArrayLike,
 ):
-    """r of each impact between successive peaks of a structure of two lumped masses; thesis 5-4.
+    """Energy ratio r of each impact between peaks of a structure of two lumped masses; thesis 5-4.
 
-    peaks : (..., n) peak rotations [rad], as in `energy_ratios_from_peaks`; the others as in
-    `energy_ratio_of_lumped_mass`. Returns (..., n - 1).
+    Parameters
+    ----------
+    peaks : array_like
+        Peak rotations (..., n), one on each side in turn [rad]; the signs do not count.
+    mass : array_like
+        Upper mass [kg].
+    height : array_like
+        Height of the upper mass above the ground [m].
+    base_mass : array_like
+        Mass of the base [kg].
+    base_height : array_like
+        Height of the mass of the base above the ground [m].
+    half_width : array_like
+        Half of the distance between the feet [m].
 
-    Raises ValueError for fewer than two peaks, and for a peak that is zero or at or beyond the
-    rotation at which the structure balances.
+    Returns
+    -------
+    ndarray
+        Energy ratios (..., n - 1).
+
+    Raises
+    ------
+    ValueError
+        For fewer than two peaks, and for a peak that is zero or at or beyond the rotation at which
+        the structure balances.
     """
     where = "energy_ratios_from_peaks_of_lumped_mass"
     mass, height, half_width = positive(where, mass=mass, height=height, half_width=half_width)

@@ -14,16 +14,43 @@ def cantilever_stiffness(
     length: ArrayLike,
     shear_flexibility: ArrayLike = 0.0,
 ):
-    """Force over displacement at the free end of a clamped column, 3 E I/L**3 [N/m].
+    """Force over displacement at the free end of a clamped column, ``3 E I/L**3``.
 
-    youngs_modulus E [Pa], second_moment of area I [m4], length L [m], shear_flexibility
-    1/(G A_s) [1/N], zero for slender columns; any shapes, broadcast. With it the stiffness is
-    1/(L**3/(3 E I) + L/(G A_s)).
+    Parameters
+    ----------
+    youngs_modulus : array_like
+        Young's modulus E [Pa].
+    second_moment : array_like
+        Second moment of area I [m4].
+    length : array_like
+        Length L [m].
+    shear_flexibility : array_like, optional
+        Flexibility 1/(G A_s) in shear [1/N], zero for slender columns. With it the stiffness is
+        ``1/(L**3/(3 E I) + L/(G A_s))``.
 
-    A column that both ends clamp, a storey of a frame with stiff beams, has four times 3 E I/L**3.
-    Source: S. P. Timoshenko and J. M. Gere, Mechanics of Materials, chapter 9.
+    Returns
+    -------
+    float or ndarray
+        Stiffness [N/m], in the shape of all arguments, broadcast.
 
-    >>> cantilever_stiffness(30e9, 0.6**4 / 12, 6.0)  # concrete, 0.6 m by 0.6 m, 6 m high; N/m
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, and a negative shear flexibility.
+
+    Notes
+    -----
+    A column that both ends clamp, a storey of a frame with stiff beams, has four times ``3 E
+    I/L**3``.
+
+    References
+    ----------
+    S. P. Timoshenko and J. M. Gere, Mechanics of Materials, chapter 9.
+
+    Examples
+    --------
+    >>> from rockeom.analysis.formulas import cantilever_stiffness
+    >>> float(cantilever_stiffness(30e9, 0.6**4 / 12, 6.0))  # concrete, 0.6 m by 0.6 m; N/m
     4500000.0
     """
     where = "cantilever_stiffness"

@@ -30,13 +30,36 @@ def centroid_acceleration(
     ground_acceleration: ArrayLike = 0.0,
     side: ArrayLike | None = None,
 ):
-    """(horizontal, vertical) absolute acceleration of the centroid [m/s2]; thesis 3-5 to 3-7.
+    """Absolute acceleration of the centroid of a rocking block; thesis 3-5 to 3-7.
 
-    theta [rad], theta_dot [rad/s], theta_ddot [rad/s2]; alpha [rad]; radius [m];
-    ground_acceleration, horizontal [m/s2]; any shapes, broadcast.
-    side : 1 on the right foot, -1 on the left; needed only where theta is zero.
+    Parameters
+    ----------
+    theta : array_like
+        Rotation, positive to the right [rad].
+    theta_dot : array_like
+        Angular velocity [rad/s].
+    theta_ddot : array_like
+        Angular acceleration [rad/s2].
+    alpha : array_like
+        Slenderness: angle of the line from an edge to the centroid, from the vertical [rad].
+    radius : array_like
+        Distance R from an edge to the centroid [m].
+    ground_acceleration : array_like, optional
+        Horizontal acceleration of the ground [m/s2].
+    side : array_like, optional
+        1 on the right foot, -1 on the left one; needed only where theta is zero.
 
-    Raises ValueError where theta is zero and no side is given, or the side contradicts theta.
+    Returns
+    -------
+    horizontal : float or ndarray
+        Horizontal acceleration [m/s2], in the shape of all arguments, broadcast.
+    vertical : float or ndarray
+        Vertical acceleration, upwards [m/s2].
+
+    Raises
+    ------
+    ValueError
+        Where theta is zero and no side is given, or the side contradicts theta.
     """
     where = "centroid_acceleration"
     theta, rate, second, ground = numbers(
@@ -67,10 +90,40 @@ def block_reactions(
     gravity: ArrayLike = STANDARD_GRAVITY,
     side: ArrayLike | None = None,
 ):
-    """(horizontal, vertical) force of the ground on the block [N]; thesis 3-8 and 3-9.
+    """Forces of the ground on a rocking block; thesis 3-8 and 3-9.
 
-    mass [kg], gravity [m/s2]; the others, and the errors, as in `centroid_acceleration`.
-    A negative vertical force means that the foot would have left the ground.
+    Parameters
+    ----------
+    theta : array_like
+        Rotation, positive to the right [rad].
+    theta_dot : array_like
+        Angular velocity [rad/s].
+    theta_ddot : array_like
+        Angular acceleration [rad/s2].
+    mass : array_like
+        Mass [kg].
+    alpha : array_like
+        Slenderness: angle of the line from an edge to the centroid, from the vertical [rad].
+    radius : array_like
+        Distance R from an edge to the centroid [m].
+    ground_acceleration : array_like, optional
+        Horizontal acceleration of the ground [m/s2].
+    gravity : array_like, optional
+        Acceleration of gravity [m/s2].
+    side : array_like, optional
+        1 on the right foot, -1 on the left one; needed only where theta is zero.
+
+    Returns
+    -------
+    horizontal : float or ndarray
+        Horizontal force [N], in the shape of all arguments, broadcast.
+    vertical : float or ndarray
+        Vertical force [N]. Where it is negative the foot would have left the ground.
+
+    Raises
+    ------
+    ValueError
+        Where theta is zero and no side is given, or the side contradicts theta.
     """
     mass, gravity = positive("block_reactions", mass=mass, gravity=gravity)
     horizontal, vertical = centroid_acceleration(
@@ -93,14 +146,31 @@ def impact_speed(
     gravity: ArrayLike = STANDARD_GRAVITY,
     radius_ratio: ArrayLike = RECTANGLE,
 ):
-    """Angular velocity at the impact of a block released at rest [rad/s], positive; thesis 3-13.
+    """Angular velocity at the impact of a block released at rest; thesis 3-13.
 
-    theta_0 : rotation at the release [rad], either sign, at most alpha; at alpha it is 3-13, the
+    Parameters
+    ----------
+    theta_0 : array_like
+        Rotation at the release, either sign, at most alpha [rad]; at alpha the result is 3-13, the
         largest speed that free rocking can have.
-    alpha [rad], radius [m], gravity [m/s2].
-    radius_ratio : m R**2/I_o, that of a homogeneous rectangle if not given. Any shapes, broadcast.
+    alpha : array_like
+        Slenderness: angle of the line from an edge to the centroid, from the vertical [rad].
+    radius : array_like
+        Distance R from an edge to the centroid [m].
+    gravity : array_like, optional
+        Acceleration of gravity [m/s2].
+    radius_ratio : array_like, optional
+        Ratio m R**2/I_o; the default is that of a homogeneous rectangle.
 
-    Raises ValueError beyond alpha, where a released block falls over.
+    Returns
+    -------
+    float or ndarray
+        Angular velocity, positive [rad/s], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        Beyond alpha, where a released block falls over.
     """
     where = "impact_speed"
     alpha = slenderness(where, alpha)
@@ -120,11 +190,32 @@ def acceleration_at_impact(
     radius_ratio: ArrayLike = RECTANGLE,
     slender: bool = False,
 ):
-    """Angular acceleration of a free block upright on one foot [rad/s2]; thesis 3-10.
+    """Angular acceleration of a free block upright on one foot; thesis 3-10.
 
-    side : 1 on the right foot, -1 on the left. alpha [rad], radius [m], gravity [m/s2].
-    radius_ratio : m R**2/I_o, that of a homogeneous rectangle if not given.
-    slender : write alpha for sin(alpha), as thesis 3-10 does; 0.7 % too much for 0.2 rad.
+    Parameters
+    ----------
+    side : array_like
+        1 where the block stands on its right foot, -1 on its left one.
+    alpha : array_like
+        Slenderness: angle of the line from an edge to the centroid, from the vertical [rad].
+    radius : array_like
+        Distance R from an edge to the centroid [m].
+    gravity : array_like, optional
+        Acceleration of gravity [m/s2].
+    radius_ratio : array_like, optional
+        Ratio m R**2/I_o; the default is that of a homogeneous rectangle.
+    slender : bool, optional
+        Write alpha for sin(alpha), as thesis 3-10 does; 0.7 % too much for 0.2 rad.
+
+    Returns
+    -------
+    float or ndarray
+        Angular acceleration [rad/s2], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, and a side other than 1 and -1.
     """
     where = "acceleration_at_impact"
     alpha = slenderness(where, alpha)
@@ -144,13 +235,44 @@ def block_reactions_at_impact(
     radius_ratio: ArrayLike = RECTANGLE,
     slender: bool = False,
 ):
-    """(horizontal, vertical) force just before or after an impact [N]; thesis 3-11 and 3-12.
+    """Forces of the ground just before or after an impact; thesis 3-11 and 3-12.
 
-    theta_dot : angular velocity [rad/s]; zero gives the limits 3-14 and 3-15, between which the
-        force chatters as rocking dies out. mass [kg]; the others as in `acceleration_at_impact`.
+    Parameters
+    ----------
+    theta_dot : array_like
+        Angular velocity [rad/s]; zero gives the limits 3-14 and 3-15, between which the force
+        chatters as rocking dies out.
+    side : array_like
+        1 where the block stands on its right foot, -1 on its left one.
+    mass : array_like
+        Mass [kg].
+    alpha : array_like
+        Slenderness: angle of the line from an edge to the centroid, from the vertical [rad].
+    radius : array_like
+        Distance R from an edge to the centroid [m].
+    gravity : array_like, optional
+        Acceleration of gravity [m/s2].
+    radius_ratio : array_like, optional
+        Ratio m R**2/I_o; the default is that of a homogeneous rectangle.
+    slender : bool, optional
+        Write alpha for sin(alpha), as thesis 3-10 does.
 
-    The last term of 3-12 is printed with a sgn(theta) that cancels against that of 3-10; it is
-    left out here, as 3-15 does.
+    Returns
+    -------
+    horizontal : float or ndarray
+        Horizontal force [N], in the shape of all arguments, broadcast.
+    vertical : float or ndarray
+        Vertical force [N].
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, and a side other than 1 and -1.
+
+    Notes
+    -----
+    The last term of 3-12 is printed with a sgn(theta) that cancels against that of 3-10; it is left
+    out here, as 3-15 does.
     """
     (rate,) = numbers("block_reactions_at_impact", theta_dot=theta_dot)
     (side,) = numbers("block_reactions_at_impact", side=side)

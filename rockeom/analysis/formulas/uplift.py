@@ -12,11 +12,35 @@ from rockeom.numbers.arguments import not_negative, positive
 def uplift_acceleration(
     half_width: ArrayLike, half_height: ArrayLike, gravity: ArrayLike = STANDARD_GRAVITY
 ):
-    """Ground acceleration at which a rigid block starts to rock, g B/H [m/s2]; thesis 2-1.
+    """Ground acceleration at which a rigid block starts to rock, g B/H; thesis 2-1.
 
-    half_width, half_height [m]; gravity [m/s2]; any shapes, broadcast. Milne and West proposed it
-    as the criterion of overturning; it is that of uplift, and overturning needs more.
-    Source: Milne (1908).
+    Parameters
+    ----------
+    half_width : array_like
+        Half of the width of the block, B [m].
+    half_height : array_like
+        Half of its height, H [m].
+    gravity : array_like, optional
+        Acceleration of gravity [m/s2].
+
+    Returns
+    -------
+    float or ndarray
+        Acceleration [m/s2], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For arguments that are not finite and positive, or whose shapes do not broadcast.
+
+    Notes
+    -----
+    Milne and West proposed it as the criterion of overturning; it is that of uplift, and
+    overturning needs more.
+
+    References
+    ----------
+    Milne (1908).
     """
     half_width, half_height, gravity = positive(
         "uplift_acceleration", half_width=half_width, half_height=half_height, gravity=gravity
@@ -30,11 +54,36 @@ def uplift_displacement(
     height: ArrayLike,
     gravity: ArrayLike = STANDARD_GRAVITY,
 ):
-    """Deformation u_c at which a mass on an elastic column lifts a foot, g B/(omega**2 H) [m].
+    """Deformation at which a mass on an elastic column lifts a foot, ``g B/(omega**2 H)``.
 
-    angular_frequency of the column on a fixed base [rad/s]; half_width, height of the mass [m];
-    gravity [m/s2]; any shapes, broadcast. The base has no mass. The critical static deformation
-    of thesis 2.4.1, Chopra and Yim (1985).
+    Parameters
+    ----------
+    angular_frequency : array_like
+        Angular frequency omega of the column on a fixed base [rad/s].
+    half_width : array_like
+        Half of the width of the base, B [m].
+    height : array_like
+        Height H of the mass [m].
+    gravity : array_like, optional
+        Acceleration of gravity [m/s2].
+
+    Returns
+    -------
+    float or ndarray
+        Deformation u_c [m], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For arguments that are not finite and positive, or whose shapes do not broadcast.
+
+    Notes
+    -----
+    The base has no mass. This is the critical static deformation of thesis 2.4.1.
+
+    References
+    ----------
+    Chopra and Yim (1985).
     """
     omega, half_width, height, gravity = positive(
         "uplift_displacement",
@@ -47,12 +96,36 @@ def uplift_displacement(
 
 
 def uplifted_frequency(angular_frequency: ArrayLike, half_width: ArrayLike, height: ArrayLike):
-    """Angular frequency of the column's vibration while a foot is lifted [rad/s]; thesis 2-8a.
+    """Angular frequency of the column's vibration while a foot is lifted; thesis 2-8a.
 
-    angular_frequency of the column on a fixed base [rad/s]; half_width B, height H of the mass
-    [m]; any shapes, broadcast. Returns omega R/B, R = hypot(B, H): the column then bends against
-    the inertia of the rotation, not against the ground. Massless base, small rotations.
-    Source: Chopra and Yim (1985). Chapter 2 writes B for the width as well; here it is the half.
+    Parameters
+    ----------
+    angular_frequency : array_like
+        Angular frequency omega of the column on a fixed base [rad/s].
+    half_width : array_like
+        Half of the width of the base, B [m].
+    height : array_like
+        Height H of the mass [m].
+
+    Returns
+    -------
+    float or ndarray
+        Angular frequency omega R/B with R = hypot(B, H) [rad/s], in the shape of all arguments,
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        For arguments that are not finite and positive, or whose shapes do not broadcast.
+
+    Notes
+    -----
+    The column then bends against the inertia of the rotation, not against the ground. The base has
+    no mass, rotations are small. Chapter 2 writes B for the width as well; here it is the half.
+
+    References
+    ----------
+    Chopra and Yim (1985).
     """
     (omega,) = positive("uplifted_frequency", angular_frequency=angular_frequency)
     half_width, height = positive("uplifted_frequency", half_width=half_width, height=height)
@@ -62,9 +135,29 @@ def uplifted_frequency(angular_frequency: ArrayLike, half_width: ArrayLike, heig
 def uplifted_damping(damping_ratio: ArrayLike, half_width: ArrayLike, height: ArrayLike):
     """Damping ratio of the column's vibration while a foot is lifted; thesis 2-8b.
 
-    damping_ratio of the column on a fixed base; half_width, height of the mass [m]; any shapes,
-    broadcast. Returns xi R/B, which may exceed 1: then the column does not vibrate.
-    It depends on the slenderness H/B alone, not on the size.
+    Parameters
+    ----------
+    damping_ratio : array_like
+        Damping ratio xi of the column on a fixed base.
+    half_width : array_like
+        Half of the width of the base, B [m].
+    height : array_like
+        Height H of the mass [m].
+
+    Returns
+    -------
+    float or ndarray
+        Damping ratio xi R/B, in the shape of all arguments, broadcast; it may exceed 1: then the
+        column does not vibrate.
+
+    Raises
+    ------
+    ValueError
+        For arguments that are not finite and positive, or whose shapes do not broadcast.
+
+    Notes
+    -----
+    The ratio to xi depends on the slenderness H/B alone, not on the size.
     """
     (ratio,) = not_negative("uplifted_damping", damping_ratio=damping_ratio)
     half_width, height = positive("uplifted_damping", half_width=half_width, height=height)

@@ -192,11 +192,19 @@ def _scales(test: Observed, parameters: Mapping[str, Any], k: int) -> tuple[np.n
 
 @dataclass(frozen=True, eq=False)
 class Laplace:
-    """A posterior as a normal distribution of the deviates, with the curvature at its mode.
+    """Posterior as a normal distribution of the deviates, with the curvature at its mode.
 
-    deviates (k,), deviate_covariance (k, k) : of standard normal deviates of the priors, in the
-    order of `names`. log_evidence : logarithm of the marginal likelihood by this approximation,
-    exact where the posterior is normal.
+    Parameters
+    ----------
+    space : RandomParameters
+        Parameters with their priors.
+    deviates : ndarray
+        Mode (k,) in standard normal deviates of the priors, in the order of `names`.
+    deviate_covariance : ndarray
+        Covariance of the deviates (k, k).
+    log_evidence : float
+        Logarithm of the marginal likelihood by this approximation, exact where the posterior is
+        normal.
     """
 
     space: RandomParameters
@@ -210,9 +218,28 @@ class Laplace:
         return self.space.names
 
     def interval(self, name: str, confidence: float = CONFIDENCE) -> tuple[float, float]:
-        """Central interval of a parameter, with that probability; within the bounds of its prior.
+        """Central interval of a parameter with a probability, within the bounds of its prior.
 
-        Raises KeyError for an unknown name, ValueError for a confidence beyond 0 to 1.
+        Parameters
+        ----------
+        name : str
+            Name of the parameter.
+        confidence : float, optional
+            Probability of the interval, between 0 and 1.
+
+        Returns
+        -------
+        low : float
+            Lower end, in the unit of the parameter.
+        high : float
+            Upper end.
+
+        Raises
+        ------
+        KeyError
+            For an unknown name.
+        ValueError
+            For a confidence beyond 0 to 1.
         """
         rule = "give one such as .95"
         require(0 < confidence < 1, "Laplace.interval", "confidence", confidence, rule)
@@ -237,11 +264,20 @@ class Laplace:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Posterior:
-    """The probability of parameters after tests; made by `posterior`.
+    """Probability of parameters after tests; made by `posterior`.
 
-    tests, space : the measurements, and the priors. mode (k,) : the most likely deviates.
-    settled : whether the search for the mode ended at one. density : of the deviates, not
-    normalised.
+    Parameters
+    ----------
+    tests : tuple of Observed
+        Measurements.
+    space : RandomParameters
+        Parameters with their priors.
+    mode : ndarray
+        Most likely deviates (k,).
+    settled : bool
+        Whether the search for the mode ended at one.
+    density : object
+        Density of the deviates, not normalised.
     """
 
     tests: tuple[Observed, ...]
@@ -252,7 +288,7 @@ class Posterior:
 
     @property
     def map(self) -> dict[str, float]:
-        """The mode, by name: the most likely deviates of the priors, as values of the parameters.
+        """Mode, by name: the most likely deviates of the priors, as values of the parameters.
 
         A mode depends on the scale on which densities are compared; on that of the deviates every
         prior is the same. For normal priors it is the mode of the parameters.
@@ -263,16 +299,38 @@ class Posterior:
     def counts(self) -> dict[str, int]:
         """How often all tests were predicted, up to now, and with which outcomes, by name.
 
-        "simulations" : without derivatives, "gradients" : with them.
+        "simulations" counts those without derivatives, "gradients" those with them.
         """
         return dict(self.density.counts)
 
     def log_density(self, **values: float) -> float:
-        """Logarithm of prior times likelihood, as a density of the deviates, at values by name."""
+        """Logarithm of prior times likelihood, as a density of the deviates.
+
+        Parameters
+        ----------
+        **values : float
+            Values of the parameters, by name.
+
+        Returns
+        -------
+        float
+            Logarithm of the density, not normalised.
+        """
         return self.density.at(self._deviates(values)).value
 
     def gradient(self, **values: float) -> dict[str, float]:
-        """Derivatives of `log_density` by the deviates of each parameter, at values by name."""
+        """Derivatives of `log_density` by the deviates of each parameter.
+
+        Parameters
+        ----------
+        **values : float
+            Values of the parameters, by name.
+
+        Returns
+        -------
+        dict of str to float
+            Derivatives by name.
+        """
         point = self.density.at(self._deviates(values))
         return dict(zip(self.space.names, point.gradient.tolist(), strict=True))
 
@@ -287,7 +345,7 @@ class Posterior:
 
     @cached_property
     def laplace(self) -> Laplace:
-        """The normal approximation about the mode; its covariance by the derivatives of gradients.
+        """Normal approximation about the mode; its covariance by the derivatives of gradients.
 
         Raises ValueError where the density does not bend downwards in all directions there.
         """
@@ -323,8 +381,8 @@ class Posterior:
     def undetermined(self) -> tuple[tuple[str, ...], ...]:
         """Combinations of parameters about which the tests tell less than the priors, by names.
 
-        An interval along one of them is that of the prior. Found by the eigenvectors of Fisher's
-        information of the tests at the mode, in deviates: information of the prior is 1.
+        An interval along one of them is that of the prior. They follow from the eigenvectors of
+        Fisher's information of the tests at the mode, in deviates: information of the prior is 1.
         """
         of_tests = self.density.at(self.mode).information - np.eye(len(self.mode))
         strength, ways = np.linalg.eigh(of_tests)
@@ -339,17 +397,39 @@ class Posterior:
     ) -> Draws:
         """Draws from the posterior by the No-U-Turn sampler of the package mici (extra `bayes`).
 
-        draws : of each of the chains, behind warm_up ones that settle the step. seed : of all; the
-        same seed draws the same. Chains begin scattered about the mode, by Laplace's
-        approximation; its axes and the bend of its ridges are their coordinates, on which the
-        distribution of the draws does not depend.
+        Parameters
+        ----------
+        draws : int, optional
+            Number of draws of each chain.
+        chains : int, optional
+            Number of chains. They begin scattered about the mode, by Laplace's approximation.
+        warm_up : int, optional
+            Number of draws before them that settle the step.
+        seed : int, optional
+            Seed of all; the same seed draws the same.
+
+        Returns
+        -------
+        Draws
+            Draws of the parameters, and the outcomes of the motions behind them.
+
+        Raises
+        ------
+        ModuleNotFoundError
+            Without mici and arviz-stats.
+        RuntimeError
+            Where the sampler stops before its last draw.
+        ValueError
+            For numbers of draws, chains or warm-up draws that are too small.
+
+        Notes
+        -----
+        The axes of Laplace's approximation and the bend of its ridges are the coordinates of the
+        chains, on which the distribution of the draws does not depend.
 
         A motion that overturns where the test did not, one that gives no answer, and a graze behind
         which there are no derivatives are places of the density as others: they are counted in
         `Draws.outcomes` and rejected or accepted by the density alone, which needs no gradient.
-
-        Raises ModuleNotFoundError without mici and arviz-stats, RuntimeError where the sampler
-        stops before its last draw.
         """
         for name, value in (("draws", draws), ("chains", chains), ("warm_up", warm_up)):
             require(value >= 1, "sample", name, value, "give a whole number from 1 on")
@@ -371,7 +451,18 @@ class Posterior:
         return f"Posterior({self._told(self.map)})"
 
     def summary(self, confidence: float = CONFIDENCE) -> str:
-        """The parameters in words, a line each, by Laplace's approximation."""
+        """Parameters in words, a line each, by Laplace's approximation.
+
+        Parameters
+        ----------
+        confidence : float, optional
+            Probability of the intervals, between 0 and 1.
+
+        Returns
+        -------
+        str
+            Text of several lines.
+        """
         lines = [f"{100 * confidence:g} % intervals by Laplace's approximation:"]
         for (name, value), u in zip(self.map.items(), self.mode, strict=True):
             low, high = self.laplace.interval(name, confidence)
@@ -392,21 +483,57 @@ def posterior(
     degrees_of_freedom: float = math.inf,
     seed: int = 0,
 ) -> Posterior:
-    """The posterior of parameters from one test or several.
+    """Posterior of parameters from one test or several.
 
-    tests : `Observed.history`, `.swings` or `.formula`; parameters of the same name are the same
-    in all of them. priors : of each parameter, noises among them, a continuous distribution of
-    scipy.stats, frozen, by name; they are independent.
-    degrees_of_freedom : of Student's distribution of the errors of readings, for records with
-    outliers, and noise is its scale then; normal if not given. seed : of the places at which the
-    search for the mode starts.
+    Parameters
+    ----------
+    tests : Observed or sequence of Observed
+        `Observed.history`, `Observed.swings` or `Observed.formula`; parameters of the same name are
+        the same in all of them.
+    priors : dict of str to object
+        Prior of each parameter, noises among them, by name: a continuous distribution of
+        scipy.stats, frozen; they are independent.
+    degrees_of_freedom : float, optional
+        Degrees of freedom of Student's distribution of the errors of readings, for records with
+        outliers, and noise is its scale then; the normal distribution if not given.
+    seed : int, optional
+        Seed of the places at which the search for the mode starts.
 
-    The mode is found by a trust region on exact gradients and Fisher's information, from the best
-    of 256 places of the priors. Motions that overturn unlike the test, or do not answer, have a low
+    Returns
+    -------
+    Posterior
+        Mode, intervals and draws of the parameters.
+
+    Raises
+    ------
+    ValueError
+        For priors that lack a parameter or have one that no test takes, for a noise that may be
+        negative, and where the model fails at the medians of the priors.
+
+    Notes
+    -----
+    The mode is that of a trust region on exact gradients and Fisher's information, from the best of
+    256 places of the priors. Motions that overturn unlike the test, or do not answer, have a low
     density, or none, and are counted (`Posterior.counts`); no reading is left out.
 
-    Raises ValueError for priors that lack a parameter or have one that no test takes, for a noise
-    that may be negative, and where the model fails at the medians of the priors.
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from scipy import stats
+    >>> import rockeom as rk
+    >>> from rockeom.analysis import identification
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> def released(r, theta):
+    ...     return rk.Case(block, rk.GroundMotion.none(2.0), rk.EnergyRatio(r), {"theta": theta})
+    >>> t = np.linspace(0.02, 1.5, 75)  # s
+    >>> record = rk.simulate(released(0.85, 0.08)).at(t)["theta"]
+    >>> record += np.random.default_rng(1).normal(0.0, 1e-3, len(t))  # rad
+    >>> tests = identification.Observed.history(released, t, record, noise=1e-3)
+    >>> priors = {"r": stats.uniform(0.5, 0.5), "theta": stats.norm(0.08, 0.01)}
+    >>> posterior = identification.posterior(tests, priors)
+    >>> low, high = posterior.laplace.interval("r", 0.95)
+    >>> bool(low < 0.85 < high), round(posterior.laplace.standard_error["r"], 4)
+    (True, 0.0009)
     """
     require(
         degrees_of_freedom > 0, "posterior", "degrees_of_freedom", degrees_of_freedom,
@@ -420,13 +547,27 @@ def posterior(
 
 
 def model_probabilities(posteriors: Mapping[str, Posterior]) -> dict[str, float]:
-    """How likely each of several models is after the same tests, by their marginal likelihoods.
+    """Probability of each of several models after the same tests, by their marginal likelihoods.
 
-    posteriors : by the names of the models, each as likely as the others beforehand. Returns
-    probabilities of a sum of 1, by name. A model with more parameters gains by no more than what
-    the tests say for them; wider priors lose.
+    Parameters
+    ----------
+    posteriors : dict of str to Posterior
+        Posteriors by the names of the models, each as likely as the others beforehand.
 
-    Raises ValueError for posteriors of other measurements, which do not compare.
+    Returns
+    -------
+    dict of str to float
+        Probabilities of a sum of 1, by name.
+
+    Raises
+    ------
+    ValueError
+        For posteriors of other measurements, which do not compare.
+
+    Notes
+    -----
+    A model with more parameters gains by no more than what the tests say for them; wider priors
+    lose.
     """
     found = list(posteriors.values())
     if not found:

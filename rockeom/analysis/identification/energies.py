@@ -27,7 +27,14 @@ if TYPE_CHECKING:
 class Energies(NamedTuple):
     """Energies of a structure in states of a record, of one shape.
 
-    gravity [J]. elastic : of springs and tendons [J]. kinetic [J].
+    Parameters
+    ----------
+    gravity : ndarray
+        Energy of gravity [J].
+    elastic : ndarray
+        Energy of springs and tendons [J].
+    kinetic : ndarray
+        Kinetic energy [J].
     """
 
     gravity: np.ndarray
@@ -43,15 +50,33 @@ class Energies(NamedTuple):
 def static_energy(
     structure: Structure, rotation: ArrayLike, quantity: str | None = None
 ) -> np.ndarray:
-    """Energy of a structure at rest at a rotation, above that upright [J].
+    """Energy of a structure at rest at a rotation, above that upright.
 
-    rotation : the structure's own coordinate, any shape. Gravitational and elastic energy as they
-    are derived; its other coordinates are in equilibrium under the load of a pushover. It has no
-    energy that a tendon lost by yielding, and none of the weight that replaces the tendon of a
-    `SubstituteGravityWall`.
-    quantity : name of the quantity given, "displacement" or another of a response that grows with
-    the rotation; the rotation if not given.
-    Raises ValueError where there is no equilibrium or no such quantity.
+    Parameters
+    ----------
+    structure : Structure
+        Structure that rocks.
+    rotation : array_like
+        The structure's own coordinate, or the quantity, any shape.
+    quantity : str, optional
+        Name of the quantity, "displacement" or another of a response that grows with the rotation;
+        the rotation if not given.
+
+    Returns
+    -------
+    ndarray
+        Energy [J], in the shape of the rotation.
+
+    Raises
+    ------
+    ValueError
+        Where there is no equilibrium or no such quantity.
+
+    Notes
+    -----
+    It is the gravitational and elastic energy as they are derived; other coordinates are in
+    equilibrium under the load of a pushover. It has no energy that a tendon lost by yielding, and
+    none of the weight that replaces the tendon of a `SubstituteGravityWall`.
     """
     (values,) = numbers("static_energy", rotation=rotation)
     y = equilibrium_states(structure, values.ravel(), quantity)
@@ -61,10 +86,21 @@ def static_energy(
 def energies_of_states(
     structure: Structure, y: np.ndarray, modes: np.ndarray | None = None
 ) -> Energies:
-    """Energies of a structure in states, above those upright and at rest, (n,) each [J].
+    """Energies of a structure in states, above those upright and at rest.
 
-    y (n, N) : the states; modes (n,) : numbers of their modes, which follow from the states if
-    not given.
+    Parameters
+    ----------
+    structure : Structure
+        Structure with N states.
+    y : ndarray
+        States (n, N).
+    modes : ndarray, optional
+        Numbers of their modes (n,); they follow from the states if not given.
+
+    Returns
+    -------
+    Energies
+        Energies (n,) each [J].
     """
     if modes is None:
         modes = np.array([structure.mode_number(state) for state in y], dtype=int)
@@ -79,11 +115,31 @@ def energies_of_states(
 def equilibrium_states(
     structure: Structure, values: ArrayLike, quantity: str | None = None
 ) -> np.ndarray:
-    """(n, N) states of equilibrium under a force at the load point.
+    """States of equilibrium under a force at the load point.
 
-    values (n,) : rotations of the structure, or values of the quantity named, as in
-    `static_energy`. Below the value at which the structure uplifts, in full contact, all
-    displacements are in proportion to it.
+    Parameters
+    ----------
+    structure : Structure
+        Structure with N states.
+    values : array_like
+        Rotations of the structure (n,) [rad], or values of the quantity.
+    quantity : str, optional
+        Name of the quantity, as in `static_energy`; the rotation if not given.
+
+    Returns
+    -------
+    ndarray
+        States (n, N).
+
+    Raises
+    ------
+    ValueError
+        Where there is no equilibrium or no such quantity.
+
+    Notes
+    -----
+    Below the value at which the structure uplifts, in full contact, all displacements are in
+    proportion to it.
     """
     (wanted,) = numbers("equilibrium_states", values=values)
     m = structure.module

@@ -48,12 +48,27 @@ NO_RATIO = 1e-3
 class Fit:
     """Parameters that fit a measurement best, with their confidence.
 
-    values : by name. covariance (k, k), in the order of values. measured, predicted (n,).
-    uncertainty (n,) : standard deviation of each measured value; estimated from the residuals where
-        none was given (known is False then). informative (n,) : which values depend on a parameter;
-        others, such as the start of a simulation, count nowhere.
-    at_bounds : names of parameters at a bound; their interval says nothing.
-    exact : whether the derivatives of the model are exact; central differences otherwise.
+    Parameters
+    ----------
+    values : dict of str to float
+        Parameters by name.
+    covariance : ndarray
+        Covariance of the parameters (k, k), in the order of `values`.
+    measured : ndarray
+        Measured values (n,).
+    predicted : ndarray
+        Values of the model (n,).
+    uncertainty : ndarray
+        Standard deviation of each measured value (n,).
+    known : bool
+        Whether the uncertainty was stated; otherwise it is estimated from the residuals.
+    informative : ndarray
+        Which values depend on a parameter (n,); others, such as the start of a simulation, count
+        nowhere.
+    at_bounds : tuple of str
+        Names of parameters at a bound; their interval says nothing.
+    exact : bool, optional
+        Whether the derivatives of the model are exact; central differences otherwise.
     """
 
     values: dict[str, float]
@@ -82,10 +97,33 @@ class Fit:
         return dict(zip(self.values, np.sqrt(np.diag(self.covariance)).tolist(), strict=True))
 
     def interval(self, name: str, confidence: float = CONFIDENCE) -> tuple[float, float]:
-        """Interval of a parameter with that confidence, if the model is right.
+        """Interval of a parameter with a confidence, if the model is right.
 
-        By Student's distribution where the uncertainty was estimated, by the normal one where it
-        was given. Raises KeyError for an unknown name, ValueError for a confidence beyond 0 to 1.
+        Parameters
+        ----------
+        name : str
+            Name of the parameter.
+        confidence : float, optional
+            Confidence, between 0 and 1.
+
+        Returns
+        -------
+        low : float
+            Lower end, in the unit of the parameter.
+        high : float
+            Upper end.
+
+        Raises
+        ------
+        KeyError
+            For an unknown name.
+        ValueError
+            For a confidence beyond 0 to 1.
+
+        Notes
+        -----
+        The interval follows from Student's distribution where the uncertainty was estimated, from
+        the normal one where it was stated.
         """
         from scipy.stats import norm, t  # takes long to import
 
@@ -125,7 +163,18 @@ class Fit:
         return coefficient_of_determination(self.measured[chosen], self.predicted[chosen])
 
     def summary(self, confidence: float = CONFIDENCE) -> str:
-        """The parameters in words, a line each."""
+        """Parameters in words, a line each.
+
+        Parameters
+        ----------
+        confidence : float, optional
+            Confidence of the intervals, between 0 and 1.
+
+        Returns
+        -------
+        str
+            Text of several lines.
+        """
         lines = []
         for name, value in self.values.items():
             low, high = self.interval(name, confidence)
@@ -146,21 +195,48 @@ def fit(
 ) -> Fit:
     """Least squares: the parameters with which a function is closest to a measurement.
 
-        identification.fit(lambda k, c: k * x + c, measured=y, start={"k": 1.0, "c": 0.0})
+    Parameters
+    ----------
+    model : callable
+        Function of the parameters, by name, that returns one value for each measured one; smooth,
+        at least about the best parameters.
+    measured : array_like
+        Measured values (n,).
+    start : dict of str to float
+        First guess of each parameter, of the size that it may have.
+    uncertainty : array_like, optional
+        Standard deviation of the measured values, one or (n,); if not given, one for all is
+        estimated from the residuals.
+    bounds : dict of str to tuple of (float, float), optional
+        Lowest and highest value of parameters, by name.
+    derivatives : callable, optional
+        Function of the same parameters that returns the derivatives (n, k) of what the model
+        returns, k in the order of `start`; central differences if not given.
 
-    model : a function of the parameters, by name, that returns one value for each that was
-        measured; smooth, at least about the best parameters. measured (n,).
-    start : a first guess of each parameter, of the size that it may have.
-    uncertainty : standard deviation of the measured values, one or (n,); if not given, one for all
-        is estimated from the residuals. bounds : (lowest, highest) of parameters, by name.
-    derivatives : a function of the same parameters that returns the derivatives (n, k) of what the
-        model returns, k in the order of start; central differences if not given.
+    Returns
+    -------
+    Fit
+        Parameters with their confidence.
 
+    Raises
+    ------
+    ValueError
+        For bad arguments, for as many parameters as values where the uncertainty must be estimated,
+        and for parameters that the values do not distinguish.
+
+    Notes
+    -----
     The covariance is that of the linearised model, (J^T J)^-1 with J the derivatives over the
     uncertainties.
 
-    Raises ValueError for bad arguments, for as many parameters as values where the uncertainty must
-    be estimated, and for parameters that the values do not distinguish.
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from rockeom.analysis import identification
+    >>> x, y = np.arange(5.0), np.array([1.0, 3.1, 4.9, 7.0, 9.0])
+    >>> line = identification.fit(lambda k, c: k * x + c, measured=y, start={"k": 1.0, "c": 0.0})
+    >>> round(line.values["k"], 2)
+    1.99
     """
     problem = _LeastSquares.of(model, derivatives, measured, start, uncertainty)
     best = problem.solved(*_bounds(start, bounds))
@@ -332,23 +408,54 @@ def fit_free_vibration(
 ) -> Fit:
     """Parameters of a structure and of its impact law, fitted to a measured free vibration.
 
-    case : a function of the parameters, by name, that returns the `Case` of the free vibration.
-    start : a first guess of each. peaks (n,) : measured, signed, the release first, in the unit of
-    `quantity`, any of those of a response. peak_times, crossing_times (n,) [s], from the release
-    on; any of the three may be left out, and n may differ.
-    uncertainty of the peaks and time_uncertainty [s] : standard deviations; both are needed where
-    peaks and times are given. Where one kind is given, its own may be left out, and is estimated.
-    release_time : a first guess [s]; the times then count from another instant, and the release is
-    fitted, as the parameter "release_time". options : of the simulations. bounds, and what is
-    returned: as in `fit`, the values in the order peaks, peak_times, crossing_times.
-    exact : whether the derivatives are those of `rk.tangents`, which need a `case` that calculates
-    with `rk.Dual`, and a quantity that `rk.sensitivity` knows; False takes central differences, two
-    simulations for each parameter. If not given, exact ones where the first guess has them.
+    Parameters
+    ----------
+    case : callable
+        Function of the parameters, by name, that returns the `Case` of the free vibration.
+    start : dict of str to float
+        First guess of each parameter.
+    peaks : array_like, optional
+        Measured peaks (n,), signed, the release first, in the unit of `quantity`.
+    peak_times : array_like, optional
+        Measured times of peaks (n,), from the release on [s].
+    crossing_times : array_like, optional
+        Measured times of crossings (n,), from the release on [s]. Any of the three may be left out,
+        and n may differ.
+    quantity : str, optional
+        Quantity of a response that was measured.
+    uncertainty : float, optional
+        Standard deviation of the peaks, in their unit.
+    time_uncertainty : float, optional
+        Standard deviation of the times [s]. Both are needed where peaks and times are stated; where
+        one kind is, its own may be left out, and is estimated.
+    release_time : float, optional
+        First guess of the time of the release [s]; the times then count from another instant, and
+        the release is fitted, as the parameter "release_time".
+    bounds : dict of str to tuple of (float, float), optional
+        Lowest and highest value of parameters, by name.
+    exact : bool, optional
+        Whether the derivatives are those of `rk.tangents`, which need a `case` that calculates with
+        `rk.Dual`, and a quantity that `rk.sensitivity` knows; False takes central differences, two
+        simulations for each parameter. If not given, exact ones where the first guess has them.
+    options : SolverOptions, optional
+        Choices of the integration.
 
+    Returns
+    -------
+    Fit
+        Parameters with their confidence; the values are in the order peaks, peak_times,
+        crossing_times.
+
+    Raises
+    ------
+    ValueError
+        As for `fit`, and where nothing was measured.
+
+    Notes
+    -----
     The peak at which the simulation is released depends on no parameter and counts nowhere. Noise
     enlarges the peaks of a record, the largest of several samples: filter it first, or fit
     crossings.
-    Raises ValueError as `fit` does, and where nothing was measured.
     """
     values = {"peaks": peaks, "peak_times": peak_times, "crossing_times": crossing_times}
     measured = _MeasuredSwings.of(values, uncertainty, time_uncertainty)
@@ -450,16 +557,31 @@ def energy_ratios_by_release(
     quantity: str = "displacement",
     options: SolverOptions | None = None,
 ) -> np.ndarray:
-    """(n - 1,) energy ratio r of each impact, by simulations from each measured peak to the next.
+    """Energy ratio r of each impact, by simulations from each measured peak to the next.
 
     The method of thesis section 4.8.2 for Figure 4-40, for any structure.
 
-    case : a function of a peak and of r that returns the `Case` released there at rest, long enough
-    to reach the next peak. peaks (n,) : measured, signed, one on each side in turn, in the unit of
-    `quantity`. options : of the simulations. NaN where no r up to 1 leads as far as the next peak.
+    Parameters
+    ----------
+    case : callable
+        Function of a peak and of r that returns the `Case` released there at rest, long enough to
+        reach the next peak.
+    peaks : array_like
+        Measured peaks (n,), signed, one on each side in turn, in the unit of `quantity`.
+    quantity : str, optional
+        Quantity of a response that was measured.
+    options : SolverOptions, optional
+        Choices of the integration.
 
-    Raises ValueError for peaks that do not change their side, and where the simulation ends before
-    the next peak.
+    Returns
+    -------
+    ndarray
+        Energy ratios (n - 1,), NaN where no r up to 1 leads as far as the next peak.
+
+    Raises
+    ------
+    ValueError
+        For peaks that do not change their side, and where the simulation ends before the next peak.
     """
     from scipy.optimize import brentq  # takes long to import
 
@@ -491,10 +613,30 @@ def energy_ratios_by_release(
 def fit_rotation_centre(
     displacement: ArrayLike, distance: ArrayLike, *, uncertainty: ArrayLike | None = None
 ) -> Fit:
-    """C1, C2 and epsilon of thesis 4-8 [m], fitted to a measured path of the rotation centre.
+    """Constants C1, C2 and epsilon of thesis 4-8 [m], fitted to a path of the rotation centre.
 
-    displacement (n,) [m]; distance (n,) of the centre from the pressed edge [m]; uncertainty of the
-    distances [m], as in `fit`. The first guess is that of 4-7.
+    Parameters
+    ----------
+    displacement : array_like
+        Displacements (n,) [m].
+    distance : array_like
+        Distance of the centre from the pressed edge (n,) [m].
+    uncertainty : array_like, optional
+        Standard deviation of the distances [m]; estimated if not given.
+
+    Returns
+    -------
+    Fit
+        Constants with their confidence.
+
+    Raises
+    ------
+    ValueError
+        As for `fit`.
+
+    Notes
+    -----
+    The first guess is that of 4-7.
     """
     d, measured = numbers("fit_rotation_centre", displacement=displacement, distance=distance)
 
@@ -517,10 +659,29 @@ def fit_moving_centre(
 ) -> dict[str, Fit]:
     """Reach [m] and slope [1/m] of thesis 5-5, fitted by the direction of motion.
 
-    displacement (n,) [m]; centre (n,) : distance from the left edge [m]; velocity (n,), whose sign
-    is the direction: "clockwise" where it is positive or zero. Returns a `Fit` of both directions
-    by name, "clockwise" and "counterclockwise", and of "all"; without velocities that alone.
-    base_width [m]; uncertainty of the centre [m], as in `fit`.
+    Parameters
+    ----------
+    displacement : array_like
+        Displacements (n,) [m].
+    centre : array_like
+        Distance of the centre from the left edge (n,) [m].
+    velocity : array_like, optional
+        Velocities (n,), whose sign is the direction: "clockwise" where it is positive or zero.
+    base_width : float, optional
+        Width of the base [m].
+    uncertainty : float, optional
+        Standard deviation of the centre [m]; estimated if not given.
+
+    Returns
+    -------
+    dict of str to Fit
+        Fit of both directions by name, "clockwise" and "counterclockwise", and of "all"; without
+        velocities that alone.
+
+    Raises
+    ------
+    ValueError
+        As for `fit`.
     """
     where = "fit_moving_centre"
     d, measured = numbers(where, displacement=displacement, centre=centre)

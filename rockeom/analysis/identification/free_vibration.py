@@ -38,24 +38,46 @@ if TYPE_CHECKING:
 
 
 class QuarterPeriods(NamedTuple):
-    """Times from a peak to the next crossing: the signed peak [m], and the time between [s]."""
+    """Times from a peak to the next crossing.
+
+    Parameters
+    ----------
+    peak : ndarray
+        Signed peak (n,) [m].
+    time : ndarray
+        Time between the two (n,) [s].
+    """
 
     peak: np.ndarray
     time: np.ndarray
 
 
 class CycleDamping(NamedTuple):
-    """First peak of each cycle [m], signed, and its damping ratio."""
+    """Damping ratio of each cycle.
+
+    Parameters
+    ----------
+    peak : ndarray
+        First peak of each cycle, signed [m].
+    ratio : ndarray
+        Damping ratio of the cycle.
+    """
 
     peak: np.ndarray
     ratio: np.ndarray
 
 
 class Restitution(NamedTuple):
-    """The loss of energy at each passage through upright, (n,) each.
+    """Loss of energy at each crossing of upright, (n,) each.
 
-    energy_ratio : of the energies after and before it. speed : at the passage [m/s].
-    peak_before : the peak displacement before it [m].
+    Parameters
+    ----------
+    energy_ratio : ndarray
+        Ratio r of the energies after and before it.
+    speed : ndarray
+        Speed at the crossing [m/s].
+    peak_before : ndarray
+        Peak displacement before it [m].
     """
 
     energy_ratio: np.ndarray
@@ -65,13 +87,33 @@ class Restitution(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class FreeVibration:
-    """The peaks of a free vibration and the crossings between them, as in thesis Table A-1.
+    """Peaks of a free vibration and the crossings between them, as in thesis Table A-1.
 
-    Each array has the shape (n,), in the order of time; peaks and crossings alternate. at_peak :
-    which are peaks. time [s]; displacement [m]; velocity [m/s]; acceleration [m/s2]. Not each
-    record has: tendon_force [N]; left_uplift, right_uplift of the edges of the base, positive
-    upward [m]; centre_from_edge, the distance of the rotation centre as a table states it [m];
-    reading, how legible the row of a table was.
+    Each array has the shape (n,), in the order of time; peaks and crossings alternate. Not each
+    record has those that are optional.
+
+    Parameters
+    ----------
+    at_peak : ndarray
+        Which instants are peaks; the others are crossings.
+    time : ndarray
+        Time [s].
+    displacement : ndarray
+        Displacement [m].
+    velocity : ndarray
+        Velocity [m/s].
+    acceleration : ndarray
+        Acceleration [m/s2].
+    tendon_force : ndarray, optional
+        Force of the tendon [N].
+    left_uplift : ndarray, optional
+        Uplift of the left edge of the base, positive upwards [m].
+    right_uplift : ndarray, optional
+        Uplift of the right edge of the base, positive upwards [m].
+    centre_from_edge : ndarray, optional
+        Distance of the rotation centre as a table states it [m].
+    reading : ndarray, optional
+        How legible the row of a table was.
     """
 
     at_peak: np.ndarray
@@ -104,11 +146,17 @@ class FreeVibration:
     def table_a1(cls) -> FreeVibration:
         """Thesis Table A-1: test run 5 of the wall of chapter 4, 23 peaks and 22 crossings.
 
+        Returns
+        -------
+        FreeVibration
+            Free vibration with all that the table has.
+
+        Notes
+        -----
         Crossings are the instants without acceleration. centre_from_edge is the distance from the
-        uplift gauge, 30 mm outside the edge. `reading` of a row: "clean" as scanned;
-        "repaired", of a single possible reading, in which the scan has a slash for a 7; "guessed",
-        where a cell is put back from the rows around it. rockeom/analysis/data/table_a1.csv has
-        what was scanned.
+        uplift gauge, 30 mm outside the edge. `reading` of a row: "clean" as scanned; "repaired", of
+        a single possible reading, in which the scan has a slash for a 7; "guessed", where a cell is
+        put back from the rows around it. rockeom/analysis/data/table_a1.csv has what was scanned.
         """
         text = files("rockeom.analysis").joinpath("data/table_a1.csv").read_text("utf-8")
         rows = list(csv.DictReader(text.splitlines()))
@@ -145,21 +193,46 @@ class FreeVibration:
     ) -> FreeVibration:
         """Peaks and crossings of a sampled record, between samples by cubic splines.
 
-        time [s], increasing; displacement [m]; velocity [m/s] and acceleration [m/s2], if not
-        given the derivatives of the displacement's spline; tendon_force [N]; left_uplift,
-        right_uplift [m]; all of the shape (samples,). The displacement counts from upright.
-        smallest : the record swings to the other side once it is this far there [m]; noise about
-        upright is below it. A half-cycle with a smaller peak is not one. If not given it follows
-        from the record, `resolved_floor`.
-        crossing : "displacement", where that is zero, or "acceleration", as in the thesis, whose
-        wall slid, so that a zero displacement is not upright. With losses spread over the
-        displacement the acceleration vanishes up to some mm before upright.
+        Parameters
+        ----------
+        time : array_like
+            Times (samples,) [s], increasing.
+        displacement : array_like
+            Displacements (samples,) from upright [m].
+        velocity : array_like, optional
+            Velocities (samples,) [m/s]; the derivative of the displacement's spline if not given.
+        acceleration : array_like, optional
+            Accelerations (samples,) [m/s2]; the second derivative if not given.
+        tendon_force : array_like, optional
+            Forces of the tendon (samples,) [N].
+        left_uplift : array_like, optional
+            Uplifts of the left edge (samples,) [m].
+        right_uplift : array_like, optional
+            Uplifts of the right edge (samples,) [m].
+        smallest : float, optional
+            Displacement [m] at which the record has swung to the other side; noise about upright is
+            below it, and a half-cycle with a smaller peak is not one. It follows from the record,
+            by `resolved_floor`, if not given.
+        crossing : str, optional
+            "displacement", where that is zero, or "acceleration", as in the thesis, whose wall
+            slid, so that a zero displacement is not upright. With losses spread over the
+            displacement the acceleration vanishes up to some mm before upright.
 
+        Returns
+        -------
+        FreeVibration
+            Peaks and crossings in turn.
+
+        Raises
+        ------
+        ValueError
+            Where nothing turns back, for times that do not increase, and for a gap in the samples
+            (NaN).
+
+        Notes
+        -----
         A record that begins at rest has its first peak there, within one sample; a last half-cycle
         that does not turn back, by more than `smallest`, has none.
-
-        Raises ValueError where nothing turns back, for times that do not increase, and for a gap in
-        the samples (NaN).
         """
         from scipy.interpolate import CubicSpline  # takes long to import
 
@@ -198,14 +271,24 @@ class FreeVibration:
         )
 
     def quarter_periods(self) -> QuarterPeriods:
-        """Times from each peak to the crossing after it; thesis Figure 4-13."""
+        """Times from each peak to the crossing after it; thesis Figure 4-13.
+
+        Returns
+        -------
+        QuarterPeriods
+            Peaks and times.
+        """
         starts = np.flatnonzero(self.at_peak[:-1])
         return QuarterPeriods(self.displacement[starts], np.diff(self.time)[starts])
 
     def damping_ratios(self) -> CycleDamping:
         """Damping of each cycle, from a peak to the next one of its side; thesis 5-7, Figure 5-16.
 
-        By the formula of small damping, `damping_from_decrement`; negative where the motion grew.
+        Returns
+        -------
+        CycleDamping
+            Damping ratios by the formula of small damping, `damping_from_decrement`; negative where
+            the motion grew.
         """
         peaks = self.displacement[self.at_peak]
         return CycleDamping(peaks[:-2], damping_from_decrement(peaks[:-2], peaks[2:]))
@@ -213,13 +296,26 @@ class FreeVibration:
     def energies(self, structure: Wall | Structure, quantity: str = "displacement") -> Energies:
         """Energies of a structure at each peak and crossing, above upright; thesis 4-18 to 4-20.
 
-        structure : any, by its own energies, in its states of equilibrium at the displacements of
-        the record, which it passes with the velocities of the record; see `static_energy`.
-        quantity : of the structure, that the record calls displacement: its rotation, "theta", or
-        one of a response that grows with it; of a `Wall`, Figure 4-29, the displacement at its
-        height H. Where the record has the force of the wall's only tendon, the elastic energy is
-        that of the measured force.
-        Raises ValueError for a measured force beyond yield and for several tendons.
+        Parameters
+        ----------
+        structure : Wall or Structure
+            Any structure, by its own energies, in its states of equilibrium at the displacements of
+            the record, with the velocities of the record; see `static_energy`.
+        quantity : str, optional
+            Quantity of the structure that the record calls displacement: its rotation, "theta", or
+            one of a response that grows with it; of a `Wall`, Figure 4-29, the displacement at its
+            height H. Where the record has the force of the wall's only tendon, the elastic energy
+            is that of the measured force.
+
+        Returns
+        -------
+        Energies
+            Energies (n,) [J].
+
+        Raises
+        ------
+        ValueError
+            For a measured force beyond yield and for several tendons.
         """
         if not isinstance(structure, Wall):
             return _energies_of(structure, quantity, self.displacement, self.velocity)
@@ -244,9 +340,27 @@ class FreeVibration:
     ) -> Restitution:
         """Apparent coefficients of restitution, between successive peaks; thesis Figure 4-30.
 
-        structure, quantity : as in `energies`. energy_ratio r is that of the total energies at the
-        peaks after and before each crossing, speed that at the crossing. `Impacts` says besides how
-        sure they are.
+        Parameters
+        ----------
+        structure : Wall or Structure
+            Structure, as in `energies`.
+        quantity : str, optional
+            Quantity of the structure that the record calls displacement, as in `energies`.
+
+        Returns
+        -------
+        Restitution
+            Energy ratios r of the total energies at the peaks after and before each crossing, and
+            the speeds at the crossings.
+
+        Raises
+        ------
+        ValueError
+            As `energies`.
+
+        See Also
+        --------
+        Impacts : Energy ratios with their uncertainty.
         """
         peaks = np.flatnonzero(self.at_peak)
         total = self.energies(structure, quantity).total[peaks]
@@ -254,11 +368,28 @@ class FreeVibration:
         return Restitution(total[1:] / total[:-1], speed, self.displacement[peaks[:-1]])
 
     def rotation_centre(self, half_width: float) -> np.ndarray:
-        """Distance of the rotation centre from the pressed edge, from the uplifts [m]; 4-1, 4-2.
+        """Distance of the rotation centre from the pressed edge, from the uplifts; thesis 4-1, 4-2.
 
-        half_width B of the base [m]. Where the base is straight, 2 B u/(u - u'), u the uplift of
-        the pressed edge, mostly negative, and u' that of the other; negative where both are
-        positive. NaN where they are equal. The pressed edge is that of the smaller uplift.
+        Parameters
+        ----------
+        half_width : float
+            Half of the width of the base, B [m].
+
+        Returns
+        -------
+        ndarray
+            Distance (n,) [m], NaN where the uplifts are equal.
+
+        Raises
+        ------
+        ValueError
+            For a record without uplifts, and a half-width that is not positive.
+
+        Notes
+        -----
+        Where the base is straight it is 2 B u/(u - u'), u the uplift of the pressed edge, mostly
+        negative, and u' that of the other; negative where both are positive. The pressed edge is
+        that of the smaller uplift.
         """
         if self.left_uplift is None or self.right_uplift is None:
             raise ValueError("FreeVibration.rotation_centre: the record has no uplifts: give both")
@@ -287,13 +418,28 @@ def _energies_of(
 
 
 def resolved_floor(time: ArrayLike, displacement: ArrayLike, noise: float | None = None) -> float:
-    """The smallest peak that a record of free vibration resolves, in its unit.
+    """Smallest peak that a record of free vibration resolves, in its unit.
 
-    time (n,) [s]; displacement (n,), from upright. noise : standard deviation; `noise_level` of the
-    record if not given. It is the larger of two: five standard deviations, which noise passes once
-    in two million samples; and the peak of the largest half-cycle of fewer than six samples, whose
-    height they do not tell. By this a record without noise ends where rocking becomes too fast
-    for it, and one that is at rest for most of its time needs no `smallest`.
+    Parameters
+    ----------
+    time : array_like
+        Times (n,) [s].
+    displacement : array_like
+        Displacements (n,) from upright, in any unit.
+    noise : float, optional
+        Standard deviation of the noise; `noise_level` of the record if not given.
+
+    Returns
+    -------
+    float
+        Smallest peak, in the unit of the displacement.
+
+    Notes
+    -----
+    It is the larger of two: five standard deviations, which noise exceeds once in two million
+    samples; and the peak of the largest half-cycle of fewer than six samples, whose height they do
+    not show. A record without noise thus ends where rocking becomes too fast for it, and one that
+    is at rest for most of its time needs no `smallest`.
     """
     t, x = numbers("resolved_floor", time=time, displacement=displacement)
     if noise is None:
@@ -389,10 +535,24 @@ def _begins_at_rest(t: np.ndarray, x: np.ndarray, path: CubicSpline, floor: floa
 
 
 def coefficient_of_determination(measured: ArrayLike, predicted: ArrayLike) -> float:
-    """R**2 of a prediction, 1 - sum((y - f)**2)/sum((y - mean(y))**2) [-].
+    """R2 of a prediction, ``1 - sum((y - f)**2)/sum((y - mean(y))**2)``.
 
-    measured y, predicted f : shape (n,). Negative where the mean predicts better.
-    Raises ValueError where all that was measured is the same.
+    Parameters
+    ----------
+    measured : array_like
+        Measured values y (n,).
+    predicted : array_like
+        Predicted values f (n,).
+
+    Returns
+    -------
+    float
+        Coefficient; negative where the mean predicts better.
+
+    Raises
+    ------
+    ValueError
+        Where all measured values are the same.
     """
     where = "coefficient_of_determination"
     measured, predicted = numbers(where, measured=measured, predicted=predicted)

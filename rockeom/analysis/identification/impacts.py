@@ -54,7 +54,17 @@ def _speed(structure: Structure, y: np.ndarray, energy: float) -> float:
 
 
 class Peaks(NamedTuple):
-    """Peaks of a channel: time [s], value with its sign, standard deviation of the value."""
+    """Peaks of a channel.
+
+    Parameters
+    ----------
+    time : ndarray
+        Times (n,) [s].
+    value : ndarray
+        Values with their sign (n,), in the unit of the channel.
+    deviation : ndarray
+        Standard deviations of the values (n,).
+    """
 
     time: np.ndarray
     value: np.ndarray
@@ -66,10 +76,23 @@ def fitted_peaks(
 ) -> Peaks:
     """Peaks of a free vibration, each of the polynomial of degree 4 that fits it best.
 
-    record and channel : a free vibration that counts from upright; smallest : as in
-    `MeasuredRecord.free_vibration`. reach : the part of a half-cycle, about its middle, over which
-    it is fitted. The deviation follows from the noise of the
-    record, or from the residuals of the polynomial where they are larger.
+    Parameters
+    ----------
+    record : MeasuredRecord
+        Record of a free vibration that counts from upright.
+    channel : str
+        Channel of the record.
+    smallest : float, optional
+        Displacement at which the record has swung to the other side, as in
+        `MeasuredRecord.free_vibration`.
+    reach : float, optional
+        Part of a half-cycle, about its middle, over which the polynomial is fitted.
+
+    Returns
+    -------
+    Peaks
+        Peaks, with deviations by the noise of the record, or by the residuals of the polynomial
+        where they are larger.
     """
     free = record.free_vibration(channel, smallest)
     t, x, noise = record.time, record[channel], record.noise[channel]
@@ -86,9 +109,18 @@ def fitted_peaks(
 
 
 class PeakChange(NamedTuple):
-    """Effect of a filter on peaks, (n,) each: time [s], height before and after it, deviation.
+    """Effect of a filter on peaks, (n,) each.
 
-    deviation : standard deviation of the height before.
+    Parameters
+    ----------
+    time : ndarray
+        Time [s].
+    before : ndarray
+        Height before the filter, in the unit of the channel.
+    after : ndarray
+        Height after it.
+    deviation : ndarray
+        Standard deviation of the height before.
     """
 
     time: np.ndarray
@@ -106,10 +138,30 @@ def low_pass_on_peaks(
 ) -> PeakChange:
     """Peaks of a free vibration before and after `MeasuredRecord.low_pass`.
 
-    cutoff [Hz] and order as there, smallest as in `MeasuredRecord.free_vibration`. Before, they are
-    those of `fitted_peaks`; after, the largest sample about each. A peak of rocking is round, an
-    impact a bend of the trace: the filter hardly lowers a peak whose half-cycle is long against
-    1/cutoff, and rounds the bends. It lowers a peak at the start of a record, too.
+    Parameters
+    ----------
+    record : MeasuredRecord
+        Record of a free vibration.
+    channel : str
+        Channel of the record.
+    cutoff : float
+        Cutoff frequency of the filter [Hz].
+    order : int, optional
+        Order of the filter.
+    smallest : float, optional
+        Displacement at which the record has swung to the other side, as in
+        `MeasuredRecord.free_vibration`.
+
+    Returns
+    -------
+    PeakChange
+        Heights before, by `fitted_peaks`, and after, the largest sample about each peak.
+
+    Notes
+    -----
+    A peak of rocking is round, an impact a bend of the trace: the filter hardly lowers a peak whose
+    half-cycle is long against 1/cutoff, and rounds the bends. It lowers a peak at the start of a
+    record, too.
     """
     peaks = fitted_peaks(record, channel, smallest)
     filtered = record.low_pass(cutoff, order)[channel]
@@ -152,10 +204,18 @@ def _fitted_peak(
 
 
 class Mean(NamedTuple):
-    """The mean ratio of kinetic energies of several impacts.
+    """Mean energy ratio of several impacts.
 
-    energy_ratio : mean of r. half_width : of its interval of confidence at 95 %. scatter : standard
-    deviation of r. number : of impacts.
+    Parameters
+    ----------
+    energy_ratio : float
+        Mean of r.
+    half_width : float
+        Half-width of its interval of confidence at 95 %.
+    scatter : float
+        Standard deviation of r.
+    number : int
+        Number of impacts.
     """
 
     energy_ratio: float
@@ -167,8 +227,16 @@ class Mean(NamedTuple):
 class EnergyLossFit(NamedTuple):
     """Energy lost at an impact as a polynomial of its speed; thesis 3-17 and 3-18.
 
-    coefficients (k,) of speed**1, speed**2 ... [J/(rad/s)**n]; deviations (k,) of them; r_squared.
-    Calling it with speeds [rad/s] gives the change of energy [J], negative where it is lost.
+    A call with speeds [rad/s] returns the change of energy [J], negative where it is lost.
+
+    Parameters
+    ----------
+    coefficients : ndarray
+        Coefficients (k,) of speed, speed^2, ... [J/(rad/s)^n].
+    deviations : ndarray
+        Standard deviations of these (k,).
+    r_squared : float
+        Coefficient of determination.
     """
 
     coefficients: np.ndarray
@@ -184,11 +252,26 @@ class EnergyLossFit(NamedTuple):
 class Impacts:
     """Impacts of a free rocking test in the order of time, (n,) each.
 
-    time [s], between the two peaks; foot : "left" or "right", which lands; speed : angular velocity
-    just before [rad/s], positive where the right foot lands, of the energy before; peak_before,
-    peak_after : rotations, or values of the measured quantity; energy_before,
-    energy_after [J], above upright; half_width : of the interval about `energy_ratio` in which it
-    lies with 95 %, by the noise alone; 0 where none was stated.
+    Parameters
+    ----------
+    time : ndarray
+        Time between the two peaks [s].
+    foot : ndarray
+        "left" or "right", the foot that lands.
+    speed : ndarray
+        Angular velocity just before, of the energy before [rad/s]; positive where the right foot
+        lands.
+    peak_before : ndarray
+        Rotation, or value of the measured quantity, at the peak before.
+    peak_after : ndarray
+        Rotation, or value of the measured quantity, at the peak after.
+    energy_before : ndarray
+        Energy above upright at the peak before [J].
+    energy_after : ndarray
+        Energy above upright at the peak after [J].
+    half_width : ndarray
+        Half-width of the interval about `energy_ratio` in which it lies with 95 %, by the noise
+        alone; 0 where none was stated.
     """
 
     time: np.ndarray
@@ -214,10 +297,34 @@ class Impacts:
     ) -> Impacts:
         """Impacts by the peaks of a channel of a record, as `of_peaks`.
 
-        record : as measured; each peak is fitted, which needs no filter, and the noise of the
-        record gives the intervals. channel : "theta", or as the structure calls its rotation, if
-        not given. quantity : what the channel has measured, as in `of_peaks`.
-        smallest : as in `MeasuredRecord.free_vibration`.
+        Parameters
+        ----------
+        record : MeasuredRecord
+            Record as measured; each peak is fitted, which needs no filter, and the noise of the
+            record gives the intervals.
+        structure : Structure
+            Structure of the test.
+        channel : str, optional
+            Channel; "theta", or as the structure calls its rotation, if not given.
+        quantity : str, optional
+            Quantity that the channel has measured, as in `of_peaks`.
+        threshold : float, optional
+            Impacts with less energy before them are left out [J].
+        rotational_stiffness : float, optional
+            Stiffness of an elastic rotational spring [N m/rad]; thesis 3-16.
+        smallest : float, optional
+            Displacement at which the record has swung to the other side, as in
+            `MeasuredRecord.free_vibration`.
+
+        Returns
+        -------
+        Impacts
+            Impacts in the order of time.
+
+        Raises
+        ------
+        ValueError
+            As `of_peaks`.
         """
         peaks = fitted_peaks(record, channel or _rotation_of(structure), smallest)
         return cls.of_peaks(
@@ -244,16 +351,36 @@ class Impacts:
     ) -> Impacts:
         """Impacts by successive peaks: r = U_after/U_before by the structure's own energies.
 
-        time (n,) [s]; peaks (n,), rotations of the structure on both sides in turn, signed;
-        deviation : standard deviation of the peaks, (n,) or one for all.
-        quantity : of the peaks, if not the rotation: "displacement" of the load point or another
-        that grows with the rotation, as in `static_energy`.
-        threshold : impacts with less energy before them are left out [J]; r is a ratio, and its
-        error grows as the energy falls. Thesis section 3.2.4 uses 6 J for its block.
-        rotational_stiffness : of an elastic spring [N m/rad]; 3-16.
+        Parameters
+        ----------
+        time : array_like
+            Times of the peaks (n,) [s].
+        peaks : array_like
+            Rotations of the structure on both sides in turn, signed (n,) [rad], or values of the
+            quantity.
+        structure : Structure
+            Structure of the test.
+        quantity : str, optional
+            Quantity of the peaks, if not the rotation: "displacement" of the load point or another
+            that grows with the rotation, as in `static_energy`.
+        deviation : array_like, optional
+            Standard deviation of the peaks, (n,) or one for all.
+        threshold : float, optional
+            Impacts with less energy before them are left out [J]; r is a ratio, and its error grows
+            as the energy falls. Thesis section 3.2.4 uses 6 J for its block.
+        rotational_stiffness : float, optional
+            Stiffness of an elastic rotational spring [N m/rad]; thesis 3-16.
 
-        Raises ValueError for fewer than two peaks, peaks that do not change side, and a peak at or
-        beyond the balance of the structure.
+        Returns
+        -------
+        Impacts
+            Impacts in the order of time.
+
+        Raises
+        ------
+        ValueError
+            For fewer than two peaks, peaks that do not change side, and a peak at or beyond the
+            balance of the structure.
         """
         where = "Impacts.of_peaks"
         t, x = numbers(where, time=time, peaks=peaks)
@@ -310,30 +437,79 @@ class Impacts:
         return len(self.time)
 
     def select(self, chosen: ArrayLike) -> Impacts:
-        """Impacts selected by a mask (n,) or by their numbers."""
+        """Some of the impacts.
+
+        Parameters
+        ----------
+        chosen : array_like
+            Mask (n,) or numbers of impacts.
+
+        Returns
+        -------
+        Impacts
+            Selected impacts.
+        """
         rows = np.asarray(chosen)
         return Impacts(**{f.name: getattr(self, f.name)[rows] for f in fields(self)})
 
     def at_foot(self, foot: str) -> Impacts:
-        """Impacts in which the "left" or the "right" foot lands; ValueError for another foot."""
+        """Impacts in which one of the feet lands.
+
+        Parameters
+        ----------
+        foot : str
+            "left" or "right".
+
+        Returns
+        -------
+        Impacts
+            Impacts of this foot.
+
+        Raises
+        ------
+        ValueError
+            For another foot.
+        """
         if foot not in ("left", "right"):
             raise ValueError(f"Impacts.at_foot: foot is {foot!r}: left or right")
         return self.select(self.foot == foot)
 
     @staticmethod
     def together(several: list[Impacts]) -> Impacts:
-        """Impacts of several tests, one after the other."""
+        """Impacts of several tests, one after the other.
+
+        Parameters
+        ----------
+        several : list of Impacts
+            Impacts of each test.
+
+        Returns
+        -------
+        Impacts
+            Impacts of all tests.
+        """
         names = [f.name for f in fields(Impacts)]
         return Impacts(**{n: np.concatenate([getattr(s, n) for s in several]) for n in names})
 
     def mean(self) -> Mean:
         """Mean of r with its interval, and how it scatters.
 
+        Returns
+        -------
+        Mean
+            Mean, interval, scatter and number.
+
+        Raises
+        ------
+        ValueError
+            Where there is no impact.
+
+        Notes
+        -----
         Where the noise explains the scatter (99 % of chi-squared) each counts by its accuracy, and
         the interval is that of the noise. Else the ratios themselves differ, or no noise was
         stated: all count alike, and the interval is that of their scatter (Student's t). Impacts of
         one foot share no peak; of both feet they do, and then it is somewhat too wide.
-        Raises ValueError where there is no impact.
         """
         from scipy.stats import chi2, t
 
@@ -351,21 +527,58 @@ class Impacts:
         return Mean(float(np.mean(r)), half_width, scatter, n)
 
     def cumulative(self) -> tuple[np.ndarray, np.ndarray]:
-        """(r, part): sorted r (n,), and the part of the impacts with no more; Figure 3-20."""
+        """Cumulative distribution of r; thesis Figure 3-20.
+
+        Returns
+        -------
+        r : ndarray
+            Sorted r (n,).
+        part : ndarray
+            Part of the impacts with no more (n,).
+        """
         return np.sort(self.energy_ratio), np.arange(1, len(self) + 1) / len(self)
 
     def histogram(self, width: float = 0.01) -> tuple[np.ndarray, np.ndarray]:
-        """(edges (k + 1,), counts (k,)) of r in classes of equal width; thesis Figure 3-19."""
+        """Histogram of r in classes of equal width; thesis Figure 3-19.
+
+        Parameters
+        ----------
+        width : float, optional
+            Width of a class.
+
+        Returns
+        -------
+        edges : ndarray
+            Edges of the k classes (k + 1,).
+        counts : ndarray
+            Number of impacts in each (k,).
+        """
         r = self.energy_ratio
         first, last = np.floor(r.min() / width), np.floor(r.max() / width) + 1
         edges = width * np.arange(first, last + 1)
         return edges, np.histogram(r, edges)[0]
 
     def energy_loss_fit(self, degree: int = 3) -> EnergyLossFit:
-        """Least squares of the change of energy on speed, speed**2 ... speed**degree; 3-17, 3-18.
+        """Least squares of the change of energy on speed, speed^2, ...; thesis 3-17, 3-18.
 
-        There is no constant: no energy is lost without speed. Raises ValueError for fewer impacts
-        than degree + 1.
+        Parameters
+        ----------
+        degree : int, optional
+            Highest power of the speed.
+
+        Returns
+        -------
+        EnergyLossFit
+            Coefficients with their deviations.
+
+        Raises
+        ------
+        ValueError
+            For fewer impacts than degree + 1.
+
+        Notes
+        -----
+        There is no constant: no energy is lost without speed.
         """
         if len(self) < degree + 1:
             raise ValueError(
@@ -387,12 +600,27 @@ class Impacts:
 
 
 def record_energies(record: MeasuredRecord, structure: Structure) -> Energies:
-    """Energies of a structure at each sample of a record, above those upright, (n,) each [J].
+    """Energies of a structure at each sample of a record, above those upright.
 
-    record : channels named as the structure's states, at least the rotation and its rate, such as
-    theta and theta_dot (`MeasuredRecord.with_derivatives`); states that it lacks count as zero.
-    Each sample counts as on the foot of its side.
-    Raises ValueError where the rotation or its rate is missing. Thesis 3-1, 3-2, Figure 3-9.
+    Thesis 3-1, 3-2, Figure 3-9.
+
+    Parameters
+    ----------
+    record : MeasuredRecord
+        Channels named as the structure's states, at least the rotation and its rate, such as theta
+        and theta_dot (`MeasuredRecord.with_derivatives`); states that it lacks count as zero.
+    structure : Structure
+        Structure of the test.
+
+    Returns
+    -------
+    Energies
+        Energies (n,) each [J]. Each sample counts as on the foot of its side.
+
+    Raises
+    ------
+    ValueError
+        Where the rotation or its rate is missing.
     """
     m = structure.module
     rotation, rate = m.STATES[m.ROTATION], m.STATES[m.ROTATION_RATE]
@@ -412,10 +640,16 @@ def record_energies(record: MeasuredRecord, structure: Structure) -> Energies:
 
 
 class RotationalSpring(NamedTuple):
-    """A rotational spring fitted to a record.
+    """Rotational spring fitted to a record.
 
-    stiffness [N m/rad]. deviation : its standard deviation [N m/rad]. of_half_cycles : the
-    stiffness of each half-cycle (n,) [N m/rad].
+    Parameters
+    ----------
+    stiffness : float
+        Stiffness [N m/rad].
+    deviation : float
+        Standard deviation of the stiffness [N m/rad].
+    of_half_cycles : ndarray
+        Stiffness of each half-cycle (n,) [N m/rad].
     """
 
     stiffness: float
@@ -429,13 +663,34 @@ def fitted_rotational_spring(
     channel: str | None = None,
     count: int | None = None,
 ) -> RotationalSpring:
-    """The rotational spring with which the total energy is most constant between impacts; 3-4.
+    """Rotational spring with which the total energy is most constant between impacts; thesis 3-4.
 
-    record and structure as in `record_energies`; channel as in `Impacts.of_record`. The stiffness
-    of a half-cycle is that of the straight line through the energy against theta**2/2, without the
-    samples near the impacts and at the release. count : number of half-cycles, from the first; all
-    if not given. The mean weights them by the spread of theta**2, and its deviation is that of
-    their scatter. Raises ValueError for fewer than two half-cycles.
+    Parameters
+    ----------
+    record : MeasuredRecord
+        Record of a free vibration, as in `record_energies`.
+    structure : Structure
+        Structure of the test.
+    channel : str, optional
+        Channel of the rotation, as in `Impacts.of_record`.
+    count : int, optional
+        Number of half-cycles, from the first; all if not given.
+
+    Returns
+    -------
+    RotationalSpring
+        Stiffness of all half-cycles and of each.
+
+    Raises
+    ------
+    ValueError
+        For fewer than two half-cycles.
+
+    Notes
+    -----
+    The stiffness of a half-cycle is that of the straight line through the energy against theta^2/2,
+    without the samples near the impacts and at the release. The mean weights them by the spread of
+    theta^2, and its deviation is that of their scatter.
     """
     channel = channel or _rotation_of(structure)
     free = record.free_vibration(channel)
@@ -462,10 +717,25 @@ def fitted_rotational_spring(
 
 
 def rotational_stiffness_from_excess(excess_energy: ArrayLike, rotation: ArrayLike):
-    """Stiffness of the spring that holds an excess of energy at a rotation [N m/rad]; from 3-4.
+    """Stiffness of the spring that holds an excess of energy at a rotation; from thesis 3-4.
 
-    excess_energy [J]; rotation at which it occurs [rad]; any shapes, broadcast: 2 E/theta**2, as
-    thesis section 3.2.2 finds it.
+    Parameters
+    ----------
+    excess_energy : array_like
+        Excess of energy E [J].
+    rotation : array_like
+        Rotation theta at which it occurs [rad].
+
+    Returns
+    -------
+    float or ndarray
+        Stiffness 2 E/theta^2 [N m/rad], as in thesis section 3.2.2, in the shape of both,
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a rotation of zero.
     """
     where = "rotational_stiffness_from_excess"
     energy, theta = numbers(where, excess_energy=excess_energy, rotation=rotation)

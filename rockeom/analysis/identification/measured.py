@@ -11,18 +11,50 @@ from rockeom.numbers.arguments import not_negative, numbers, positive, require
 
 
 def stiffness_from_period(mass: ArrayLike, period: ArrayLike):
-    """Lateral stiffness of a mass that vibrates on a fixed base, 4 pi**2 m/T**2 [N/m]; thesis 5-1.
+    """Lateral stiffness of a mass that vibrates on a fixed base, 4 pi^2 m/T^2; thesis 5-1.
 
-    mass [kg]; period [s]; any shapes, broadcast.
+    Parameters
+    ----------
+    mass : array_like
+        Mass m [kg].
+    period : array_like
+        Period T [s].
+
+    Returns
+    -------
+    float or ndarray
+        Stiffness [N/m], in the shape of both arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For arguments that are not finite and positive, or whose shapes do not broadcast.
     """
     mass, period = positive("stiffness_from_period", mass=mass, period=period)
     return mass * (2 * np.pi / period) ** 2
 
 
 def viscous_coefficient(damping_ratio: ArrayLike, mass: ArrayLike, stiffness: ArrayLike):
-    """Coefficient of the viscous damper, 2 xi sqrt(m k) [N s/m]; thesis 5-36.
+    """Coefficient of the viscous damper, 2 xi sqrt(m k); thesis 5-36.
 
-    damping_ratio xi; mass [kg]; stiffness [N/m]; any shapes, broadcast.
+    Parameters
+    ----------
+    damping_ratio : array_like
+        Damping ratio xi.
+    mass : array_like
+        Mass m [kg].
+    stiffness : array_like
+        Stiffness k [N/m].
+
+    Returns
+    -------
+    float or ndarray
+        Coefficient [N s/m], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For arguments that are not finite and positive, or whose shapes do not broadcast.
     """
     (ratio,) = not_negative("viscous_coefficient", damping_ratio=damping_ratio)
     mass, stiffness = positive("viscous_coefficient", mass=mass, stiffness=stiffness)
@@ -33,20 +65,51 @@ def viscous_coefficient(damping_ratio: ArrayLike, mass: ArrayLike, stiffness: Ar
 
 
 def rotation_from_displacement(displacement: ArrayLike, half_width: ArrayLike, height: ArrayLike):
-    """Rotation of a rigid structure from the displacement of one of its points [rad]; thesis 5-2.
+    """Rotation of a rigid structure from the displacement of one of its points; thesis 5-2.
 
-    displacement : horizontal, of a point of the centreline that stands `height` above the feet
-        [m]; either sign. half_width : from the centreline to the pivot [m]. Any shapes, broadcast.
+    Parameters
+    ----------
+    displacement : array_like
+        Horizontal displacement of a point of the centreline, either sign [m].
+    half_width : array_like
+        Distance from the centreline to the pivot [m].
+    height : array_like
+        Height of the point above the feet [m].
 
-    Raises ValueError for a displacement that no rotation about the foot reaches.
+    Returns
+    -------
+    float or ndarray
+        Rotation [rad], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a displacement that no rotation about the foot reaches.
     """
     return _rotation("rotation_from_displacement", displacement, half_width, height)
 
 
 def displacement_from_rotation(rotation: ArrayLike, half_width: ArrayLike, height: ArrayLike):
-    """Displacement that a rotation gives, the inverse of thesis 5-2 [m].
+    """Displacement that a rotation gives, the inverse of thesis 5-2.
 
-    rotation [rad], either sign; half_width, height as in `rotation_from_displacement`.
+    Parameters
+    ----------
+    rotation : array_like
+        Rotation, either sign [rad].
+    half_width : array_like
+        Distance from the centreline to the pivot [m].
+    height : array_like
+        Height of the point of the centreline above the feet [m].
+
+    Returns
+    -------
+    float or ndarray
+        Horizontal displacement of the point [m], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a half-width or a height that is not positive.
     """
     where = "displacement_from_rotation"
     (rotation,) = numbers(where, rotation=rotation)
@@ -83,15 +146,34 @@ def rotation_centre(
     slope: ArrayLike = 127.6,
     base_width: ArrayLike = 0.6,
 ):
-    """Distance of the centre of rotation from the left edge of the base [m]; thesis 5-5.
+    """Distance of the centre of rotation from the left edge of the base; thesis 5-5.
 
-    displacement : of the point of measurement [m], either sign. Returns
-    reach tanh(slope displacement) + base_width/2, in their shapes, broadcast.
-    reach : of the centre to either side [m]. slope [1/m]. base_width [m].
-    The values that are used if none are given were fitted to one test, run 2 of McManus (1980):
-    a steel column on soft rubber, displacements of up to 0.029 m at a height of 1.056 m.
+    Parameters
+    ----------
+    displacement : array_like
+        Displacement of the point of measurement, either sign [m].
+    reach : array_like, optional
+        Reach of the centre to either side [m].
+    slope : array_like, optional
+        Slope of the hyperbolic tangent [1/m].
+    base_width : array_like, optional
+        Width of the base [m].
 
-    Raises ValueError where the centre would pass the edge of the base.
+    Returns
+    -------
+    float or ndarray
+        Distance, reach tanh(slope displacement) + base_width/2 [m], in the shape of all arguments,
+        broadcast.
+
+    Raises
+    ------
+    ValueError
+        Where the centre would pass the edge of the base.
+
+    Notes
+    -----
+    The default values were fitted to one test, run 2 of McManus (1980): a steel column on soft
+    rubber, displacements of up to 0.029 m at a height of 1.056 m.
     """
     where = "rotation_centre"
     (displacement,) = numbers(where, displacement=displacement)
@@ -108,15 +190,33 @@ def rotation_about_moving_centre(
     height: ArrayLike,
     base_width: ArrayLike = 0.6,
 ):
-    """Rotation of a structure about a centre that moves along its base [rad]; thesis 5-6.
+    """Rotation of a structure about a centre that moves along its base; thesis 5-6.
 
-    displacement, height : as in `rotation_from_displacement` [m]. centre : its distance from the
-    left edge of the base, such as `rotation_centre` gives [m]. base_width [m]; 0.6 is that of the
-    column of McManus (1980). Any shapes, broadcast.
+    Parameters
+    ----------
+    displacement : array_like
+        Horizontal displacement of a point of the centreline [m].
+    centre : array_like
+        Distance of the centre from the left edge of the base, such as `rotation_centre` gives [m].
+    height : array_like
+        Height of the point above the feet [m].
+    base_width : array_like, optional
+        Width of the base [m]; 0.6 is that of the column of McManus (1980).
 
+    Returns
+    -------
+    float or ndarray
+        Rotation [rad], in the shape of all arguments, broadcast.
+
+    Raises
+    ------
+    ValueError
+        For a centre outside the base, and a displacement that no rotation reaches.
+
+    Notes
+    -----
     This is 5-2 with half_width = base_width/2 - min(x, y), x and y = base_width - x the distances
     to both edges: the present centre counts as the pivot of the whole rotation.
-    Raises ValueError for a centre outside the base.
     """
     where = "rotation_about_moving_centre"
     (centre,) = numbers(where, centre=centre)

@@ -20,10 +20,21 @@ from rockeom.numbers.arguments import not_negative, positive
 class SupportForces(NamedTuple):
     """Forces of the ground on a block, (n,) each.
 
-    time [s]. horizontal, vertical : forces [N].
-    horizontal_half_width, vertical_half_width : of their intervals of confidence at 95 % [N].
-    smooth : whether no impact lies within the window of the derivatives, so that they are those of
-    one foot. Elsewhere they are the trace of the jump of the rate in the window.
+    Parameters
+    ----------
+    time : ndarray
+        Time [s].
+    horizontal : ndarray
+        Horizontal force [N].
+    vertical : ndarray
+        Vertical force [N].
+    horizontal_half_width : ndarray
+        Half-width of the interval of confidence of the horizontal force at 95 % [N].
+    vertical_half_width : ndarray
+        Half-width of that of the vertical force [N].
+    smooth : ndarray
+        Whether no impact lies within the window of the derivatives, so that the forces are those of
+        one foot. Elsewhere they are the trace of the jump of the angular velocity in the window.
     """
 
     time: np.ndarray
@@ -48,12 +59,42 @@ def support_forces_of_record(
 ) -> SupportForces:
     """Forces on a block from its recorded rotation, by differentiation; thesis 3-8 and 3-9.
 
-    record : as measured, the channel a rotation [rad]; window [s] and degree of the derivatives, as
-    in `MeasuredRecord.with_derivatives`. mass [kg], alpha [rad], radius [m] of the block; gravity
-    [m/s2]. ground_acceleration : channel that has it [m/s2]; still ground if not given.
-    The half-widths are those of the record's noise, propagated through the derivatives. The misfit
-    of the polynomial adds to them: a window of a third of the shortest half-cycle of interest or
-    less keeps it small.
+    Parameters
+    ----------
+    record : MeasuredRecord
+        Record as measured.
+    mass : float
+        Mass of the block [kg].
+    alpha : float
+        Slenderness: angle of the line from an edge to the centroid, from the vertical [rad].
+    radius : float
+        Distance R from an edge to the centroid [m].
+    window : float
+        Window of the derivatives [s], as in `MeasuredRecord.with_derivatives`.
+    channel : str, optional
+        Channel of the rotation [rad].
+    degree : int, optional
+        Degree of the polynomial of the derivatives.
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+    ground_acceleration : str, optional
+        Channel of the ground's acceleration [m/s2]; still ground if not given.
+
+    Returns
+    -------
+    SupportForces
+        Forces at each sample. The half-widths are those of the record's noise, propagated through
+        the derivatives.
+
+    Raises
+    ------
+    ValueError
+        For an unknown channel, a window of too few samples, and numbers that are not positive.
+
+    Notes
+    -----
+    The misfit of the polynomial adds to the half-widths: a window of a third of the shortest
+    half-cycle of interest or less keeps it small.
     """
     where = "support_forces_of_record"
     positive(where, mass=mass, window=window)
@@ -92,11 +133,29 @@ def support_forces_of_record(
 class ImpactForces(NamedTuple):
     """Bounds of the force of each impact by a record, (n,) each; see `impact_forces_of_record`.
 
-    time [s]; speed : angular velocity before it [rad/s], positive where the right foot lands;
-    horizontal, vertical : the largest about the impact, by size [N]; of both, magnitude [N], and
-    angle from the vertical [rad]. baseline_horizontal, baseline_vertical : of the block just before
-    (3-11, 3-12) [N]. expected_horizontal, expected_vertical : the trace that a jump of the rate
-    without duration has in the window, over the baseline [N].
+    Parameters
+    ----------
+    time : ndarray
+        Time of the impact [s].
+    speed : ndarray
+        Angular velocity before it [rad/s], positive where the right foot lands.
+    horizontal : ndarray
+        Largest horizontal force about the impact, by size [N].
+    vertical : ndarray
+        Largest vertical force about the impact, by size [N].
+    magnitude : ndarray
+        Size of both [N].
+    angle : ndarray
+        Angle of both from the vertical [rad].
+    baseline_horizontal : ndarray
+        Horizontal force on the block just before (3-11) [N].
+    baseline_vertical : ndarray
+        Vertical force on the block just before (3-12) [N].
+    expected_horizontal : ndarray
+        Trace, over the baseline, that a jump of the angular velocity without duration has in the
+        window [N].
+    expected_vertical : ndarray
+        The same of the vertical force [N].
     """
 
     time: np.ndarray
@@ -123,16 +182,47 @@ def impact_forces_of_record(
     gravity: float = STANDARD_GRAVITY,
     radius_ratio: float = 0.75,
 ) -> ImpactForces:
-    """The largest forces about each impact of a free block; thesis Figures 3-15 and 3-16.
+    """Largest forces about each impact of a free block; thesis Figures 3-15 and 3-16.
 
-    Arguments as in `support_forces_of_record`; radius_ratio : m R**2/I_o, for the baseline.
+    Parameters
+    ----------
+    record : MeasuredRecord
+        Record as measured.
+    mass : float
+        Mass of the block [kg].
+    alpha : float
+        Slenderness: angle of the line from an edge to the centroid, from the vertical [rad].
+    radius : float
+        Distance R from an edge to the centroid [m].
+    window : float
+        Window of the derivatives [s], as in `MeasuredRecord.with_derivatives`.
+    channel : str, optional
+        Channel of the rotation [rad].
+    degree : int, optional
+        Degree of the polynomial of the derivatives.
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+    radius_ratio : float, optional
+        Ratio m R**2/I_o, for the baseline.
 
-    They are no impact forces but lower bounds of them. An impact changes the rate by dv within less
-    than a sample, and the derivative spreads that over its window: an acceleration of dv times
-    `kink_gain`, for any force. Half the window doubles it. A record of the rotation alone shows the
-    part 1 - e of the vertical impulse m R sin(alpha) (1 + e) v: the other part, which reverses the
-    fall of the centroid, is in no derivative of the rotation.
-    The expected values are those of such a jump; the excess of a record may be the impact's own.
+    Returns
+    -------
+    ImpactForces
+        Forces about each impact.
+
+    Raises
+    ------
+    ValueError
+        As `support_forces_of_record`.
+
+    Notes
+    -----
+    They are no impact forces but lower bounds of them. An impact changes the angular velocity by dv
+    within less than a sample, and the derivative spreads that over its window: an acceleration of
+    dv times `kink_gain`, for any force. Half the window doubles it. A record of the rotation alone
+    shows the part 1 - e of the vertical impulse m R sin(alpha) (1 + e) v: the other part, which
+    reverses the fall of the centroid, is in no derivative of the rotation. The expected values are
+    those of such a jump; the excess of a record may be the impact's own.
     """
     support = support_forces_of_record(
         record, mass=mass, alpha=alpha, radius=radius, window=window, channel=channel,
@@ -163,10 +253,26 @@ def impact_forces_of_record(
 
 
 def kink_gain(step: float, window: float, degree: int = 4) -> float:
-    """Largest second derivative that a jump of the rate by 1 leaves at the bend [1/s].
+    """Largest second derivative that a jump of the rate by 1 leaves at the bend.
 
-    step between samples [s]; window [s] and degree as in `MeasuredRecord.with_derivatives`.
-    The larger one of a bend at a sample and of a bend between two.
+    Parameters
+    ----------
+    step : float
+        Time between samples [s].
+    window : float
+        Window of the derivatives [s], as in `MeasuredRecord.with_derivatives`.
+    degree : int, optional
+        Degree of the polynomial of the derivatives.
+
+    Returns
+    -------
+    float
+        Gain [1/s], the larger one of a bend at a sample and of a bend between two.
+
+    Raises
+    ------
+    ValueError
+        For a step or a window that is not positive.
     """
     where = "kink_gain"
     positive(where, step=step, window=window)

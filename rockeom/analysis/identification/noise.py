@@ -19,15 +19,29 @@ factor of the Guide to the Expression of Uncertainty in Measurement (JCGM 100:20
 class Noise:
     """Stationary noise of a channel, by its covariance.
 
-    covariance : (m,) of two samples that lie 0, 1, 2 ... samples apart [unit of the channel
-    squared]; beyond the last there is none. White noise has one number, the variance.
+    Parameters
+    ----------
+    covariance : ndarray
+        Covariance (m,) of two samples that lie 0, 1, 2 ... samples apart [unit of the channel
+        squared]; beyond the last there is none. White noise has one number, the variance.
     """
 
     covariance: np.ndarray
 
     @classmethod
     def white(cls, level: float) -> Noise:
-        """Noise that differs from sample to sample, of standard deviation `level`."""
+        """Noise that differs from sample to sample.
+
+        Parameters
+        ----------
+        level : float
+            Standard deviation [unit of the channel].
+
+        Returns
+        -------
+        Noise
+            White noise.
+        """
         (sigma,) = not_negative("Noise.white", level=level)
         return cls(np.atleast_1d(sigma**2))
 
@@ -37,7 +51,18 @@ class Noise:
         return float(np.sqrt(self.covariance[0]))
 
     def through(self, kernel: ArrayLike) -> Noise:
-        """The noise behind a filter whose response to one sample of 1 is `kernel`, (k,)."""
+        """Noise behind a filter.
+
+        Parameters
+        ----------
+        kernel : array_like
+            Response (k,) of the filter to one sample of 1.
+
+        Returns
+        -------
+        Noise
+            Noise of the filtered channel.
+        """
         from scipy.signal import fftconvolve
 
         (k,) = numbers("Noise.through", kernel=kernel)
@@ -46,7 +71,18 @@ class Noise:
         return Noise(behind[len(behind) // 2 :])
 
     def of_sum(self, weights: ArrayLike) -> float:
-        """Standard deviation of a sum of neighbouring samples with `weights`, (k,)."""
+        """Standard deviation of a sum of neighbouring samples.
+
+        Parameters
+        ----------
+        weights : array_like
+            Weights of the samples (k,).
+
+        Returns
+        -------
+        float
+            Standard deviation of the sum.
+        """
         (w,) = numbers("Noise.of_sum", weights=weights)
         lags = min(len(self.covariance), len(w))
         products = np.array([w[: len(w) - lag] @ w[lag:] for lag in range(lags)])
@@ -54,20 +90,48 @@ class Noise:
         return float(np.sqrt(max(twice @ (products * self.covariance[:lags]), 0.0)))
 
     def every(self, step: int) -> Noise:
-        """Noise of every `step`-th sample."""
+        """Noise of some of the samples.
+
+        Parameters
+        ----------
+        step : int
+            Every step-th sample remains.
+
+        Returns
+        -------
+        Noise
+            Noise of these.
+        """
         return Noise(self.covariance[::step])
 
 
 def noise_level(time: ArrayLike, values: ArrayLike, order: int = 6) -> float:
     """Standard deviation of the white noise of a channel, estimated from itself.
 
-    time (n,) [s], increasing; values (n,). order : of the divided differences that estimate
-    the noise; they are zero for a polynomial of lower degree, and nearly so for a motion that is
-    smooth over order + 1 samples. The median of their sizes is insensitive to impacts and outliers;
-    its own error is about 1.3/sqrt(n) of the value.
+    Parameters
+    ----------
+    time : array_like
+        Times (n,) [s], increasing.
+    values : array_like
+        Values (n,).
+    order : int, optional
+        Order of the divided differences that estimate the noise; they are zero for a polynomial of
+        lower degree, and nearly so for a motion that is smooth over order + 1 samples.
 
-    Noise that is not white, of a record that was filtered before, is underestimated: give its level
-    yourself. Raises ValueError for fewer than order + 2 samples and for times that do not increase.
+    Returns
+    -------
+    float
+        Standard deviation, in the unit of the values. Its own error is about 1.3/sqrt(n) of it.
+
+    Raises
+    ------
+    ValueError
+        For fewer than order + 2 samples and for times that do not increase.
+
+    Notes
+    -----
+    The median of the sizes of the differences is insensitive to impacts and outliers. Noise that is
+    not white, of a record that was filtered before, is underestimated: give its level yourself.
     """
     t, x = numbers("noise_level", time=time, values=values)
     if t.ndim != 1 or t.shape != x.shape or len(t) < order + 2:

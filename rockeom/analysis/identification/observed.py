@@ -51,11 +51,17 @@ _STEP = 1e-4
 
 
 class PredictedReadings(NamedTuple):
-    """The readings of a test that a model predicts.
+    """Readings of a test that a model predicts.
 
-    values (n,) : nan where there is no answer. derivatives (n, m) : along the directions of the
-    duals that the model was given, none of floats. outcome : "as measured", or how the motion
-    differs from that of the test.
+    Parameters
+    ----------
+    values : ndarray
+        Readings (n,), NaN where there is no answer.
+    derivatives : ndarray
+        Derivatives (n, m) along the directions of the duals that the model was called with, none of
+        floats.
+    outcome : str, optional
+        "as measured", or how the motion differs from that of the test.
     """
 
     values: np.ndarray
@@ -68,12 +74,24 @@ class PredictedReadings(NamedTuple):
 class Observed:
     """Values measured in a test, their noise, and the model that predicts them.
 
-    Made by `history`, `swings` or `formula`. model : a function of parameters, by name, that
-    returns `PredictedReadings`. measured (n,). noise : pairs of a standard deviation, or the name
-    of the parameter that it is, and the number of values that have it, in turn. limit : readings at
-    or beyond it, on either side, say only that the value is. takes : names of the parameters of the
-    model; None where it takes all. exact : whether the model calculates with `rk.Dual`; central
-    differences replace its derivatives otherwise.
+    Made by `history`, `swings` or `formula`.
+
+    Parameters
+    ----------
+    model : callable
+        Function of parameters, by name, that returns `PredictedReadings`.
+    measured : ndarray
+        Measured values (n,).
+    noise : tuple of (float or str, int)
+        Pairs of a standard deviation, or the name of the parameter that it is, and the number of
+        values that have it, in turn.
+    limit : float, optional
+        Readings at or beyond it, on either side, say only that the value is.
+    takes : tuple of str, optional
+        Names of the parameters of the model; None where it takes all.
+    exact : bool, optional
+        Whether the model calculates with `rk.Dual`; central differences replace its derivatives
+        otherwise.
     """
 
     model: Any
@@ -89,24 +107,47 @@ class Observed:
         quantity: str = "theta", noise: float | str = "noise", limit: float = np.inf,
         options: SolverOptions | None = None,
     ) -> Observed:  # fmt: skip
-        """A record, sample by sample: of a free vibration or of a shaken structure.
+        """Record, sample by sample: of a free vibration or of a shaken structure.
+
+        Parameters
+        ----------
+        case : Case or callable
+            A `Case`, of whose numbers the parameters are some, as in `simulate_many`; or a function
+            of the parameters, by name, that returns one and calculates with `rk.Dual`; its
+            arguments with a default are no parameters.
+        time : array_like
+            Times (n,) [s], increasing, in the time of the case.
+        values : array_like
+            Readings (n,) in the unit of `quantity`.
+        quantity : str, optional
+            A state or another quantity that `rk.sensitivity` knows.
+        noise : float or str, optional
+            Standard deviation of a reading, in the unit of the quantity, or the name of the
+            parameter that it is. The errors of readings are independent: from a filtered record
+            take samples so far apart that they are.
+        limit : float, optional
+            A reading at or beyond it says only that the value is, on that side; for the end of a
+            sensor's range, or for a test that overturned: readings after the fall are infinite
+            then, and the limit is a rotation from which no structure returns.
+        options : SolverOptions, optional
+            Choices of the integration.
+
+        Returns
+        -------
+        Observed
+            Readings with their model.
+
+        Raises
+        ------
+        ValueError
+            For readings that are not numbers, infinite ones without a limit, and times that do not
+            increase.
+
+        Examples
+        --------
+        With a function `released` of the parameters and a `MeasuredRecord`::
 
             Observed.history(released, record.time, record["theta"])
-
-        case : a `Case`, of whose numbers the parameters are some, as in `simulate_many`; or a
-        function of the parameters, by name, that returns one and calculates with `rk.Dual`;
-        its arguments with a default are no parameters.
-        time (n,) : [s], increasing, in the time of the case. values (n,) : in the unit of
-        `quantity`, a state or another quantity that `rk.sensitivity` knows.
-        noise : standard deviation of a reading, in the unit of the quantity, or the name of the
-        parameter that it is. The errors of readings are independent: of a record that was filtered
-        take samples so far apart that they are.
-        limit : a reading at or beyond it says only that the value is, on that side; for the end of
-        a sensor's range, or for a test that overturned: readings after the fall are infinite then,
-        and the limit is a rotation from which no structure returns. options : of the simulations.
-
-        Raises ValueError for readings that are not numbers, infinite ones without a limit, and
-        times that do not increase.
         """
         where = "Observed.history"
         (t,) = numbers(where, time=time)
@@ -136,18 +177,48 @@ class Observed:
     ) -> Observed:  # fmt: skip
         """Peaks and crossings of a free vibration, where there is no record of all of it.
 
-        case, options : as of `history`. peaks (n,) : signed, in the unit of `quantity`, one on each
-        side in turn, the release first. peak_times, crossing_times (n,) : [s], from the release on,
-        or from another instant where release_time is the name of the parameter that says when the
-        structure was released. Any of the three may be left out.
-        noise : standard deviation of the peaks, time_noise of the times [s]; each may be the name
-        of the parameter that it is. Noise of a record enlarges the peaks that are read off it. The
-        release is a reading as others: make the start of the case a parameter; one that is set to
-        that reading seems to be without error, and lowers a noise that is unknown.
+        Parameters
+        ----------
+        case : Case or callable
+            Case or function of the parameters, as for `history`.
+        peaks : array_like, optional
+            Peaks (n,), signed, in the unit of `quantity`, one on each side in turn, the release
+            first.
+        peak_times : array_like, optional
+            Times of the peaks (n,) [s], from the release on, or from another instant where there is
+            a `release_time`.
+        crossing_times : array_like, optional
+            Times of the crossings (n,) [s], likewise. Any of the three may be left out.
+        quantity : str, optional
+            A state or another quantity that `rk.sensitivity` knows.
+        noise : float or str, optional
+            Standard deviation of the peaks, or the name of the parameter that it is.
+        time_noise : float or str, optional
+            Standard deviation of the times [s], or the name of the parameter that it is.
+        release_time : str, optional
+            Name of the parameter that says when the structure was released.
+        options : SolverOptions, optional
+            Choices of the integration.
+
+        Returns
+        -------
+        Observed
+            Readings with their model.
+
+        Raises
+        ------
+        ValueError
+            Where nothing was measured.
+
+        Notes
+        -----
+        Noise of a record enlarges the peaks that are read off it. The release is a reading as
+        others: make the start of the case a parameter; one that is set to that reading seems to be
+        without error, and lowers a noise that is unknown.
 
         A structure that decays by impacts has infinitely many swings, of which these are the first;
         their number does not change with the parameters. Records of shaken structures are compared
-        by `history`. Raises ValueError where nothing was measured.
+        by `history`.
         """
         where = "Observed.swings"
         offered = {"peaks": peaks, "peak_times": peak_times, "crossing_times": crossing_times}
@@ -168,10 +239,30 @@ class Observed:
     ) -> Observed:
         """Values that a formula predicts.
 
-            Observed.formula(lambda k, c: k * np.sqrt(peaks) + c, quarter_periods)
+        Parameters
+        ----------
+        model : callable
+            Function of the parameters, by name, that returns a value for each measured one.
+        values : array_like
+            Measured values (n,).
+        noise : float or str, optional
+            Standard deviation, or the name of the parameter that it is.
 
-        model : a function of the parameters, by name, that returns a value for each measured one.
-        values (n,). noise : standard deviation, or the name of the parameter that it is.
+        Returns
+        -------
+        Observed
+            Values with their model.
+
+        Raises
+        ------
+        ValueError
+            For values that are not numbers.
+
+        Examples
+        --------
+        With measured `peaks` and `quarter_periods`::
+
+            Observed.formula(lambda k, c: k * np.sqrt(peaks) + c, quarter_periods)
         """
         where = "Observed.formula"
         (y,) = numbers(where, values=values)
@@ -180,7 +271,18 @@ class Observed:
         return cls(_Formula(model, len(y)), y, _noises(where, (noise, len(y))), takes=_takes(model))
 
     def taking(self, names: tuple[str, ...]) -> Observed:
-        """The same with a model that takes these parameters, where it names none itself."""
+        """The same with a model that takes some parameters, where it names none itself.
+
+        Parameters
+        ----------
+        names : tuple of str
+            Names of the parameters.
+
+        Returns
+        -------
+        Observed
+            The same readings.
+        """
         if self.takes is not None:
             return self
         model = self.model
@@ -191,7 +293,18 @@ class Observed:
         return replace(self, model=model, takes=names)
 
     def predict(self, parameters: Mapping[str, Any]) -> PredictedReadings:
-        """The prediction by parameters, numbers or duals, some of which may be of other tests."""
+        """Prediction by parameters.
+
+        Parameters
+        ----------
+        parameters : dict of str to object
+            Numbers or duals by name, some of which may be of other tests.
+
+        Returns
+        -------
+        PredictedReadings
+            Predicted readings with their derivatives.
+        """
         own = {name: parameters[name] for name in self.takes or ()}
         m = directions(*parameters.values())
         if m and not self.exact:

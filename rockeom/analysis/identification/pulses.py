@@ -38,13 +38,27 @@ _STARTS = 3
 
 @dataclass(frozen=True)
 class PulseFit:
-    """The pulse of a model closest to the velocity of a motion.
+    """Pulse of a model closest to the velocity of a motion.
 
-    model : its name. velocity : its amplitude [m/s], of a Ricker wavelet the largest velocity, and
-    negative where that is. period [s]. centre : time of its centre [s].
-    gamma, phase [rad] : those of Mavroeidis and Papageorgiou's, else nan.
-    misfit : root of the mean square of the residual velocity, over that of the motion [-].
-    motion : the pulse at its place, as long as that motion.
+    Parameters
+    ----------
+    model : str
+        Name of the model.
+    velocity : float
+        Amplitude of the velocity [m/s]; for a Ricker wavelet the largest velocity, and negative
+        where that is.
+    period : float
+        Period [s].
+    centre : float
+        Time of the centre [s].
+    gamma : float
+        Oscillatory character of Mavroeidis and Papageorgiou's pulse, else NaN.
+    phase : float
+        Phase angle of Mavroeidis and Papageorgiou's pulse [rad], else NaN.
+    misfit : float
+        Root of the mean square of the residual velocity, over that of the motion.
+    motion : GroundMotion
+        Pulse at its place, as long as the motion.
     """
 
     model: str
@@ -63,19 +77,38 @@ def fit_pulse(
     *,
     periods: tuple[float, float] | None = None,
 ) -> PulseFit:
-    """The pulse that leaves the least square of the velocity of a motion.
+    """Pulse that leaves the least square of the velocity of a motion.
 
-    motion : with its velocity, of any kind; a record that drifts should be `baseline_corrected`.
-    model : "mavroeidis_papageorgiou", "ricker" or "antisymmetric_ricker".
-    periods : shortest and longest period of the search [s]; if not given, 0.3 s (or twenty samples
-        of a record, if that is more) and half of the duration.
+    Parameters
+    ----------
+    motion : GroundMotion
+        Motion with a velocity, of any kind; a record that drifts should be
+        `GroundMotion.baseline_corrected`.
+    model : str, optional
+        "mavroeidis_papageorgiou", "ricker" or "antisymmetric_ricker".
+    periods : tuple of (float, float), optional
+        Shortest and longest period of the search [s]; if not given, 0.3 s (or twenty samples of a
+        record, if that is more) and half of the duration.
 
+    Returns
+    -------
+    PulseFit
+        Pulse with its parameters and its misfit.
+
+    Raises
+    ------
+    ValueError
+        For another model, impossible periods, and a motion without velocity.
+
+    Notes
+    -----
     The amplitude, the period and the centre are fitted, and the phase angle and gamma (1.01 to 6)
     where a model has them. Times before the motion and after it count as zero velocity.
 
-    Source of the model: Mavroeidis and Papageorgiou, Bulletin of the Seismological Society of
-    America 93 (2003) 1099-1131. Raises ValueError for another model, impossible periods, and a
-    motion without velocity.
+    References
+    ----------
+    Mavroeidis and Papageorgiou, Bulletin of the Seismological Society of America 93 (2003)
+    1099-1131.
     """
     where = "fit_pulse"
     if model not in PULSE_MODELS:

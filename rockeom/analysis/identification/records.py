@@ -32,10 +32,18 @@ from rockeom.numbers.arguments import not_negative, numbers, positive, require
 
 
 class Velocities(NamedTuple):
-    """A velocity after resampling: factor -> (n,) at `time` (n,); their spread.
+    """Velocity after resampling.
 
-    noise : standard deviation that the noise of the record gives to the velocity at its own rate.
-    spread : largest standard deviation of a difference to that at its own rate.
+    Parameters
+    ----------
+    time : ndarray
+        Common instants (n,) [s].
+    velocity : dict of float to ndarray
+        Velocities (n,) by the factor of the rate.
+    noise : float
+        Standard deviation that the noise of the record gives to the velocity at its own rate.
+    spread : float
+        Largest standard deviation of a difference to the velocity at its own rate.
     """
 
     time: np.ndarray
@@ -49,12 +57,34 @@ class Velocities(NamedTuple):
 class MeasuredRecord:
     """Channels of a test, sampled at even steps, in SI units, and the noise of each.
 
-    time : (n,) [s]. channels : name -> (n,). noise : name -> standard deviation, or a `Noise`, as
-    which it is stored; `noise_level` estimates that of other channels.
-    name : of the record. `record["theta"]` is a channel.
+    ``record["theta"]`` is a channel.
 
-    Raises ValueError for times that are not even, channels of another length, gaps (NaN), and for
-    noise of an unknown channel.
+    Parameters
+    ----------
+    time : ndarray
+        Times (n,) [s].
+    channels : dict of str to ndarray
+        Values (n,) by the name of the channel.
+    noise : dict of str to object, optional
+        Standard deviation by the name of the channel, or a `Noise`, as which it is stored;
+        `noise_level` estimates that of other channels.
+    name : str, optional
+        Name of the record.
+
+    Raises
+    ------
+    ValueError
+        For times that are not even, channels of another length, gaps (NaN), and for noise of an
+        unknown channel.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from rockeom import analysis
+    >>> t = np.linspace(0.0, 1.0, 201)  # s
+    >>> record = analysis.MeasuredRecord(t, {"theta": 0.1 * np.cos(5 * t)}, noise={"theta": 1e-4})
+    >>> record["theta"].shape
+    (201,)
     """
 
     time: np.ndarray
@@ -107,14 +137,32 @@ class MeasuredRecord:
     ) -> MeasuredRecord:
         """Columns of a text file (commas, semicolons, tabs or blanks) with a line of headings.
 
-        units : name of a channel -> its unit, such as {"theta": "deg", "tendon force": "kN"}; not
-        needed where the heading has it in brackets, as in "theta (deg)". The name of a channel is
-        its heading without the brackets. channels : which to read; all but the time if not given.
-        time_column : name or number of that of the time [s], evenly spaced. noise : as for the
-        class, in SI units. gravity : of accelerations in g [m/s2].
+        Parameters
+        ----------
+        path : path_like
+            File.
+        units : dict of str to str, optional
+            Unit by the name of a channel, such as ``{"theta": "deg", "tendon force": "kN"}``; not
+            needed where the heading has it in brackets, as in "theta (deg)". The name of a channel
+            is its heading without the brackets.
+        channels : sequence of str, optional
+            Channels to read; all but the time if not given.
+        time_column : str or int, optional
+            Name or number of the column of the time [s], evenly spaced.
+        noise : dict of str to float, optional
+            Standard deviation by the name of a channel, in SI units.
+        gravity : float, optional
+            Acceleration of gravity for accelerations in g [m/s2].
 
-        Raises `MotionError`, a ValueError, which names the file, the line, the column and the
-        remedy.
+        Returns
+        -------
+        MeasuredRecord
+            Record in SI units.
+
+        Raises
+        ------
+        MotionError
+            A ValueError that names the file, the line, the column and the remedy.
         """
         read = read_channels(path, units or {}, channels, time_column, gravity)
         length = len(next(iter(read.values.values()), ()))
@@ -134,7 +182,22 @@ class MeasuredRecord:
     def with_channel(
         self, name: str, values: ArrayLike, noise: float | Noise | None = None
     ) -> MeasuredRecord:
-        """The record with one more channel, (n,), in SI units; noise as for the class."""
+        """Record with one more channel.
+
+        Parameters
+        ----------
+        name : str
+            Name of the channel.
+        values : array_like
+            Values (n,) in SI units.
+        noise : float or Noise, optional
+            Standard deviation of the values, or a `Noise`.
+
+        Returns
+        -------
+        MeasuredRecord
+            The other record.
+        """
         others = {n: one for n, one in self.noise.items() if n != name}
         return replace(
             self,
@@ -143,7 +206,20 @@ class MeasuredRecord:
         )
 
     def between(self, start: float, end: float) -> MeasuredRecord:
-        """The part of the record from `start` to `end` [s]."""
+        """Part of the record between two instants.
+
+        Parameters
+        ----------
+        start : float
+            First instant [s].
+        end : float
+            Last instant [s].
+
+        Returns
+        -------
+        MeasuredRecord
+            The part.
+        """
         kept = (self.time >= start) & (self.time <= end)
         return replace(
             self, time=self.time[kept], channels={n: x[kept] for n, x in self.channels.items()}
@@ -154,10 +230,31 @@ class MeasuredRecord:
     def low_pass(self, cutoff: float, order: int = 4) -> MeasuredRecord:
         """All channels through a Butterworth filter, forward and backward: no phase is shifted.
 
-        cutoff [Hz], at which the gain is a half; order of one pass. `low_pass_gain` is the gain for
-        a vibration, `low_pass_on_peaks` the effect on peaks. The thesis uses 25 Hz for records of
-        200 samples a second (section 4.5).
-        Raises ValueError for a cutoff at or above half of the rate of sampling.
+        Parameters
+        ----------
+        cutoff : float
+            Cutoff frequency, at which the gain is a half [Hz].
+        order : int, optional
+            Order of one pass.
+
+        Returns
+        -------
+        MeasuredRecord
+            Filtered record, with the noise that the filter leaves.
+
+        Raises
+        ------
+        ValueError
+            For a cutoff at or above half of the rate of sampling.
+
+        See Also
+        --------
+        low_pass_gain : Gain for a vibration.
+        low_pass_on_peaks : Effect on peaks.
+
+        Notes
+        -----
+        The thesis uses 25 Hz for records of 200 samples a second (section 4.5).
         """
         from scipy.signal import sosfiltfilt
 
@@ -174,7 +271,22 @@ class MeasuredRecord:
         )
 
     def low_pass_gain(self, frequency: ArrayLike, cutoff: float, order: int = 4) -> np.ndarray:
-        """Gain of `low_pass` at a frequency [Hz], any shape; 1 without attenuation."""
+        """Gain of `low_pass` at a frequency.
+
+        Parameters
+        ----------
+        frequency : array_like
+            Frequency [Hz], any shape.
+        cutoff : float
+            Cutoff frequency, at which the gain is a half [Hz].
+        order : int, optional
+            Order of one pass.
+
+        Returns
+        -------
+        ndarray
+            Gain in the shape of the frequency; 1 without attenuation.
+        """
         from scipy.signal import sosfreqz
 
         (f,) = not_negative("MeasuredRecord.low_pass_gain", frequency=frequency)
@@ -193,13 +305,32 @@ class MeasuredRecord:
     def with_derivatives(
         self, channel: str, window: float | None = None, degree: int = 4
     ) -> MeasuredRecord:
-        """The record with the rate and the second derivative of a channel, NAME_dot and NAME_ddot.
+        """Record with the rate and the second derivative of a channel, NAME_dot and NAME_ddot.
 
-        Each is that of the polynomial of `degree` that fits the samples within `window` [s] about
-        the instant best (Savitzky and Golay); 15 samples if not given. Their noise is stated as
-        that of the record is. Within half a window of an impact the fit goes across the bend: the
-        jump of the rate is spread over the window, and the acceleration is a lower bound.
-        Raises ValueError for a window of fewer than degree + 2 samples.
+        Parameters
+        ----------
+        channel : str
+            Channel of the record.
+        window : float, optional
+            Window of the polynomial [s]; 15 samples if not given.
+        degree : int, optional
+            Degree of the polynomial.
+
+        Returns
+        -------
+        MeasuredRecord
+            Record with the two further channels and their noise.
+
+        Raises
+        ------
+        ValueError
+            For a window of fewer than degree + 2 samples.
+
+        Notes
+        -----
+        Each derivative is that of the polynomial that fits the samples within the window about the
+        instant best (Savitzky and Golay). Within half a window of an impact the fit goes across the
+        bend: the jump of the rate is spread over the window, and the acceleration is a lower bound.
         """
         from scipy.signal import savgol_filter
 
@@ -217,9 +348,26 @@ class MeasuredRecord:
         return replace(self, channels=channels, noise=noise)
 
     def resampled(self, factor: float) -> MeasuredRecord:
-        """The record at `factor` times its rate: a whole number, or one over a whole number.
+        """Record at another rate of sampling.
 
-        Up, a cubic spline lies through the samples; down, every so many-th sample is kept, as it
+        Parameters
+        ----------
+        factor : float
+            Factor of the rate: a whole number, or one over a whole number.
+
+        Returns
+        -------
+        MeasuredRecord
+            The other record.
+
+        Raises
+        ------
+        ValueError
+            For another factor.
+
+        Notes
+        -----
+        Up, a cubic spline lies through the samples; down, every so many-th sample remains, as it
         was measured. The noise between samples is that of a spline, somewhat less than stated.
         """
         from scipy.interpolate import CubicSpline
@@ -247,12 +395,33 @@ class MeasuredRecord:
     def velocities_by_resampling(
         self, channel: str, window: float, factors: Sequence[float] = (0.5, 2.0), degree: int = 4
     ) -> Velocities:
-        """The rate of a channel by `with_derivatives`, at other rates of sampling too.
+        """Rate of a channel by `with_derivatives`, at other rates of sampling too.
 
-        The method of thesis section 3.2.2, which excludes errors of the differentiation. window [s]
-        and degree as in `with_derivatives`; factors as in `resampled`. All are given at their
-        common instants. Where their spread is of the size of the noise, the features of the
-        velocity are those of the record.
+        Parameters
+        ----------
+        channel : str
+            Channel of the record.
+        window : float
+            Window of the derivatives [s], as in `with_derivatives`.
+        factors : sequence of float, optional
+            Factors of the rate of sampling, as in `resampled`.
+        degree : int, optional
+            Degree of the polynomial.
+
+        Returns
+        -------
+        Velocities
+            Velocities at their common instants, and their spread.
+
+        Raises
+        ------
+        ValueError
+            As `with_derivatives` and `resampled`.
+
+        Notes
+        -----
+        The method of thesis section 3.2.2, which excludes errors of the differentiation. Where the
+        spread is of the size of the noise, the features of the velocity are those of the record.
         """
         made = {1.0: self} | {f: self.resampled(f) for f in factors}
         rates = {f: one.with_derivatives(channel, window, degree) for f, one in made.items()}
@@ -272,9 +441,27 @@ class MeasuredRecord:
     ) -> FreeVibration:
         """Peaks and crossings of a channel that counts from upright.
 
-        smallest : as in `FreeVibration.from_samples`; five standard deviations of the noise of the
-        channel and the resolution of the sampling if not given. other : further arguments of
-        `from_samples`, by the name of the channel, such as tendon_force="tendon".
+        Parameters
+        ----------
+        channel : str
+            Channel of the record.
+        smallest : float, optional
+            Displacement at which the record has swung to the other side, as in
+            `FreeVibration.from_samples`; if not given, five standard deviations of the noise of the
+            channel, or the resolution of the sampling, if that is more.
+        **other : str
+            Further arguments of `FreeVibration.from_samples`, by the name of the channel, such as
+            ``tendon_force="tendon"``.
+
+        Returns
+        -------
+        FreeVibration
+            Peaks and crossings in turn.
+
+        Raises
+        ------
+        ValueError
+            As `FreeVibration.from_samples`.
         """
         floor = smallest
         if floor is None:

@@ -26,10 +26,17 @@ ACCEPTED = 0.8
 class Draws:
     """Parameters drawn from a posterior.
 
-    values : (chains, draws) of each parameter, by name. gradients : how many evaluations of the
-    tests, each a motion with its derivatives, they cost. outcomes : how often the tests were
-    predicted with each outcome, warm-up included. diverging : trajectories that met a density too
-    steep for the step; more than a few say that the draws lack a part of the posterior.
+    Parameters
+    ----------
+    values : dict of str to ndarray
+        Values (chains, draws) of each parameter, by name.
+    gradients : int
+        Number of evaluations of the tests, each a motion with its derivatives.
+    outcomes : dict of str to int
+        How often the tests were predicted with each outcome, warm-up included.
+    diverging : int
+        Number of trajectories that met a density too steep for the step; more than a few say that
+        the draws lack a part of the posterior.
     """
 
     values: dict[str, np.ndarray]
@@ -38,9 +45,28 @@ class Draws:
     diverging: int
 
     def interval(self, name: str, confidence: float = CONFIDENCE) -> tuple[float, float]:
-        """Central interval of a parameter, with that probability.
+        """Central interval of a parameter with a probability.
 
-        Raises KeyError for an unknown name, ValueError for a confidence beyond 0 to 1.
+        Parameters
+        ----------
+        name : str
+            Name of the parameter.
+        confidence : float, optional
+            Probability of the interval, between 0 and 1.
+
+        Returns
+        -------
+        low : float
+            Lower end, in the unit of the parameter.
+        high : float
+            Upper end.
+
+        Raises
+        ------
+        KeyError
+            For an unknown name.
+        ValueError
+            For a confidence beyond 0 to 1.
         """
         rule = "give one such as .95"
         require(0 < confidence < 1, "Draws.interval", "confidence", confidence, rule)
@@ -74,9 +100,22 @@ class Draws:
         return {n: float(of(x, chain_axis=0, draw_axis=1)) for n, x in self.values.items()}
 
     def rows(self, number: int) -> np.ndarray:
-        """(number,) rows for `simulate_many`, a field of each parameter: draws at equal distances.
+        """Rows for `simulate_many`: draws at equal distances.
 
-        Raises ValueError for more than there are.
+        Parameters
+        ----------
+        number : int
+            Number of rows.
+
+        Returns
+        -------
+        ndarray
+            Structured array (number,) with a field of each parameter.
+
+        Raises
+        ------
+        ValueError
+            For more rows than there are draws.
         """
         total = next(iter(self.values.values())).size
         rule = f"there are {total} draws"
@@ -88,7 +127,18 @@ class Draws:
         return rows
 
     def summary(self, confidence: float = CONFIDENCE) -> str:
-        """The parameters in words, a line each."""
+        """Parameters in words, a line each.
+
+        Parameters
+        ----------
+        confidence : float, optional
+            Probability of the intervals, between 0 and 1.
+
+        Returns
+        -------
+        str
+            Text of several lines.
+        """
         chains, draws = next(iter(self.values.values())).shape
         lines = [f"{100 * confidence:g} % intervals of {chains} chains of {draws} draws:"]
         for name, mean in self.mean.items():

@@ -18,11 +18,16 @@ from rockeom.numbers.arguments import numbers, positive, require
 
 
 class Slips(NamedTuple):
-    """The shift of the origin of each half-cycle, from one passage through upright to the next.
+    """Shift of the origin of each half-cycle, from one crossing of upright to the next.
 
-    time (n,) [s] : middle of each half-cycle. shift (n,) [m]. half_width (n,) [m] : of the interval
-    of the shift. steps (n - 1,) [m] : changes of the shift from one to the next, the slips.
-    clear (n - 1,) : whether one is larger than the half-widths of both.
+    Parameters
+    ----------
+    time : ndarray
+        Middle of each half-cycle (n,) [s].
+    shift : ndarray
+        Shift (n,) [m].
+    half_width : ndarray
+        Half-width of the interval of the shift (n,) [m].
     """
 
     time: np.ndarray
@@ -31,10 +36,12 @@ class Slips(NamedTuple):
 
     @property
     def steps(self) -> np.ndarray:
+        """Changes of the shift from one half-cycle to the next, the slips (n - 1,) [m]."""
         return np.diff(self.shift)
 
     @property
     def clear(self) -> np.ndarray:
+        """Whether each slip is larger than the half-widths of both shifts (n - 1,)."""
         return np.abs(self.steps) > np.hypot(self.half_width[1:], self.half_width[:-1])
 
 
@@ -43,8 +50,26 @@ def slips_from_tendon_force(
 ) -> Slips:
     """Shifts of the force of the tendon against the displacement.
 
-    time (n,) [s], displacement (n,) [m], tendon_force (n,) [N] of a wall that rocks; wall : whose
-    `tendon_force` is the curve. Raises ValueError where it never passes upright.
+    Parameters
+    ----------
+    time : array_like
+        Times (n,) [s].
+    displacement : array_like
+        Displacements (n,) [m].
+    tendon_force : array_like
+        Forces of the tendon (n,) [N].
+    wall : Wall
+        Wall whose `Wall.tendon_force` is the curve.
+
+    Returns
+    -------
+    Slips
+        Shift of each half-cycle.
+
+    Raises
+    ------
+    ValueError
+        Where the record never passes upright.
     """
     return _slips("slips_from_tendon_force", time, displacement, tendon_force, wall.tendon_force)
 
@@ -58,8 +83,32 @@ def slips_from_uplifts(
 ) -> Slips:
     """Shifts of the uplift of the edges against the displacement.
 
-    left_uplift, right_uplift (n,) of the edges [m]; the others as in `slips_from_tendon_force`.
-    Their difference is the rotation of the base, and counts; `wall.uplift` is its curve.
+    Parameters
+    ----------
+    time : array_like
+        Times (n,) [s].
+    displacement : array_like
+        Displacements (n,) [m].
+    left_uplift : array_like
+        Uplifts of the left edge (n,) [m].
+    right_uplift : array_like
+        Uplifts of the right edge (n,) [m].
+    wall : Wall
+        Wall whose `Wall.uplift` is the curve.
+
+    Returns
+    -------
+    Slips
+        Shift of each half-cycle.
+
+    Raises
+    ------
+    ValueError
+        Where the record never passes upright.
+
+    Notes
+    -----
+    The difference of the uplifts is the rotation of the base, and counts.
     """
     where = "slips_from_uplifts"
     left, right = numbers(where, left_uplift=left_uplift, right_uplift=right_uplift)
@@ -120,13 +169,35 @@ def rotation_centre_between_gauges(
     spacing: float,
     noise: float = 0.0,
 ):
-    """Distance of the rotation centre from the left gauge [m]; thesis 4-1, Figure 5-12.
+    """Distance of the rotation centre from the left gauge; thesis 4-1, Figure 5-12.
 
-    left, right : readings of two uplift gauges, positive upward [m]; shapes broadcast. spacing of
-    the gauges [m]. noise : standard deviation of each reading [m].
-    Returns (centre, half_width at 95 %). The base is straight: spacing u_L/(u_L - u_R). Where the
-    readings differ by less than five standard deviations the rotation is too small for a centre,
-    and both are NaN.
+    Parameters
+    ----------
+    left : array_like
+        Readings of the left uplift gauge, positive upwards [m].
+    right : array_like
+        Readings of the right uplift gauge, positive upwards [m].
+    spacing : float
+        Distance of the gauges [m].
+    noise : float, optional
+        Standard deviation of each reading [m].
+
+    Returns
+    -------
+    centre : float or ndarray
+        Distance [m], in the shape of the readings, broadcast.
+    half_width : float or ndarray
+        Half-width of its interval at 95 % [m].
+
+    Raises
+    ------
+    ValueError
+        For a spacing that is not positive and a negative noise.
+
+    Notes
+    -----
+    The base is straight: the distance is spacing u_L/(u_L - u_R). Where the readings differ by less
+    than five standard deviations the rotation is too small for a centre, and both are NaN.
     """
     where = "rotation_centre_between_gauges"
     left, right = numbers(where, left=left, right=right)

@@ -43,7 +43,15 @@ _ENVELOPE = ("wall", "top_displacement_mm", "horizontal_force_kN")
 
 
 class Envelope(NamedTuple):
-    """A measured envelope, (n,) each: displacement [m] and force [N], of one sign or of both."""
+    """Measured envelope, (n,) each.
+
+    Parameters
+    ----------
+    displacement : ndarray
+        Displacement [m], of one sign or of both.
+    force : ndarray
+        Force [N].
+    """
 
     displacement: np.ndarray
     force: np.ndarray
@@ -51,15 +59,42 @@ class Envelope(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class WallTest:
-    """A wall that was tested in its plane under a constant axial force, and its results.
+    """Wall that was tested in its plane under a constant axial force, and its results.
 
-    wall, reference, reported_mode, joints, stone : words of the source; a mode that begins with R
-    is rocking. height, length, thickness [m]; shear_span : height of zero moment above the base
-    [m]; compressive_strength of the masonry [Pa]; axial_force at the base with the wall's weight
-    [N]. strengths [N], ultimate_drifts [-], stiffnesses [N/m] : measured, (positive, negative)
-    direction, nan where one was not tested. The last are effective, of the displacement at the
-    higher of the wall's top and the shear span. envelope : of the displacement at the shear span's
-    end; None where there is none.
+    Parameters
+    ----------
+    wall : str
+        Name of the wall in the source.
+    reference : str
+        Reference in the words of the source.
+    reported_mode : str
+        Mode of failure in the words of the source; one that begins with R is rocking.
+    joints : str
+        Joints in the words of the source.
+    stone : str
+        Stone in the words of the source.
+    height : float
+        Height [m].
+    length : float
+        Length [m].
+    thickness : float
+        Thickness [m].
+    shear_span : float
+        Height of zero moment above the base [m].
+    compressive_strength : float
+        Compressive strength of the masonry [Pa].
+    axial_force : float
+        Axial force at the base with the wall's weight [N].
+    strengths : tuple of (float, float)
+        Measured strengths in the positive and the negative direction [N], NaN where one was not
+        tested.
+    ultimate_drifts : tuple of (float, float)
+        Measured ultimate drifts in both directions, NaN where one was not tested.
+    stiffnesses : tuple of (float, float)
+        Measured effective stiffnesses in both directions [N/m], of the displacement at the higher
+        of the wall's top and the shear span; NaN where one was not tested.
+    envelope : Envelope, optional
+        Envelope of the displacement at the end of the shear span; None where there is none.
     """
 
     wall: str
@@ -127,10 +162,23 @@ class WallTest:
     def envelope_error(self, displacement: ArrayLike, force: ArrayLike) -> float:
         """Root mean square of computed less measured force, over the measured strength.
 
-        displacement [m], force [N] : of a computed curve from zero, (m,), rising; it is the same to
-        either side. The mean is that over the points of the envelope, of both signs.
+        Parameters
+        ----------
+        displacement : array_like
+            Displacements of a computed curve from zero (m,), rising [m]; it is the same to either
+            side.
+        force : array_like
+            Forces of the curve (m,) [N].
 
-        Raises ValueError for a wall without an envelope, and for a curve that ends before it does.
+        Returns
+        -------
+        float
+            Error. The mean is that over the points of the envelope, of both signs.
+
+        Raises
+        ------
+        ValueError
+            For a wall without an envelope, and for a curve that ends before it does.
         """
         if self.envelope is None:
             raise ValueError(f"WallTest.envelope_error: {self.wall!r} has no measured envelope")
@@ -188,20 +236,47 @@ def wall_tests(
 ) -> dict[str, WallTest]:
     """Walls that were tested, by name, in the order of their table.
 
-    walls, envelopes : files of the same columns as those that ship, which are read if no walls are
-    given: rockeom/analysis/data/stone_walls.csv and dry_wall_envelopes.csv. Units are in the names
-    of columns: mm, MPa, kN. V_max_neg_kN, drift_ult_neg_pct and K_eff_neg_kN_mm may be empty.
+    Parameters
+    ----------
+    walls : path_like, optional
+        File of walls with the columns of rockeom/analysis/data/stone_walls.csv, which is read if
+        none is given. Units are in the names of columns: mm, MPa, kN. V_max_neg_kN,
+        drift_ult_neg_pct and K_eff_neg_kN_mm may be empty.
+    envelopes : path_like, optional
+        File of envelopes with the columns of rockeom/analysis/data/dry_wall_envelopes.csv, which is
+        read if no walls are given.
 
+    Returns
+    -------
+    dict of str to WallTest
+        Tests by the name of the wall.
+
+    Raises
+    ------
+    ValueError
+        With file and line, for a column that lacks, a cell that is no number, a wall that stands
+        twice and an envelope of no wall.
+
+    Notes
+    -----
     The 24 walls that ship are those of stone masonry that their authors report as rocking, in
-    plane, as cantilevers or in double bending, of the database of F. Vanin, D. Zaganelli, A. Penna
-    and K. Beyer, Estimates for the stiffness, strength and drift capacity of stone masonry walls
-    based on 123 quasi-static cyclic tests reported in the literature, Bull. Earthquake Eng. 15
-    (2017), under the MIT licence (stone_walls_LICENSE.txt, next to them); cite it where the numbers
-    are used. The envelopes are those of the fourteen with dry joints, of Vasconcelos (2005) and
-    Vasconcelos and Lourenço (2009).
+    plane, as cantilevers or in double bending. The envelopes are those of the fourteen with dry
+    joints, of Vasconcelos (2005) and Vasconcelos and Lourenço (2009).
 
-    Raises ValueError, with file and line, for a column that lacks, a cell that is no number, a wall
-    that stands twice and an envelope of no wall.
+    References
+    ----------
+    F. Vanin, D. Zaganelli, A. Penna and K. Beyer, Estimates for the stiffness, strength and drift
+    capacity of stone masonry walls based on 123 quasi-static cyclic tests reported in the
+    literature, Bull. Earthquake Eng. 15 (2017), under the MIT licence (stone_walls_LICENSE.txt,
+    next to the data); cite it where the numbers are used.
+
+    Examples
+    --------
+    >>> from rockeom import analysis
+    >>> tests = analysis.identification.wall_tests()
+    >>> test = tests["WS1.100"]
+    >>> len(tests), test.length, round(test.strength / test.rocking_strength, 2)
+    (24, 1.0, 1.05)
     """
     if walls is None:
         if envelopes is not None:

@@ -22,11 +22,17 @@ BESIDE = 1e-3
 
 
 class Swings(NamedTuple):
-    """A free vibration: peaks [unit of the quantity] with their times, and crossing times [s].
+    """Free vibration by its peaks and crossings.
 
-    peak, peak_time (n,), one on each side in turn, the first one at the release; crossing_time (n,)
-    of the passage through zero behind each peak. Where the motion has fewer, peaks are zero and
-    times those of its end.
+    Parameters
+    ----------
+    peak : ndarray
+        Peaks (n,) in the unit of the quantity, one on each side in turn, the first one at the
+        release. Where the motion has fewer, peaks are zero and times those of its end.
+    peak_time : ndarray
+        Times of the peaks (n,) [s].
+    crossing_time : ndarray
+        Times of the crossings of zero behind each peak (n,) [s].
     """
 
     peak: np.ndarray
@@ -35,10 +41,28 @@ class Swings(NamedTuple):
 
 
 def swings(run: Response, quantity: str = "displacement", number: int = 10) -> Swings:
-    """The first peaks and crossings of a quantity in a response, from its dense output.
+    """First peaks and crossings of a quantity in a response, from its dense output.
 
-    quantity : any of `run.names` that passes through zero, as "theta". number : how many.
-    Raises ValueError for a number below 1, KeyError for an unknown quantity.
+    Parameters
+    ----------
+    run : Response
+        Response with all its steps.
+    quantity : str, optional
+        One of ``run.names`` that crosses zero, as "theta".
+    number : int, optional
+        Number of swings.
+
+    Returns
+    -------
+    Swings
+        Peaks and crossings.
+
+    Raises
+    ------
+    ValueError
+        For a number below 1.
+    KeyError
+        For an unknown quantity.
     """
     require(number >= 1, "swings", "number", number, "ask for one peak at least")
     start, length = run.steps.span.T
@@ -108,12 +132,35 @@ def _crests(at: _Curve, low: np.ndarray, high: np.ndarray, side: np.ndarray) -> 
 def swing_tangents(
     case: Case, quantity: str, number: int, options: SolverOptions | None
 ) -> tuple[Swings, Swings]:
-    """The swings of a case, and their derivatives (number, m) along the directions of its duals.
+    """Swings of a case, and their derivatives along the directions of its duals.
 
-    quantity, number : as of `swings`. options : of the simulation. The derivative of the time of a
-    peak is -x_tp/x_tt, of the exact x_t and x_p a little before and behind it.
+    Parameters
+    ----------
+    case : Case
+        Case that holds duals with m directions.
+    quantity : str
+        Quantity, as for `swings`.
+    number : int
+        Number n of swings.
+    options : SolverOptions
+        Choices of the integration.
 
-    Raises ValueError where an event of the motion has no derivatives.
+    Returns
+    -------
+    swings : Swings
+        Swings of the case.
+    derivatives : Swings
+        Their derivatives (n, m).
+
+    Raises
+    ------
+    ValueError
+        Where an event of the motion has no derivatives.
+
+    Notes
+    -----
+    The derivative of the time of a peak is -x_tp/x_tt, of the exact x_t and x_p a little before and
+    behind it.
     """
     carried = tangents(case, options)
     if carried.grazing:
@@ -143,10 +190,21 @@ def swing_tangents(
 
 
 def quantity_tangents(carried: Tangents, quantity: str, times: np.ndarray) -> np.ndarray:
-    """(n, m + 1) derivatives of a quantity at fixed times (n,), and the last of them by time.
+    """Derivatives of a quantity at fixed times.
 
-    carried : a motion with its derivatives along m directions. quantity : a state, or one that
-    `rk.sensitivity` knows.
+    Parameters
+    ----------
+    carried : Tangents
+        Motion with its derivatives along m directions.
+    quantity : str
+        A state, or one that `rk.sensitivity` knows.
+    times : ndarray
+        Times (n,) [s].
+
+    Returns
+    -------
+    ndarray
+        Derivatives (n, m + 1), the last of them by time.
     """
     run, m = carried.response, len(carried.end_time)
     module, p = run.structure.module, run.structure.vector

@@ -21,12 +21,25 @@ from rockeom.numbers.arguments import not_negative, positive, require
 class MovingWindow:
     """Amplitudes by time and frequency, those of each window over its largest.
 
-    time (m,) [s], of the middle of each window; frequency (k,) [Hz]; amplitude (m, k), at most 1;
-    largest (m,), by which each window was divided: of a spectrum in the unit of the channel per
-    sqrt(Hz), of a transfer function in that of the channel over that of the excitation.
-    span : the length of a window [s]: what changes within it is averaged. bandwidth : of the noise
-    that passes one frequency [Hz]: two vibrations nearer than that are one peak.
-    transfer : whether it is a transfer function, or the spectrum of the response alone.
+    Parameters
+    ----------
+    time : ndarray
+        Middle of each window (m,) [s].
+    frequency : ndarray
+        Frequencies (k,) [Hz].
+    amplitude : ndarray
+        Amplitudes (m, k), at most 1.
+    largest : ndarray
+        Largest amplitude (m,), by which each window was divided: of a spectrum in the unit of the
+        channel per sqrt(Hz), of a transfer function in that of the channel over that of the
+        excitation.
+    span : float
+        Length of a window [s]: changes within it are averaged.
+    bandwidth : float
+        Bandwidth of the noise that passes one frequency [Hz]: two vibrations nearer than that are
+        one peak.
+    transfer : bool
+        Whether it is a transfer function, or the spectrum of the response alone.
     """
 
     time: np.ndarray
@@ -43,7 +56,18 @@ class MovingWindow:
         return self.frequency[self.amplitude.argmax(axis=1)]
 
     def part_above(self, frequency: float) -> np.ndarray:
-        """Part of the squared amplitudes of each window that lies above a frequency [Hz], (m,)."""
+        """Part of the squared amplitudes of each window that lies above a frequency.
+
+        Parameters
+        ----------
+        frequency : float
+            Frequency [Hz].
+
+        Returns
+        -------
+        ndarray
+            Parts (m,).
+        """
         square = self.amplitude**2
         return square[:, self.frequency > frequency].sum(axis=1) / square.sum(axis=1)
 
@@ -61,19 +85,44 @@ def moving_window(
 ) -> MovingWindow:
     """Spectrum, or transfer function, of each place of a window that moves along a record.
 
-    channel : the response; excitation : the channel of the ground's acceleration. Each is a Welch
-    estimate (scipy.signal) with a Kaiser window: with an excitation |P_xy|/P_xx, the cross spectrum
-    over that of the excitation; without, sqrt(P_yy) of the response itself. A free decay has no
-    excitation once the table stands: give none there, a quotient by its noise is meaningless.
-    window [s], step in samples: 0.43 s and 2 in the thesis, so 86 samples at 200 Hz, and 2.3 Hz at
-    best. beta of the Kaiser window, and the number of segments, which lie half over one another,
-    are not stated there. One segment resolves best and averages nothing; each further one widens
-    the bandwidth. The mean of each segment is subtracted.
-    frequencies : the lowest and the highest that are kept [Hz]. They stand eight times as dense as
-    the window resolves (zeros are added), which places a peak and separates none.
+    Parameters
+    ----------
+    record : MeasuredRecord
+        Record of a test.
+    channel : str
+        Channel of the response.
+    excitation : str, optional
+        Channel of the ground's acceleration. A free decay has no excitation once the table stands:
+        give none there, a quotient by its noise is meaningless.
+    window : float, optional
+        Length of the window [s]; 0.43 s in the thesis, so 86 samples at 200 Hz, and 2.3 Hz at best.
+    step : int, optional
+        Number of samples by which the window moves; 2 in the thesis.
+    segments : int, optional
+        Number of segments, which lie half over one another; not stated in the thesis. One segment
+        resolves best and averages nothing; each further one widens the bandwidth.
+    beta : float, optional
+        Parameter of the Kaiser window; not stated in the thesis.
+    frequencies : tuple of (float, float), optional
+        Lowest and highest frequency of the result [Hz].
 
-    Raises ValueError for a window of fewer than 16 samples or longer than the record, and where
-    the segments are too short.
+    Returns
+    -------
+    MovingWindow
+        Amplitudes by time and frequency.
+
+    Raises
+    ------
+    ValueError
+        For a window of fewer than 16 samples or longer than the record, and where the segments are
+        too short.
+
+    Notes
+    -----
+    Each is a Welch estimate (scipy.signal) with a Kaiser window: with an excitation
+    ``|P_xy|/P_xx``, the cross spectrum over that of the excitation; without, ``sqrt(P_yy)`` of the
+    response itself. The mean of each segment is subtracted. The frequencies stand eight times as
+    dense as the window resolves (zeros are added), which places a peak and separates none.
     """
     from scipy import signal
 

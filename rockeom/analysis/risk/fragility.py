@@ -23,7 +23,17 @@ _WITHIN = "it lies between 0 and 1, as 0.95"
 
 
 class Estimate(NamedTuple):
-    """A value with the bounds of its interval of confidence."""
+    """Value with the bounds of its interval of confidence.
+
+    Parameters
+    ----------
+    value : float
+        Value.
+    lower : float
+        Lower bound.
+    upper : float
+        Upper bound.
+    """
 
     value: float
     lower: float
@@ -33,14 +43,37 @@ class Estimate(NamedTuple):
 def proportion_interval(
     exceeded: ArrayLike, number: ArrayLike, level: float = 0.95
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Lower and upper confidence bound of a probability, `exceeded` of `number` having occurred.
+    """Exact confidence bounds of a probability, of events counted in a number of trials.
 
-    exceeded, number : whole numbers of any shapes, broadcast. level : probability, at least, that
-    the interval holds the true one, in [0, 1).
+    Parameters
+    ----------
+    exceeded : array_like
+        Number of trials in which the event occurred.
+    number : array_like
+        Number of trials.
+    level : float, optional
+        Probability, at least, that the interval holds the true one, in [0, 1).
 
-    The exact interval of Clopper and Pearson (1934), Biometrika 26, 404-413: no probability within
-    it makes as few, or as many, less likely than (1 - level)/2. Raises ValueError for numbers that
-    cannot be.
+    Returns
+    -------
+    lower : ndarray
+        Lower bound, in the shape of the numbers, broadcast.
+    upper : ndarray
+        Upper bound.
+
+    Raises
+    ------
+    ValueError
+        For numbers that cannot be.
+
+    Notes
+    -----
+    The interval of Clopper and Pearson: no probability within it makes as few, or as many, less
+    likely than (1 - level)/2.
+
+    References
+    ----------
+    Clopper and Pearson (1934), Biometrika 26, 404-413.
     """
     where = "proportion_interval"
     hits, of = numbers(where, exceeded=exceeded, number=number)
@@ -57,15 +90,34 @@ def proportion_interval(
 def proportion_interval_by_group(
     exceeded: ArrayLike, group: ArrayLike, level: float = 0.95
 ) -> tuple[float, float]:
-    """Lower and upper confidence bound of a probability, by dependent observations.
+    """Confidence bounds of a probability, by dependent observations.
 
-    exceeded (n,) : True or False. group (n,) : labels; observations of one label, such as both
-    components of a recording, depend on one another in any way. level : as of
-    `proportion_interval`.
+    Parameters
+    ----------
+    exceeded : array_like
+        True or False for each observation (n,).
+    group : array_like
+        Labels (n,); observations of one label, such as both components of a recording, depend on
+        one another in any way.
+    level : float, optional
+        Probability, at least, that the interval holds the true one, in [0, 1).
 
+    Returns
+    -------
+    lower : float
+        Lower bound.
+    upper : float
+        Upper bound.
+
+    Raises
+    ------
+    ValueError
+        As `proportion_interval`, and for other shapes.
+
+    Notes
+    -----
     The lower bound is that of groups all of which exceeded, the upper one that of groups any of
-    which did: the probability lies between those of both, whatever the dependence. Raises
-    ValueError as `proportion_interval` does, and for other shapes.
+    which did: the probability lies between those of both, whatever the dependence.
     """
     hits, labels = np.asarray(exceeded, dtype=bool), np.asarray(group)
     function = "proportion_interval_by_group"
@@ -80,16 +132,29 @@ def proportion_interval_by_group(
 
 @dataclass(frozen=True, eq=False)
 class Fragility:
-    """The probability Phi(ln(im/median)/dispersion) that a limit is exceeded, and its doubt.
+    """Probability Phi(ln(im/median)/dispersion) that a limit is exceeded, with its uncertainty.
 
-    median : intensity at which half exceed the limit [unit of the intensity]; dispersion :
-        standard deviation of its logarithm [-].
-    covariance (2, 2) : of median and dispersion, the inverse of the expected Fisher information,
+    Parameters
+    ----------
+    median : float
+        Intensity at which half exceed the limit [unit of the intensity].
+    dispersion : float
+        Standard deviation of its logarithm.
+    covariance : ndarray
+        Covariance (2, 2) of median and dispersion, the inverse of the expected Fisher information,
         or that of `fit_fragility` by `group`.
-    intensity (n,), exceeded (n,), number (n,) : the observations.
-    left_out : cases without an answer, which are not counted.
-    groups : number of groups of motions that depend on one another; 0 where all are independent.
-    not_counted : how cases without an answer ended and what follows if they are counted, in words.
+    intensity : ndarray
+        Intensities of the observations (n,).
+    exceeded : ndarray
+        Number of motions that exceeded the limit at each (n,).
+    number : ndarray
+        Number of motions at each (n,).
+    left_out : int, optional
+        Number of cases without an answer, which are not counted.
+    groups : int, optional
+        Number of groups of motions that depend on one another; 0 where all are independent.
+    not_counted : str, optional
+        How cases without an answer ended and what follows if they are counted, in words.
     """
 
     median: float
@@ -103,16 +168,46 @@ class Fragility:
     not_counted: str = ""
 
     def probability(self, im: ArrayLike) -> np.ndarray:
-        """Probability that the limit is exceeded at intensities, of the shape of `im`."""
+        """Probability that the limit is exceeded at intensities.
+
+        Parameters
+        ----------
+        im : array_like
+            Intensities, any shape.
+
+        Returns
+        -------
+        ndarray
+            Probabilities in the shape of `im`.
+        """
         return ndtr(self._deviates(im))
 
     def bounds(self, im: ArrayLike, level: float = 0.95) -> tuple[np.ndarray, np.ndarray]:
-        """Lower and upper confidence bound of the probability, each of the shape of `im`.
+        """Confidence bounds of the probability at intensities.
 
-        level : probability that both lie around the true curve at an intensity. They are Wald's: of
-        the normal deviate ln(im/median)/dispersion, by the covariance and the normal distribution,
-        of groups Student's with groups - 1 degrees of freedom. Raises ValueError for a level that
-        does not lie between 0 and 1.
+        Parameters
+        ----------
+        im : array_like
+            Intensities, any shape.
+        level : float, optional
+            Probability that both bounds lie around the true curve at an intensity.
+
+        Returns
+        -------
+        lower : ndarray
+            Lower bound in the shape of `im`.
+        upper : ndarray
+            Upper bound in the shape of `im`.
+
+        Raises
+        ------
+        ValueError
+            For a level that does not lie between 0 and 1.
+
+        Notes
+        -----
+        They are Wald's: of the normal deviate ln(im/median)/dispersion, by the covariance and the
+        normal distribution, of groups Student's with groups - 1 degrees of freedom.
         """
         deviates, reach = self._deviates(im), self._reach("bounds", level)
         at_zero, mixed, of_square = self._variance
@@ -122,10 +217,27 @@ class Fragility:
     def quantile(self, probability: float, level: float = 0.95) -> Estimate:
         """Intensity at which the limit is exceeded with a probability, and its interval.
 
-        level : of the interval, at whose ends a bound of the curve has this probability (Fieller
-        1954, Journal of the Royal Statistical Society B 16(2), 175-185); from 0 to infinity where
-        the slope may be zero. Raises ValueError for a probability or a level that does not lie
-        between 0 and 1.
+        Parameters
+        ----------
+        probability : float
+            Probability, between 0 and 1.
+        level : float, optional
+            Level of the interval, at whose ends a bound of the curve has this probability; from 0
+            to infinity where the slope may be zero.
+
+        Returns
+        -------
+        Estimate
+            Intensity with its bounds.
+
+        Raises
+        ------
+        ValueError
+            For a probability or a level that does not lie between 0 and 1.
+
+        References
+        ----------
+        Fieller (1954), Journal of the Royal Statistical Society B 16(2), 175-185.
         """
         require(0.0 < probability < 1.0, "quantile", "probability", probability, _WITHIN)
         reach = self._reach("quantile", level)
@@ -140,7 +252,15 @@ class Fragility:
         return Estimate(*map(float, (value, *ends)))
 
     def fractions(self) -> tuple[np.ndarray, np.ndarray]:
-        """(k,) the different intensities, and (k,) which part exceeded the limit at each."""
+        """Part of the motions that exceeded the limit at each intensity.
+
+        Returns
+        -------
+        intensity : ndarray
+            Different intensities (k,).
+        fraction : ndarray
+            Part at each (k,).
+        """
         levels, where = np.unique(self.intensity, return_inverse=True)
         exceeded, number = (np.bincount(where, weights) for weights in (self.exceeded, self.number))
         return levels[number > 0], exceeded[number > 0] / number[number > 0]
@@ -185,28 +305,57 @@ def fit_fragility(
     *,
     group: ArrayLike | None = None,
 ) -> Fragility:
-    """The lognormal fragility curve of the greatest likelihood.
+    """Lognormal fragility curve of the greatest likelihood.
 
-        fit_fragility([0.2, 0.4, 0.6, 0.8], exceeded=[1, 4, 9, 10], number=10)
+    Parameters
+    ----------
+    intensity : array_like
+        Intensity of the ground motion, above zero [any unit].
+    exceeded : array_like
+        Number of the motions of that intensity that exceeded the limit; for single motions True or
+        False.
+    number : array_like, optional
+        Number of motions of that intensity. The three broadcast.
+    left_out : int, optional
+        Number of cases that gave no answer, for the result.
+    group : array_like, optional
+        Recording of each observation, where each of n recordings is scaled to several intensities;
+        any labels, of a shape that broadcasts with the others. Observations of one recording are
+        not independent.
 
-    intensity : of the ground motion, above zero [any unit].
-    exceeded : how many of `number` motions of that intensity exceeded the limit; of single motions
-        True or False. The three broadcast.
-    left_out : cases that gave no answer, for the result.
-    group : the recording of each observation, where each of n recordings is scaled to several
-        intensities; any labels, of a shape that broadcasts with the others. Observations of one
-        recording are not independent: the covariance is then that of scores which one capacity of
-        the recording decides, from which on it exceeds the limit. Where a recording has several
-        motions, such as both its components, intervals of the curve are upper bounds, since they
-        may depend on one another fully. The sandwich of Liang and Zeger (1986), Biometrika 73(1),
-        13-22, is too small for tens of recordings, see `benchmarks/dependence.py`.
+    Returns
+    -------
+    Fragility
+        Curve with its uncertainty.
 
+    Raises
+    ------
+    ValueError
+        For numbers that cannot be, and where no curve is most likely: all or none exceeded, one
+        intensity alone, observations that one intensity separates, or fractions that fall as the
+        intensity rises.
+
+    Notes
+    -----
     The likelihood of ln-normal limits is that of a probit regression on ln(intensity), whose
-    maximum is unique. Source: Baker (2015), Earthquake Spectra 31(1), 579-599, equation 11.
+    maximum is unique.
 
-    Raises ValueError for numbers that cannot be, and where no curve is most likely: all or none
-    exceeded, one intensity alone, observations that one intensity separates, or fractions that
-    fall as the intensity rises.
+    With `group` the covariance is that of scores which one capacity of the recording decides, from
+    which on it exceeds the limit. Where a recording has several motions, such as both its
+    components, intervals of the curve are upper bounds, since they may depend on one another fully.
+    The sandwich of Liang and Zeger (1986), Biometrika 73(1), 13-22, is too small for tens of
+    recordings, see ``benchmarks/dependence.py``.
+
+    References
+    ----------
+    Baker (2015), Earthquake Spectra 31(1), 579-599, equation 11.
+
+    Examples
+    --------
+    >>> from rockeom.analysis import risk
+    >>> curve = risk.fit_fragility([0.2, 0.4, 0.6, 0.8], exceeded=[1, 4, 9, 10], number=10)
+    >>> round(curve.median, 2)
+    0.38
     """
     function = "fit_fragility"
     (im,) = positive(function, intensity=intensity)
@@ -244,22 +393,57 @@ def fragility_of(
     demand: str | None = None,
     group: str | None = "recording",
 ) -> Fragility:
-    """The fragility curve of a sweep of `simulate_many`, all its other names taken together.
+    """Fragility curve of a sweep of `simulate_many`, all its other names taken together.
 
-        fragility_of(sweep, intensity="pga")                                # of overturning
-        fragility_of(sweep, intensity="pga", demand="theta", limit=0.05)    # of a rotation
+    Parameters
+    ----------
+    sweep : xarray.Dataset
+        Dataset of `simulate_many`.
+    intensity : str
+        Name of one of the sweep's dimensions or coordinates.
+    limit : float, optional
+        Limit of the demand [its unit]; whatever overturns exceeds it. If neither is given,
+        overturning is meant.
+    demand : str, optional
+        State or quantity whose largest size is to stay below the limit.
+    group : str, optional
+        Name of the sweep's, of which each value stands for motions that depend on one another; None
+        for none that do. By default "recording": that of each `motion`, by the names of its
+        components, where the sweep has two motions or more.
 
-    intensity : a name of the sweep's dimensions or coordinates.
-    demand, limit : of the state or quantity whose largest size is to stay below the limit [its
-        unit]; who overturns exceeds it. If neither is given, overturning is meant.
-    group : a name of the sweep's, of which each value stands for motions that depend on one
-        another; None for none that do. By default "recording": that of each `motion`, by the names
-        of its components, where the sweep has two motions or more.
+    Returns
+    -------
+    Fragility
+        Curve with its uncertainty.
 
-    Cases that gave no answer do not count; `not_counted` tells how many ended in which way, and the
-    median and dispersion, or the fraction at each intensity where no curve fits, with all of them
-    counted as fallen, and as standing. Else as `fit_fragility`.
-    Raises ValueError also for names that the sweep does not have, and for cases that were not run.
+    Raises
+    ------
+    ValueError
+        As `fit_fragility`, for names that the sweep does not have, and for cases that were not run.
+
+    Notes
+    -----
+    Cases that gave no answer do not count; `Fragility.not_counted` says how many ended in which
+    way, and the median and dispersion, or the fraction at each intensity where no curve fits, with
+    all of them counted as fallen, and as standing.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import rockeom as rk
+    >>> from rockeom import analysis
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> motions = [rk.GroundMotion.kanai_tajimi(0.02, duration=8.0, seed=s) for s in range(20)]
+    >>> def shaken(pga, motion):
+    ...     return rk.Case(block, motion.scaled_to(peak=pga))
+    >>> over = {"pga": np.linspace(2.5, 4.0, 4), "motion": rk.MotionSet(motions)}  # m/s2
+    >>> curve = analysis.fragility_of(rk.simulate_many(shaken, over), intensity="pga")
+    >>> 2.5 < curve.median < 4.0  # m/s2
+    True
+
+    Of a rotation instead of overturning::
+
+        analysis.fragility_of(sweep, intensity="pga", demand="theta", limit=0.05)  # rad
     """
     if (limit is None) != (demand is None):
         raise ValueError("fragility_of: demand and limit belong together: give both or neither")

@@ -70,18 +70,27 @@ MOST_DOUBLINGS = 6
 
 @dataclass(frozen=True, eq=False)
 class FirstOrder:
-    """The nearest failure, and the probability of failure by first order.
+    """Nearest failure, and the probability of failure by first order.
 
-    index : beta, the distance of the design point from the medians [standard deviations]; negative
-        where the medians fail.
-    design_point : the likeliest values with which it fails, by name; deviates (k,) : the same as
-        standard normal deviates, in the order of the names.
-    importance : parts, of a sum of 1, which the parameters have in the variance of the linearised
-        limit state, by name: alpha squared.
-    angle : between the design point and the normal of the boundary [rad], 0 at a nearest point.
-    settled : whether it is one, to `SETTLED`. If not, the boundary has a corner there or is broken
-        up, and the index is that of the nearest point that was found.
-    runs : evaluations of the limit state, or simulations.
+    Parameters
+    ----------
+    index : float
+        Reliability index beta, the distance of the design point from the medians [standard
+        deviations]; negative where the medians fail.
+    design_point : dict of str to float
+        Likeliest values with which it fails, by name.
+    deviates : ndarray
+        The same as standard normal deviates (k,), in the order of the names.
+    importance : dict of str to float
+        Parts, of a sum of 1, of the parameters in the variance of the linearised limit state, by
+        name: alpha squared.
+    angle : float
+        Angle between the design point and the normal of the boundary [rad], 0 at a nearest point.
+    settled : bool
+        Whether the point is a nearest one, to ``SETTLED``. If not, the boundary has a corner there
+        or is broken up, and the index is that of the nearest point of the search.
+    runs : int
+        Number of evaluations of the limit state, or of simulations.
     """
 
     index: float
@@ -108,10 +117,18 @@ class FirstOrder:
 
 @dataclass(frozen=True, eq=False)
 class MonteCarlo:
-    """A probability of failure by counting.
+    """Probability of failure by counting.
 
-    failures of number samples; left_out : samples without an answer, which are not counted.
-    sweep : of `simulate_many`, a case a sample, with the values drawn as coordinates.
+    Parameters
+    ----------
+    failures : int
+        Number of samples that failed.
+    number : int
+        Number of samples.
+    left_out : int
+        Number of samples without an answer, which are not counted.
+    sweep : Sweep
+        Dataset of `simulate_many`, a case a sample, with the values drawn as coordinates.
     """
 
     failures: int
@@ -125,9 +142,24 @@ class MonteCarlo:
         return self.failures / self.number
 
     def interval(self, level: float = 0.95) -> tuple[float, float]:
-        """Bounds of the probability, of Clopper and Pearson: they hold it at least as often.
+        """Bounds of the probability, of Clopper and Pearson.
 
-        level : how often. Raises ValueError for one that does not lie between 0 and 1.
+        Parameters
+        ----------
+        level : float, optional
+            Probability, at least, that the bounds hold the true one.
+
+        Returns
+        -------
+        lower : float
+            Lower bound.
+        upper : float
+            Upper bound.
+
+        Raises
+        ------
+        ValueError
+            For a level that does not lie between 0 and 1.
         """
         low, high = proportion_interval(self.failures, self.number, level)
         return float(low), float(high)
@@ -148,23 +180,44 @@ class MonteCarlo:
 def first_order_reliability(
     limit_state: Callable[..., Any], random: Mapping[str, Any], *, reach: float = REACH
 ) -> FirstOrder:
-    """The reliability of any smooth limit state of independent random parameters.
+    """Reliability of any smooth limit state of independent random parameters.
 
-        random = {"strength": stats.lognorm(0.1, scale=5.0), "load": stats.norm(2.0, 0.6)}
-        first_order_reliability(lambda strength, load: strength - load, random)
+    Parameters
+    ----------
+    limit_state : callable
+        Function of the parameters, by name, as `rk.Dual`, which returns one, positive where the
+        structure is safe. Where it fails without a derivative, -math.inf.
+    random : dict of str to object
+        Distribution of each parameter, by name: a continuous distribution of scipy.stats, frozen.
+    reach : float, optional
+        Largest distance of a failure in the search [standard deviations].
 
-    limit_state : a function of the parameters, by name, which it gets as `rk.Dual`; returns one,
-        positive where the structure is safe. Where it fails without a derivative, -math.inf.
-    random : of each parameter a continuous distribution of scipy.stats, frozen, by name.
-    reach : how far a failure is looked for [standard deviations].
+    Returns
+    -------
+    FirstOrder
+        Index, design point and probability of failure.
 
+    Raises
+    ------
+    ValueError
+        For distributions that are none, for a limit state that does not change at the medians,
+        jumps or has no boundary within reach, and for derivatives that are not finite.
+
+    Notes
+    -----
     The rule of Hasofer and Lind (1974), for distributions as by Rackwitz and Fiessler (1978), kept
     on the boundary: rays from the medians meet it by Newton's rule on the exact gradient, and turn
     towards its normal, by BFGS, as long as it comes nearer. The result is one nearest point; there
     may be others.
 
-    Raises ValueError for distributions that are none, for a limit state that does not change at the
-    medians, jumps or has no boundary within reach, and for derivatives that are not finite.
+    Examples
+    --------
+    >>> from scipy import stats
+    >>> from rockeom.analysis import risk
+    >>> random = {"strength": stats.norm(5.0, 0.6), "load": stats.norm(2.0, 0.8)}
+    >>> first = risk.first_order_reliability(lambda strength, load: strength - load, random)
+    >>> round(first.index, 4)  # 3/1
+    3.0
     """
     space = RandomParameters.of("first_order_reliability", random)
     require(reach > 0, "first_order_reliability", "reach", reach, "it must be positive")
@@ -186,28 +239,53 @@ def reliability_of(
     reach: float = REACH,
     options: SolverOptions | None = None,
 ) -> FirstOrder:
-    """How likely a structure of random parameters overturns or exceeds a limit, by first order.
+    """Probability that a structure of random parameters overturns or exceeds a limit, by first
+    order.
 
-        reliability_of(case, random)                               # overturning
-        reliability_of(case, random, demand="theta", limit=0.05)   # or a rotation of 0.05 rad
-
-    case : a `Case`, of whose numbers the names of `random` are some, as in `simulate_many`; or a
+    Parameters
+    ----------
+    case : Case or callable
+        A `Case`, of whose numbers the names of `random` are some, as in `simulate_many`; or a
         function of the parameters, by name, that returns one and calculates with numbers and with
         `rk.Dual`.
-    random, reach : as of `first_order_reliability`. options : of the simulations.
-    demand, limit : of the state, energy, displacement or uplift whose largest size is to stay below
-        the limit [its unit]; who overturns exceeds it. If neither is given, overturning is meant.
+    random : dict of str to object
+        Distribution of each parameter, by name: a continuous distribution of scipy.stats, frozen.
+    demand : str, optional
+        State, energy, displacement or uplift whose largest size is to stay below the limit;
+        whatever overturns exceeds it. If neither is given, overturning is meant.
+    limit : float, optional
+        Limit of the demand [its unit].
+    reach : float, optional
+        Largest distance of a failure in the search [standard deviations].
+    options : SolverOptions, optional
+        Choices of the integration.
 
-    A largest size has a derivative, where one crest remains the highest; of overturning there is
-    no margin that would have one, since the peak goes to the unstable equilibrium with a vertical
-    slope and does not exist beyond. Its boundary is found on rays from the medians instead: the
+    Returns
+    -------
+    FirstOrder
+        Index, design point and probability of failure.
+
+    Raises
+    ------
+    ValueError
+        As `first_order_reliability`, and for a motion without an answer.
+
+    Notes
+    -----
+    A largest size has a derivative, where one crest remains the highest; of overturning there is no
+    margin that would have one, since the peak goes to the unstable equilibrium with a vertical
+    slope and does not exist beyond. Its boundary is searched on rays from the medians instead: the
     first change of fate of 32 places, narrowed down to 1e-12. With the values there the structure
     lingers about the unstable equilibrium, and the gradient of its rotation, by then large along
     nothing but the normal of the boundary, is that normal. Islands of overturning narrower than a
-    place are missed, as are other nearest points; compare it with `monte_carlo`.
+    place are missed, as are other nearest points; compare the result with `monte_carlo`.
 
-    Returns `FirstOrder`. Raises ValueError as `first_order_reliability` does, and for a motion
-    without an answer.
+    Examples
+    --------
+    With a case and the distributions `random`::
+
+        risk.reliability_of(case, random)                              # overturning
+        risk.reliability_of(case, random, demand="theta", limit=0.05)  # a rotation of 0.05 rad
     """
     space = RandomParameters.of("reliability_of", random)
     case = function_of(case, space.names)
@@ -233,16 +311,40 @@ def monte_carlo(
     seed: int = 0,
     **how: Any,
 ) -> MonteCarlo:
-    """How many of a number of structures with parameters drawn at random fail.
+    """Number of failures among structures with parameters drawn at random.
 
-    case, random, demand, limit : as of `reliability_of`; demand may be any quantity.
-    number : of samples. seed : of what is drawn; the same seed draws the same.
-    how : other arguments of `simulate_many`: options, and sweep_options, in which a store of
+    Parameters
+    ----------
+    case : Case or callable
+        Case or function of the parameters, as for `reliability_of`.
+    random : dict of str to object
+        Distribution of each parameter, by name, as for `reliability_of`.
+    number : int, optional
+        Number of samples.
+    demand : str, optional
+        Any quantity whose largest size is to stay below the limit; overturning if not given.
+    limit : float, optional
+        Limit of the demand [its unit].
+    seed : int, optional
+        Seed of the draws; the same seed draws the same.
+    **how : object
+        Other arguments of `simulate_many`: ``options``, and ``sweep_options``, in which a store of
         finished cases lets the same call continue after a stop.
 
-    Cases that gave no answer do not count; `left_out` is their number. An interrupt is raised, as
-    some of the samples are no sample. Raises ValueError for bad arguments, and where no case gave
-    an answer.
+    Returns
+    -------
+    MonteCarlo
+        Probability with its interval.
+
+    Raises
+    ------
+    ValueError
+        For bad arguments, and where no case gave an answer.
+
+    Notes
+    -----
+    Cases that gave no answer do not count; `MonteCarlo.left_out` is their number. An interrupt is
+    raised, as some of the samples are no sample.
     """
     space = RandomParameters.of("monte_carlo", random)
     require(number >= 1, "monte_carlo", "number", number, "draw one sample at least")

@@ -19,17 +19,31 @@ _DRAWS = 9999
 class Calibration:
     """Predicted probabilities of overturning against observed frequencies, in k bins.
 
-    number (k,) : tests of each bin; those without a test are left out.
-    probability (k,) : mean of the probabilities predicted for them; frequency (k,) : which part of
-        them overturned.
-    lower, upper (k,) : confidence bounds of the probability that the frequency tells, if tests are
-        independent.
-    expected_lower, expected_upper (k,) : between which the frequency lies, with the same level, if
-        the predicted probabilities are right.
-    p_value : how likely frequencies as far from the probabilities are, all bins together, if these
-        are right.
-    level : of the bounds.
-    campaigns : number of those given as `outcomes`; 0 where tests count as independent.
+    Parameters
+    ----------
+    number : ndarray
+        Number of tests of each bin (k,); bins without a test are left out.
+    probability : ndarray
+        Mean of the probabilities predicted for them (k,).
+    frequency : ndarray
+        Part of them that overturned (k,).
+    lower : ndarray
+        Lower confidence bound of the probability that the frequency tells, if tests are independent
+        (k,).
+    upper : ndarray
+        Upper confidence bound (k,).
+    expected_lower : ndarray
+        Lower bound of the frequency (k,), with the same level, if the predicted probabilities are
+        right.
+    expected_upper : ndarray
+        Upper bound of the frequency (k,).
+    p_value : float
+        Probability of frequencies as far from the predictions, all bins together, if these are
+        right.
+    level : float
+        Level of the bounds.
+    campaigns : int, optional
+        Number of campaigns given as `outcomes`; 0 where tests count as independent.
     """
 
     number: np.ndarray
@@ -72,31 +86,64 @@ def calibration_of(
     level: float = 0.95,
     seed: int = 0,
 ) -> Calibration:
-    """Whether as many motions overturn as a model predicts, for small and for large probabilities.
+    """Check whether as many motions overturn as a model predicts, for small and large
+    probabilities.
 
-    overturned : (n,) True or False, the measured outcome of each test.
-    probability : (n,) predicted for it, such as `Ensemble.overturning_probability`.
-    bins : number of equal bins from 0 to 1, or their bounds in ascending order.
-    outcomes : (n, m) True or False, of m campaigns of the same tests that the model simulates, such
-        as `simulated.overturned`. Without them the function **assumes independent tests**, and
+    Parameters
+    ----------
+    overturned : array_like
+        True or False (n,), the measured outcome of each test.
+    probability : array_like
+        Probability (n,) predicted for it, such as `Ensemble.overturning_probability`.
+    bins : int or array_like, optional
+        Number of equal bins from 0 to 1, or their bounds in ascending order.
+    outcomes : array_like, optional
+        True or False (n, m), of m campaigns of the same tests that the model simulates, such as
+        ``simulated.overturned``. Without them the function **assumes independent tests**, and
         rejects a right model too often where they share a parameter, such as the width of the
         specimen.
-    level : of the bounds of `Calibration`. seed : of the draws of the p-value.
+    level : float, optional
+        Level of the bounds of `Calibration`.
+    seed : int, optional
+        Seed of the draws of the p-value.
 
+    Returns
+    -------
+    Calibration
+        Frequencies and probabilities of the bins, and the p-value.
+
+    Raises
+    ------
+    ValueError
+        For probabilities that do not lie between 0 and 1, bounds that leave one out, where n
+        differs, for probabilities that the campaigns contradict, and for fewer campaigns than tell
+        the level.
+
+    Notes
+    -----
     The p-value is that of the sum over the bins of the squared excess of the count over its
     variance. With `outcomes` the measured campaign is one of m + 1: each is compared with the
     probabilities by all others, and its part of those that are as far off holds whatever tests
-    share (Barnard 1963, Journal of the Royal Statistical Society B 25(2), 294). Expected ranges are
-    order statistics of the campaigns.
+    share (Barnard 1963). Expected ranges are order statistics of the campaigns.
 
     Without them 9999 draws of all outcomes are compared. The interval of a frequency is that of
     `risk.proportion_interval`; where the probabilities of a bin differ, it holds their mean at
     least as often (Hoeffding 1956). The expected range is exact, of a sum of outcomes of unequal
-    probabilities (Broecker and Smith 2007, Weather and Forecasting 22(3), 651-661).
+    probabilities (Broecker and Smith 2007).
 
-    Raises ValueError for probabilities that do not lie between 0 and 1, bounds that leave one out,
-    where n differs, for probabilities that the campaigns contradict, and for fewer campaigns than
-    tell the level.
+    References
+    ----------
+    Barnard (1963), Journal of the Royal Statistical Society B 25(2), 294; Broecker and Smith
+    (2007), Weather and Forecasting 22(3), 651-661.
+
+    Examples
+    --------
+    >>> from rockeom import analysis
+    >>> overturned = [False, False, True, False, True, True]
+    >>> analysis.validation.calibration_of(overturned, [0.1, 0.1, 0.1, 0.8, 0.8, 0.8], bins=2)
+    6 tests: p = 0.35 if the probabilities are right; assumes independent tests
+    predicted 0.100, observed 0.333 of 3 (0.000 to 0.667 if right)
+    predicted 0.800, observed 0.667 of 3 (0.333 to 1.000 if right)
     """
     where = "calibration_of"
     fell, p = numbers(where, overturned=overturned, probability=probability)

@@ -37,15 +37,38 @@ _COLUMNS = ("test", "record", "peak", "outcome")
 class Campaign:
     """Tests of a structure on a shaking table: the motion, the peak and the outcome of each.
 
-    tests : (n,) their names, each another. records : (n,) the name of the motion of each test.
-    motions : those motions, a `MotionSet`; several tests may have one.
-    measured : (n,) their peaks and outcomes, an `Ensemble`.
-    parameters : numbers that differ from test to test, (n,) each, in SI units, by the names that
+    Parameters
+    ----------
+    tests : tuple of str
+        Names of the n tests, each another.
+    records : tuple of str
+        Name of the motion of each test (n,).
+    motions : MotionSet
+        Motions; several tests may have one.
+    measured : Ensemble
+        Peaks and outcomes of the tests (n,).
+    parameters : dict of str to ndarray, optional
+        Numbers that differ from test to test, (n,) each, in SI units, by the names that
         `simulate_many` has for them, such as "scale" of the motion, "half_width", "initial theta".
-    name : of the campaign.
+    name : str, optional
+        Name of the campaign.
 
-    Raises ValueError for lengths that differ, two tests of one name, and records that no motion
-    has.
+    Raises
+    ------
+    ValueError
+        For lengths that differ, two tests of one name, and records that no motion has.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import rockeom as rk
+    >>> from rockeom import analysis
+    >>> motions = rk.MotionSet(
+    ...     rk.GroundMotion.kanai_tajimi(0.006, duration=8.0, seed=seed) for seed in (1, 2)
+    ... )
+    >>> measured = analysis.validation.Ensemble([0.013, np.nan], [False, True])  # rad
+    >>> analysis.validation.Campaign(["T1", "T2"], motions.names, motions, measured, name="blocks")
+    Campaign('blocks': 2 tests of 2 motions, 1 overturned)
     """
 
     tests: tuple[str, ...]
@@ -91,24 +114,49 @@ class Campaign:
         record_units: str | None = None,
         gravity: float = STANDARD_GRAVITY,
     ) -> Campaign:
-        """The campaign that a table tells of, a test a line, with a first line of headings.
+        """Campaign of a table, a test a line, with a first line of headings.
+
+        Parameters
+        ----------
+        path : path_like
+            File of the table.
+        records : MotionSet or path_like, optional
+            Motions, whose names the column record has; or the folder of the files that it names,
+            that of the table if not given. They are read by `GroundMotion.read`, and lie in that
+            folder or below it: a table reads no other files, also not by links or "..".
+        units : dict of str to str, optional
+            Unit by the name of a column, as ``{"peak": "deg"}``; not needed where the heading has
+            it in brackets.
+        parameters : sequence of str, optional
+            Columns that are parameters, to leave out remarks and others.
+        record_units : str, optional
+            Unit of the accelerations in the files, as for `GroundMotion.read`.
+        gravity : float, optional
+            Acceleration of gravity for accelerations in g [m/s2].
+
+        Returns
+        -------
+        Campaign
+            Tests with their motions.
+
+        Raises
+        ------
+        MotionError
+            A ValueError that names the file, the line, the column, the value and the remedy.
+
+        Notes
+        -----
+        The columns test, record, peak and outcome are needed, in any order. outcome is "stood" or
+        "overturned", or one of the outcomes of a response. peak is its size; it may be empty where
+        the test overturned, and is not used there. All others are parameters, see the class.
+
+        Examples
+        --------
+        A table::
 
             test, record, peak (deg), outcome, scale (-)
             T1, elcentro.at2, 3.2, stood, 1.0
             T2, elcentro.at2, , overturned, 1.5
-
-        The columns test, record, peak and outcome are needed, in any order. outcome : "stood" or
-        "overturned", or one of the outcomes of a response. peak : its size; may be empty where the
-        test overturned, and is not used there. All others are parameters, see the class.
-        records : the motions, whose names the column record has; or the folder of the files that it
-            names, that of the table if not given. They are read by `GroundMotion.read`, and lie in
-            that folder or below it: a table reads no other files, also not by links or "..".
-        units : name of a column -> its unit, as {"peak": "deg"}; not needed where the heading has
-            it in brackets. parameters : which columns are some, to leave out remarks and others.
-        record_units, gravity : of the accelerations in the files, as of `GroundMotion.read`.
-
-        Raises `MotionError`, a ValueError, which names the file, the line, the column, the value
-        and the remedy.
         """
         table = read_table(path)
         names = _parameters(table, parameters)
@@ -152,28 +200,65 @@ def simulate_campaign(
     seed: int = 0,
     **how: Any,
 ) -> Ensemble:
-    """Peaks and outcomes, (n, number), of each test of a campaign with uncertain parameters.
+    """Peaks and outcomes of each test of a campaign with uncertain parameters.
 
-        block = rk.Case(rk.RigidBlock(half_width=0.1, half_height=0.4), motion, rk.EnergyRatio(0.9))
-        random = {"half_width": stats.norm(0.1, 0.002), "r": stats.uniform(0.8, 0.15)}
-        simulated = simulate_campaign(campaign, block, random, 500, shared=["half_width"])
-
-    campaign : whose motions and parameters the cases have.
-    case : a `Case`, in place of whose motion and numbers come those of each test; or a function
-        that makes one of "motion", the parameters of the campaign and the random ones, by name, as
-        in `simulate_many`.
-    random : of each uncertain parameter a distribution of scipy.stats, frozen, by name; they are
+    Parameters
+    ----------
+    campaign : Campaign
+        Tests, whose motions and parameters the cases have.
+    case : Case or callable
+        A `Case`, in place of whose motion and numbers come those of each test; or a function that
+        makes one of "motion", the parameters of the campaign and the random ones, by name, as in
+        `simulate_many`.
+    random : dict of str to object, optional
+        Distribution of each uncertain parameter, by name: one of scipy.stats, frozen; they are
         independent.
-    number : of campaigns to simulate, the columns of the result.
-    shared : names of random parameters that are unknown, and the same in all tests of a campaign,
-        such as the width of the specimen; the others differ from test to test as well.
-    quantity : the state or quantity whose largest size was measured.
-    seed : of what is drawn; the same seed draws the same.
-    how : other arguments of `simulate_many`: options, sweep_options.
+    number : int, optional
+        Number of campaigns to simulate, the columns of the result.
+    shared : sequence of str, optional
+        Names of random parameters that are unknown, and the same in all tests of a campaign, such
+        as the width of the specimen; the others differ from test to test as well.
+    quantity : str, optional
+        State or quantity whose largest size was measured.
+    seed : int, optional
+        Seed of the draws; the same seed draws the same.
+    **how : object
+        Other arguments of `simulate_many`: ``options``, ``sweep_options``.
 
-    An interrupt is raised, as some of the motions are no sample. Raises ValueError for names that
-    the case does not have or that are given twice, for what is no distribution, and for a motion
-    that gives no answer, as `Ensemble.from_sweep`.
+    Returns
+    -------
+    Ensemble
+        Ensemble (n, number) of n tests.
+
+    Raises
+    ------
+    ValueError
+        For names that the case does not have or that are given twice, for a distribution that is
+        none, and for a motion that gives no answer, as `Ensemble.from_sweep`.
+
+    Notes
+    -----
+    An interrupt is raised, as some of the motions are no sample.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from scipy import stats
+    >>> import rockeom as rk
+    >>> from rockeom import analysis
+    >>> motions = rk.MotionSet(
+    ...     rk.GroundMotion.kanai_tajimi(0.006, duration=8.0, seed=seed) for seed in (1, 2)
+    ... )
+    >>> measured = analysis.validation.Ensemble([0.013, np.nan], [False, True])  # rad
+    >>> campaign = analysis.validation.Campaign(["T1", "T2"], motions.names, motions, measured)
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+    >>> case = rk.Case(block, motions[0], rk.EnergyRatio(0.85))
+    >>> random = {"half_width": stats.norm(0.1, 0.002), "r": stats.uniform(0.8, 0.1)}
+    >>> simulated = analysis.validation.simulate_campaign(
+    ...     campaign, case, random, 50, shared=["half_width"]
+    ... )
+    >>> simulated.peaks.shape
+    (2, 50)
     """
     count = whole_number("simulate_campaign: number", number, 1)
     columns = {

@@ -20,7 +20,15 @@ from rockeom.numbers.checks import near
 
 
 class Significance(NamedTuple):
-    """The statistic of a test, and how likely one as large is where both ensembles are alike."""
+    """Statistic of a test, and its significance.
+
+    Parameters
+    ----------
+    statistic : float
+        Statistic.
+    p_value : float
+        Probability of one as large where both ensembles are alike.
+    """
 
     statistic: float
     p_value: float
@@ -37,23 +45,41 @@ _AT_ONCE = 2**21
 def compare_peaks(
     measured: Ensemble, simulated: Ensemble, test: str = "cramer-von mises", *, seed: int = 0
 ) -> Significance:
-    """Whether two independent ensembles have peaks of one distribution, overturning included.
+    """Test whether two independent ensembles have peaks of one distribution, overturning included.
 
-    measured, simulated : of any shapes; all motions of an ensemble count together.
-    test : whose statistic is the difference of the two empirical distributions F and G: the
-        largest, of "kolmogorov-smirnov"; the mean over all motions of (F - G)**2, of "cramer-von
-        mises"; or of (F - G)**2/(H (1 - H)), of "anderson-darling", which sees more of the tails.
-        H is that of both together; the means are times n m/(n + m). Choose it before you look.
-    seed : of the draws of the p-value.
+    Parameters
+    ----------
+    measured : Ensemble
+        Ensemble of any shape; all its motions count together.
+    simulated : Ensemble
+        Other ensemble of any shape.
+    test : str, optional
+        Test whose statistic is the difference of the two empirical distributions F and G: the
+        largest, of "kolmogorov-smirnov"; the mean over all motions of ``(F - G)**2``, of
+        "cramer-von mises"; or of ``(F - G)**2/(H (1 - H))``, of "anderson-darling", which sees more
+        of the tails. H is that of both together; the means are times n m/(n + m). Choose it before
+        you look.
+    seed : int, optional
+        Seed of the draws of the p-value.
 
+    Returns
+    -------
+    Significance
+        Statistic and p-value.
+
+    Raises
+    ------
+    ValueError
+        For another test.
+
+    Notes
+    -----
     Overturned motions are above all others and equal to each other. Equal values are not for the
     tables of these tests: of 20 motions and 200, of which three in ten overturn,
-    `cramervonmises_2samp` of scipy.stats rejects always and `anderson_ksamp` in 7 % instead of 5 %.
-    The p-value is that of 9999 random divisions of all motions among both ensembles instead, exact
-    for any equal values; it is 1e-4 at least. Peaks of the same records are not independent, which
-    makes a rejection rarer than stated: use `predictive_test` for them.
-
-    Raises ValueError for another test.
+    ``cramervonmises_2samp`` of scipy.stats rejects always and ``anderson_ksamp`` in 7 % instead of
+    5 %. The p-value is that of 9999 random divisions of all motions among both ensembles instead,
+    exact for any equal values; it is 1e-4 at least. Peaks of the same records are not independent,
+    which makes a rejection rarer than stated: use `predictive_test` for them.
     """
     _known("compare_peaks", test, PEAK_TESTS)
     both = np.concatenate([measured.peaks.ravel(), simulated.peaks.ravel()])
@@ -87,14 +113,28 @@ def _difference(test: str, measured: np.ndarray, last: np.ndarray) -> np.ndarray
 
 
 def compare_outcomes(measured: Ensemble, simulated: Ensemble, test: str = "fisher") -> Significance:
-    """Whether two independent ensembles overturn with one probability, by an exact test.
+    """Test whether two independent ensembles overturn with one probability, by an exact test.
 
-    measured, simulated : of any shapes; all motions of an ensemble count together.
-    test : "fisher", of the numbers that overturned in both together, with the odds ratio as
-        statistic; or "barnard", which rejects more often and takes long for ensembles of more than
-        some hundreds of motions. Both by scipy.stats.
+    Parameters
+    ----------
+    measured : Ensemble
+        Ensemble of any shape; all its motions count together.
+    simulated : Ensemble
+        Other ensemble of any shape.
+    test : str, optional
+        "fisher", of the numbers that overturned in both together, with the odds ratio as statistic;
+        or "barnard", which rejects more often and takes long for ensembles of more than some
+        hundreds of motions. Both by scipy.stats.
 
-    Raises ValueError for another test.
+    Returns
+    -------
+    Significance
+        Statistic and p-value.
+
+    Raises
+    ------
+    ValueError
+        For another test.
     """
     _known("compare_outcomes", test, OUTCOME_TESTS)
     fell = [int(one.overturned.sum()) for one in (measured, simulated)]
@@ -115,19 +155,37 @@ def compare_means(
 ) -> Estimate:
     """Mean measured peak less the mean simulated one, with its interval of confidence.
 
-    measured : (n,). simulated : (n, m), m campaigns of the same tests; or (m,), an independent
-        ensemble.
-    limit : up to which peaks count, as of `Ensemble.censored`: needed where a motion overturned.
-    level : probability that the interval holds the true distance. seed : of draws, for (m,).
+    Parameters
+    ----------
+    measured : Ensemble
+        Measured ensemble (n,).
+    simulated : Ensemble
+        Simulated ensemble (n, m), m campaigns of the same tests; or (m,), an independent ensemble.
+    limit : float, optional
+        Limit up to which peaks count, as in `Ensemble.censored`: needed where a motion overturned.
+    level : float, optional
+        Probability that the interval holds the true distance.
+    seed : int, optional
+        Seed of the draws, for (m,).
 
+    Returns
+    -------
+    Estimate
+        Difference with its interval, in the unit of the peaks.
+
+    Raises
+    ------
+    ValueError
+        For fewer than two motions, and fewer campaigns than tell the level.
+
+    Notes
+    -----
     The interval is that of Student's statistic, distance over standard error, whose distribution
-    is found by the simulations, not by a table: few skewed peaks are not normal. The m campaigns
+    follows from the simulations, not from a table: few skewed peaks are not normal. The m campaigns
     have it one by one, with a parameter that is the same in all tests of a campaign, too; from an
     independent ensemble 1999 pairs of ensembles are drawn (bootstrap-t: Efron and Tibshirani 1993,
     An Introduction to the Bootstrap, 12.5). The peaks may be shifted and scaled against those of
     the model, but have its shape.
-
-    Raises ValueError for fewer than two motions, and fewer campaigns than tell the level.
     """
     require(0.0 < level < 1.0, "compare_means", "level", level, "it lies between 0 and 1")
     x, y = measured.censored(limit), simulated.censored(limit)
@@ -166,15 +224,23 @@ def _pairs(rng: np.random.Generator, n: int, y: np.ndarray) -> np.ndarray:
 
 
 class Prediction(NamedTuple):
-    """A campaign among those that a model simulates, of `predictive_test`.
+    """Campaign among those that a model simulates, of `predictive_test`.
 
-    bias : mean place of the measured peaks among the simulated ones of their tests, less a half:
-        0 if the model is right, up to -0.5 or 0.5 where all are smaller or larger.
-    distance : mean distance of the measured peaks from the simulated ones of their tests, over
-        that of two campaigns of all: 1 if the model is right, more where peaks lie outside or
-        overturn where none should, less where the model scatters too much.
-    bias_p, distance_p : parts of all campaigns of which each is as far from 0 or from the median.
-    p_value : part of all campaigns of which the smaller of both is as small: one test of both.
+    Parameters
+    ----------
+    bias : float
+        Mean place of the measured peaks among the simulated ones of their tests, less a half: 0 if
+        the model is right, up to -0.5 or 0.5 where all are smaller or larger.
+    distance : float
+        Mean distance of the measured peaks from the simulated ones of their tests, over that of two
+        campaigns of all: 1 if the model is right, more where peaks lie outside or overturn where
+        none should, less where the model scatters too much.
+    bias_p : float
+        Part of all campaigns whose bias is as far from 0.
+    distance_p : float
+        Part of all campaigns whose distance is as far from the median.
+    p_value : float
+        Part of all campaigns of which the smaller of both is as small: one test of both.
     """
 
     bias: float
@@ -187,23 +253,53 @@ class Prediction(NamedTuple):
 def predictive_test(
     measured: Ensemble, simulated: Ensemble, *, limit: float | None = None
 ) -> Prediction:
-    """Whether a campaign may be one of those that a model with uncertain parameters simulates.
+    """Test whether a campaign may be one of those that a model with uncertain parameters simulates.
 
-    measured : (n,), of n tests. simulated : (n, m), each column a campaign of the same tests.
-    limit : up to which peaks count in distances, as of `Ensemble.censored`: needed where a motion
+    Parameters
+    ----------
+    measured : Ensemble
+        Measured ensemble (n,), of n tests.
+    simulated : Ensemble
+        Simulated ensemble (n, m), each column a campaign of the same tests.
+    limit : float, optional
+        Limit up to which peaks count in distances, as in `Ensemble.censored`: needed where a motion
         overturned. In places, overturned motions are above all peaks.
 
+    Returns
+    -------
+    Prediction
+        Bias, distance and their p-values.
+
+    Raises
+    ------
+    ValueError
+        For other shapes.
+
+    Notes
+    -----
     The measured campaign is the first of m + 1, and two numbers of each campaign are compared with
     those of all: the bias of its peaks, and their distance from the peaks of the others
     (`Prediction`). If the model is right, the measured campaign is any of them: the p-values hold
     at most as often as they say, for any n and m, records that differ, motions that overturn, and
-    parameters that all tests of a campaign share (Barnard 1963, Journal of the Royal Statistical
-    Society B 25(2), 294). They are 1/(m + 1) at least.
+    parameters that all tests of a campaign share (Barnard 1963). They are 1/(m + 1) at least.
 
     Places depend on the smallest differences: noise of a sensor in place of a block at rest is a
     bias. `Ensemble.resolved` removes it from both ensembles.
 
-    Raises ValueError for other shapes.
+    References
+    ----------
+    Barnard (1963), Journal of the Royal Statistical Society B 25(2), 294.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from rockeom.analysis import validation
+    >>> drawn = np.random.default_rng(1).lognormal(-2.5, 0.4, (30, 199))  # rad
+    >>> simulated = validation.Ensemble(drawn)
+    >>> measured = validation.Ensemble(1.5 * drawn[:, 0])
+    >>> prediction = validation.predictive_test(measured, simulated)
+    >>> prediction.bias > 0.2, prediction.p_value < 0.01
+    (True, True)
     """
     _of_tests("predictive_test", measured, simulated.peaks)
     ranked = np.column_stack([measured.peaks, simulated.peaks])

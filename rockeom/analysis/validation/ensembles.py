@@ -23,17 +23,41 @@ _PLACES = 1000  # peaks at which distributions of campaigns are compared, at mos
 class Ensemble:
     """Peaks of motions, measured or simulated, of which some overturned.
 
-    peaks : of any shape, the largest size of the rotation [rad], or of another demand; infinite
-        where the motion overturned, whatever was given there, also nan.
-    overturned : whether each overturned, of the same shape; none if not given. Measured ensembles
-        are (n,), of n tests; simulated ones (n, m), m motions of each of these tests, or (m,).
+    Parameters
+    ----------
+    peaks : ndarray
+        Largest size of the rotation [rad], or of another demand, any shape; infinite where the
+        motion overturned, whatever was given there, also NaN. Measured ensembles are (n,), of n
+        tests; simulated ones (n, m), m motions of each of these tests, or (m,).
+    overturned : ndarray, optional
+        Whether each overturned, in the same shape; none if not given.
 
+    Raises
+    ------
+    ValueError
+        For a peak that is missing (NaN), infinite or negative although the motion did not overturn,
+        and for shapes that differ.
+    TypeError
+        For outcomes other than True and False.
+
+    Notes
+    -----
     An overturned motion exceeds every rotation. So it ranks above all peaks, in distributions and
     tests. Where a number is needed, in means and CRPS, peaks are censored: each counts up to a
     limit, and an overturned motion as the limit.
 
-    Raises ValueError for a peak that is missing (nan), infinite or negative although the motion
-    did not overturn, and for shapes that differ; TypeError for outcomes other than True and False.
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from rockeom import analysis
+    >>> outcomes = np.array(["stood", "overturned", "stood"])
+    >>> measured = analysis.validation.Ensemble([0.05, np.nan, 0.12], outcomes == "overturned")
+    >>> measured
+    Ensemble: 3 motions, 1 overturned
+    >>> measured.censored(limit=0.24)  # rad
+    array([0.05, 0.24, 0.12])
+    >>> measured.distribution([0.1, 0.2]).round(3)
+    array([0.333, 0.667])
     """
 
     peaks: np.ndarray
@@ -64,12 +88,24 @@ class Ensemble:
 
     @classmethod
     def from_sweep(cls, sweep: xr.Dataset, quantity: str = "theta") -> Ensemble:
-        """The ensemble of a sweep of `simulate_many`, of its shape.
+        """Ensemble of a sweep of `simulate_many`.
 
-        quantity : the state or quantity whose largest size counts.
+        Parameters
+        ----------
+        sweep : xarray.Dataset
+            Dataset of `simulate_many`.
+        quantity : str, optional
+            State or quantity whose largest size counts.
 
-        Raises ValueError for cases that were not run or gave no answer: without them the others
-        are no sample.
+        Returns
+        -------
+        Ensemble
+            Ensemble in the shape of the sweep.
+
+        Raises
+        ------
+        ValueError
+            For cases that were not run or gave no answer: without them the others are no sample.
         """
         check_finished("Ensemble.from_sweep", sweep)
         labels = outcome_labels(sweep)
@@ -87,10 +123,18 @@ class Ensemble:
         return self.peaks.size
 
     def distribution(self, x: ArrayLike) -> np.ndarray:
-        """The part of all motions whose peak does not exceed x, of the shape of x.
+        """Part of all motions whose peak does not exceed a value.
 
-        x : rotations, or what the peaks are. Overturned motions exceed each of them, so that the
-        distribution ends below 1.
+        Parameters
+        ----------
+        x : array_like
+            Rotations, or values of the demand, any shape.
+
+        Returns
+        -------
+        ndarray
+            Parts in the shape of x. Overturned motions exceed each x, so that the distribution ends
+            below 1.
         """
         (at,) = numbers("Ensemble.distribution", x=x)
         return np.searchsorted(np.sort(self.peaks, axis=None), at, side="right") / self.number
@@ -98,11 +142,31 @@ class Ensemble:
     def band(
         self, x: ArrayLike, level: float = 0.95, seed: int = 0
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Lower and upper confidence bound of the distribution at x, each of the shape of x.
+        """Confidence band of the distribution.
 
-        x : as of `distribution`. level : probability, at least, that the true distribution lies
-        within the band everywhere. seed : of the draws.
+        Parameters
+        ----------
+        x : array_like
+            Rotations, or values of the demand, any shape.
+        level : float, optional
+            Probability, at least, that the true distribution lies within the band everywhere.
+        seed : int, optional
+            Seed of the draws.
 
+        Returns
+        -------
+        lower : ndarray
+            Lower bound in the shape of x.
+        upper : ndarray
+            Upper bound in the shape of x.
+
+        Raises
+        ------
+        ValueError
+            For a level that does not lie between 0 and 1.
+
+        Notes
+        -----
         m campaigns, peaks (n, m), whose tests may share parameters, are resampled as a whole, 999
         times. The band reaches as far to both sides as the quantile of the largest deviation of the
         resampled distributions, times sqrt(m/(m - 1)) and the quantile of Student over that of the
@@ -113,8 +177,6 @@ class Ensemble:
         sqrt(ln(2/(1 - level))/(2 n)) to both sides. **It assumes independent tests**, of any
         distribution, with a part that overturns, too. One campaign does not show the scatter of a
         parameter that all its tests share: the band is that of this specimen.
-
-        Raises ValueError for a level that does not lie between 0 and 1.
         """
         require(0.0 < level < 1.0, "band", "level", level, "it lies between 0 and 1, as 0.95")
         if self.campaigns == 1:
@@ -142,19 +204,38 @@ class Ensemble:
         return float(few * np.quantile(deviations, level, method="higher"))
 
     def overturning_probability(self) -> np.ndarray:
-        """(n,) (k + 1/2)/(m + 1) of each test, where k of its m motions overturned.
+        """Probability (k + 1/2)/(m + 1) of overturning of each test, where k of its m motions
+        overturned.
 
+        Returns
+        -------
+        ndarray
+            Probabilities (n,).
+
+        Notes
+        -----
         The mean of the posterior of Jeffreys: a finite number of motions makes nothing certain.
         """
         return (self.overturned.sum(axis=-1) + 0.5) / (self.overturned.shape[-1] + 1.0)
 
     def censored(self, limit: float | None = None) -> np.ndarray:
-        """The peaks, each up to a limit: min(peak, limit), the limit where the motion overturned.
+        """Peaks, each up to a limit: min(peak, limit), the limit where the motion overturned.
 
-        limit : the largest rotation that is told apart from overturning, such as the slenderness
-        of a block; may be left out where no motion overturned.
+        Parameters
+        ----------
+        limit : float, optional
+            Largest rotation that is told apart from overturning, such as the slenderness of a
+            block; may be left out where no motion overturned.
 
-        Raises ValueError where it is missing, or not positive.
+        Returns
+        -------
+        ndarray
+            Peaks in the shape of the ensemble.
+
+        Raises
+        ------
+        ValueError
+            Where the limit is missing, or not positive.
         """
         if limit is not None:
             return np.minimum(self.peaks, positive("Ensemble.censored", limit=limit)[0])
@@ -167,10 +248,22 @@ class Ensemble:
         return self.peaks
 
     def resolved(self, smallest: float) -> Ensemble:
-        """The same motions, with peaks up to the smallest that a measurement can tell as zero.
+        """Same motions, with peaks up to the smallest that a measurement can tell as zero.
 
-        smallest : the resolution, in the unit of the peaks. Use it on both ensembles before places
-        and ranks compare them: a simulated block at rest has no rotation, a measured one has noise.
+        Parameters
+        ----------
+        smallest : float
+            Resolution, in the unit of the peaks.
+
+        Returns
+        -------
+        Ensemble
+            The other ensemble.
+
+        Notes
+        -----
+        Use it on both ensembles before places and ranks compare them: a simulated block at rest has
+        no rotation, a measured one has noise.
         """
         (floor,) = positive("Ensemble.resolved", smallest=smallest)
         return Ensemble(np.where(self.peaks <= floor, 0.0, self.peaks), self.overturned)

@@ -14,14 +14,34 @@ _MOST = 2**40
 
 
 def sample_size_for_proportion(probability: float, width: float, level: float = 0.95) -> int:
-    """Least number of tests after which a probability, such as of overturning, is known to a width.
+    """Least number of tests after which a probability, such as of overturning, has an interval of a
+    width.
 
-    probability : that is expected, 0.5 if nothing is known; 0 for a structure that never overturns.
-    width : from the lower to the upper bound of its interval.
-    level : of the interval of `risk.proportion_interval`, which is calculated with n*probability
+    Parameters
+    ----------
+    probability : float
+        Expected probability, 0.5 if nothing is known; 0 for a structure that never overturns.
+    width : float
+        Width from the lower to the upper bound of its interval.
+    level : float, optional
+        Level of the interval of `risk.proportion_interval`, which is calculated with n*probability
         occurrences.
 
-    Raises ValueError for a probability that does not lie between 0 and 1, or such a width or level.
+    Returns
+    -------
+    int
+        Number of tests.
+
+    Raises
+    ------
+    ValueError
+        For a probability that does not lie between 0 and 1, or such a width or level.
+
+    Examples
+    --------
+    >>> from rockeom import analysis
+    >>> analysis.validation.sample_size_for_proportion(0.0, 0.05)  # none overturned: at most 5 %
+    72
     """
     where = "sample_size_for_proportion"
     require(0 <= probability <= 1, where, "probability", probability, "it lies between 0 and 1")
@@ -37,15 +57,34 @@ def sample_size_for_proportion(probability: float, width: float, level: float = 
 def sample_size_for_mean(
     difference: float, deviation: float, level: float = 0.95, power: float = 0.8
 ) -> int:
-    """Least number of tests after which a wrong mean is found wrong with a power.
+    """Least number of tests after which a wrong mean is seen to be wrong with a power.
 
-    difference : of the true mean peak from the simulated one [unit of the peaks]; deviation : the
-        standard deviation, from test to test, of a measured peak less the mean of its simulations.
-    level : of the interval of `compare_means` for (n, m) simulations, which then leaves out zero.
-    power : probability of that.
+    Parameters
+    ----------
+    difference : float
+        Difference of the true mean peak from the simulated one [unit of the peaks].
+    deviation : float
+        Standard deviation, from test to test, of a measured peak less the mean of its simulations
+        [unit of the peaks].
+    level : float, optional
+        Level of the interval of `compare_means` for (n, m) simulations, which then leaves out zero.
+    power : float, optional
+        Probability of that.
 
+    Returns
+    -------
+    int
+        Number of tests.
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, or lie not between 0 and 1.
+
+    Notes
+    -----
     Power of Student's test, two-sided, by the noncentral t distribution: exact for normal
-    differences. Raises ValueError for numbers that are not positive, or lie not between 0 and 1.
+    differences.
     """
     where = "sample_size_for_mean"
     size, spread = positive(where, difference=abs(difference), deviation=deviation)
@@ -60,18 +99,38 @@ def sample_size_for_mean(
 
 
 def sample_size_for_distribution(distance: float, level: float = 0.95, power: float = 0.8) -> int:
-    """Number of tests after which a wrong distribution of peaks is found wrong with a power.
+    """Number of tests after which a wrong distribution of peaks is seen to be wrong with a power.
 
-    distance : the largest difference of the true distribution from the simulated one, of
-        probabilities: 0.1 if 60 % of the peaks stay below a rotation, and the model says 50 %.
-    level : of the band of the measured distribution, `Ensemble.band`, which then leaves out that
-        of a model which is known from many simulations. power : probability of that, at least.
+    Parameters
+    ----------
+    distance : float
+        Largest difference of the true distribution from the simulated one, of probabilities: 0.1 if
+        60 % of the peaks stay below a rotation, and the model says 50 %.
+    level : float, optional
+        Level of the band of the measured distribution, `Ensemble.band`, which then leaves out that
+        of a model with many simulations.
+    power : float, optional
+        Probability of that, at least.
 
-    ((sqrt(ln(2/(1 - level))/2) + sqrt(ln(1/(1 - power))/2))/distance)**2: of the width of the band,
-    and of the inequality of Hoeffding (1963), Journal of the American Statistical Association 58,
-    13-30, at the rotation of the largest difference. Enough for any two distributions, and for the
-    test of Kolmogorov and Smirnov, too; most need fewer. Raises ValueError for numbers that do not
-    lie between 0 and 1.
+    Returns
+    -------
+    int
+        Number of tests.
+
+    Raises
+    ------
+    ValueError
+        For numbers that do not lie between 0 and 1.
+
+    Notes
+    -----
+    ``((sqrt(ln(2/(1 - level))/2) + sqrt(ln(1/(1 - power))/2))/distance)**2``: of the width of the
+    band, and of the inequality of Hoeffding at the rotation of the largest difference. Enough for
+    any two distributions, and for the test of Kolmogorov and Smirnov, too; most need fewer.
+
+    References
+    ----------
+    Hoeffding (1963), Journal of the American Statistical Association 58, 13-30.
     """
     where = "sample_size_for_distribution"
     require(0 < distance <= 1, where, "distance", distance, "it lies between 0 and 1")

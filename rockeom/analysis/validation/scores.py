@@ -10,13 +10,29 @@ from rockeom.numbers.arguments import numbers, require
 
 
 def brier_score(overturned: ArrayLike, probability: ArrayLike) -> np.ndarray:
-    """(outcome - probability)**2 of each test, whose mean is the score; smaller is better.
+    """Brier score (outcome - probability)^2 of each test, whose mean is the score; smaller is
+    better.
 
-    overturned : (n,) True or False, the measured outcome; it counts as 1 or 0.
-    probability : (n,) predicted, such as `Ensemble.overturning_probability`, or one for all.
+    Parameters
+    ----------
+    overturned : array_like
+        True or False (n,), the measured outcome; it counts as 1 or 0.
+    probability : array_like
+        Predicted probability (n,), such as `Ensemble.overturning_probability`, or one for all.
 
-    Source: Brier (1950), Monthly Weather Review 78(1), 1-3. Raises ValueError for a probability
-    that does not lie between 0 and 1.
+    Returns
+    -------
+    ndarray
+        Scores (n,).
+
+    Raises
+    ------
+    ValueError
+        For a probability that does not lie between 0 and 1.
+
+    References
+    ----------
+    Brier (1950), Monthly Weather Review 78(1), 1-3.
     """
     fell, p = numbers("brier_score", overturned=overturned, probability=probability)
     rule = "give True or False, the outcome of one test"
@@ -26,19 +42,50 @@ def brier_score(overturned: ArrayLike, probability: ArrayLike) -> np.ndarray:
 
 
 def crps(measured: Ensemble, simulated: Ensemble, *, limit: float | None = None) -> np.ndarray:
-    """(n,) continuous ranked probability score of each test [unit of the peaks]; smaller is better.
+    """Continuous ranked probability score of each test; smaller is better.
 
-    measured : (n,) peaks x. simulated : (n, m), m peaks of each test, whose empirical distribution
-        F is the prediction; or (m,), which predicts all tests alike.
-    limit : up to which peaks count, as of `Ensemble.censored`: needed where a motion overturned.
+    Parameters
+    ----------
+    measured : Ensemble
+        Measured peaks x (n,).
+    simulated : Ensemble
+        Simulated peaks (n, m), m of each test, whose empirical distribution F is the prediction; or
+        (m,), which predicts all tests alike.
+    limit : float, optional
+        Limit up to which peaks count, as in `Ensemble.censored`: needed where a motion overturned.
 
-    The score is the integral of (F(y) - [x <= y])**2 over y from 0 to the limit: that of the peaks
-    min(x, limit), an overturned motion at the limit. It is proper, the threshold-weighted form of
-    Gneiting and Ranjan (2011), Journal of Business & Economic Statistics 29(3), 411-422, with the
-    weight 1 below the limit and 0 above; the distance above the limit, which an overturned motion
-    does not have, costs nothing. Calculated as mean |x - y| - mean |y - y'|/2 over the simulated
-    peaks (Gneiting and Raftery 2007, Journal of the American Statistical Association 102, 359-378);
-    m motions in place of a distribution add mean |y - y'|/(2 m): compare models of equal m.
+    Returns
+    -------
+    ndarray
+        Scores (n,) [unit of the peaks].
+
+    Raises
+    ------
+    ValueError
+        Where the limit is missing, and for other shapes.
+
+    Notes
+    -----
+    The score is the integral of ``(F(y) - [x <= y])**2`` over y from 0 to the limit: that of the
+    peaks min(x, limit), an overturned motion at the limit. It is proper, the threshold-weighted
+    form of Gneiting and Ranjan (2011), with the weight 1 below the limit and 0 above; the distance
+    above the limit, which an overturned motion does not have, costs nothing. It is calculated as
+    ``mean |x - y| - mean |y - y'|/2`` over the simulated peaks (Gneiting and Raftery 2007); m
+    motions in place of a distribution add ``mean |y - y'|/(2 m)``: compare models of equal m.
+
+    References
+    ----------
+    Gneiting and Ranjan (2011), Journal of Business & Economic Statistics 29(3), 411-422; Gneiting
+    and Raftery (2007), Journal of the American Statistical Association 102, 359-378.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from rockeom.analysis import validation
+    >>> measured = validation.Ensemble([0.1, np.nan], [False, True])  # rad
+    >>> simulated = validation.Ensemble([[0.1, 0.1], [0.1, 0.2]])
+    >>> validation.crps(measured, simulated, limit=0.25).round(4)  # rad
+    array([0.   , 0.075])
     """
     x, y = measured.censored(limit), np.sort(simulated.censored(limit), axis=-1)
     if x.ndim != 1 or y.ndim > 2 or (y.ndim == 2 and len(y) != len(x)):

@@ -74,25 +74,25 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _filtered(args: argparse.Namespace) -> list[Equation]:
-    found = list(EQUATIONS.values())
+    chosen = list(EQUATIONS.values())
     if args.chapter:
-        chapters = sorted({e.chapter for e in found})
+        chapters = sorted({e.chapter for e in chosen})
         if args.chapter.upper() not in chapters:
             raise UsageError(f"--chapter {args.chapter}: there are {', '.join(chapters)}")
-        found = [e for e in found if e.chapter == args.chapter.upper()]
+        chosen = [e for e in chosen if e.chapter == args.chapter.upper()]
     for name, members, value in (
         ("kind", Kind, lambda e: e.kind),
         ("verdict", Verdict, claim),
     ):
         words = (getattr(args, name) or "").lower()
         if words:
-            known = [m.value for m in members]
-            if not any(words in k for k in known):
-                raise UsageError(f"--{name} {words}: there are {'; '.join(known)}")
-            found = [e for e in found if words in value(e).value]
-    if not found:
+            meanings = [m.value for m in members]
+            if not any(words in k for k in meanings):
+                raise UsageError(f"--{name} {words}: there are {'; '.join(meanings)}")
+            chosen = [e for e in chosen if words in value(e).value]
+    if not chosen:
         raise UsageError("no equation is all of that: leave one of the filters out")
-    return found
+    return chosen
 
 
 def _list(chosen: list[Equation]) -> str:
@@ -141,9 +141,9 @@ def _rest(rest: object) -> str:
 def _symbols(one: Equation) -> tuple[tuple[str, ...], ...]:
     rows = []
     for symbol in one.symbols:
-        found = entry(symbol, one.chapter)
-        unit = "" if found.unit == "1" else found.unit
-        rows.append((f"${written(symbol)}$", unit, found.meaning))
+        meaning = entry(symbol, one.chapter)
+        unit = "" if meaning.unit == "1" else meaning.unit
+        rows.append((f"${written(symbol)}$", unit, meaning.meaning))
     return tuple(rows)
 
 

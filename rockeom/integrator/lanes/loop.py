@@ -17,7 +17,7 @@ bit for any order and number of motions.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -41,57 +41,65 @@ from rockeom.codes import (
     UPLIFT,
 )
 from rockeom.compiler.decorators import Floats, Ints, entry, inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.batches import add_gain, case_of, count_impacts
-    from rockeom.integrator.bernstein import EPS
-    from rockeom.integrator.ground import (
-        ground_acceleration,
-        jumps,
-        pulse,
-        sampling_step,
-        segment_at,
-    )
-    from rockeom.integrator.interface import (
-        DAMPING,
-        GAP_SIDES,
-        KINDS,
-        LANES,
-        N_PARAMETERS,
-        N_STATES,
-        NODE_PLACES,
-        PLACES,
-        REVERSE,
-        ROTATION,
-        ROTATION_RATE,
-        SIDES,
-        STAGE_PLACES,
-        accept_lanes,
-        bend_x_lanes,
-        bend_y_lanes,
-        control_lanes,
-        judge_held_lanes,
-        judge_lanes,
-        jump,
-        opening_acceleration,
-        rates,
-        shake_lanes,
-        step_lanes,
-    )
-    from rockeom.integrator.loop import (
-        _AFTER,
-        _GUARDS,
-        _K,
-        _POWERS,
-        _W,
-        _Y_NEW,
-        SCRATCH,
-        TURN,
-        integrate,
-    )
-    from rockeom.integrator.records import Batch, Ground, Recorder
-    from rockeom.integrator.steps import first_step, most_error
-    from rockeom.integrator.transitions.declared import stand, time_to_rest, velocity_ratio_at
+from rockeom.integrator.batches import add_gain, case_of, count_impacts
+from rockeom.integrator.ground import (
+    ground_acceleration,
+    jumps,
+    pulse,
+    sampling_step,
+    segment_at,
+)
+from rockeom.integrator.loop import (
+    _AFTER,
+    _GUARDS,
+    _K,
+    _POWERS,
+    _W,
+    _Y_NEW,
+    SCRATCH,
+    TURN,
+    integrate,
+)
+from rockeom.integrator.provided import (
+    DAMPING,
+    GAP_SIDES,
+    KINDS,
+    LANES,
+    N_PARAMETERS,
+    N_STATES,
+    NODE_PLACES,
+    PLACES,
+    REVERSE,
+    ROTATION,
+    ROTATION_RATE,
+    SIDES,
+    STAGE_PLACES,
+    accept_lanes,
+    bend_x_lanes,
+    bend_y_lanes,
+    control_lanes,
+    judge_held_lanes,
+    judge_lanes,
+    jump,
+    opening_acceleration,
+    rates,
+    shake_lanes,
+    step_lanes,
+)
+from rockeom.integrator.records import Batch, Ground, Recorder
+from rockeom.integrator.steps import first_step, most_error
+from rockeom.integrator.tolerances import (
+    CLEAR,
+    EPS,
+    PLACED_IN_LANES,
+    RATE_TURN,
+    SETTLED_EXTREME,
+    SETTLED_IN_LANES,
+    STAYS_ON_FEET,
+    TURN_MISS,
+)
+from rockeom.integrator.transitions.declared import stand, time_to_rest
+from rockeom.integrator.transitions.restitution import velocity_ratio_at
 
 # Rows of the lanes' array z, each of one number a lane. One flat array, and places that differ by
 # constants, leave the compiler no doubt that lanes are independent.
@@ -133,9 +141,6 @@ DOUBTFUL, REFUSED, REPEATED, TURNS, STANDS, LANDED = 0.0, 1.0, 2.0, 3.0, 4.0, 5.
 HOP, TURN_AT_END = 0.5, -1.0
 """Z_LANDING of a flight so short that its first step is to end at the next impact, and of a step
 that is to end where a state has a new extreme."""
-
-NEAR = 1e-8
-"""A landing may miss the impact by so much of its step, which a Taylor series then passes."""
 
 
 @inlined
@@ -186,12 +191,12 @@ def judge_gap(t, h, left, side, closed, landing, upright, within, ends):
     q1, v1, a1 = side * ends.q1, side * h * ends.v1, side * h * h * ends.a1
     b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
     b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
-    least = 1e-3 * max(q0, q1)
+    least = CLEAR * max(q0, q1)
     open_ = (q0 > least) | closed
     open_ &= (b1 > least) & (b2 > least) & (b3 > least) & (b4 > least) & (q1 > least)
 
     # positive ones, then doubtful ones, then negative ones
-    doubt = 1e-3 * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
+    doubt = CLEAR * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
     closes = ((q0 > 0.0) | (closed & (b1 > 0.0))) & (q1 < -doubt)
     closes &= (b1 > doubt) | (b2 <= doubt) | closed
     closes &= ((b2 > doubt) | (b3 <= doubt)) & ((b3 > doubt) | (b4 <= doubt))
@@ -213,7 +218,7 @@ def judge_gap(t, h, left, side, closed, landing, upright, within, ends):
         slope = e1 + x * (2.0 * e2 + x * (3.0 * e3 + x * (4.0 * e4 + x * (5.0 * e5))))
         move = value / slope
         x = x - move
-    found = (abs(move) < 1e-4) & (x * h > 8.0 * EPS * max(t, h))
+    found = (abs(move) < SETTLED_IN_LANES) & (x * h > 8.0 * EPS * max(t, h))
     closes &= found & (x < 1.0)
 
     # by what a step that is to end at the impact misses it
@@ -221,7 +226,7 @@ def judge_gap(t, h, left, side, closed, landing, upright, within, ends):
     miss, speed = abs(h * q1), abs(v1)
     falls = (v1 < 0.0) & (miss < (0.1 if hop else 0.01) * h * speed)
     falls &= ~closed | ((b1 > doubt) & (b2 > doubt) & (b3 > doubt) & (b4 > doubt))
-    landed = falls & (miss <= max(NEAR * h, 2.0 * EPS * (t + h)) * speed) & upright
+    landed = falls & (miss <= max(PLACED_IN_LANES * h, 2.0 * EPS * (t + h)) * speed) & upright
     again = falls & (landing < 4.0) & found & (x * h < left)
 
     repeated = closes & ~open_ if first else again & ~landed
@@ -241,21 +246,21 @@ def turns_within(h, ends, least_known, most_known, slowest, fastest):
     q0, v0, a0 = ends.q0, h * ends.v0, h * h * ends.a0
     q1, v1, a1 = ends.q1, h * ends.v1, h * h * ends.a1
     soon, late = v0 + (1 / 3) * a0, v1 - (1 / 3) * a1
-    miss = 1e-5 * max(abs(v0), abs(v1))
+    miss = TURN_MISS * max(abs(v0), abs(v1))
     up = (v0 >= -miss) & (soon >= -miss) & (late >= -miss) & (v1 >= -miss)
     down = (v0 <= miss) & (soon <= miss) & (late <= miss) & (v1 <= miss)
     b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
     b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
     d1, d2, d3 = v0 + 0.25 * a0, 5.0 * (b3 - b2), v1 - 0.25 * a1
     least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
-    margin = 1e-3 * (most - least)
-    miss = max(1e-5 * (most - least), 1e-6 * h * (fastest - slowest))
+    margin = CLEAR * (most - least)
+    miss = max(TURN_MISS * (most - least), RATE_TURN * h * (fastest - slowest))
     faster = (d1 >= v0 - miss) & (d2 >= d1) & (d3 >= d2) & (v1 >= d3 - miss)
     slower = (d1 <= v0 + miss) & (d2 <= d1) & (d3 <= d2) & (v1 <= d3 + miss)
     rate = least - margin >= min(h * slowest, min(v0, v1))
     rate &= most + margin <= max(h * fastest, max(v0, v1))
     least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
-    margin = 1e-3 * (most - least)
+    margin = CLEAR * (most - least)
     known = (least - margin >= least_known) & (most + margin <= most_known)
     return (rate | faster | slower) & (up | down | known)
 
@@ -290,7 +295,7 @@ def slope_root(c0, c1, c2, c3, c4):
             high = x
         move = -value / slope
         x += move
-        if abs(move) < 1e-9:
+        if abs(move) < SETTLED_EXTREME:
             break
         if not low < x < high:
             x = 0.5 * (low + high)
@@ -614,7 +619,7 @@ def pass_rest(lane, z, w, case, batch):
                 up = (still, by_x, by_y)
             else:
                 down = (still, by_x, by_y)
-    doubt = 1e-9 * (abs(up[0]) + abs(down[0]))
+    doubt = STAYS_ON_FEET * (abs(up[0]) + abs(down[0]))
     while z[Z_T + lane] < batch.t_end[case]:
         if z[Z_T + lane] >= z[Z_LAST + lane]:
             if z[Z_END_Y + lane] == np.inf and z[Z_KIND_Y + lane] == 0.0 == z[Z_Y1 + lane]:

@@ -73,7 +73,9 @@ def _powers(exponent: float) -> str:
     return " * ".join(f"r{k}" for k in range(1, ROOTS + 1) if bits >> (ROOTS - k) & 1)
 
 
-SINES = """
+SINES = """import numpy as np
+from rockeom.compiler.decorators import inlined
+
 
 @inlined
 def sine_cosine(x):
@@ -166,7 +168,7 @@ def _sampled(generated: GeneratedModule) -> str:
         text += f"        open_{f} = True\n"
         for row in samples_to_bernstein():
             coefficient = _sum(row, f"g{f}_{{}}", " " * 12)
-            text += f"        open_{f} &= (\n            {coefficient}\n        ) > 1e-3 * most\n"
+            text += f"        open_{f} &= (\n            {coefficient}\n        ) > CLEAR * most\n"
     text += "        held = True\n"
     for guard in range(generated.N_GUARDS):
         text += f"        clear = open_{guard}\n"
@@ -217,37 +219,66 @@ def _lines(generated: GeneratedModule, parameters: int) -> _Lines:
     return _Lines(step, start, end, within)
 
 
+_IMPORTS = """import math
+
+import numpy as np
+from rockeom.compiler.decorators import Floats, entry, inlined
+from rockeom.integrator.tolerances import CLEAR, EPS, LEAST_ERROR
+from rockeom.integrator.ground import sine
+from rockeom.integrator.lanes.loop import (
+    DOUBTFUL, REFUSED, REPEATED, STANDS, TURNS, Z_AX, Z_AY, Z_CLOSED, Z_DAMP, Z_EQUAL, Z_ERROR,
+    Z_FALLEN, Z_H, Z_K, Z_KIND_X, Z_KIND_Y, Z_K_NEW, Z_LANDING, Z_LAST, Z_LEAST, Z_MODE, Z_MOST,
+    Z_NEXT, Z_P, Z_Q, Z_Q_NEW, Z_SIDE, Z_START_X, Z_START_Y, Z_T, Z_TAKEN, Z_T_NEW, Z_VERDICT,
+    Z_X0, Z_X1, Z_X2, Z_Y0, Z_Y1, Z_Y2, Ends, judge_gap, turns_within,
+)
+from rockeom.integrator.provided import LANES, N_STATES, accelerations, guards
+"""
+
+
+def numbers_text(method: Tableau, generated: GeneratedModule) -> str:
+    """Source of the numbers that the step of lanes and their loop have in common."""
+    # stage j is shaken as place j - 1, the last two, at the end of the step, as one
+    times = method.c[1 : method.stages].tolist()
+    assert method.c[method.stages] == times[-1]
+    places = max(len(times), len(NODES))
+    return f"""import numpy as np
+
+LANES = {LANES}
+N_PARAMETERS = {_parameters(generated)}
+PLACES = {places}  # of a step at which the ground is found at once
+STAGE_PLACES = np.array({_padded(times, places)!r})
+NODE_PLACES = np.array({_padded(NODES.tolist(), places)!r})
+DAMPING = {_damping(method)!r}
+GAP_SIDES = {gap_sides(generated)!r}  # of modes that end by an impact alone; 0 of others
+"""
+
+
+def _parameters(generated: GeneratedModule) -> int:
+    return len(generated.prepare(np.ones(len(generated.PARAMETERS))))
+
+
+def _exponent(method: Tableau) -> float:
+    return -1.0 / (method.error_order + 1)
+
+
+def _damping(method: Tableau) -> float:
+    return round(-0.4 * _exponent(method) * 2**ROOTS) / 2**ROOTS
+
+
 def lanes_text(method: Tableau, generated: GeneratedModule) -> str:
     """Source of one step of `LANES` motions of a structure at once; `loop.py` says of what.
 
     Each loop over the lanes holds the whole work of a lane in plain numbers and without branches,
     at places that differ by constants: so the compiler makes vector instructions of it.
     """
-    parameters = len(generated.prepare(np.ones(len(generated.PARAMETERS))))
-    lines = _lines(generated, parameters)
-    # stage j is shaken as place j - 1, the last two, at the end of the step, as one
-    times = method.c[1 : method.stages].tolist()
-    assert method.c[method.stages] == times[-1]
-    places = max(len(times), len(NODES))
-    exponent = -1.0 / (method.error_order + 1)
-    damping = round(-0.4 * exponent * 2**ROOTS) / 2**ROOTS
-    head = f"""
-from rockeom.compiler.decorators import Floats, entry, inlined
-
-LANES = {LANES}
-N_PARAMETERS = {parameters}
-PLACES = {places}  # of a step at which the ground is found at once
-STAGE_PLACES = np.array({_padded(times, places)!r})
-NODE_PLACES = np.array({_padded(NODES.tolist(), places)!r})
-DAMPING = {damping!r}
-GAP_SIDES = {gap_sides(generated)!r}  # of modes that end by an impact alone; 0 of others
-"""
+    lines = _lines(generated, _parameters(generated))
+    places = max(method.stages - 1, len(NODES))
     return "".join(
         (
-            head,
+            _IMPORTS,
             _accelerations(generated),
             _shaken(places),
-            _control(exponent, damping),
+            _control(_exponent(method), _damping(method)),
             _step(method, generated, lines),
             _judge(generated, lines),
             _judge_held(generated, lines),
@@ -269,7 +300,7 @@ def control_lanes(z: Floats):
     are products of roots.
     """
     for lane in range(LANES):
-        h, error, last = z[Z_H + lane], max(z[Z_ERROR + lane], 1e-10), z[Z_DAMP + lane]
+        h, error, last = z[Z_H + lane], max(z[Z_ERROR + lane], LEAST_ERROR), z[Z_DAMP + lane]
         equal = z[Z_EQUAL + lane] > 0.0
 {roots}        refused = (error > 1.0) & ~equal
         cut, first = z[Z_T_NEW + lane] >= z[Z_LAST + lane], z[Z_LANDING + lane] == 0.0

@@ -22,7 +22,6 @@ from functools import cache
 import numpy as np
 
 from rockeom.integrator.methods.tableau import Tableau, exact_solution, method_header
-from rockeom.integrator.texts import text_of
 
 
 def _points() -> list[Fraction]:
@@ -64,10 +63,8 @@ def radau() -> Tableau:
     return Tableau("Radau", a, a[4, :4], c, (errors,), dense, 5, 3)
 
 
-def implicit_step_text(n: int) -> str:
-    """Source of `take_step`, `dense_output` and the constants of Radau IIA, for n coordinates.
-
-    The functions are those of radau_step.py.
+def constants_text(n: int) -> str:
+    """Source of the constants of Radau IIA for n coordinates; radau_step.py has the functions.
 
     The Jacobian is one of central differences, whose width depends on the size of a state only:
     a mirrored motion has the mirrored one, to the last bit. Nothing is kept between steps.
@@ -98,5 +95,4 @@ G = {float(errors[0])!r}
 ERROR_PLACE = np.array({errors[1:4].tolist()!r})
 ERROR_VELOCITY = np.array({(inverse.T @ errors[1:4]).tolist()!r})
 """
-        + text_of("integrator/methods/radau_step.py")
     )

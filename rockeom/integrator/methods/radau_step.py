@@ -1,27 +1,26 @@
 """The step of Radau IIA of order 5, for structures of any number of coordinates.
-
-This text is joined to others behind the constants that `radau.implicit_step_text` writes, see
-`rockeom.integrator.program`.
+Its constants are those that `radau.constants_text` writes.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:  # joined before this text, or written before it
-    from rockeom.integrator.bernstein import EPS
-    from rockeom.integrator.ground import ground_acceleration
-    from rockeom.integrator.interface import N_STAGES, N_STATES, STAGE_TIMES, rates
-    from rockeom.integrator.methods.radau_constants import (
-        A_SQUARED,
-        DENSE_PLACE,
-        DENSE_VELOCITY,
-        ERROR_PLACE,
-        ERROR_VELOCITY,
-        A,
-        G,
-    )
+from rockeom.integrator.ground import ground_acceleration
+from rockeom.integrator.provided import (
+    A_SQUARED,
+    DENSE_PLACE,
+    DENSE_VELOCITY,
+    ERROR_PLACE,
+    ERROR_VELOCITY,
+    N_STAGES,
+    N_STATES,
+    STAGE_TIMES,
+    A,
+    G,
+    rates,
+)
+from rockeom.integrator.tolerances import EPS, JACOBIAN_STEP, LEAST_JACOBIAN_STEP
 
 N = N_STATES // 2
 SIZE = 3 * N
@@ -87,7 +86,7 @@ def differences(mode, y, p, ax, ay, w, f, other, jacobian):
         w[j] = y[j]
     for j in range(N_STATES):
         # far above rounding errors, far below all lengths in which a structure is not linear
-        width = 1e-7 + 1e-6 * abs(y[j])
+        width = LEAST_JACOBIAN_STEP + JACOBIAN_STEP * abs(y[j])
         above, below = y[j] + width, y[j] - width
         w[j] = above
         rates(mode, w, p, ax, ay, f)

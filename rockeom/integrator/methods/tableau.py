@@ -241,7 +241,7 @@ def _stage(
 
 def method_header(method: Tableau, stages: int, all_stages: int) -> str:
     """The constants that the loop wants of every method."""
-    return f'''
+    return f'''import numpy as np
 
 METHOD = "{method.name}"
 N_STAGES = {stages}
@@ -401,7 +401,13 @@ def step_text(
     is that of this coordinate.
     """
     branches, functions = _quick_steps(method, n, rotation, quick)
-    return f'''{method_header(method, method.stages, len(method.c))}
+    provided = ["EQUATIONS", "FULL_CONTACT", "N_STATES", "accelerations"]
+    provided += [f"accelerations_{m}" for m, _ in quick]
+    return f'''import math
+
+from rockeom.integrator.ground import ground_at_stages
+from rockeom.integrator.provided import {", ".join(provided)}
+{method_header(method, method.stages, len(method.c))}
 # places behind the rates: the ground at each stage
 GROUND_X = N_ALL_STAGES * N_STATES
 GROUND_Y = GROUND_X + N_ALL_STAGES

@@ -3,11 +3,10 @@
 A mode says of each point whether it is open, sticks or slips to a side. Where one ends, all that
 may follow are tried: at a landing, those whose impulses fit the velocities after them; then those
 whose forces fit the accelerations. An event that none fits, or several that move differently, ends
-the motion. This text is joined to others behind points.py, see `rockeom.integrator.program`.
+the motion.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -25,67 +24,80 @@ from rockeom.codes import (
     SWITCH,
 )
 from rockeom.compiler.decorators import inlined, rolled
+from rockeom.integrator.provided import (
+    ELEMENT_STATES,
+    FEET_OF,
+    GUARDS,
+    KINDS,
+    N_ELEMENTS,
+    N_GUARDS,
+    N_PARTS,
+    N_POINTS,
+    N_STATES,
+    POINT_STATES,
+    POSITIONS,
+    REVERSE,
+    ROTATION,
+    SHARED,
+    SUBJECTS,
+    free_motion,
+    guards,
+    jump,
+    landed,
+    points,
+    positions,
+    rates,
+)
+from rockeom.integrator.tolerances import (
+    APART,
+    CLOSEST,
+    FITS,
+    FORCE_OF_LARGEST,
+    GIVEN,
+    GRAIN,
+    INDEPENDENT,
+    LARGEST,
+    LEAST_PUSH,
+    LEAST_SIZE,
+    NEARLY,
+    NO_GAP,
+    NO_GAP_IN_STEP,
+    NO_GAP_OF_TERMS,
+    NO_MOTION,
+    NO_TURN,
+    PUSH,
+    SAME_VELOCITIES,
+    SLIP_WITH_HOP,
+    SLOW,
+    SOON_AT_START,
+)
+from rockeom.integrator.transitions.points import (
+    COUPLING,
+    HALVES,
+    LAWS,
+    MATRIX,
+    N_COORDINATES,
+    N_KNOWN,
+    POINT,
+    ROWS,
+    SPREAD,
+    all_known,
+    along,
+    eliminate,
+    is_closed,
+    put_on,
+    rate_of,
+    row_of_point,
+    through_mass,
+)
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import (
-        ELEMENT_STATES,
-        FEET_OF,
-        GUARDS,
-        KINDS,
-        N_ELEMENTS,
-        N_GUARDS,
-        N_PARTS,
-        N_POINTS,
-        N_STATES,
-        POINT_STATES,
-        POSITIONS,
-        REVERSE,
-        ROTATION,
-        SHARED,
-        SUBJECTS,
-        free_motion,
-        guards,
-        jump,
-        landed,
-        points,
-        positions,
-        rates,
-    )
-    from rockeom.integrator.transitions.points import (
-        COUPLING,
-        GRAIN,
-        HALVES,
-        LAWS,
-        MATRIX,
-        N_COORDINATES,
-        N_KNOWN,
-        POINT,
-        ROWS,
-        SPREAD,
-        all_known,
-        along,
-        eliminate,
-        is_closed,
-        put_on,
-        rate_of,
-        row_of_point,
-        through_mass,
-    )
+__fused__ = False
 
 # Places in `ground` (5,): the accelerations of the ground now, those a little later, and how much
 AX, AY, LATER_AX, LATER_AY, LATER = range(5)
 
-FITS = 1e-11  # relative rounding error of what a candidate must fulfil
-NEARLY = 1e-9  # and of forces and accelerations, by which an event's time may be off at least
-GIVEN = 1e-6  # relative error of a given state: of seven digits, or of a motion with rtol 1e-6
-NOTHING = 1e-9  # of the size of a structure: a point that is higher is open, as a motion has it
-PUSH, LEAST_PUSH = 1e-13, 1e-15  # rounding errors of accelerations, of those that open a gap
-CLOSEST = 1e-7  # of the size of a structure: what opens between closer points is LEAST_PUSH
-STILL = 1e-8  # of sqrt(a l): slower points of a given state do not move, whatever else does
 STEPS_ERROR = 100.0  # in tolerances of the motion: the error of a state after many steps
 ALIKE = 100.0  # times that: difference of accelerations that are the same but for the event's time
-NO_TURN = 1e-14  # rate of a rotation that points hold: rounding errors of the last impacts
-SLOW = 1e-6  # of sqrt(a l): the speed of landings between whose outcomes nothing decides
 TIPPED = 2.0  # a block has come back from 1.7 times the angle at which its weight is balanced
 SIGN_OF = (0.0, 0.0, 1.0, -1.0, 0.0)  # by the state of a point
 
@@ -113,7 +125,7 @@ def guard_noise(mode, index, y, p, ax, ay, h, b, stride):
         if KINDS[mode][i] == LIFTING or KINDS[mode][i] == SLIPPING:
             for j in range(stride * i, stride * i + stride):
                 largest = max(largest, abs(b[j]))
-    return max(1e-13 * largest, FITS * sizes[ROWS + point])
+    return max(FORCE_OF_LARGEST * largest, FITS * sizes[ROWS + point])
 
 
 def freedom_of(point, mode, known):
@@ -197,7 +209,7 @@ def held_alone(candidate, point, wanted, known, impulse):
         return True
     largest = max(across, max(along_, abs(between_)))
     determinant = across * along_ - between_ * between_
-    if not determinant > 1e-6 * largest * largest:
+    if not determinant > INDEPENDENT * largest * largest:
         return False
     inverse = 1.0 / determinant
     impulse[normal] = (wanted[normal] * along_ - between_ * wanted[normal + 1]) * inverse
@@ -259,7 +271,7 @@ def share(candidate, known, force, fractions):
         for j in range(N_COORDINATES):
             one, other = row_of_point(2 * i + 1) + j, row_of_point(2 * first + 1) + j
             apart = max(apart, abs(known[one] - known[other]))
-        if apart > 1e-9:
+        if apart > APART:
             found = True
     if not found:
         return False
@@ -368,9 +380,9 @@ def sizes_of(whole, known, sizes):
     the points come first, then those of normal impulses, or forces.
     """
     for r in range(ROWS):
-        sizes[r] = math.sqrt(known[COUPLING + r * ROWS + r] * whole) + 1e-300
+        sizes[r] = math.sqrt(known[COUPLING + r * ROWS + r] * whole) + LEAST_SIZE
     for i in range(N_POINTS):
-        sizes[ROWS + i] = math.sqrt(whole / known[COUPLING + 2 * i * ROWS + 2 * i]) + 1e-300
+        sizes[ROWS + i] = math.sqrt(whole / known[COUPLING + 2 * i * ROWS + 2 * i]) + LEAST_SIZE
 
 
 def radius_of(known, point):
@@ -413,7 +425,7 @@ def collide(mode, near, slowest, known, y):
         wanted[r] = -arriving
         if 2 * int(r * 0.5) == r:
             wanted[r] -= known[LAWS + r] * min(arriving, 0.0)
-    alike = max(1e-18 * whole, slowest)
+    alike = max(SAME_VELOCITIES * whole, slowest)
     fitting[0] = -1
     found, _ = fitting_states(
         mode, near, sliding, wanted, known, sizes, FITS, alike, fitting, change
@@ -441,15 +453,19 @@ def closed_points(y, p, mode, known, near, sliding):
     for i in range(N_POINTS):
         length = radius_of(known, i)
         _, size = rate_of(known, 2 * i, y, 0)
-        closed = known[i * POINT] <= min(NOTHING * max(size, length), GIVEN * size)
-        least = max(GIVEN * speeds[2 * i], STILL * math.sqrt(free[2 * i] * length))
+        closed = known[i * POINT] <= min(NO_GAP * max(size, length), GIVEN * size)
+        least = max(GIVEN * speeds[2 * i], NO_MOTION * math.sqrt(free[2 * i] * length))
         rate = abs(known[i * POINT + 1])
         near[i] = 1 if closed and rate <= least else 0
         slip, _ = rate_of(known, 2 * i + 1, y, N_COORDINATES)
-        least = max(GIVEN * speeds[2 * i + 1], STILL * math.sqrt(free[2 * i + 1] * length))
+        least = max(GIVEN * speeds[2 * i + 1], NO_MOTION * math.sqrt(free[2 * i + 1] * length))
         sliding[i] = 0.0 if abs(slip) <= least else 1.0 if slip > 0.0 else -1.0
         # in a hop of a point that never slips both velocities are of one size, small as they are
-        if sliding[i] != 0.0 and known[LAWS + 2 * i + 1] >= NEVER_SLIPS and rate > 1e-3 * abs(slip):
+        if (
+            sliding[i] != 0.0
+            and known[LAWS + 2 * i + 1] >= NEVER_SLIPS
+            and rate > SLIP_WITH_HOP * abs(slip)
+        ):
             near[i] = 0
 
 
@@ -468,7 +484,7 @@ def fits_by_forces(mode, y, p, ax, ay):
         if POINT_STATES[mode][i] != OPEN:
             near[i] = 1
     ground = np.empty(5)
-    same_ground(ax, ay, 1e-9, ground)
+    same_ground(ax, ay, SOON_AT_START, ground)
     return select_by_forces(mode, False, near, sliding, y, p, ground, 0.0, known, sizes)
 
 
@@ -586,7 +602,7 @@ def best_later(mode, ends, near, sliding, fitting, several, y, p, ground, sizes)
             # what has come to its end goes on only where nothing but rounding errors ended it
             if several == 1 and margin < -FITS:
                 return IMPOSSIBLE
-            margin = np.inf if margin >= -FITS else -1e300
+            margin = np.inf if margin >= -FITS else -LARGEST
         # of those that fit as well, the one that keeps more points closed, which stands first
         if margin > best + FITS:
             found, best = candidate, margin
@@ -621,7 +637,7 @@ def pass_on(mode, guard, h, y, p, ground, rtol, known, out):
         if not touches and kind == LANDING:
             gap, rate = known[i * POINT], known[i * POINT + 1]
             _, size = rate_of(known, 2 * i, out, 0)
-            touches = rate <= 0.0 and gap <= 1e-9 * h * abs(rate) + 1e-13 * size
+            touches = rate <= 0.0 and gap <= NO_GAP_IN_STEP * h * abs(rate) + NO_GAP_OF_TERMS * size
         if touches:
             near[i] = 1
             rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]

@@ -1,23 +1,25 @@
-"""Points that meet in an impact, and the forces that fit at an instant of it, by Coulomb's law.
-
-This text is joined behind candidates.py, see `rockeom.integrator.program`.
-"""
+"""Points that meet in an impact, and the forces that fit at an instant of it, by Coulomb's law."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.codes import NEVER_SLIPS
 from rockeom.compiler.decorators import Floats, Ints, inlined, rolled
+from rockeom.integrator.provided import N_POINTS
+from rockeom.integrator.tolerances import (
+    BEYOND_MOST,
+    CLEAR_FIT,
+    FITS,
+    LEAST_SIZE,
+    NOTHING_LEFT,
+    SAME_ROWS,
+)
+from rockeom.integrator.transitions.points import COUPLING, LAWS, ROWS, eliminate
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import N_POINTS
-    from rockeom.integrator.transitions.candidates import FITS
-    from rockeom.integrator.transitions.points import COUPLING, LAWS, ROWS, eliminate
-
-NOTHING_LEFT = 1e-12  # of velocities and forces: what is smaller is none
+__fused__ = False
 
 
 class Meeting(NamedTuple):
@@ -69,7 +71,7 @@ def lines_of(m, known):
             j = i - 1 - back
             of_that = known[COUPLING + (2 * j + 1) * ROWS + 2 * j + 1]
             apart = of_this + of_that - 2.0 * known[COUPLING + (2 * i + 1) * ROWS + 2 * j + 1]
-            if m.near[i] == 1 and m.near[j] == 1 and apart <= 1e-12 * (of_this + of_that):
+            if m.near[i] == 1 and m.near[j] == 1 and apart <= SAME_ROWS * (of_this + of_that):
                 m.first[i] = j
 
 
@@ -198,7 +200,7 @@ def bound_of(point, m, known):
 
 def least_margin(m, known):
     """The least margin by which forces fit: they press, bound friction, and what leaves opens."""
-    largest, least = 1e-300, np.inf
+    largest, least = LEAST_SIZE, np.inf
     for r in range(ROWS):
         largest = max(largest, abs(m.force[r]))
     for i in range(N_POINTS):
@@ -241,7 +243,7 @@ def best_fit(bounded, m, known):
         margin = least_margin(m, known)
         if margin > most and not (bounded and is_beyond_most(m)):
             best, most = code, margin
-            if margin > 1e-3:
+            if margin > CLEAR_FIT:
                 break
         code += 1
     return best
@@ -252,5 +254,5 @@ def is_beyond_most(m):
     found = False
     for i in range(N_POINTS):
         holds = m.holds[i] == 1 and m.unknown[2 * i] == 1 and m.most[i] > 0.0
-        found = found or (holds and m.force[2 * i] > (1.0 + 1e-9) * m.most[i])
+        found = found or (holds and m.force[2 * i] > (1.0 + BEYOND_MOST) * m.most[i])
     return found

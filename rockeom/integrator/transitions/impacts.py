@@ -10,43 +10,48 @@ laws differ in normal forces:
     lzb       springs of stiffness k as they load, and k / e**2 as they give back, see `grow`
     pairwise  single points one after the other, with the restitution of lzb; those that are alike
               together, see `one_by_one`
-
-This text is joined behind friction.py and springs.py, see `rockeom.integrator.program`.
 """
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.codes import IMPOSSIBLE, LZB, MOREAU, OPEN, PAIRWISE, POISSON
 from rockeom.compiler.decorators import inlined
+from rockeom.integrator.provided import (
+    ELEMENT_STATES,
+    IMPACT_LAW,
+    N_ELEMENTS,
+    N_POINTS,
+    POINT_STATES,
+    point_numbers,
+)
+from rockeom.integrator.tolerances import (
+    FITS,
+    NOTHING_LEFT,
+    SAME_LANDING_RATE,
+    SAME_VELOCITIES,
+)
+from rockeom.integrator.transitions.candidates import (
+    fitting_states,
+    sizes_of,
+    squared,
+)
+from rockeom.integrator.transitions.friction import (
+    Meeting,
+    choose,
+    grip,
+    lines_of,
+    slips_now,
+)
+from rockeom.integrator.transitions.points import LAWS, N_COORDINATES, ROWS, SPREAD, rate_of
+from rockeom.integrator.transitions.springs import grow
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import (
-        ELEMENT_STATES,
-        IMPACT_LAW,
-        N_ELEMENTS,
-        N_POINTS,
-        POINT_STATES,
-        point_numbers,
-    )
-    from rockeom.integrator.transitions.candidates import FITS, fitting_states, sizes_of, squared
-    from rockeom.integrator.transitions.friction import (
-        NOTHING_LEFT,
-        Meeting,
-        choose,
-        grip,
-        lines_of,
-        slips_now,
-    )
-    from rockeom.integrator.transitions.points import LAWS, N_COORDINATES, ROWS, SPREAD, rate_of
-    from rockeom.integrator.transitions.springs import grow
+__fused__ = False
 
 MOST_STAGES = 100000  # of an impact, and impacts of single points in one
-SAME_RATE = 1e-9  # relative: rates of points that are alike differ by rounding, some 1e-15 a step
 
 
 def landed(mode, near, y, p, ground, known, out):
@@ -134,7 +139,7 @@ def by_moreau(mode, near, whole, along, known, sizes, rate, change):
         wanted[2 * i + 1] = -(1.0 + e_t) * rate[2 * i + 1]
     fitting[0] = -1
     found, _ = fitting_states(
-        mode, near, sliding, wanted, known, sizes, FITS, 1e-18 * whole, fitting, change
+        mode, near, sliding, wanted, known, sizes, FITS, SAME_VELOCITIES * whole, fitting, change
     )
     return found
 
@@ -249,7 +254,9 @@ def one_by_one(m, stiffness, whole, known):
             return True
         alike = 0
         for i in range(N_POINTS):
-            closes = m.near[i] == 1 and m.rate[2 * i] <= (1.0 - SAME_RATE) * m.rate[2 * which]
+            closes = (
+                m.near[i] == 1 and m.rate[2 * i] <= (1.0 - SAME_LANDING_RATE) * m.rate[2 * which]
+            )
             next_[i] = 1 if closes and stiffness[i] == stiffness[which] else 0
             alike += next_[i]
         if alike == 1 and not meet_alone(which, apart, known):

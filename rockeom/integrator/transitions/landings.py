@@ -5,34 +5,34 @@ each guard leave unclear.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.codes import LANDING, STAYS_OPEN, UNCLEAR
 from rockeom.compiler.decorators import inlined
+from rockeom.integrator.guards import guards_at
+from rockeom.integrator.provided import (
+    ANGLES,
+    GUARDS,
+    KINDS,
+    N_POINTS,
+    N_STAGES,
+    N_STATES,
+    SUBJECTS,
+    guards,
+    points,
+)
+from rockeom.integrator.tolerances import LEAST_PRODUCT, LEAST_SIZE, SETTLED_PARABOLA
+from rockeom.integrator.transitions.points import (
+    N_COORDINATES,
+    POINT,
+    ROW,
+    acceleration_of,
+    gap_rounding,
+    is_closed,
+)
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.guards import guards_at
-    from rockeom.integrator.interface import (
-        ANGLES,
-        GUARDS,
-        KINDS,
-        N_POINTS,
-        N_STAGES,
-        N_STATES,
-        SUBJECTS,
-        guards,
-        points,
-    )
-    from rockeom.integrator.transitions.points import (
-        N_COORDINATES,
-        POINT,
-        ROW,
-        acceleration_of,
-        gap_rounding,
-        is_closed,
-    )
+__fused__ = False
 
 INSIDE = (  # weights of way, rates and accelerations at both ends, of a place and of its slope
     (0.5, 0.15625, -0.15625, 0.015625, 0.015625, 1.875, -0.4375, -0.4375, -0.03125, 0.03125),
@@ -46,7 +46,7 @@ INSIDE = (  # weights of way, rates and accelerations at both ends, of a place a
 @inlined
 def longest_turn(y):
     """The longest step in which angles change so little that eight samples follow a gap."""
-    fastest = 1e-300
+    fastest = LEAST_SIZE
     for i in range(N_COORDINATES):
         fastest = max(fastest, ANGLES[i] * abs(y[N_COORDINATES + i]))
     return 1.0 / fastest
@@ -66,7 +66,7 @@ def single_hop(mode, closed, y, p, dy):
         point = SUBJECTS[mode][i]
         rate, a = known[point * POINT + 1], -acceleration_of(known, 2 * point, dy)
         # a hop must not be lost among the smallest numbers
-        if hop >= 0 or not (rate > 0.0 and a > 0.0 and 2.0 * rate * rate > 1e-290 * a):
+        if hop >= 0 or not (rate > 0.0 and a > 0.0 and 2.0 * rate * rate > LEAST_PRODUCT * a):
             return -1, np.inf
         hop, lasts = i, 2.0 * rate / a
     return hop, lasts
@@ -155,7 +155,7 @@ def falls_by(samples, i, opens, at_end):
         value = first + x * (rise + x * curve) + cubic * x * (x - 0.5) * (x - 1.0)
         slope = rise + 2.0 * x * curve + cubic * (x * (3.0 * x - 3.0) + 0.5)
         x -= value / slope
-    return x if 1e-6 < x < 1.0 else 0.0
+    return x if SETTLED_PARABOLA < x < 1.0 else 0.0
 
 
 def to_landing(mode, guard, y, p, dy):

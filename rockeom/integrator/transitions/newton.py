@@ -4,13 +4,11 @@ The contract of an impact, as impacts.py fulfils it for the other laws. This tex
 candidates.py, see `rockeom.integrator.program`.
 """
 
-from typing import TYPE_CHECKING
-
 from rockeom.codes import AMBIGUOUS
 from rockeom.compiler.decorators import inlined
+from rockeom.integrator.transitions.candidates import AX, AY, collide, slow_landing
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.transitions.candidates import AX, AY, collide, slow_landing
+__fused__ = False
 
 
 @inlined

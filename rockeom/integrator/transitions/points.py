@@ -1,26 +1,31 @@
 """Points that may touch something: gaps, slips and their rates, and how impulses change them.
 
 Velocities and accelerations of a point are those of its gap (normal) and of its slip (tangential).
-This text is joined to others, see `rockeom.integrator.program`.
 """
-
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.codes import MOST_DIGITS
 from rockeom.compiler.decorators import inlined, rolled
+from rockeom.integrator.provided import (
+    N_GUARDS,
+    N_PARTS,
+    N_POINTS,
+    N_STATES,
+    free_motion,
+    point_laws,
+    points,
+)
+from rockeom.integrator.tolerances import (
+    GRAIN,
+    INDEPENDENT,
+    INDEPENDENT_OF_THREE,
+    MASSLESS,
+    NONE_OF_SUM,
+    PIVOT,
+)
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import (
-        N_GUARDS,
-        N_PARTS,
-        N_POINTS,
-        N_STATES,
-        free_motion,
-        point_laws,
-        points,
-    )
+__fused__ = False
 
 N_COORDINATES = N_STATES // 2
 POINT = 5 + N_STATES  # numbers that `points` tells of each: gap, its rate, that of the slip, ...
@@ -36,7 +41,6 @@ SPREAD = MATRIX + N_MATRIX
 COUPLING = SPREAD + N_COORDINATES * ROWS
 N_KNOWN = COUPLING + ROWS * ROWS
 
-GRAIN = 4e-15  # relative rounding error of a gap
 HALVES = 0.5 ** np.arange(1.0 * MOST_DIGITS)
 
 
@@ -73,7 +77,7 @@ def eliminate(a, order, width):
             for j in range(n, order):
                 if abs(a[i * width + j]) > best:
                     best, row, col = abs(a[i * width + j]), i, j
-        if best <= 1e-12 * largest:
+        if best <= PIVOT * largest:
             rank = n
             break
         if row != n:
@@ -116,7 +120,7 @@ def solved_at_once(a, order):
     if order == 2:
         largest = max(max(abs(a[0]), abs(a[1])), max(abs(a[3]), abs(a[4])))
         determinant = a[0] * a[4] - a[1] * a[3]
-        if not abs(determinant) > 1e-6 * largest * largest:
+        if not abs(determinant) > INDEPENDENT * largest * largest:
             return False
         inverse = 1.0 / determinant
         a[2], a[5] = (a[2] * a[4] - a[1] * a[5]) * inverse, (a[0] * a[5] - a[2] * a[3]) * inverse
@@ -130,7 +134,7 @@ def solved_at_once(a, order):
         for j in range(3):
             largest = max(largest, abs(a[4 * i + j]))
     determinant = a[0] * c0 + a[1] * c1 + a[2] * c2
-    if not abs(determinant) > 1e-4 * largest * largest * largest:
+    if not abs(determinant) > INDEPENDENT_OF_THREE * largest * largest * largest:
         return False
     inverse = 1.0 / determinant
     d0, d1, d2 = a[7] * a[8] - a[4] * a[11], a[7] * a[9] - a[5] * a[11], a[7] * a[10] - a[6] * a[11]
@@ -153,7 +157,7 @@ def through_mass(matrix, b, width):
         a[i] = matrix[i]
     for i in range(n):
         pivot = a[i * n + i]
-        inverse[i] = 1.0 / pivot if pivot > 1e-13 * matrix[i * n + i] else 0.0
+        inverse[i] = 1.0 / pivot if pivot > MASSLESS * matrix[i * n + i] else 0.0
         for j in range(i + 1, n):
             factor = a[i * n + j] * inverse[i]
             for m in range(j, n):
@@ -239,7 +243,7 @@ def acceleration_of(known, row, dy):
 @inlined
 def but_for_rounding(sum_, size):
     """A sum, zero where nothing but rounding errors is left of its terms."""
-    return sum_ if abs(sum_) > 1e-14 * size else 0.0
+    return sum_ if abs(sum_) > NONE_OF_SUM * size else 0.0
 
 
 @rolled

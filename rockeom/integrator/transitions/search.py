@@ -1,11 +1,7 @@
 """Transitions of points that may open, slide and bounce: the mode that follows is searched.
 
 The contract of transitions, as table.py fulfils it for declared modes.
-
-This text is joined to others, see `rockeom.integrator.program`.
 """
-
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,32 +17,31 @@ from rockeom.codes import (
     SWITCH,
 )
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.bernstein import EPS, NEVER
-    from rockeom.integrator.ground import ground_accelerations
-    from rockeom.integrator.interface import KINDS, N_STAGES, N_STATES
-    from rockeom.integrator.recorder import enter_mode
-    from rockeom.integrator.records import Rest, State
-    from rockeom.integrator.rounding import noise_of
-    from rockeom.integrator.transitions.candidates import (
-        fits_by_forces,
-        ground_now_and_later,
-        guard_noise,
-        held_upright,
-        nothing_moves,
-        pass_on,
-        still_closed,
-        tips_over,
-    )
-    from rockeom.integrator.transitions.landings import (
-        end_closed,
-        fall_within,
-        single_hop,
-        to_landing,
-    )
-    from rockeom.integrator.transitions.points import is_closed
-    from rockeom.integrator.transitions.zeno import step_over, time_of_bounces
+from rockeom.integrator.bernstein import NEVER
+from rockeom.integrator.ground import ground_accelerations
+from rockeom.integrator.provided import KINDS, N_STAGES, N_STATES
+from rockeom.integrator.recorder import enter_mode
+from rockeom.integrator.records import Rest, State
+from rockeom.integrator.rounding import noise_of
+from rockeom.integrator.tolerances import SAME_INSTANT, SOON_IN_STEP
+from rockeom.integrator.transitions.candidates import (
+    fits_by_forces,
+    ground_now_and_later,
+    guard_noise,
+    held_upright,
+    nothing_moves,
+    pass_on,
+    still_closed,
+    tips_over,
+)
+from rockeom.integrator.transitions.landings import (
+    end_closed,
+    fall_within,
+    single_hop,
+    to_landing,
+)
+from rockeom.integrator.transitions.points import is_closed
+from rockeom.integrator.transitions.zeno import step_over, time_of_bounces
 
 MOST_IDLE = 1000  # events at one instant; with more they are chatter
 CROWDED = 20  # after so many of them points step over the time of a rest
@@ -66,7 +61,7 @@ def free_flight(mode, closed, t, y, p, k):
     if not closed > 0:
         return 0, np.inf
     hop, flight = single_hop(mode, closed, y, p, k)
-    return hop, flight if 1e3 * EPS * t < flight else np.inf
+    return hop, flight if SAME_INSTANT * t < flight else np.inf
 
 
 @inlined
@@ -117,7 +112,7 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
         if rest.stepped:
             return after_step_over(motion, rest), rest
     length = max(h, min(motion.h_next, end - motion.t))
-    tau = 1e-5 * length
+    tau = SOON_IN_STEP * length
     ax, ay = ground_accelerations(ground, motion.t)
     later_ax, later_ay = ground_accelerations(ground, motion.t + tau)
     accelerations = np.empty(5)

@@ -1,36 +1,38 @@
-"""The impact of points that touch by springs: the law of Liu, Zhao and Brogliato.
-
-This text is joined behind friction.py, see `rockeom.integrator.program`.
-"""
+"""The impact of points that touch by springs: the law of Liu, Zhao and Brogliato."""
 
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.codes import NEVER_SLIPS
 from rockeom.compiler.decorators import Floats, inlined
+from rockeom.integrator.provided import N_POINTS
+from rockeom.integrator.tolerances import (
+    LEAST_SIZE,
+    MORE_THAN_HELD,
+    NOTHING_LEFT,
+    SETTLED_SPRINGS,
+    SOON,
+    SPRING_ROUNDING,
+)
+from rockeom.integrator.transitions.friction import (
+    choose,
+    forces_with,
+    friction_on_line,
+    lines_of,
+    slips_now,
+)
+from rockeom.integrator.transitions.points import COUPLING, LAWS, ROWS
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import N_POINTS
-    from rockeom.integrator.transitions.friction import (
-        NOTHING_LEFT,
-        choose,
-        forces_with,
-        friction_on_line,
-        lines_of,
-        slips_now,
-    )
-    from rockeom.integrator.transitions.points import COUPLING, LAWS, ROWS
+__fused__ = False
 
 ORDER = 14  # of the power series of springs
 TERMS = ORDER + 1
-PART = 0.5  # length of a step of springs, times their highest frequency: the error is 1e-17
+PART = 0.5  # of a step of springs, times their highest frequency: 0.5**15 / 15! is no error
 SAMPLES = 4  # in a step, between which a change of sign is looked for
-SOON = 1e-6  # parts of a step, after which the states of points are chosen
-ROUNDING = 1e-13  # of velocities and forces
 MOST_STEPS = 200000  # of springs
 # Curves that may fall through zero as springs move, of each point
 RATE, FORCE, HELD, EASES, SLIP, MORE, LESS = range(7)
@@ -82,7 +84,7 @@ def grow(m, stiffness, whole, known):
             quickest = max(quickest, stiffness[i] * known[COUPLING + 2 * i * (ROWS + 1)])
     springs = Springs(
         stiffness, np.zeros(N_POINTS), np.zeros(N_POINTS), np.empty(N_POINTS),
-        math.sqrt(whole * stiffest) + 1e-300, math.sqrt(quickest) + 1e-300,
+        math.sqrt(whole * stiffest) + LEAST_SIZE, math.sqrt(quickest) + LEAST_SIZE,
         np.empty(ROWS * N_POINTS), np.empty(ROWS * N_POINTS),
     )  # fmt: skip
     lines_of(m, known)
@@ -176,7 +178,7 @@ def some_load(m, springs, soon, known):
     Its point is no longer held then; the force of others that are held is set.
     """
     now, grows, held = np.zeros(N_POINTS), np.zeros(N_POINTS), np.empty(N_POINTS)
-    some, found, least = False, False, ROUNDING * springs.size
+    some, found, least = False, False, SPRING_ROUNDING * springs.size
     for i in range(N_POINTS):
         some = some or m.holds[i] == 1
         if m.acts[i] == 1 and m.holds[i] == 0:
@@ -191,8 +193,8 @@ def some_load(m, springs, soon, known):
     for i in range(N_POINTS):
         if m.holds[i] == 0:
             continue
-        more = held[i] > (1.0 + 1e-11) * springs.force[i] + least
-        rises = m.force[2 * i] > (1e-11 * held[i] + least) * springs.omega
+        more = held[i] > (1.0 + MORE_THAN_HELD) * springs.force[i] + least
+        rises = m.force[2 * i] > (MORE_THAN_HELD * held[i] + least) * springs.omega
         if more or (m.unknown[2 * i] == 1 and rises):
             m.holds[i], found = 0, True
         springs.force[i] = min(springs.force[i], max(held[i], 0.0))
@@ -290,16 +292,16 @@ def limits_of(m, springs, known, least):
         if m.near[i] == 0:
             continue
         if holds:
-            least[at + HELD] = ROUNDING * size
-            least[at + EASES] = ROUNDING * size * springs.omega
+            least[at + HELD] = SPRING_ROUNDING * size
+            least[at + EASES] = SPRING_ROUNDING * size * springs.omega
         else:
-            least[at + RATE] = ROUNDING * m.sizes[2 * i]
+            least[at + RATE] = SPRING_ROUNDING * m.sizes[2 * i]
         if springs.loads[i] > 0.0 and springs.opens[i] > 0.0:
-            least[at + FORCE] = ROUNDING * size
+            least[at + FORCE] = SPRING_ROUNDING * size
         if m.first[i] == i and m.sigma[i] != 0.0:
-            least[at + SLIP] = ROUNDING * m.sizes[2 * i + 1]
+            least[at + SLIP] = SPRING_ROUNDING * m.sizes[2 * i + 1]
         elif m.unknown[2 * i + 1] == 1 and friction_on_line(i, m, known) < NEVER_SLIPS:
-            least[at + MORE] = least[at + LESS] = ROUNDING * size
+            least[at + MORE] = least[at + LESS] = SPRING_ROUNDING * size
 
 
 def curves_of(m, springs, series, known, curves):
@@ -381,7 +383,7 @@ def root_between(curves, at, low, high):
         above, below = (t, below) if value > 0.0 else (above, t)
         newton = t - value / slope if slope != 0.0 else above
         inside = above <= newton <= below
-        done = inside and abs(newton - t) <= 1e-15 * high
+        done = inside and abs(newton - t) <= SETTLED_SPRINGS * high
         t = newton if inside else 0.5 * (above + below)
         if done:
             break

@@ -1,49 +1,40 @@
 """Transitions of declared modes: a table says which mode follows which guard.
 
 The contract of transitions, which search.py fulfils for points that may open, slide and bounce.
-
-This text is joined to others, see `rockeom.integrator.program`.
 """
-
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rockeom.codes import CHATTER, IMPACT, UPLIFT
 from rockeom.compiler.decorators import inlined
-
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.bernstein import NEVER
-    from rockeom.integrator.ground import ground_accelerations
-    from rockeom.integrator.guards import (
-        closes_once,
-        rises_and_falls,
-        rocking,
-        stays_open,
-        to_impact,
-    )
-    from rockeom.integrator.interface import (
-        GUARDS,
-        KINDS,
-        LOCALISED,
-        N_STATES,
-        REVERSE,
-        ROTATION_RATE,
-        SIDES,
-        TARGETS,
-        dense_output,
-        jump,
-        rates,
-    )
-    from rockeom.integrator.recorder import enter_mode
-    from rockeom.integrator.records import Rest, records_steps
-    from rockeom.integrator.rounding import noise_of
-    from rockeom.integrator.transitions.declared import (
-        may_fade,
-        stand,
-        time_to_rest,
-        velocity_ratio_at,
-    )
+from rockeom.integrator.bernstein import NEVER
+from rockeom.integrator.ground import ground_accelerations
+from rockeom.integrator.guards import (
+    closes_once,
+    rises_and_falls,
+    rocking,
+    stays_open,
+    to_impact,
+)
+from rockeom.integrator.provided import (
+    GUARDS,
+    KINDS,
+    LOCALISED,
+    N_STATES,
+    REVERSE,
+    ROTATION_RATE,
+    SIDES,
+    TARGETS,
+    dense_output,
+    jump,
+    rates,
+)
+from rockeom.integrator.recorder import enter_mode
+from rockeom.integrator.records import Rest, records_steps
+from rockeom.integrator.rounding import noise_of
+from rockeom.integrator.tolerances import LEAST_PRODUCT
+from rockeom.integrator.transitions.declared import may_fade, stand, time_to_rest
+from rockeom.integrator.transitions.restitution import velocity_ratio_at
 
 MOST_IDLE = 100  # events at one instant; with more they are chatter
 QUIET_STEPS = not LOCALISED  # whether `quiet_steps` takes steps in which nothing can happen
@@ -75,7 +66,7 @@ def free_flight(mode, closed, t, y, p, k):
         return 0, np.inf
     flight = -2.0 * y[ROTATION_RATE] / k[ROTATION_RATE]
     height = SIDES[mode] * y[ROTATION_RATE] * flight  # not lost among the smallest numbers
-    return 0, flight if flight > 0.0 and height > 1e-290 else np.inf
+    return 0, flight if flight > 0.0 and height > LEAST_PRODUCT else np.inf
 
 
 @inlined

@@ -6,60 +6,71 @@ Joined behind contacts.py, whose transitions the impacts are, see `rockeom.integ
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from rockeom.codes import IMPOSSIBLE, LANDING, NEVER_SLIPS, OPEN, STICK, STICKING
 from rockeom.compiler.decorators import Floats, Ints
+from rockeom.integrator.provided import (
+    GUARDS,
+    KINDS,
+    N_POINTS,
+    N_STATES,
+    POINT_STATES,
+    SUBJECTS,
+    free_motion,
+    points,
+    rates,
+)
+from rockeom.integrator.tolerances import (
+    ENDED,
+    ENDED_FLIGHT,
+    ENDED_OF_ALL,
+    FITS,
+    GRAIN,
+    LONGEST_LOST,
+    LOST_HOP,
+    NO_DROP,
+    NO_HOP,
+    SOON_AT_REST,
+    SOON_IN_FLIGHT,
+    STEADY,
+)
+from rockeom.integrator.transitions.candidates import (
+    SIGN_OF,
+    collide,
+    is_smooth,
+    meet,
+    radius_of,
+    same_ground,
+    select_by_forces,
+    squared,
+    without_forces,
+)
+from rockeom.integrator.transitions.points import (
+    COUPLING,
+    LAWS,
+    MATRIX,
+    N_COORDINATES,
+    POINT,
+    ROWS,
+    acceleration_of,
+    all_known,
+    gap_rounding,
+    put_on,
+    rate_of,
+    through_mass,
+)
 
-if TYPE_CHECKING:  # joined before this text
-    from rockeom.integrator.interface import (
-        GUARDS,
-        KINDS,
-        N_POINTS,
-        N_STATES,
-        POINT_STATES,
-        SUBJECTS,
-        free_motion,
-        points,
-        rates,
-    )
-    from rockeom.integrator.transitions.candidates import (
-        FITS,
-        SIGN_OF,
-        collide,
-        is_smooth,
-        meet,
-        radius_of,
-        same_ground,
-        select_by_forces,
-        squared,
-        without_forces,
-    )
-    from rockeom.integrator.transitions.points import (
-        COUPLING,
-        GRAIN,
-        LAWS,
-        MATRIX,
-        N_COORDINATES,
-        POINT,
-        ROWS,
-        acceleration_of,
-        all_known,
-        gap_rounding,
-        put_on,
-        rate_of,
-        through_mass,
-    )
+__fused__ = False
 
-LOST_HOP = 1e-13  # relative to the terms of a gap: lower flights are lost among rounding errors
-NO_HOP = 1e-18  # relative to the radius of gyration: so low a flight ends in no time
 SLOWEST = 5.0  # changes of velocity that are stepped over, in accelerations times the time
-TURNS = 4000  # landings and ends of slips that are followed, until few and slow ones are left
+MOST_FLIGHTS = (
+    4000  # landings and ends of slips that are followed, until few and slow ones are left
+)
 FAST = 100.0  # rates of landings that no rest takes, in accelerations times its longest time
 SHORTER = 4  # times of a step over events that are tried, each a tenth of the one before
-LONGEST_LOST = 1e-5  # the time of lost flights that is summed, in units of sqrt(l/a)
 
 
 class Bounces(NamedTuple):
@@ -155,7 +166,7 @@ def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
     w, here, landed = state.y, state.mode, np.zeros(N_POINTS, np.int64)
     total = last = last_ratio = 0.0
     series, w_then = Series(-1, -1, 0.0, 0.0, 0, 2), np.empty(N_STATES)
-    for turn in range(TURNS + 1):
+    for turn in range(MOST_FLIGHTS + 1):
         if turn > 0:
             rates(here, w, state.p, state.ax, state.ay, dy)
         flight, which = next_landing(here, bounces, w, known, dy)
@@ -165,13 +176,13 @@ def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
             flight = slips
         if have_ended(here, bounces, start, known, w, dy):
             break
-        if turn == TURNS:
+        if turn == MOST_FLIGHTS:
             if fast_fly_on(here, bounces, start, known, dy):
                 return np.inf, state.mode
             break
         if not total + flight <= limit:
             # where the last flights were nothing, some have come to their end and others fly on
-            if not (last <= 1e-6 * total and some_ended(here, bounces.points)):
+            if not (last <= ENDED_FLIGHT * total and some_ended(here, bounces.points)):
                 return np.inf, state.mode
             break
         if not stops:
@@ -182,7 +193,7 @@ def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
                 left = ratio / (1.0 - ratio) if ratio < 1.0 else 0.0  # in periods like the last
                 if total + left * period > limit:
                     return np.inf, state.mode
-                steady = abs(ratio - last_ratio) <= 1e-9 * (1.0 - ratio)
+                steady = abs(ratio - last_ratio) <= STEADY * (1.0 - ratio)
                 if left > 0.0 and steady and all_landed(landed, bounces.points):
                     to_the_end(ratio, period, w_then, w)
                     total += left * period
@@ -231,7 +242,7 @@ def meet_after_flight(state, guard, flight, rtol, known, bounces, out):
         out[i] = w[i]
     points(w, p, known)
     ground = np.empty(5)
-    same_ground(state.ax, state.ay, 1e-3 * flight, ground)
+    same_ground(state.ax, state.ay, SOON_IN_FLIGHT * flight, ground)
     follows, _ = meet(state.mode, guard, bounces.near, w, p, ground, rtol, known, out)
     if follows < 0:
         return follows
@@ -378,7 +389,7 @@ def have_ended(here, bounces, start, known, w, dy):
             fastest = max(fastest, speed_of(i, bounces.heights, known, dy))
         _, speed = rate_of(known, 2 * i, w, N_COORDINATES)
         whole = max(whole, speed)
-    return fastest <= max(1e-7 * start, 1e-8 * whole)
+    return fastest <= max(ENDED * start, ENDED_OF_ALL * whole)
 
 
 def fast_fly_on(here, bounces, start, known, dy):
@@ -414,7 +425,7 @@ def fly(here, which, flight, known, dy, bounces, w):
             rise = known[i * POINT + 1] * flight
             drop = -0.5 * acceleration_of(known, 2 * i, dy) * flight * flight
             heights[i] += rise - drop
-            if i == which or heights[i] <= 1e-9 * drop:
+            if i == which or heights[i] <= NO_DROP * drop:
                 heights[i], near[i] = 0.0, 1
     for i in range(n):
         w[i] += flight * (w[n + i] + 0.5 * flight * dy[n + i])
@@ -472,7 +483,7 @@ def all_closed(state, bounces, start, time, rtol, known, out):
     close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out)
     points(out, p, known)
     ground = np.empty(5)
-    same_ground(ax, ay, 1e-6, ground)
+    same_ground(ax, ay, SOON_AT_REST, ground)
     return select_by_forces(here, False, near, sliding, out, p, ground, rtol, known, sizes)
 
 

@@ -63,17 +63,35 @@ _CHECKED = 100
 @explained.calls(soil="ground_type=", pga="ground_acceleration=")
 @dataclass(frozen=True)
 class DesignSpectrum(metaclass=explained.Constructors):
-    """An elastic design spectrum: pseudo-acceleration over the period.
+    """Elastic design spectrum: pseudo-acceleration over the period.
 
-        spectrum = rk.DesignSpectrum.eurocode_8("0.25 g", "B")
-        spectrum([0.0, 0.5, 2.0])                           # m/s2
-        motions = spectrum.compatible_motions(7, seed=1)    # a MotionSet
+    A call with periods [s] returns pseudo-accelerations [m/s2]. The class methods make spectra:
+    `eurocode_8`, `asce_7`, `from_table`.
+
+    Parameters
+    ----------
+    name : str
+        Name.
+    damping_ratio : float
+        Damping ratio.
+    shortest : float
+        Shortest period for which the spectrum is defined [s].
+    longest : float
+        Longest period for which it is defined [s].
+    shape : callable
+        Function of periods (n,) [s] that gives the pseudo-accelerations (n,) [m/s2].
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> spectrum = rk.DesignSpectrum.eurocode_8("0.25 g", "B")
+    >>> spectrum([0.0, 0.5, 2.0]).round(3)  # m/s2
+    array([2.943, 7.358, 1.839])
+
+    Artificial motions with this spectrum::
+
+        motions = spectrum.compatible_motions(7, seed=1)  # a MotionSet
         print(spectrum.check(motions, period=0.6))
-
-    The class methods make spectra: `eurocode_8`, `asce_7`, `from_table`.
-
-    name; damping_ratio; shortest, longest : periods between which it is defined [s]. shape : a
-    function of such periods, (n,) [s], that gives the pseudo-accelerations, (n,) [m/s2].
     """
 
     name: str
@@ -97,14 +115,32 @@ class DesignSpectrum(metaclass=explained.Constructors):
         *,
         damping_ratio: float = 0.05,
     ) -> DesignSpectrum:
-        """The horizontal elastic spectrum of EN 1998-1:2004, 3.2.2.2, with the recommended values.
+        """Horizontal elastic spectrum of EN 1998-1:2004, 3.2.2.2, with the recommended values.
 
-        ground_acceleration : a_g on ground of type A with the factor of importance, [m/s2] or a
-            text with its unit, "0.25 g". ground_type : A, B, C, D or E. spectrum_type : 1, or 2
-            where the earthquakes that govern have surface-wave magnitudes of at most 5.5.
-        damping_ratio : by eta = sqrt(10/(5 + xi)), at least 0.55, xi in per cent.
+        It is defined up to 4 s.
 
-        It is defined up to 4 s. Raises MotionError for other values.
+        Parameters
+        ----------
+        ground_acceleration : float or str
+            Acceleration a_g on ground of type A with the factor of importance, a number [m/s2] or a
+            text with its unit, "0.25 g".
+        ground_type : str
+            "A", "B", "C", "D" or "E".
+        spectrum_type : int, optional
+            1, or 2 where the earthquakes that govern have surface-wave magnitudes of at most 5.5.
+        damping_ratio : float, optional
+            Damping ratio xi, which counts by eta = sqrt(10/(5 + xi)), at least 0.55, xi in per
+            cent.
+
+        Returns
+        -------
+        DesignSpectrum
+            Spectrum.
+
+        Raises
+        ------
+        MotionError
+            For other values.
         """
         a_g = positive("ground_acceleration", acceleration("a_g", ground_acceleration))
         _question(ground_acceleration, "a_g", _VERY_LOW, "very low seismicity, EN 1998-1, 3.2.1(5)")
@@ -124,12 +160,27 @@ class DesignSpectrum(metaclass=explained.Constructors):
 
     @classmethod
     def asce_7(cls, s_ds: Acceleration, s_d1: Acceleration, t_l: float) -> DesignSpectrum:
-        """The two-period design spectrum of ASCE 7-16, 11.4.6, for 5 % damping.
+        """Two-period design spectrum of ASCE 7-16, 11.4.6, for 5 % damping.
 
-        s_ds, s_d1 : design spectral accelerations at short periods and at 1 s, [m/s2] or texts with
-            their unit, "1.0 g". t_l : the long-period transition period T_L [s].
+        Parameters
+        ----------
+        s_ds : float or str
+            Design spectral acceleration at short periods, a number [m/s2] or a text with its unit,
+            "1.0 g".
+        s_d1 : float or str
+            Design spectral acceleration at 1 s, likewise.
+        t_l : float
+            Long-period transition period T_L [s].
 
-        Raises MotionError for values that are not positive, and for t_l below s_d1/s_ds.
+        Returns
+        -------
+        DesignSpectrum
+            Spectrum.
+
+        Raises
+        ------
+        MotionError
+            For values that are not positive, and for t_l below s_d1/s_ds.
         """
         short = positive("s_ds", acceleration("s_ds", s_ds))
         at_one = positive("s_d1", acceleration("s_d1", s_d1))
@@ -151,12 +202,30 @@ class DesignSpectrum(metaclass=explained.Constructors):
         damping_ratio: float = 0.05,
         name: str = "design spectrum",
     ) -> DesignSpectrum:
-        """A spectrum through points, linear between them.
+        """Spectrum through points, linear between them.
 
-        periods (n,) [s], rising, from 0 where the peak of the ground is known; accelerations (n,)
-        in `units`, such as "g". damping_ratio : that they are for.
+        Parameters
+        ----------
+        periods : array_like
+            Periods (n,) [s], rising, from 0 where the peak of the ground is known.
+        accelerations : array_like
+            Pseudo-accelerations (n,) in `units`.
+        units : str, optional
+            Unit of the accelerations, such as "g".
+        damping_ratio : float, optional
+            Damping ratio of the spectrum.
+        name : str, optional
+            Name.
 
-        Raises MotionError for other than two points or more, and for values that cannot be.
+        Returns
+        -------
+        DesignSpectrum
+            Spectrum.
+
+        Raises
+        ------
+        MotionError
+            For fewer than two points, and for values that cannot be.
         """
         t, a = array("periods", periods), array("accelerations", accelerations) * factor(units)
         if t.ndim != 1 or t.shape != a.shape or len(t) < 2:
@@ -189,7 +258,23 @@ class DesignSpectrum(metaclass=explained.Constructors):
         return self.shape(t)[()]
 
     def displacement(self, periods: ArrayLike) -> Any:
-        """Displacement [m] at periods [s]: the pseudo-acceleration over omega**2."""
+        """Displacement at periods: the pseudo-acceleration over omega^2.
+
+        Parameters
+        ----------
+        periods : array_like
+            Periods [s], any shape.
+
+        Returns
+        -------
+        float or ndarray
+            Displacement [m], in the shape of the periods.
+
+        Raises
+        ------
+        MotionError
+            For periods for which the spectrum is not defined.
+        """
         return self(periods) * (array("periods", periods) / (2.0 * np.pi)) ** 2
 
     # -- motions
@@ -206,14 +291,37 @@ class DesignSpectrum(metaclass=explained.Constructors):
     ) -> MotionSet:
         """Artificial motions with this spectrum.
 
-        number : how many. seed : the same one gives the same motions.
-        duration, dt [s] : of each. envelope : a function of times [s], such as `JenningsEnvelope`,
-            that of the start; by default a rise of 3 s, 10 s of strong motion and a decay.
-        between : as of `matched`.
+        Parameters
+        ----------
+        number : int
+            Number of motions.
+        seed : int
+            Seed; the same one gives the same motions.
+        duration : float, optional
+            Duration of each [s].
+        dt : float, optional
+            Time step [s].
+        envelope : callable, optional
+            Function of times (n,) [s], such as `JenningsEnvelope`, that of the start; by default a
+            rise of 3 s, 10 s of strong motion and a decay.
+        between : tuple of (float, float), optional
+            Shortest and longest period of the match [s], as for `matched`.
 
+        Returns
+        -------
+        MotionSet
+            Motions.
+
+        Raises
+        ------
+        MotionError
+            As `matched`.
+
+        Notes
+        -----
         Each starts as noise with random phase angles (Gasparini and Vanmarcke 1976) and is
         `matched`. Where the mean of their peaks is below the spectrum at the period 0, one factor
-        on all of them makes up for it. Raises MotionError as `matched` does.
+        on all of them makes up for it.
         """
         n = round(positive("duration", duration) / positive("dt", dt)) + 1
         entropy, target = whole("seed", seed, 0), self._target(between)
@@ -231,23 +339,45 @@ class DesignSpectrum(metaclass=explained.Constructors):
     def matched(
         self, record: GroundMotion, *, between: tuple[float, float] | None = None
     ) -> GroundMotion:
-        """A record to which wavelets were added that give it this spectrum.
+        """Record to which wavelets were added that give it this spectrum.
 
-        between : shortest and longest period of the match [s]; from 0.04 to 4 s, or to the ends of
-            the spectrum, if not given.
+        Parameters
+        ----------
+        record : GroundMotion
+            Record with samples.
+        between : tuple of (float, float), optional
+            Shortest and longest period of the match [s]; from 0.04 to 4 s, or to the ends of the
+            spectrum, if not given.
 
-        The record is scaled by one factor first. The method is that of Al Atik and Abrahamson
-        (2010), Earthquake Spectra 26, 601-617, with oscillators 6 % apart in period (at 5 % of
-        damping), until these are within 7 %, or as near as they come in 15 rounds: some 10 % at 2 %
-        of damping. Where the spectrum has a value at the period 0, peaks more than 5 % above it are
-        cut before each round. A baseline of degree 5 of the displacement is subtracted after it,
-        and the ground is at rest in the end. `source` of the motion has the largest differences of
-        the result, at the oscillators and between them. A warning tells of a ground
-        that moves farther than any oscillator of the match.
+        Returns
+        -------
+        GroundMotion
+            Record whose ``source`` has the largest differences of the result, at the oscillators
+            and between them.
 
-        Raises MotionError for a motion without samples, for such coarse ones that they do not hold
-        the shortest period, for a spectrum whose damping is not from 1 to 50 %, and where a
-        difference of more than 25 % is left.
+        Raises
+        ------
+        MotionError
+            For a motion without samples, for such coarse ones that they do not hold the shortest
+            period, for a spectrum whose damping is not from 1 to 50 %, and where a difference of
+            more than 25 % is left.
+
+        Warns
+        -----
+        UserWarning
+            For a ground that moves farther than any oscillator of the match.
+
+        Notes
+        -----
+        The record is scaled by one factor first. The method is that of Al Atik and Abrahamson, with
+        oscillators 6 % apart in period (at 5 % of damping), until these are within 7 %, or as near
+        as they come in 15 rounds: some 10 % at 2 % of damping. Where the spectrum has a value at
+        the period 0, peaks more than 5 % above it are cut before each round. A baseline of degree 5
+        of the displacement is subtracted after it, and the ground is at rest in the end.
+
+        References
+        ----------
+        Al Atik and Abrahamson (2010), Earthquake Spectra 26, 601-617.
         """
         if not isinstance(record, GroundMotion):
             raise MotionError(f"record is {described(record)}: give a GroundMotion")
@@ -324,13 +454,30 @@ class DesignSpectrum(metaclass=explained.Constructors):
     # -- the check
 
     def check(self, motions: Iterable[GroundMotion], period: float) -> SpectrumCheck:
-        """Whether motions have this spectrum, by EN 1998-1:2004, 3.2.3.1.2(4).
+        """Check whether motions have this spectrum, by EN 1998-1:2004, 3.2.3.1.2(4).
 
-        motions : horizontal ones. period : T_1, the fundamental one of the structure [s]; of a
-            structure that rocks, of the structure whose feet are held.
+        Parameters
+        ----------
+        motions : iterable of GroundMotion
+            Horizontal motions.
+        period : float
+            Fundamental period T_1 of the structure [s]; for a structure that rocks, of the
+            structure whose feet are held.
 
-        From 0.2 T_1 to 2 T_1 the spectra are compared at 100 periods. Raises MotionError for a
-        spectrum that is not for 5 % damping, is not defined at these periods or at the period 0.
+        Returns
+        -------
+        SpectrumCheck
+            Comparison, which prints as text.
+
+        Raises
+        ------
+        MotionError
+            For a spectrum that is not for 5 % damping, or is not defined at these periods or at the
+            period 0.
+
+        Notes
+        -----
+        From 0.2 T_1 to 2 T_1 the spectra are compared at 100 periods.
         """
         t_1 = positive("period", period)
         if self.damping_ratio != DAMPING:

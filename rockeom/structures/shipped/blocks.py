@@ -37,7 +37,13 @@ class Block(StructureWithFields):
         return self.alpha, self.alpha
 
     def hints(self: Any) -> tuple[str, ...]:
-        """Hints of all structures, and one at an inertia that no body within the block has."""
+        """Hints of all structures, and one at an inertia that no body within the block has.
+
+        Returns
+        -------
+        tuple of str
+            A sentence each.
+        """
         most = self.mass * self.radius**2
         if self.inertia is None or self.inertia <= most * (1 + 1e-12):
             return super().hints()

@@ -3,17 +3,29 @@
 from __future__ import annotations
 
 from rockeom.structures.shipped.declarations import controlled_wall as declared
+from rockeom.structures.shipped.tendoned_wall import Wall
 from rockeom.structures.shipped.walls import RockingWall, of_wall
-from rockeom.structures.wall import Wall
 
 
 class ControlledWall(RockingWall, declared.ControlledWall):
     @classmethod
     def from_wall(cls, wall: Wall, anchor_distance: float = 3.1) -> ControlledWall:
-        """The wall of `rockeom.analysis`; anchor_distance of the tendon's anchors [m].
+        """Wall of `rockeom.analysis`.
 
-        The lower anchor is put at the base. The inertia about the centroid is that of 4-19 when
-        the wall turns about its centreline.
+        The lower anchor is put at the base. The inertia about the centroid is that of 4-19 when the
+        wall turns about its centreline.
+
+        Parameters
+        ----------
+        wall : Wall
+            Wall with one tendon.
+        anchor_distance : float, optional
+            Distance of the tendon's anchors [m].
+
+        Returns
+        -------
+        ControlledWall
+            Wall by Lagrange's equations.
         """
         shared = of_wall(cls.__name__, wall)
         about_base = float(wall.moment_of_inertia(wall.half_width))
@@ -27,5 +39,16 @@ class ControlledWall(RockingWall, declared.ControlledWall):
 
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> ControlledWall:
-        """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
+        """Wall of thesis chapter 4.
+
+        Parameters
+        ----------
+        initial_force : float, optional
+            Initial force of its tendon, 75.6 kN or 111 kN [N].
+
+        Returns
+        -------
+        ControlledWall
+            Wall by Lagrange's equations.
+        """
         return cls.from_wall(Wall.thesis(initial_force))

@@ -13,8 +13,8 @@ from rockeom.numbers.checks import described, number
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.impact_laws import EnergyRatioAtSpeed
 from rockeom.structures.shipped.declarations import controlled_wall_oscillator as declared
+from rockeom.structures.shipped.tendoned_wall import Wall
 from rockeom.structures.shipped.walls import RockingWall, of_wall
-from rockeom.structures.wall import Wall
 
 _PIECES = 4
 
@@ -51,7 +51,26 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
         regularisation: float | None = None,
         effective_mass: float | None = None,
     ) -> ControlledWallOscillator:
-        """The wall of `rockeom.analysis`; regularisation is its epsilon if not given, as in 4.8."""
+        """Wall of `rockeom.analysis` as an equivalent oscillator.
+
+        Parameters
+        ----------
+        wall : Wall
+            Wall with one tendon.
+        energy_ratio : float or EnergyRatioAtSpeed
+            Energy ratio r of a passage, or its dependence on the speed.
+        held : bool, optional
+            Whether r is that of the speed of the whole passage.
+        regularisation : float, optional
+            Width of a passage [m]; the wall's epsilon if not given, as in 4.8.
+        effective_mass : float, optional
+            Mass of the oscillator [kg]; the wall's if not given.
+
+        Returns
+        -------
+        ControlledWallOscillator
+            Oscillator.
+        """
         return cls(
             **of_wall(cls.__name__, wall),
             regularisation=regularisation or wall.rotation_centre.epsilon,
@@ -67,7 +86,22 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
         initial_force: float = 75.6e3,
         held: bool = True,
     ) -> ControlledWallOscillator:
-        """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
+        """Wall of thesis chapter 4 as an equivalent oscillator.
+
+        Parameters
+        ----------
+        energy_ratio : float or EnergyRatioAtSpeed
+            Energy ratio r of a passage, or its dependence on the speed.
+        initial_force : float, optional
+            Initial force of its tendon, 75.6 kN or 111 kN [N].
+        held : bool, optional
+            Whether r is that of the speed of the whole passage.
+
+        Returns
+        -------
+        ControlledWallOscillator
+            Oscillator.
+        """
         return cls.from_wall(Wall.thesis(initial_force), energy_ratio, held)
 
     @property
@@ -93,6 +127,18 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
         return "energy_ratio" if path == ("energy_ratio",) else super().parameter_at(path)
 
     def check_reach(self, y: np.ndarray) -> None:
+        """Check that a rotation has the displacement of a state.
+
+        Parameters
+        ----------
+        y : ndarray
+            State (N,).
+
+        Raises
+        ------
+        ValueError
+            For a displacement beyond the height.
+        """
         if not abs(y[0]) < self.height:
             raise ValueError(
                 f"state u is {y[0]}, beyond the height of {self.height:.6g} m: u/height is the "
@@ -100,7 +146,24 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
             )
 
     def state(self, values: Mapping[str, float]) -> np.ndarray:
-        """(N,) state vector; a passage_speed that is not given is that of the energy there is."""
+        """State vector of named values; a passage_speed that is not named is that of the energy
+        there is.
+
+        Parameters
+        ----------
+        values : dict of str to float
+            Values of states by name; others are zero.
+
+        Returns
+        -------
+        ndarray
+            State (N,).
+
+        Raises
+        ------
+        ValueError
+            For unknown names, NaN, and a displacement that no rotation has.
+        """
         y = super().state(values)
         if "passage_speed" not in values:
             y = y.astype(np.result_type(y, self.vector))

@@ -11,8 +11,8 @@ from rockeom.structures.parameters import check_values
 from rockeom.structures.shipped.controlled_wall import ControlledWall
 from rockeom.structures.shipped.declarations import flexible_controlled_wall as declared
 from rockeom.structures.shipped.flexible_structure import FlexibleStructure
+from rockeom.structures.shipped.tendoned_wall import Wall
 from rockeom.structures.shipped.walls import RockingWall
-from rockeom.structures.wall import Wall
 
 
 class FlexibleControlledWall(RockingWall, declared.FlexibleControlledWall):
@@ -24,10 +24,28 @@ class FlexibleControlledWall(RockingWall, declared.FlexibleControlledWall):
         damping_ratio: float = 0.0,
         anchor_distance: float = 3.1,
     ) -> FlexibleControlledWall:
-        """The wall of `rockeom.analysis`; fixed_base_period [s] is its own if not given.
+        """Wall of `rockeom.analysis` that bends.
 
-        damping_ratio : of critical damping, on a fixed base. anchor_distance [m] and the inertia as
-        in `ControlledWall`.
+        Parameters
+        ----------
+        wall : Wall
+            Wall with one tendon.
+        fixed_base_period : float, optional
+            Period on a fixed base [s]; the wall's own if not given.
+        damping_ratio : float, optional
+            Part of critical damping on a fixed base.
+        anchor_distance : float, optional
+            Distance of the tendon's anchors [m], as for `ControlledWall.from_wall`.
+
+        Returns
+        -------
+        FlexibleControlledWall
+            Wall by Lagrange's equations.
+
+        Raises
+        ------
+        ValueError
+            For numbers that are not positive.
         """
         rigid = ControlledWall.from_wall(wall, anchor_distance)
         period = wall.fixed_base_period if fixed_base_period is None else fixed_base_period
@@ -44,14 +62,32 @@ class FlexibleControlledWall(RockingWall, declared.FlexibleControlledWall):
     def thesis(
         cls, initial_force: float = 75.6e3, damping_ratio: float = 0.0
     ) -> FlexibleControlledWall:
-        """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
+        """Wall of thesis chapter 4 that bends.
+
+        Parameters
+        ----------
+        initial_force : float, optional
+            Initial force of its tendon, 75.6 kN or 111 kN [N].
+        damping_ratio : float, optional
+            Part of critical damping on a fixed base.
+
+        Returns
+        -------
+        FlexibleControlledWall
+            Wall by Lagrange's equations.
+        """
         return cls.from_wall(Wall.thesis(initial_force), damping_ratio=damping_ratio)
 
     def fixed_base(self) -> FixedBase:
-        """The wall on a base that cannot turn: its mass at centroid_height on the elastic column.
+        """Wall on a base that cannot turn: its mass at centroid_height on the elastic column.
 
         The tendon then keeps its force, which bends nothing; the forces on the feet are those of
         weight and ground motion alone.
+
+        Returns
+        -------
+        FixedBase
+            Structure on a fixed base.
         """
         return FlexibleStructure(
             mass=self.mass,
@@ -67,7 +103,27 @@ class FlexibleControlledWall(RockingWall, declared.FlexibleControlledWall):
         ).fixed_base()
 
     def load(self, mode: int, y: np.ndarray) -> float:
-        """As for the rigid wall; u of the state is put to its own equilibrium."""
+        """Force with which the rotation of a state is in equilibrium, as for the rigid wall.
+
+        The deflection u of the state is put to its own equilibrium.
+
+        Parameters
+        ----------
+        mode : int
+            Number of the mode.
+        y : ndarray
+            State (N,), whose u changes.
+
+        Returns
+        -------
+        float
+            Force at the load point [N].
+
+        Raises
+        ------
+        ValueError
+            Where there is no equilibrium.
+        """
         u = self.states.index("u")
         last = math.inf
         for _ in range(50):  # each time the error falls by about m g/(k H)

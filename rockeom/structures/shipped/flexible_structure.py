@@ -15,23 +15,43 @@ class FlexibleStructure(SupportedStructure, declared.FlexibleStructure):
     def from_period(
         cls, period: float, damping_ratio: float, *, mass: float, **others: Any
     ) -> Self:
-        """The structure whose column has this period and damping on a fixed base.
+        """Structure whose column has a period and a damping ratio on a fixed base.
 
-        period T [s] and damping_ratio zeta, a part of critical damping such as 0.05, with the base
-        held: k = m (2 pi/T)**2, c = 2 zeta m 2 pi/T. mass : of the superstructure [kg].
-        others : the parameters that are left.
+        Parameters
+        ----------
+        period : float
+            Period T with the base held [s].
+        damping_ratio : float
+            Part zeta of critical damping, such as 0.05, with the base held.
+        mass : float
+            Mass m of the superstructure [kg].
+        **others : float
+            Other parameters of the class, by name.
 
-        >>> pier = FlexibleStructure.from_period(
+        Returns
+        -------
+        FlexibleStructure
+            Structure with k = m (2 pi/T)^2 and c = 2 zeta m 2 pi/T.
+
+        Raises
+        ------
+        ValueError
+            For a damping ratio of one or more, which may be meant in percent.
+
+        Notes
+        -----
+        From the section of a column: ``analysis.formulas.cantilever_stiffness(E, I, L)`` is k, and
+        T = 2 pi sqrt(m/k).
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> pier = rk.FlexibleStructure.from_period(
         ...     0.5, damping_ratio=0.05, mass=200e3, height=10.0, inertia=0.0, base_mass=80e3,
         ...     base_height=0.5, base_inertia=60e3, half_width=2.5,
         ... )
         >>> pier.fixed_base().periods  # s
         array([0.5...])
-
-        From the section of a column: `analysis.formulas.cantilever_stiffness(E, I, L)` is k, and
-        T = 2 pi sqrt(m/k).
-
-        Raises ValueError for a damping ratio of one or more, which may be meant in percent.
         """
         name = f"{cls.__name__}.from_period"
         given = {"period": period, "damping_ratio": damping_ratio, "mass": mass}

@@ -24,7 +24,7 @@ class OffsetBlock(declared.OffsetBlock):
 
     @property
     def overturning_angles(self) -> tuple[float, float]:
-        """(left, right) angles of the lines from the feet to the centroid, from the vertical [rad].
+        """Angles (left, right) of the lines from the feet to the centroid, from the vertical [rad].
 
         The block that leans to the left by more than the first does not come back by itself.
         """

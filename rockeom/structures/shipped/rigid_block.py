@@ -26,9 +26,37 @@ class RigidBlock(Block, declared.RigidBlock):
         gravity: float = STANDARD_GRAVITY,
         **others: float,
     ) -> Self:
-        """The homogeneous rectangular block of frequency parameter p [rad/s] and angle alpha [rad].
+        """Homogeneous rectangular block of a frequency parameter and a slenderness.
 
-        p**2 = m g R/I_o = 3 g/(4 R). others : the parameters that are left.
+        Parameters
+        ----------
+        p : float
+            Frequency parameter [rad/s], ``p**2 = m g R/I_o = 3 g/(4 R)``.
+        alpha : float
+            Slenderness, atan(half_width/half_height) [rad].
+        mass : float, optional
+            Mass [kg].
+        gravity : float, optional
+            Acceleration of gravity [m/s2].
+        **others : float
+            Other parameters of the class, by name.
+
+        Returns
+        -------
+        RigidBlock
+            Block.
+
+        Raises
+        ------
+        ValueError
+            For numbers that are not positive, and a slenderness outside (0, pi/2).
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock.from_frequency(p=2.14, alpha=0.25)  # rad/s, rad
+        >>> round(block.radius, 3)  # m
+        1.607
         """
         check_values(cls.__name__, {"p": p, "alpha": alpha, "gravity": gravity})
         check_slenderness(cls.__name__, alpha)
@@ -54,27 +82,55 @@ class RigidBlock(Block, declared.RigidBlock):
         gravity: float = STANDARD_GRAVITY,
         **others: float,
     ) -> Self | OffsetBlock:
-        """The block of these full dimensions, as one measures them.
+        """Block of full dimensions, as one measures them.
 
-        width, height : of the whole block [m]. centroid_height : above the base [m]; half the
-        height if not given. offset : of the centroid, to the right of the middle of the base [m];
-        a block with one is an `OffsetBlock`, which overturns at another angle on each side.
-        mass [kg], inertia : about the centroid [kg m2], gravity [m/s2]. others : the parameters
-        that are left, such as `friction` of a `SlidingBlock`.
-
-        The inertia is m (width**2 + height**2)/12 if not given: that of the homogeneous rectangle.
-        With the centroid off the middle it is an estimate: the inertia about a foot is for three
-        quarters that of the centroid's distance, so that an error of 20 % changes p by 2.5 %.
         The block keeps its height as `full_height`, for a strap and for words.
 
-        >>> rack = RigidBlock.from_dimensions(width=0.6, height=2.0, centroid_height=0.8)
+        Parameters
+        ----------
+        width : float
+            Width of the whole block [m].
+        height : float
+            Height of the whole block [m].
+        centroid_height : float, optional
+            Height of the centroid above the base [m]; half the height if not given.
+        offset : float, optional
+            Distance of the centroid to the right of the middle of the base [m]; a block with one is
+            an `OffsetBlock`, which overturns at another angle on each side.
+        mass : float, optional
+            Mass m [kg].
+        inertia : float, optional
+            Moment of inertia about the centroid [kg m2]; ``m (width**2 + height**2)/12``, that of
+            the homogeneous rectangle, if not given.
+        gravity : float, optional
+            Acceleration of gravity [m/s2].
+        **others : float
+            Other parameters of the class, by name, such as `friction` of a `SlidingBlock`.
+
+        Returns
+        -------
+        RigidBlock or OffsetBlock
+            Block.
+
+        Raises
+        ------
+        ValueError
+            For a centroid that is not inside the block and above its base.
+
+        Notes
+        -----
+        With the centroid off the middle the inertia is an estimate: the inertia about a foot is for
+        three quarters that of the centroid's distance, so that an error of 20 % changes p by 2.5 %.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> rack = rk.RigidBlock.from_dimensions(width=0.6, height=2.0, centroid_height=0.8)  # m
         >>> rack.alpha  # rad
         0.3587...
-        >>> statue = RigidBlock.from_dimensions(width=0.6, height=1.8, offset=0.05)
+        >>> statue = rk.RigidBlock.from_dimensions(width=0.6, height=1.8, offset=0.05)  # m
         >>> statue.overturning_angles  # rad, to the left and to the right
-        (0.3712..., 0.2709...)
-
-        Raises ValueError for a centroid that is not inside the block and above its base.
+        (0.3708..., 0.2709...)
         """
         name = cls.__name__
         check_values(name, {"width": width, "height": height})

@@ -15,6 +15,28 @@ class SlenderBlock(Block, declared.SlenderBlock):
     def from_frequency(
         cls, p: float, alpha: float, mass: float = 1.0, gravity: float = STANDARD_GRAVITY
     ) -> SlenderBlock:
-        """The rectangular block of frequency parameter p [rad/s] and angle alpha [rad]."""
+        """Rectangular block of a frequency parameter and a slenderness.
+
+        Parameters
+        ----------
+        p : float
+            Frequency parameter [rad/s].
+        alpha : float
+            Slenderness [rad].
+        mass : float, optional
+            Mass [kg].
+        gravity : float, optional
+            Acceleration of gravity [m/s2].
+
+        Returns
+        -------
+        SlenderBlock
+            Block.
+
+        Raises
+        ------
+        ValueError
+            For numbers that are not positive.
+        """
         check_values("SlenderBlock", {"p": p, "alpha": alpha, "gravity": gravity})
         return cls(radius=0.75 * gravity / p**2, alpha=alpha, mass=mass, gravity=gravity)

@@ -31,7 +31,27 @@ class StackedBlocks(SupportedStructure, declared.StackedBlocks):
 
     @classmethod
     def complete(cls, values: dict[str, Any]) -> dict[str, Any]:
-        """The arguments, each block that is given replaced by its parameters."""
+        """Arguments of the fields, each block in place of its parameters.
+
+        Parameters
+        ----------
+        values : dict of str to object
+            Arguments of the constructor by name, with ``lower`` and ``upper``.
+
+        Returns
+        -------
+        dict of str to object
+            Arguments of the fields by name.
+
+        Raises
+        ------
+        TypeError
+            For a ``lower`` or ``upper`` that is no block.
+        ValueError
+            For blocks under two gravities.
+        ParameterError
+            For a block and its parameters at once.
+        """
         given = dict(values)
         for name in ("lower", "upper"):
             if (block := given.pop(name, None)) is None:
@@ -70,10 +90,12 @@ class StackedBlocks(SupportedStructure, declared.StackedBlocks):
 
     @property
     def lower(self) -> RigidBlock:
+        """Lower block."""
         return self._block("lower")
 
     @property
     def upper(self) -> RigidBlock:
+        """Upper block."""
         return self._block("upper")
 
     def parameters(self) -> dict[str, float]:

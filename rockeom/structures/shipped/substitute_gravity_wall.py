@@ -5,14 +5,25 @@ from __future__ import annotations
 from typing import Self
 
 from rockeom.structures.shipped.declarations import substitute_gravity_wall as declared
+from rockeom.structures.shipped.tendoned_wall import Wall
 from rockeom.structures.shipped.walls import RockingWall, of_wall
-from rockeom.structures.wall import Wall
 
 
 class SubstituteGravityWall(RockingWall, declared.SubstituteGravityWall):
     @classmethod
     def from_wall(cls, wall: Wall) -> Self:
-        """The wall of `rockeom.analysis`, its inertia that about a corner."""
+        """Wall of `rockeom.analysis`, its inertia that about a corner.
+
+        Parameters
+        ----------
+        wall : Wall
+            Wall with one tendon.
+
+        Returns
+        -------
+        SubstituteGravityWall
+            Wall with the force of the tendon as weight.
+        """
         return cls(
             **of_wall(cls.__name__, wall),
             centroid_height=wall.centroid_height,
@@ -21,5 +32,16 @@ class SubstituteGravityWall(RockingWall, declared.SubstituteGravityWall):
 
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> Self:
-        """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N]."""
+        """Wall of thesis chapter 4.
+
+        Parameters
+        ----------
+        initial_force : float, optional
+            Initial force of its tendon, 75.6 kN or 111 kN [N].
+
+        Returns
+        -------
+        SubstituteGravityWall
+            Wall with the force of the tendon as weight.
+        """
         return cls.from_wall(Wall.thesis(initial_force))

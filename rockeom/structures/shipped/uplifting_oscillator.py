@@ -18,9 +18,32 @@ class UpliftingOscillator(declared.UpliftingOscillator):
         mass: float = 1.0,
         gravity: float = STANDARD_GRAVITY,
     ) -> UpliftingOscillator:
-        """The one whose column on a fixed base has this angular frequency [rad/s] and damping.
+        """Oscillator whose column on a fixed base has a frequency and a damping ratio.
 
-        damping_ratio : of critical damping; height, half_width [m]; mass [kg].
+        Parameters
+        ----------
+        angular_frequency : float
+            Angular frequency on a fixed base [rad/s].
+        damping_ratio : float
+            Part of critical damping on a fixed base.
+        height : float
+            Height of the mass above the base [m].
+        half_width : float
+            Half of the distance between the feet [m].
+        mass : float, optional
+            Mass [kg].
+        gravity : float, optional
+            Acceleration of gravity [m/s2].
+
+        Returns
+        -------
+        UpliftingOscillator
+            Oscillator.
+
+        Raises
+        ------
+        ValueError
+            For numbers that are not positive.
         """
         given = {"angular_frequency": angular_frequency, "damping_ratio": damping_ratio}
         given["mass"] = mass

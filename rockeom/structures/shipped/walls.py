@@ -10,7 +10,7 @@ from rockeom.numbers.checks import described, number
 from rockeom.numbers.dual import value_of
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.declared_modes import margin
-from rockeom.structures.wall import Wall
+from rockeom.structures.shipped.tendoned_wall import Wall
 
 
 def of_wall(what: str, wall: Wall) -> dict[str, float]:
@@ -41,12 +41,27 @@ class RockingWall(StructureWithFields):
 
     @property
     def speed_height(self) -> float:
+        """Height of the point whose speed impact laws mean [m]."""
         return self.parameters()["height"]
 
     def state(self, values: Mapping[str, float]) -> np.ndarray:
-        """(N,) state vector; beyond yield on the way back the tendon has been drawn out.
+        """State vector of named values; beyond yield on the way back the tendon has been drawn out.
 
-        A permanent_extension that is not given is then that which leaves the yield force.
+        Parameters
+        ----------
+        values : dict of str to float
+            Values of states by name; others are zero. A permanent_extension that is not named is
+            then the one that leaves the yield force.
+
+        Returns
+        -------
+        ndarray
+            State (N,).
+
+        Raises
+        ------
+        ValueError
+            For unknown names, NaN, and a state that no rotation has.
         """
         y = super().state(values)
         self.check_reach(y)
@@ -64,7 +79,18 @@ class RockingWall(StructureWithFields):
         return y
 
     def check_reach(self, y: np.ndarray) -> None:
-        """Raise ValueError for a state that no rotation has."""
+        """Check that a rotation has a state.
+
+        Parameters
+        ----------
+        y : ndarray
+            State (N,).
+
+        Raises
+        ------
+        ValueError
+            For a state that no rotation has.
+        """
 
     def _elastic_force(self, side: str, y: np.ndarray) -> float:
         """Force of the tendon [N], if it neither yields nor is slack."""
@@ -74,10 +100,23 @@ class RockingWall(StructureWithFields):
         return number("tendon_force", forces[m.REACTIONS.index("tendon_force")])
 
     def pushover(self, rotations) -> np.ndarray:
-        """Force at the load point that holds the wall at each rotation, or displacement [N].
+        """Force at the load point that holds the wall at each rotation, or displacement.
 
-        rotations : any shape, in the unit of the model's first state. Each is reached from upright
-        by a growing rotation: a tendon that yields has its yield force.
+        Parameters
+        ----------
+        rotations : array_like
+            Values of the model's first state, any shape. Each is reached from upright by a growing
+            rotation: a tendon that yields has its yield force.
+
+        Returns
+        -------
+        ndarray
+            Force [N], in the shape of the rotations.
+
+        Raises
+        ------
+        ValueError
+            Where there is no equilibrium.
         """
         return super().pushover(rotations)
 
@@ -91,14 +130,42 @@ class RockingWall(StructureWithFields):
         return self.load(m.MODES.index(side + mode), y), y
 
     def load(self, mode: int, y: np.ndarray) -> float:
-        """The force with which the rotation of a state is in equilibrium [N]."""
+        """Force with which the rotation of a state is in equilibrium.
+
+        Parameters
+        ----------
+        mode : int
+            Number of the mode.
+        y : ndarray
+            State (N,).
+
+        Returns
+        -------
+        float
+            Force at the load point [N].
+        """
         row = self.module.ROTATION
         none = self.lacking(mode, y, 0.0)[row]
         load = 1.0 + abs(none)  # the digits of one newton might be lost next to the other forces
         return float(load * (none / (none - self.lacking(mode, y, load)[row])))
 
     def lacking(self, mode: int, y: np.ndarray, load: float) -> np.ndarray:
-        """The force that each coordinate lacks of equilibrium under a load [N]."""
+        """Force that each coordinate lacks of equilibrium under a load.
+
+        Parameters
+        ----------
+        mode : int
+            Number of the mode.
+        y : ndarray
+            State (N,).
+        load : float
+            Force at the load point [N].
+
+        Returns
+        -------
+        ndarray
+            Forces (n,) [N].
+        """
         out = np.empty(len(y) // 2)
         self.module.statics(mode, y, self.vector, load, out)
         return out

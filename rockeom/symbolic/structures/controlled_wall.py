@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import product
-from typing import Any, ClassVar, Protocol
+from typing import Any, ClassVar
 
 import sympy as sp
 
@@ -337,16 +337,24 @@ def _unique(parameters: Iterable[Parameter]) -> tuple[Parameter, ...]:
     return tuple(dict.fromkeys(parameters))
 
 
-class Wall(Protocol):
+@dataclass(frozen=True)
+class Wall:
     """A wall in its places ("left", ...), each with a side, in all states of its tendons."""
 
-    @property
-    def tendons(self) -> Tendons: ...
-    @property
-    def places(self) -> Mapping[str, int]: ...
-    def mode(self, sides: dict[str, int]) -> Mode: ...
+    tendons: Tendons
+
+    places: ClassVar[Mapping[str, int]] = SIDES
+
+    def mode(self, sides: dict[str, int]) -> Mode:
+        """Its equations in all places and states."""
+        raise NotImplementedError
+
     def leaving(self, place: str, states: tuple[int, ...]) -> list[Transition]:
-        """Transitions to other places, in the same states of the tendons."""
+        """Transitions to other places in the same states: an impact where it comes upright."""
+        suffix, s = self.tendons.suffix(states), SIDES[place]
+        other = "right" if s < 0 else "left"
+        gap = s * self.tendons.moving.position
+        return [Transition(f"{place}{suffix}", f"{other}{suffix}", "impact", gap)]
 
 
 def _model(wall: Wall, **described: Any) -> RockingModel:
@@ -406,17 +414,15 @@ def _energy_ratio() -> tuple[tuple[Parameter, ...], Callable[[sp.Expr], sp.Expr]
 
 
 @dataclass(frozen=True)
-class _Oscillator:
+class _Oscillator(Wall):
     """The equivalent oscillator: its symbols, functions, modes and the transitions between them."""
-
-    tendons: Tendons
 
     q: ClassVar = DISPLACEMENT.position
     v: ClassVar = DISPLACEMENT.velocity
     centre: ClassVar = sp.Function("b", real=True)(q)
     rise: ClassVar = sp.Function("y_0", real=True)(q)
     speed, ratio, now, upright = sp.symbols("v r v_a V_0", positive=True)
-    places: ClassVar = {
+    places: ClassVar[Mapping[str, int]] = {
         f"{side}{part}": s for side, s in SIDES.items() for part in ("", "_inward", "_near")
     }
 
@@ -559,13 +565,6 @@ def controlled_wall_oscillator(
 # --- walls that turn
 
 
-def _impact_upright(tendons: Tendons, place: str, states: tuple[int, ...]) -> list[Transition]:
-    """An impact where the wall comes upright."""
-    suffix, s = tendons.suffix(states), SIDES[place]
-    other = "right" if s < 0 else "left"
-    return [Transition(f"{place}{suffix}", f"{other}{suffix}", "impact", s * ROTATION.position)]
-
-
 def _pressed(mode: Mode, pivot: tuple[sp.Expr, sp.Expr], pull: sp.Expr) -> Mode:
     """It with feet: the pressed one carries all, with the downward pull of the tendons."""
     vertical = total_reaction(mode)[1] + pull
@@ -580,18 +579,16 @@ def _pressed(mode: Mode, pivot: tuple[sp.Expr, sp.Expr], pull: sp.Expr) -> Mode:
 
 
 @dataclass(frozen=True)
-class _SubstituteGravity:
+class _SubstituteGravity(Wall):
     """Housner's block with the tendons' force as weight.
 
     arm : distance of the rotation centre from the centreline, taken as fixed at each instant.
     """
 
-    tendons: Tendons
     arm: sp.Expr
 
     q: ClassVar = ROTATION.position
     centre: ClassVar = sp.Function("b", real=True)(q)
-    places: ClassVar = SIDES
 
     def functions(self, distance: sp.Expr, lever: sp.Expr) -> tuple[NamedFunction, ...]:
         """Extensions, the lever where it is no constant, and forces of elastic tendons."""
@@ -639,9 +636,6 @@ class _SubstituteGravity:
             quantities=self.tendons.quantities(self.arm),
         )
         return _pressed(mode, pivot, downward)
-
-    def leaving(self, place: str, states: tuple[int, ...]) -> list[Transition]:
-        return _impact_upright(self.tendons, place, states)
 
 
 @shipped(place=13, may_vanish=_SHARED, defaults={"eccentricity": 0.0})
@@ -745,17 +739,15 @@ ANCHOR_DEPTH = parameter(
 
 
 @dataclass(frozen=True)
-class _Lagrangian:
+class _Lagrangian(Wall):
     """The wall by Lagrange's equations, which may bend."""
 
-    tendons: Tendons
     flexible: bool
 
     q: ClassVar = ROTATION.position
     centre: ClassVar = sp.Function("b", real=True)(q)
     pivot: ClassVar = (SIDE * centre, sp.S.Zero)
     length: ClassVar = ANCHOR_HEIGHT.symbol + ANCHOR_DEPTH.symbol
-    places: ClassVar = SIDES
 
     @property
     def moving(self) -> tuple[Coordinate, ...]:
@@ -796,9 +788,6 @@ class _Lagrangian:
         pulls = (t.by_state(t.force) * self.run(t)[1] / (t.extension + self.length) for t in cables)
         down = sum(pulls, sp.S.Zero)
         return _pressed(mode, self.pivot, down)
-
-    def leaving(self, place: str, states: tuple[int, ...]) -> list[Transition]:
-        return _impact_upright(self.tendons, place, states)
 
 
 @shipped(place=10, may_vanish=(*_SHARED, "inertia", "anchor_depth"), defaults={"eccentricity": 0.0})

@@ -13,7 +13,20 @@ from rockeom.symbolic.registry import shipped
 def flexible_structure(support: str = "pinned", **details: Any) -> Any:
     """A superstructure on an elastic, damped column that stands on a rocking rigid base.
 
-    support : what the base stands on, rk.Pinned() on rigid ground if not given.
+    Parameters
+    ----------
+    support : Support, optional
+        Support of the base; rk.Pinned() on rigid ground if not given.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> pier = rk.FlexibleStructure(
+    ...     mass=200e3, height=10.0, inertia=0.0, base_mass=80e3, base_height=0.5,
+    ...     base_inertia=60e3, half_width=2.5, stiffness=32e6, damping=250e3,
+    ... )  # kg, m, kg m2, N/m, N s/m
+    >>> pier.fixed_base().periods.round(3)  # s
+    array([0.497])
     """
     if support != "pinned" or details:
         return standing(elastic_column(), support, **details)

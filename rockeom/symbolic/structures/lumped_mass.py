@@ -13,7 +13,10 @@ from rockeom.symbolic.registry import shipped
 def lumped_mass_structure(support: str = "pinned", **details: Any) -> Any:
     """A rigid superstructure and a base, both lumped masses that rock about two fixed pivots.
 
-    support : what the base stands on, rk.Pinned() on rigid ground if not given.
+    Parameters
+    ----------
+    support : Support, optional
+        Support of the base; rk.Pinned() on rigid ground if not given.
     """
     if support != "pinned" or details:
         return standing(rigid(), support, **details)

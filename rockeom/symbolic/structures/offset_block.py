@@ -22,12 +22,17 @@ def offset_block() -> RockingModel:
 
     It lifts and overturns at different accelerations and angles to the right and to the left, and
     loses different parts of its angular velocity at impacts of its left and its right foot.
+
+    Parameters
+    ----------
+    full_height : float, optional
+        Height of the whole block [m], for a strap and for words; `from_dimensions` sets it.
     """
     offset = Parameter(
         sp.Symbol("d", real=True),
         "offset",
         "m",
-        "of the centroid, to the right of the middle of the base",
+        "distance of the centroid to the right of the middle of the base",
     )
     b, h, d = HALF_WIDTH.symbol, HEIGHT.symbol, offset.symbol
     theta = ROTATION.position

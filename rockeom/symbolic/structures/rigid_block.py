@@ -24,7 +24,22 @@ BLOCK: dict[str, Any] = {
 
 @shipped(place=1, **BLOCK, called={"height": "half_height"})
 def rigid_block() -> RockingModel:
-    """Housner's rigid body, which rocks about its two edges; any size of rotation."""
+    """Housner's rigid body, which rocks about its two edges; any size of rotation.
+
+    Parameters
+    ----------
+    full_height : float, optional
+        Height of the whole block [m], for a strap and for words; `from_dimensions` sets it.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4, mass=300.0)  # m, kg
+    >>> round(block.alpha, 4), round(block.p, 3)  # rad, rad/s
+    (0.245, 4.224)
+    >>> round(block.uplift_acceleration, 3)  # m/s2
+    2.453
+    """
     b, h = HALF_WIDTH.symbol, HEIGHT.symbol
     polar = (b, h, sp.Symbol("R", positive=True), sp.Symbol("alpha", positive=True))
     theta, outline = ROTATION.position, rectangle(b, h)

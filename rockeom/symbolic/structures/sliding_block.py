@@ -23,6 +23,11 @@ def sliding_block(law: str = "newton") -> Model:
     The states are the place x and the height y of the base's centre [m], theta [rad], and their
     rates. A restitution of 0 to 1 is the ratio of the rates of a foot's gap after and before it
     lands.
+
+    Parameters
+    ----------
+    full_height : float, optional
+        Height of the whole block [m], for a strap and for words; `from_dimensions` sets it.
     """
     x, y, theta = X.position, Y.position, FREE_ROTATION.position
     b, h = HALF_WIDTH.symbol, HEIGHT.symbol

@@ -47,16 +47,28 @@ def stacked_blocks(law: str = "newton", support: str = "pinned") -> Model:
     over its normal force. A restitution of 0 to 1 is the ratio of the rates of a gap after and
     before a corner lands alone. The upper block is no wider than the lower one.
 
-    lower, upper : two of `RigidBlock` under one gravity may take the place of the parameters of
-    each block.
-
-    support : without one no corner slips; impacts are by Newton's law, or above a restitution of 0
-    by Poisson's, since Newton's has no impulse for many landings that do not slip. At corners of
-    both blocks `rk.Sliding(friction=..., restitution=..., law=...)` has its own of each; its
-    equations are derived at their first use.
+    Two of `RigidBlock` under one gravity, `lower` and `upper`, may take the place of the parameters
+    of each block.
 
     The states are x, y [m] and theta [rad] of the lower block's base; xi and eta [m] of the upper
     block's base along and above the lower one's top, and its rotation phi [rad]; and their rates.
+
+    Parameters
+    ----------
+    support : Support, optional
+        Without one no corner slips; impacts are by Newton's law, or above a restitution of 0 by
+        Poisson's, since Newton's has no impulse for many landings that do not slip. At corners of
+        both blocks ``rk.Sliding(friction=..., restitution=..., law=...)`` has its own of each; its
+        equations are derived at their first use.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> pedestal = rk.RigidBlock(half_width=0.3, half_height=0.4, mass=500.0)  # m, kg
+    >>> statue = rk.RigidBlock(half_width=0.2, half_height=0.7, mass=300.0)
+    >>> stack = rk.StackedBlocks(lower=pedestal, upper=statue)
+    >>> stack.upper_mass  # kg
+    300.0
     """
     lower, upper = _parameters(1, "lower"), _parameters(2, "upper")
     m_1, b_1, h_1, i_1 = (p.symbol for p in lower)

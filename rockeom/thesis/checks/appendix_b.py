@@ -120,8 +120,8 @@ def _extension(equation: Equation, relations: Relations) -> Iterator[Finding]:
     rest = strain * th.E_tendon * th.A_tendon - th.P_tendon
     yield vanishes("stress of the stated strain times A, minus the force", rest, sp.simplify)
     for force, extension in ((FORCE, 6.4564), (YIELD, 13.5814)):
-        found = float(stated.subs(WALL).subs(th.P_tendon, force))
-        yield close(f"extension in mm at {float(force)} kN", found, extension, 5e-5)
+        by_equation = float(stated.subs(WALL).subs(th.P_tendon, force))
+        yield close(f"extension in mm at {float(force)} kN", by_equation, extension, 5e-5)
 
 
 def _before_yield(equation: Equation, relations: Relations) -> Iterator[Finding]:

@@ -102,10 +102,10 @@ def _rows(equation: Equation, relations: Relations) -> Iterator[Finding]:
     mixed = set().union(*(x.free_symbols for x in relations)) & set(IN_TIME)
     yield Finding("coordinates besides the states y", mixed, not mixed)
     for side in equation.sides:
-        model, known = shipped(MODEL_C), {**STATES, **coefficients(side)}
+        model, symbols = shipped(MODEL_C), {**STATES, **coefficients(side)}
         derived = (0, residual(model, side, 1), 0, residual(model, side, 0))
         for i, (relation, exact) in enumerate(zip(relations, derived, strict=True), 1):
-            rest = in_engine_notation(relation.lhs - relation.rhs, side, known) - exact
+            rest = in_engine_notation(relation.lhs - relation.rhs, side, symbols) - exact
             yield vanishes(f"row {i} minus engine", rest, normal_form)
 
 
@@ -128,11 +128,11 @@ def _first_order(equation: Equation, relations: Relations) -> Iterator[Finding]:
         yield vanishes(f"row {i} minus that of D-28", row, sp.expand)
     rng = np.random.default_rng(27)
     for side in equation.sides:
-        model, known = shipped(MODEL_C), {**STATES, **coefficients(side)}
+        model, symbols = shipped(MODEL_C), {**STATES, **coefficients(side)}
         exact = model.equations(MODE[side])
         systems = [
-            sp.Matrix(matrix.applyfunc(lambda e, s=side, k=known: in_engine_notation(e, s, k))),
-            sp.Matrix(right.applyfunc(lambda e, s=side, k=known: in_engine_notation(e, s, k))),
+            sp.Matrix(matrix.applyfunc(lambda e, s=side, k=symbols: in_engine_notation(e, s, k))),
+            sp.Matrix(right.applyfunc(lambda e, s=side, k=symbols: in_engine_notation(e, s, k))),
             exact.mass_matrix,
             exact.forcing,
         ]

@@ -119,11 +119,11 @@ def _period_error(equation: Equation, relations: Relations) -> Iterator[Finding]
         return stated(ratio * alpha, alpha) / exact_quarter(ratio, alpha) - 1
 
     for ratio in (0.001, 0.1, 0.3, 0.6, 0.9, 0.999):
-        found = excess(ratio, SLENDERNESS)
+        error = excess(ratio, SLENDERNESS)
         yield Finding(
-            f"too short from {ratio} alpha, by at most 0.36 %", found, -0.0036 < found < 0
+            f"too short from {ratio} alpha, by at most 0.36 %", error, -0.0036 < error < 0
         )
-        order = math.log2(abs(found / excess(ratio, SLENDERNESS / 2)))
+        order = math.log2(abs(error / excess(ratio, SLENDERNESS / 2)))
         yield close("order of the error in alpha", order, 2, 0.02)
     limit = math.sqrt(math.sin(SLENDERNESS) / SLENDERNESS) - 1
     yield close("error for small rotations", excess(1e-4, SLENDERNESS), limit, 1e-5)
@@ -140,10 +140,10 @@ def _growth(relation: sp.Eq) -> sp.Expr:
 
 def _scaling(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """2-10 to 2-12, one of them as given, put into the engine's 2-9, give 2-13."""
-    given = {n: EQUATIONS[n].right for n in ("2-10", "2-11", "2-12")} | {equation.number: relations}
+    sides = {n: EQUATIONS[n].right for n in ("2-10", "2-11", "2-12")} | {equation.number: relations}
     for relation in relations:
         yield positive("growth of the scaled quantity", _growth(relation))
-    angle, excitation, clock = (relation.lhs / _growth(relation) for (relation,) in given.values())
+    angle, excitation, clock = (relation.lhs / _growth(relation) for (relation,) in sides.values())
     angular = sp.diff(angle, th.x) * th.x_dd / sp.diff(clock, th.t) ** 2
     ground = th.alpha * th.beta * th.g * sp.cos(sp.simplify(excitation * clock))
     (scaled,) = EQUATIONS["2-13"].right
@@ -311,8 +311,8 @@ def _table_2_3(equation: Equation, relations: Relations) -> Iterator[Finding]:
     table = TABLES["2-3"]
     for r, percent in zip(table.column("r by 2-6"), table.column("damping by 2-16"), strict=True):
         assert isinstance(percent, float)
-        found = 100 * relations[0].rhs.subs(th.r, r)
-        yield close("damping of a wall in per cent", found, percent, 0.005)
+        damping = 100 * relations[0].rhs.subs(th.r, r)
+        yield close("damping of a wall in per cent", damping, percent, 0.005)
 
 
 def _decrement(equation: Equation, relations: Relations) -> Iterator[Finding]:
@@ -455,10 +455,10 @@ def _grant(equation: Equation, relations: Relations) -> Iterator[Finding]:
         stated = sp.lambdify(arguments, relations[0].rhs.subs(row))
         for mu in DUCTILITIES:
             for elastic in ((0.05, 0.0), (0.0, 0.03)):
-                found = grant_damping(
+                damping = grant_damping(
                     rule, mu, 1.3, constant_damping=elastic[0], tangent_damping=elastic[1]
                 )
-                yield close(f"{rule}, mu = {mu}", found, stated(mu, 1.3, *elastic), 1e-12)
+                yield close(f"{rule}, mu = {mu}", damping, stated(mu, 1.3, *elastic), 1e-12)
     elastic = relations[0].rhs.subs(th.mu, 1) - th.xi_const - th.xi_tang
     yield vanishes("at mu = 1 minus the elastic damping, 2-31", elastic, sp.simplify)
 
@@ -496,9 +496,9 @@ def _design(equation: Equation, relations: Relations) -> Iterator[Finding]:
         stated = sp.lambdify((th.mu, th.effective_period), relations[0].rhs.subs(row))
         yield close(f"{rule}, mu = 1", stated(1.0, 0.7), 0.05, 1e-15)
         for mu in DUCTILITIES:
-            found = design_damping(rule, mu, 1.3)
+            damping = design_damping(rule, mu, 1.3)
             # 1 - mu**-b as printed loses digits in the flag's b
-            yield close(f"{rule}, mu = {mu}", found, stated(mu, 1.3), 1e-11)
+            yield close(f"{rule}, mu = {mu}", damping, stated(mu, 1.3), 1e-11)
 
 
 def _design_of_analysis(equation: Equation, relations: Relations) -> Iterator[Finding]:

@@ -79,12 +79,12 @@ def ratio_of_peaks(
         for side in equation.sides:
             before = potential(side, th.theta_before, name) + more(th.theta_before)
             after = potential(-side, th.theta_after, name) + more(th.theta_after)
-            known = {x: x for x in (th.theta_before, th.theta_after, th.k_rot)}
-            known |= {th.E_before: before, th.U_before: before}
-            known |= {th.E_after: after, th.U_after: after}
+            symbols = {x: x for x in (th.theta_before, th.theta_after, th.k_rot)}
+            symbols |= {th.E_before: before, th.U_before: before}
+            symbols |= {th.E_after: after, th.U_after: after}
             for relation in relations:
                 stated = relation.rhs.subs(sp.Abs(th.theta_after), -side * th.theta_after)
-                rest = in_engine_notation(stated, side, known) - after / before
+                rest = in_engine_notation(stated, side, symbols) - after / before
                 yield vanishes("thesis minus ratio of energies", rest, normal_form)
 
             inertia = sp.diff(kinetic(side, name), THETA_D, 2)
@@ -131,8 +131,8 @@ def _bunches(equation: Equation, relations: Relations) -> Iterator[Finding]:
     """Figure 3-3 falls into bunches by its edge, as Figure 3-19, on either side of 2-6."""
     numbers = {**block_numbers(), th.k_rot: 0}
     stated = sp.lambdify((th.theta_before, th.theta_after), relations[-1].rhs.subs(numbers))
-    found = [stated(*pair) for pair in pairwise(measured_peaks())]
-    left, right = found[::2], found[1::2]  # the first fall is to the left edge
+    ratios = [stated(*pair) for pair in pairwise(measured_peaks())]
+    left, right = ratios[::2], ratios[1::2]  # the first fall is to the left edge
     by_theory = float(EQUATIONS["2-6"].right[0].rhs.subs(numbers))
     apart = max(left) < by_theory < min(right)
     yield Finding("r on the left edge, that of 2-6, on the right", (left, by_theory, right), apart)

@@ -76,8 +76,8 @@ def _period(equation: Equation, relations: Relations) -> Iterator[Finding]:
     yield vanishes("thesis minus stiffness of that period", rest, normal_form)
     # 5-36 has the same mass in c = 0.06 sqrt(m_e k), and its 502.4 N s/m is rounded to 0.01 %
     mass = 502.4 * T_FIXED / (0.06 * 2 * np.pi)
-    found = float(formula.rhs.subs({th.T_fixed: T_FIXED, th.m_e: mass}))
-    yield close("k in N/m with T_fixed = 0.092 s and the c of 5-36", found, value.rhs, 110)
+    k = float(formula.rhs.subs({th.T_fixed: T_FIXED, th.m_e: mass}))
+    yield close("k in N/m with T_fixed = 0.092 s and the c of 5-36", k, value.rhs, 110)
 
 
 def _critical(equation: Equation, relations: Relations) -> Iterator[Finding]:
@@ -90,8 +90,8 @@ def _critical(equation: Equation, relations: Relations) -> Iterator[Finding]:
     # 5-1 has the same mass, k T**2 / (4 pi**2)
     stiffness = 571.8e3
     mass = stiffness * (T_FIXED / (2 * np.pi)) ** 2
-    found = float(formula.rhs.subs({th.m_e: mass, th.k: stiffness}))
-    yield close("c in N s/m with the k of 5-1", found, value.rhs, 0.1)
+    damping = float(formula.rhs.subs({th.m_e: mass, th.k: stiffness}))
+    yield close("c in N s/m with the k of 5-1", damping, value.rhs, 0.1)
 
 
 # --- rotations
@@ -106,7 +106,7 @@ def branch(relation: sp.Eq, side: int) -> sp.Expr:
 def _about_pivot(relation: sp.Eq, sides: tuple[int, ...]) -> Iterator[Finding]:
     """The displacement that a rotation of the rigid structure gives, put in, gives it back."""
     radius, angle = sp.sqrt(B**2 + PIER["height"] ** 2), sp.Dummy("alpha'", positive=True)
-    known = {
+    symbols = {
         th.B_measured: B,
         th.H_measured: PIER["height"],
         th.R_measured: radius,
@@ -118,7 +118,7 @@ def _about_pivot(relation: sp.Eq, sides: tuple[int, ...]) -> Iterator[Finding]:
         x = shipped(MODEL_A).mode(MODE[side]).bodies[0].position[0]
         x = x.subs(SIDE, side)
         displacement = x - x.subs(THETA, 0)
-        stated = branch(relation, side).xreplace(known)
+        stated = branch(relation, side).xreplace(symbols)
         stated = stated.subs(sp.atan(B / PIER["height"]), angle)
         left = sp.expand(angle - side * stated)
         what = "sine of the angle that is left to the balance"
@@ -247,10 +247,10 @@ def _average(equation: Equation, relations: Relations) -> Iterator[Finding]:
     ratio = relations[-1].rhs.subs(column_numbers())
     stated = sp.lambdify((th.theta_before, th.theta_after), ratio)
     peaks = measured_rotations(EQUATIONS["5-2"].right)
-    found = [stated(*pair) for pair in pairwise(peaks)]
-    for i, r in enumerate(found, 1):
+    ratios = [stated(*pair) for pair in pairwise(peaks)]
+    for i, r in enumerate(ratios, 1):
         yield close(f"r of impact {i}, middle of what is stated", r, 0.85, 0.1)
-    yield close("0.74 below the average by", 1 - 0.74 / np.mean(found), 0.12, 0.01)
+    yield close("0.74 below the average by", 1 - 0.74 / np.mean(ratios), 0.12, 0.01)
 
 
 # --- what Model B is a model of

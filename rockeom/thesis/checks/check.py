@@ -97,7 +97,7 @@ def positive(what: str, value: Any) -> Finding:
     return Finding(f"{what} is positive", value, bool(sp.sympify(value).is_positive))
 
 
-def close(what: str, found: float, stated: float, within: float) -> Finding:
+def close(what: str, value: float, stated: float, within: float) -> Finding:
     """Finding that two numbers differ by at most `within`, absolutely."""
-    difference = abs(float(found) - float(stated))
-    return Finding(f"{what}: {found:.6g} for {stated:.6g}", difference, difference <= within)
+    difference = abs(float(value) - float(stated))
+    return Finding(f"{what}: {value:.6g} for {stated:.6g}", difference, difference <= within)

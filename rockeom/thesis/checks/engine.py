@@ -46,11 +46,11 @@ Value = Any
 
 @dataclass(frozen=True)
 class Derived:
-    """`value(model, side)` for the structure; `known(model, side)` gives further symbols."""
+    """`value(model, side)` for the structure; `symbols(model, side)` gives further ones."""
 
     structure: str
     value: Callable[[RockingModel, int], Value | list[Value]]
-    known: Callable[[RockingModel, int], dict] = lambda model, side: {}
+    symbols: Callable[[RockingModel, int], dict] = lambda model, side: {}
 
 
 @cache
@@ -60,11 +60,11 @@ def shipped(name: str) -> RockingModel:
 
 def evaluate(number: str, side: int, model: RockingModel | None = None) -> tuple[list[Value], dict]:
     """The engine's values for the relations of an equation, and the known symbols."""
-    value, known = (
+    value, symbols = (
         values_of_shipped(number, side) if model is None else _values(number, side, model)
     )
     relations = len(EQUATIONS[number].right)
-    return (value if isinstance(value, list) else [value] * relations), known
+    return (value if isinstance(value, list) else [value] * relations), symbols
 
 
 @cache
@@ -74,17 +74,17 @@ def values_of_shipped(number: str, side: int) -> tuple[Value, dict]:
 
 def _values(number: str, side: int, model: RockingModel) -> tuple[Value, dict]:
     entry = DERIVED[number]
-    return entry.value(model, side), entry.known(model, side)
+    return entry.value(model, side), entry.symbols(model, side)
 
 
 def compared(
     number: str, relations, side: int, model: RockingModel | None = None
 ) -> Iterator[Finding]:
     """Thesis minus engine for each component of each relation."""
-    values, known = evaluate(number, side, model)
+    values, symbols = evaluate(number, side, model)
     what = f"thesis minus engine, theta {'>' if side > 0 else '<'} 0"
     for relation, value in zip(relations, values, strict=True):
-        for rest in differences(relation, value, side, known):
+        for rest in differences(relation, value, side, symbols):
             yield vanishes(what, rest, normal_form)
 
 

@@ -230,8 +230,8 @@ class Passages:
 
     def __init__(self, relation: sp.Eq, n: float) -> None:
         acceleration = relation.rhs - (relation.lhs - th.x_dd)
-        given = acceleration.subs({th.r: ENERGY_RATIO, th.n: n})
-        self.acceleration = sp.lambdify((th.x, th.x_d), given, "numpy")
+        of_state = acceleration.subs({th.r: ENERGY_RATIO, th.n: n})
+        self.acceleration = sp.lambdify((th.x, th.x_d), of_state, "numpy")
         self.edge = 10 * n
 
     def energy_after(self, energy: float, direction: int) -> float:
@@ -252,14 +252,14 @@ class Passages:
     def peaks(self, release: float, count: int) -> list[float]:
         """Amplitudes after each of `count` impacts; 1, which is overturning, ends them."""
         energy, direction = potential(release), -1
-        found: list[float] = []
+        peaks: list[float] = []
         for _ in range(count):
             energy = self.energy_after(energy, direction)
             if energy >= potential(1):
-                return [*found, 1.0]
-            found.append(1 - np.sqrt(1 - 2 * energy))
+                return [*peaks, 1.0]
+            peaks.append(1 - np.sqrt(1 - 2 * energy))
             direction = -direction
-        return found
+        return peaks
 
 
 def peaks_with_impacts(release: float, count: int) -> list[float]:
@@ -276,8 +276,8 @@ def _in_one_equation(equation: Equation, relations: Relations) -> Iterator[Findi
         left = sp.limit((relation.lhs - pieces.lhs).subs(th.x, place), th.n, 0, "+")
         yield vanishes("limit of its left side minus that of 2-17", left)
     exact = peaks_with_impacts(RELEASE, 3)
-    found, twice = (Passages(relation, n).peaks(RELEASE, 3) for n in (WIDTH, 2 * WIDTH))
-    for i, (peak, wide, reference) in enumerate(zip(found, twice, exact, strict=False), 1):
+    narrow, twice = (Passages(relation, n).peaks(RELEASE, 3) for n in (WIDTH, 2 * WIDTH))
+    for i, (peak, wide, reference) in enumerate(zip(narrow, twice, exact, strict=False), 1):
         yield close(f"peak {i} of Figure 2-16 by 2-29, n = 0.001", peak, reference, 1e-3)
         ratio = (wide - reference) / (peak - reference)
         yield close(f"error of peak {i} for twice the n, over the error", ratio, 2, 0.1)

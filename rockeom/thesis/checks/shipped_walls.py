@@ -113,8 +113,8 @@ def _tendon_force(equation: Equation, relations: Relations) -> Iterator[Finding]
 def _motion(model: RockingModel, side: int) -> sp.Expr:
     """Left minus right side of the equation of motion, its functions put in."""
     (ratio,) = (one.symbol for one in model.functions if one.name == "energy_ratio")
-    found = with_geometry(model, residual(model, side)).subs(ratio, th.r)
-    return in_thesis_symbols(model, found, side)
+    motion = with_geometry(model, residual(model, side)).subs(ratio, th.r)
+    return in_thesis_symbols(model, motion, side)
 
 
 def _oscillator(equation: Equation, relations: Relations) -> Iterator[Finding]:

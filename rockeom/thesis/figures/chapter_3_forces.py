@@ -170,14 +170,14 @@ def figure_3_15() -> Figure:
 @cache
 def vertical_before_impacts() -> np.ndarray:
     """Vertical support force of the records, a window before each impact of `impact_forces` [N]."""
-    found = []
+    forces_before = []
     for release, seed in RUNS:
         calm = calm_record(release, seed)
         forces = identification.support_forces_of_record(calm, window=WINDOW, **SHAPE)
         impacts = identification.impact_forces_of_record(calm, window=WINDOW, **SHAPE)
         time = impacts.time[np.abs(impacts.speed) > 0.15]
-        found.append(np.interp(time - WINDOW, forces.time, forces.vertical))
-    return np.concatenate(found)
+        forces_before.append(np.interp(time - WINDOW, forces.time, forces.vertical))
+    return np.concatenate(forces_before)
 
 
 @thesis_figure(Source.IN_KIND)

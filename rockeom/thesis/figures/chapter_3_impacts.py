@@ -215,10 +215,10 @@ def changes_and_forces() -> tuple[Impacts, np.ndarray]:
     for release, seed in RUNS:
         calm = calm_record(release, seed)
         of_run = Impacts.of_record(calm, BLOCK, threshold=THRESHOLD)
-        found = identification.impact_forces_of_record(calm, window=WINDOW, **SHAPE)
-        nearest = np.abs(found.time[:, None] - of_run.time).argmin(axis=0)
+        impact_forces = identification.impact_forces_of_record(calm, window=WINDOW, **SHAPE)
+        nearest = np.abs(impact_forces.time[:, None] - of_run.time).argmin(axis=0)
         impacts.append(of_run)
-        forces.append(found.magnitude[nearest])
+        forces.append(impact_forces.magnitude[nearest])
     return Impacts.together(impacts), np.concatenate(forces)
 
 

@@ -281,12 +281,12 @@ def figure_4_25() -> Figure:
 def paths_without_losses() -> list[tuple[np.ndarray, np.ndarray]]:
     """Displacements [m] and speeds [m/s] by 4-23, from each of the first five peaks to upright."""
     measured = identification.FreeVibration.table_a1()
-    found = []
+    paths = []
     for row in peaks()[:5]:
         start = measured.displacement[row]
         d = start * np.linspace(1.0, 0.0, 300) ** 2
-        found.append((d, np.abs(WALL.phase_trajectory(start, d))))
-    return found
+        paths.append((d, np.abs(WALL.phase_trajectory(start, d))))
+    return paths
 
 
 @thesis_figure(Source.PRINTED)

@@ -14,14 +14,14 @@ from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.figures import chapter_2 as forces, chapter_2_blocks as blocks
 from rockeom.thesis.printed import BLOCK, TABLE_2_1, TABLE_2_3, number
 from rockeom.thesis.statements.statement import (
-    Found,
+    Finding,
     Register,
     about,
     at_least,
     at_most,
     between,
     closed_form,
-    found,
+    finding,
     near,
     printed,
     ranging,
@@ -42,11 +42,11 @@ statement = Register()
     at_most(0.1, why="approximated: 10 % of the quarter period"),
     closed_form("quarter period of 2-2"), closed_form("quarter period of 2-3, which is 2-5"),
 )  # fmt: skip
-def approximation_of_slender_blocks() -> Found:
+def approximation_of_slender_blocks() -> Finding:
     alpha, ratio = np.radians(20.0), np.linspace(0.001, 0.99, 100)
     exact = formulas.exact_quarter_period(ratio * alpha, alpha, 1.0)
     error = np.abs(formulas.quarter_period(ratio, 1.0) / exact - 1)
-    return found(error.max(), f"off by {100 * error.max():.1f} % at most for 20 degrees")
+    return finding(error.max(), f"off by {100 * error.max():.1f} % at most for 20 degrees")
 
 
 @statement(
@@ -55,7 +55,7 @@ def approximation_of_slender_blocks() -> Found:
     rounded("-0.5", why="exponent of the size; half of the last digit"),
     closed_form("Housner's spectral velocity that overturns"),
 )  # fmt: skip
-def vulnerability_with_size() -> Found:
+def vulnerability_with_size() -> Finding:
     size = np.array([1.0, 2.0, 4.0, 8.0])
     p = np.sqrt(3 * STANDARD_GRAVITY / (4 * size))
     exponent, *pushed = (
@@ -65,7 +65,7 @@ def vulnerability_with_size() -> Found:
             *(formulas.overturning_constant(duration, 0.2, p) for duration in (0.05, 3.0)),
         )
     )
-    return found(
+    return finding(
         exponent,
         f"{exponent:.2f} in an earthquake; a constant push of 0.05 s {pushed[0]:.2f}, of 3 s "
         f"{pushed[1]:.2f}, so that the size counts the less the longer the push",
@@ -78,10 +78,10 @@ def vulnerability_with_size() -> Found:
     rounded("762", "5", why="76.2 cm and 5 to half of the last digit"),
     printed("Table 2-1, row 5"),
 )  # fmt: skip
-def block_of_aslam() -> Found:
+def block_of_aslam() -> Finding:
     height, width, *_ = TABLE_2_1.rows[4]
     sizes = number(height), number(width)
-    return found([sizes[0], sizes[0] / sizes[1]], f"{sizes[0]:g} mm x {sizes[1]:g} mm")
+    return finding([sizes[0], sizes[0] / sizes[1]], f"{sizes[0]:g} mm x {sizes[1]:g} mm")
 
 
 # --- 2.2 restitution
@@ -99,10 +99,10 @@ def _errors_of_2_6() -> tuple[np.ndarray, np.ndarray]:
     closed_form("2-6"), printed("Table 2-1, experimental r"),
     figure="2-2",
 )  # fmt: skip
-def measured_ratios_above_2_6() -> Found:
+def measured_ratios_above_2_6() -> Finding:
     _, error = _errors_of_2_6()
     above = int((error > 0).sum())
-    return found(above, f"{above} of {len(error)} rows")
+    return finding(above, f"{above} of {len(error)} rows")
 
 
 @statement(
@@ -111,10 +111,10 @@ def measured_ratios_above_2_6() -> Found:
     closed_form("2-6"), printed("Table 2-1, experimental r"),
     figure="2-2",
 )  # fmt: skip
-def errors_of_slender_blocks() -> Found:
+def errors_of_slender_blocks() -> Finding:
     ratio, error = _errors_of_2_6()
     squat, slim = (float(np.abs(error[of]).mean()) for of in (ratio <= 4, ratio > 4))
-    return found(slim / squat, f"mean error {squat:.3f} up to H/B = 4, {slim:.3f} beyond")
+    return finding(slim / squat, f"mean error {squat:.3f} up to H/B = 4, {slim:.3f} beyond")
 
 
 # --- 2.4 flexible structures and foundations
@@ -125,10 +125,10 @@ def errors_of_slender_blocks() -> Found:
     about(0.5, why="close to"),
     closed_form("2-8b"),
 )  # fmt: skip
-def damping_of_the_uplifted_column() -> Found:
+def damping_of_the_uplifted_column() -> Finding:
     ratio = float(formulas.uplifted_damping(0.05, 1.0, 10.0))
     half = float(formulas.uplifted_damping(0.05, 0.5, 10.0))
-    return found(
+    return finding(
         ratio, f"{ratio:.3f} for 0.05 and H/B = 10; {half:.2f} where B is the whole width, not half"
     )
 
@@ -139,9 +139,9 @@ def damping_of_the_uplifted_column() -> Found:
     closed_form("omega/(2 pi)"), printed("Figure 2-6, omega = 56.10 rad/s"),
     figure="2-6",
 )  # fmt: skip
-def frequency_of_figure_2_6() -> Found:
+def frequency_of_figure_2_6() -> Finding:
     frequency = forces.OMEGA_OF_2_6 / (2 * math.pi)
-    return found(frequency, f"{frequency:.2f} Hz")
+    return finding(frequency, f"{frequency:.2f} Hz")
 
 
 @statement(
@@ -151,7 +151,7 @@ def frequency_of_figure_2_6() -> Found:
     figure="2-6",
     lost="the deformation at the release and the meaning of theta_crit are not stated",
 )  # fmt: skip
-def mean_deformation_while_uplifted() -> Found:
+def mean_deformation_while_uplifted() -> Finding:
     omega, height, half_width = forces.OMEGA_OF_2_6, 1.0, 0.3
     u_c = float(formulas.uplift.uplift_displacement(omega, half_width, height))
     structure = rk.UpliftingOscillator.from_frequency(
@@ -164,7 +164,7 @@ def mean_deformation_while_uplifted() -> Found:
     first = run.impacts[0].time
     t = np.linspace(0.0, first, 2001)
     mean = float(abs(np.mean(run.at(t)["u"]))) / u_c
-    return found(mean, f"{mean:.2f} u_c on average until the first impact")
+    return finding(mean, f"{mean:.2f} u_c on average until the first impact")
 
 
 @statement(
@@ -174,13 +174,13 @@ def mean_deformation_while_uplifted() -> Found:
              "of the uplift"),
     closed_form("moment of two springs, Figure 2-8"),
 )  # fmt: skip
-def lengthening_of_the_period() -> Found:
+def lengthening_of_the_period() -> Finding:
     lifts = float(formulas.foundation.two_spring_uplift_rotation(1.0, 0.5, 1.0))
     rotations = lifts * np.array([1.0, 2.0, 3.0])
     moment = formulas.foundation.two_spring_moment(rotations, 1.0, 0.5, 1.0)
     periods = np.sqrt(rotations / moment)
     longer = periods / periods[0]
-    return found(
+    return finding(
         float(longer[-1]),
         f"the secant period is {longer[1]:.2f} and {longer[2]:.2f} times that before at twice and "
         "three times the rotation at which a spring is free",
@@ -192,10 +192,10 @@ def lengthening_of_the_period() -> Found:
     near(1.0, 0.1, why="do not change: 10 % of T_1/T_2, in any frame"),
     closed_form("periods of shear frames on two springs"),
 )  # fmt: skip
-def ratio_of_periods_with_uplift() -> Found:
+def ratio_of_periods_with_uplift() -> Finding:
     first, second = _lengthening_of_frames()
     ratio = first / second
-    return found(
+    return finding(
         ratio.max(),
         f"T_1/T_2 of {_FRAMES} grows by a factor of {ratio.min():.2f} to {ratio.max():.2f}, as the "
         "third finding of the same list has it: T_1 changes and T_2 does not",
@@ -207,7 +207,7 @@ def ratio_of_periods_with_uplift() -> Found:
     near(1.0, 0.02, why="not at all: 2 % of T_2, in every frame"),
     closed_form("periods of shear frames on two springs"),
 )  # fmt: skip
-def second_period_with_uplift() -> Found:
+def second_period_with_uplift() -> Finding:
     first, second = _lengthening_of_frames()
     return ranging(
         second,
@@ -254,10 +254,10 @@ def _periods_of_frame(storeys: int, ground: float) -> np.ndarray:
     closed_form("two springs that share K_z"),
     slip=True,
 )  # fmt: skip
-def stiffness_of_a_rectangular_mat() -> Found:
+def stiffness_of_a_rectangular_mat() -> Finding:
     mat = formulas.rectangular_mat(1.0, 1.0, 2.18, 20e6, 1 / 3, 1800.0)
     ratio = float(mat.stiffness / mat.vertical_stiffness)
-    return found(ratio, f"k_f = {ratio:g} K_z: two springs share it, and K_z B_f is no stiffness")
+    return finding(ratio, f"k_f = {ratio:g} K_z: two springs share it, and K_z B_f is no stiffness")
 
 
 @statement(
@@ -266,11 +266,11 @@ def stiffness_of_a_rectangular_mat() -> Found:
     near(1.0, 1e-9, why="rotational stiffness of two springs over that of the half-space"),
     closed_form("Table 2-2"), closed_form("8 G R**3/(3 (1 - nu)) of a circular mat"),
 )  # fmt: skip
-def rotational_stiffness_of_a_circular_mat() -> Found:
+def rotational_stiffness_of_a_circular_mat() -> Finding:
     radius, modulus, poisson = 1.0, 20e6, 1 / 3
     springs = formulas.circular_mat(radius, modulus, poisson, 1800.0)
     ratio = float(springs.rotational_stiffness / (8 * modulus * radius**3 / (3 * (1 - poisson))))
-    return found(ratio, f"{ratio:.3f} of that of the half-space")
+    return finding(ratio, f"{ratio:.3f} of that of the half-space")
 
 
 _SIDES = np.array([0.25, 0.5, 1.0, 2.0, 4.0])
@@ -284,7 +284,7 @@ _SIDES = np.array([0.25, 0.5, 1.0, 2.0, 4.0])
     closed_form("Table 2-2, springs at 1/sqrt(3) of the half-width that share K_z"),
     closed_form("footing on a half-space by Pais and Kausel (1988)"),
 )  # fmt: skip
-def rotational_stiffness_of_a_rectangular_mat() -> Found:
+def rotational_stiffness_of_a_rectangular_mat() -> Finding:
     mat = formulas.rectangular_footing(1.0, _SIDES, 20e6, 1 / 3)
     ratio = mat.vertical / 3 / mat.rotational
     return ranging(
@@ -300,7 +300,7 @@ def rotational_stiffness_of_a_rectangular_mat() -> Found:
     at_least(1.1, why="the two stiffnesses ask for k_w that differ by 10 % or more"),
     closed_form("a Winkler bed"), closed_form("footing on a half-space by Pais and Kausel (1988)"),
 )  # fmt: skip
-def winkler_stiffness_of_both_motions() -> Found:
+def winkler_stiffness_of_both_motions() -> Finding:
     mat = formulas.rectangular_footing(1.0, _SIDES, 20e6, 1 / 3)
     by_rotation = formulas.winkler_stiffness_from_rotation(mat.rotational, 1.0)
     ratio = by_rotation / formulas.winkler_stiffness(mat.vertical, 1.0)
@@ -320,10 +320,10 @@ def winkler_stiffness_of_both_motions() -> Found:
     simulation("2-14 with r = 0.9"),
     figure="2-10",
 )  # fmt: skip
-def time_of_rest() -> Found:
+def time_of_rest() -> Finding:
     run = blocks.released_inside_balance()
     rest = run.events.rest_time
-    return found(math.inf if rest is None else rest, f"{run.outcome} after p t = {rest:.1f}")
+    return finding(math.inf if rest is None else rest, f"{run.outcome} after p t = {rest:.1f}")
 
 
 @statement(
@@ -332,7 +332,7 @@ def time_of_rest() -> Found:
     simulation("2-13 under harmonic shaking"),
     figure="2-11", lost="the amplitudes and frequencies of the orbits are not stated",
 )  # fmt: skip
-def steady_orbits_of_both_kinds() -> Found:
+def steady_orbits_of_both_kinds() -> Finding:
     lasting = [
         (beta, blocks.branches(doublings=1)[i].at(beta)) for i, beta in enumerate((2.0, 2.8, 3.15))
     ]
@@ -342,7 +342,7 @@ def steady_orbits_of_both_kinds() -> Found:
         f"{abs(one.multipliers[0]):.3f}"
         for beta, one in lasting
     )
-    return found(min(kinds.count(True), kinds.count(False)), said)
+    return finding(min(kinds.count(True), kinds.count(False)), said)
 
 
 @statement(
@@ -352,11 +352,11 @@ def steady_orbits_of_both_kinds() -> Found:
     simulation("2-13 with the values of Figure 2-12, r of speeds"),
     figure="2-12",
 )  # fmt: skip
-def dots_of_the_bifurcation_diagram() -> Found:
+def dots_of_the_bifurcation_diagram() -> Finding:
     counts = blocks.settled_counts()
     at = {n: blocks.AMPLITUDES[counts == n] for n in (2, 4, 8)}
     said = "; ".join(f"{n} dots from {b.min():.3f} to {b.max():.3f}" for n, b in at.items())
-    return found(min(map(len, at.values())), said)
+    return finding(min(map(len, at.values())), said)
 
 
 @statement(
@@ -365,11 +365,11 @@ def dots_of_the_bifurcation_diagram() -> Found:
     simulation("2-13 with the values of Figure 2-12, r of speeds"),
     figure="2-12",
 )  # fmt: skip
-def cascade_of_doublings() -> Found:
+def cascade_of_doublings() -> Finding:
     breaks, *values = blocks.cascade().values
     limits = blocks.cascade().accumulations
     ratio = float(blocks.cascade().ratios[-1])
-    return found(
+    return finding(
         ratio,
         f"the last ratio of intervals is {ratio:.3f}; the symmetry breaks at {breaks:.8f}, the "
         f"period doubles at {', '.join(f'{value:.8f}' for value in values)}, and the doublings "
@@ -383,13 +383,13 @@ def cascade_of_doublings() -> Found:
     simulation("2-13 with r = 0.5 as the ratio of energies"),
     figure="2-12", slip=True,
 )  # fmt: skip
-def doublings_with_the_ratio_of_energies() -> Found:
+def doublings_with_the_ratio_of_energies() -> Finding:
     symmetric, asymmetric = blocks.branches_by_energy()
     flips = [one for one in asymmetric.bifurcations if one.value > blocks.AMPLITUDES[0]]
     counts = [
         blocks.distinct(np.abs(blocks.upright_speeds(blocks.driven(b)))) for b in (3.0, 3.18, 3.22)
     ]
-    return found(
+    return finding(
         len(flips),
         f"none from 3 to 3.26: the symmetry breaks at {symmetric.bifurcations[0].value:.8f}, and "
         f"the orbit behind lasts; with 0.5 as the ratio of velocities the doublings come out, "
@@ -403,9 +403,9 @@ def doublings_with_the_ratio_of_energies() -> Found:
     printed("Figure 2-12, beta from 3 to 3.26"),
     slip=True,
 )  # fmt: skip
-def smeared_bands() -> Found:
+def smeared_bands() -> Finding:
     smeared = blocks.AMPLITUDES[blocks.settled_counts() > 16]
-    return found(
+    return finding(
         3.34, f"smeared from {smeared.min():.3f} on: 3.234 may be meant; the doublings end there"
     )
 
@@ -419,10 +419,10 @@ def smeared_bands() -> Found:
     simulation("2-9 with the values of Figure 2-13"),
     figure="2-13",
 )  # fmt: skip
-def weak_pulse_overturns() -> Found:
+def weak_pulse_overturns() -> Finding:
     weak = blocks.pulsed(8.0, 0.172, 2.192, 0.954)
     at = blocks.fates_of_2_13()["amplitude"].values
-    return found(
+    return finding(
         weak.outcome == "overturned", f"{weak.outcome}; pulses do so from {at[0]:.6f} g on"
     )
 
@@ -433,10 +433,10 @@ def weak_pulse_overturns() -> Found:
     simulation("2-9 with the values of Figure 2-13"),
     figure="2-13",
 )  # fmt: skip
-def strong_pulse_does_not_overturn() -> Found:
+def strong_pulse_does_not_overturn() -> Finding:
     strong = blocks.pulsed(8.0, 0.454, 2.192, 0.954)
     reached = abs(strong.extremes("theta").peak) / strong.structure.alpha  # type: ignore[attr-defined]
-    return found(strong.outcome in STANDS, f"{strong.outcome}, at most {reached:.2f} alpha")
+    return finding(strong.outcome in STANDS, f"{strong.outcome}, at most {reached:.2f} alpha")
 
 
 @statement(
@@ -446,13 +446,13 @@ def strong_pulse_does_not_overturn() -> Found:
     simulation("2-9 with the values of Figure 2-13"),
     figure="2-13",
 )  # fmt: skip
-def safe_peaks_above_overturning() -> Found:
+def safe_peaks_above_overturning() -> Finding:
     changes = blocks.fates_of_2_13()
     fates = [
         f"{blocks.fate(f)} from {a:.6f} g"
         for a, f in zip(changes["amplitude"].values, changes["above"].values, strict=True)
     ]
-    return found(int(np.isinf(changes["above"]).sum()), "; ".join(fates))
+    return finding(int(np.isinf(changes["above"]).sum()), "; ".join(fates))
 
 
 @statement(
@@ -462,7 +462,7 @@ def safe_peaks_above_overturning() -> Found:
     simulation("2-9 with half-widths of 1 m"),
     figure="2-14", lost="the size of the blocks is not stated",
 )  # fmt: skip
-def fates_of_similar_blocks() -> Found:
+def fates_of_similar_blocks() -> Finding:
     ratios = blocks.RATIOS_OF_2_14
     fell = [blocks.pulsed(x, 0.3, 2.0, None).outcome == "overturned" for x in ratios]
     at = blocks.changes_of_fate(
@@ -471,7 +471,7 @@ def fates_of_similar_blocks() -> Found:
     said = ", ".join(
         f"{x:g} {'overturns' if f else 'stands'}" for x, f in zip(ratios, fell, strict=True)
     )
-    return found(
+    return finding(
         (fell[0] != fell[1]) + (fell[2] != fell[3]),
         f"with half-widths of 1 m {said}; the fate changes at {', '.join(f'{x:.6f}' for x in at)}",
     )
@@ -482,10 +482,10 @@ def fates_of_similar_blocks() -> Found:
     rounded("0.5", "0.5", unit="%"),
     printed("2.5.1, ratios 3.8, 3.82, 4.26 and 4.28"),
 )  # fmt: skip
-def differences_of_aspect_ratio() -> Found:
+def differences_of_aspect_ratio() -> Finding:
     pairs = np.reshape(blocks.RATIOS_OF_2_14, (2, 2))
     difference = 100 * (pairs[:, 1] / pairs[:, 0] - 1)
-    return found(difference, f"{difference[0]:.2f} and {difference[1]:.2f} %")
+    return finding(difference, f"{difference[0]:.2f} and {difference[1]:.2f} %")
 
 
 @statement(
@@ -494,10 +494,10 @@ def differences_of_aspect_ratio() -> Found:
     closed_form("2-6 of a block of 1:8"),
     figure="2-13",
 )  # fmt: skip
-def energy_ratio_of_figure_2_13() -> Found:
+def energy_ratio_of_figure_2_13() -> Finding:
     alpha = math.atan(1 / 8)
     r = float(formulas.energy_ratio_of_block(alpha))
-    return found(r, f"{r:.4f}, with alpha = {math.degrees(alpha):.3f} degrees")
+    return finding(r, f"{r:.4f}, with alpha = {math.degrees(alpha):.3f} degrees")
 
 
 @statement(
@@ -506,11 +506,11 @@ def energy_ratio_of_figure_2_13() -> Found:
     simulation("2-9 with half-sizes of 0.5 and 4 m"),
     figure="2-13", slip=True,
 )  # fmt: skip
-def size_of_the_block_of_2_13() -> Found:
+def size_of_the_block_of_2_13() -> Finding:
     block = rk.RigidBlock(half_width=0.5, half_height=4.0)
     pulse = rk.GroundMotion.single_sine(0.454 * STANDARD_GRAVITY, 2.192, duration=20.0)
     run = rk.simulate(block, pulse, impact=rk.EnergyRatio(0.954))
-    return found(
+    return finding(
         run.outcome in STANDS,
         f"{run.outcome} without an impact; half-sizes of 1 and 8 m stand, and the pulse of 2.192 s "
         "is 2 pi/(3 p) of these",
@@ -524,10 +524,10 @@ def size_of_the_block_of_2_13() -> Found:
     closed_form("uplift of a rigid block, g tan(alpha)"),
     lost="the unit of S_a is not stated: it is right with S_a in g, and off by 9.81 in m/s2",
 )  # fmt: skip
-def acceleration_of_uplift() -> Found:
+def acceleration_of_uplift() -> Finding:
     width, height = BLOCK["half_width"], BLOCK["half_height"]
     uplift = float(formulas.uplift_acceleration(width, height))
-    return found(
+    return finding(
         uplift / STANDARD_GRAVITY / (width / height),
         f"the block of chapter 3 lifts at {uplift:.2f} m/s2 = {uplift / STANDARD_GRAVITY:.3f} g",
     )
@@ -539,8 +539,8 @@ def acceleration_of_uplift() -> Found:
     printed("2.5.1, FEMA 356 (2000)"),
     slip=True,
 )  # fmt: skip
-def number_of_the_fema_document() -> Found:
-    return found(356, "FEMA 356, as elsewhere in the text")
+def number_of_the_fema_document() -> Finding:
+    return finding(356, "FEMA 356, as elsewhere in the text")
 
 
 @statement(
@@ -549,10 +549,10 @@ def number_of_the_fema_document() -> Found:
     printed("2-16"),
     slip=True,
 )  # fmt: skip
-def equation_of_the_peak_rotation() -> Found:
+def equation_of_the_peak_rotation() -> Finding:
     of = EQUATIONS["2-16"]
     names = {symbol.name for symbol in of.symbols}
-    return found(
+    return finding(
         any("delta" in name.lower() for name in names),
         f"2-16 is the {of.meaning}; a rotation is the displacement over R cos(alpha)",
     )
@@ -564,11 +564,11 @@ def equation_of_the_peak_rotation() -> Found:
     closed_form("2-15 and 2-16 for r from 0.49 to 1"),
     slip=True,
 )  # fmt: skip
-def damping_of_fema_356() -> Found:
+def damping_of_fema_356() -> Finding:
     r = np.linspace(0.49, 0.999, 200)
     fema, priestley = formulas.fema_356_damping(r), formulas.priestley_damping(r)
     less = 100 * (1 - fema / priestley)
-    return found(
+    return finding(
         less.max(),
         f"{less.min():.0f} to {less.max():.0f} % less; of the critical damping it is up to "
         f"{100 * (priestley - fema).max():.0f} %",
@@ -584,9 +584,9 @@ def damping_of_fema_356() -> Found:
     simulation("2-29"), closed_form("piecewise energies at the peaks"),
     figure="2-16",
 )  # fmt: skip
-def peaks_of_the_dirac_formulation() -> Found:
+def peaks_of_the_dirac_formulation() -> Finding:
     error = np.abs(forces.peaks_between(forces.released(1e-3))[:3] - forces.exact_peaks(3))
-    return found(error.max(), f"the first three peaks are off by {error.max():.4f} alpha at most")
+    return finding(error.max(), f"the first three peaks are off by {error.max():.4f} alpha at most")
 
 
 @statement(
@@ -596,12 +596,12 @@ def peaks_of_the_dirac_formulation() -> Found:
     closed_form("2-28 at x = 0 of the first impact"), closed_form("2-14, whose largest is 1"),
     figure="2-16",
 )  # fmt: skip
-def acceleration_of_the_impulse() -> Found:
+def acceleration_of_the_impulse() -> Finding:
     n, r = 1e-3, forces.ENERGY_RATIO
     # half of the pulse is over at x = 0: the square of the speed there is sqrt(r) of that before
     squared = 2 * (forces.START - forces.START**2 / 2) * math.sqrt(r)
     largest = -math.log(math.sqrt(r)) / (n * math.sqrt(math.pi)) * squared
-    return found(largest, f"{largest:.0f} against 1")
+    return finding(largest, f"{largest:.0f} against 1")
 
 
 @statement(
@@ -610,9 +610,9 @@ def acceleration_of_the_impulse() -> Found:
     closed_form("2-6 of a block of 1:3"),
     figure="2-16",
 )  # fmt: skip
-def energy_ratio_of_figure_2_16() -> Found:
+def energy_ratio_of_figure_2_16() -> Finding:
     r = float(formulas.energy_ratio_of_block(math.atan(1 / 3)))
-    return found(r, f"{r:.6f}")
+    return finding(r, f"{r:.6f}")
 
 
 # --- Table 2-3
@@ -624,11 +624,11 @@ def energy_ratio_of_figure_2_16() -> Found:
     closed_form("2-6 with the inertia of B-9"),
     slip=True,
 )  # fmt: skip
-def ratios_of_table_2_3() -> Found:
+def ratios_of_table_2_3() -> Finding:
     rows = computed("2-3")
     r, damping = ([float(row[i] or 0.0) for row in rows] for i in (5, 6))
     roots = [math.sqrt(x) for x in r]
-    return found(
+    return finding(
         r,
         f"{r[0]:.3f} and {r[1]:.3f}, and by 2-16 a damping of {damping[0]:.1f} and "
         f"{damping[1]:.1f} %; printed are the velocity ratios, {roots[0]:.3f} and {roots[1]:.3f}",
@@ -641,9 +641,9 @@ def ratios_of_table_2_3() -> Found:
     rounded("3", unit="%"),
     closed_form("2-16 with r by 2-6, wall UoA6"),
 )  # fmt: skip
-def damping_suggested_for_the_walls() -> Found:
+def damping_suggested_for_the_walls() -> Finding:
     other, wall = (float(row[6] or 0.0) for row in computed("2-3"))
-    return found(
+    return finding(
         wall,
         f"{wall:.1f} %, and {other:.1f} % for UoA4 with the masses of UoA6; about 3 % comes of the "
         "velocity ratio that Table 2-3 takes for r",
@@ -655,6 +655,6 @@ def damping_suggested_for_the_walls() -> Found:
     rounded("3", "3", unit="%", why="3 % to half of the last digit"),
     printed("Table 2-3, measured damping"),
 )  # fmt: skip
-def damping_measured_on_the_walls() -> Found:
+def damping_measured_on_the_walls() -> Finding:
     measured = TABLE_2_3.numbers("measured damping")
-    return found(measured, " and ".join(f"{x:g} %" for x in measured))
+    return finding(measured, " and ".join(f"{x:g} %" for x in measured))

@@ -11,13 +11,13 @@ from rockeom.analysis import design, formulas
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.figures import chapter_2_design as figures
 from rockeom.thesis.statements.statement import (
-    Found,
+    Finding,
     Register,
     at_least,
     at_most,
     between,
     closed_form,
-    found,
+    finding,
     near,
     printed,
     ranging,
@@ -34,14 +34,14 @@ statement = Register()
     closed_form("loops of elastic and plastic, friction and viscous dissipaters"),
     figure="2-20",
 )  # fmt: skip
-def area_of_the_flag() -> Found:
+def area_of_the_flag() -> Finding:
     areas = {
         kind: [figures.loop_with_dissipaters(kind, x).area for x in figures.LAMBDAS]
         for kind in figures.DISSIPATERS
     }
     ratio = max(b / a for area in areas.values() for a, b in itertools.pairwise(area))
     said = "; ".join(f"{k}: " + ", ".join(f"{a:.2f}" for a in v) for k, v in areas.items())
-    return found(ratio, f"{said} for lambda = {', '.join(f'{x:g}' for x in figures.LAMBDAS)}")
+    return finding(ratio, f"{said} for lambda = {', '.join(f'{x:g}' for x in figures.LAMBDAS)}")
 
 
 @statement(
@@ -51,13 +51,13 @@ def area_of_the_flag() -> Found:
     closed_form("loop of elastic and plastic dissipaters"),
     figure="2-20",
 )  # fmt: skip
-def residual_rotation_above_one() -> Found:
+def residual_rotation_above_one() -> Finding:
     """Worst just above 1: lambda is of the design rotation, and a joint that opens counts."""
     rise = figures.moment_at_design_over_opening()
     ratios = (0.5 * (1 + rise), *figures.LAMBDAS[1:])
     residual = [figures.residual_rotation(ratio) for ratio in ratios]
     said = ", ".join(f"{x:.2f} for {ratio:.4g}" for x, ratio in zip(residual, ratios, strict=True))
-    return found(
+    return finding(
         max(residual),
         f"{said}: the moment that re-centres rises by a factor of {rise:.2f} after the joint has "
         "opened, as a positive tangential stiffness makes it, and lambda must exceed that factor",
@@ -73,10 +73,10 @@ def residual_rotation_above_one() -> Found:
     closed_form("2-32"), closed_form("area of the loop that each rule follows"),
     figure="2-21",
 )  # fmt: skip
-def areas_of_the_loops() -> Found:
+def areas_of_the_loops() -> Finding:
     ratio = [rule.simulated_loop(4.0).damping / float(rule.damping(4.0))
              for rule in figures.RULES.values()]  # fmt: skip
-    return found(ratio, f"equal to {np.abs(np.array(ratio) - 1).max():.0e}, for a ductility of 4")
+    return finding(ratio, f"equal to {np.abs(np.array(ratio) - 1).max():.0e}, for a ductility of 4")
 
 
 DUCTILITIES = np.linspace(1.5, 8.0, 27)
@@ -101,7 +101,7 @@ _CONSISTENTLY = between(
     closed_form("2-32a and 2-32c with the parameters of Table 2-4"),
     figure="2-22",
 )  # fmt: skip
-def bilinear_damping_over_that_of_a_flag() -> Found:
+def bilinear_damping_over_that_of_a_flag() -> Finding:
     ratios = (figures.BILINEAR_HARDENING, 0.1, figures.HARDENING)
     ends = _damping_over_flag([design.BilinearRule(1.0, 1.0, ratio) for ratio in ratios])
     said = ", ".join(
@@ -117,7 +117,7 @@ def bilinear_damping_over_that_of_a_flag() -> Found:
     figure="2-22",
     lost="k_p/k_i and alpha_T are not stated, and the range of alpha_T here is unsourced",
 )  # fmt: skip
-def takeda_damping_over_that_of_a_flag() -> Found:
+def takeda_damping_over_that_of_a_flag() -> Finding:
     exponents = figures.EXPONENTS
     ends = _damping_over_flag(
         [
@@ -153,9 +153,9 @@ def _far_from_one(beyond: float) -> dict[str, float]:
     closed_form("2-33 with Table 2-4"),
     figure="2-23",
 )  # fmt: skip
-def rules_near_one_from_one_second() -> Found:
+def rules_near_one_from_one_second() -> Finding:
     near_one = [name for name, far in _far_from_one(1.0).items() if far <= 0.1]
-    return found(len(near_one), f"{len(near_one)} of 6: {', '.join(near_one)}")
+    return finding(len(near_one), f"{len(near_one)} of 6: {', '.join(near_one)}")
 
 
 @statement(
@@ -164,10 +164,10 @@ def rules_near_one_from_one_second() -> Found:
     closed_form("2-33 with Table 2-4"),
     figure="2-23",
 )  # fmt: skip
-def rules_at_one_from_two_seconds() -> Found:
+def rules_at_one_from_two_seconds() -> Finding:
     far = _far_from_one(2.0)
     said = ", ".join(f"{name} {x:.2f}" for name, x in far.items())
-    return found(sum(x < 0.02 for x in far.values()), f"off by up to {said}")
+    return finding(sum(x < 0.02 for x in far.values()), f"off by up to {said}")
 
 
 @statement(
@@ -176,10 +176,12 @@ def rules_at_one_from_two_seconds() -> Found:
     closed_form("2-33 with Table 2-4"),
     figure="2-23",
 )  # fmt: skip
-def period_term_of_the_flag() -> Found:
+def period_term_of_the_flag() -> Finding:
     period, terms = figures.period_terms()
     flag = terms["flag"][period >= 0.5]
-    return found([flag.min(), flag.max()], f"{flag.max():.2f} at 0.5 s to {flag.min():.2f} at 4 s")
+    return finding(
+        [flag.min(), flag.max()], f"{flag.max():.2f} at 0.5 s to {flag.min():.2f} at 4 s"
+    )
 
 
 @statement(
@@ -189,11 +191,11 @@ def period_term_of_the_flag() -> Found:
     closed_form("2-33 with Table 2-4, from 1 s to 4 s"),
     figure="2-23",
 )  # fmt: skip
-def error_without_the_period() -> Found:
+def error_without_the_period() -> Finding:
     far = _far_from_one(1.0)
     flag = far.pop("flag")
     other = max(far, key=lambda name: far[name])
-    return found(flag / far[other], f"up to {flag:.2f}, and {far[other]:.2f} for {other}")
+    return finding(flag / far[other], f"up to {flag:.2f}, and {far[other]:.2f} for {other}")
 
 
 # --- references
@@ -205,9 +207,9 @@ def error_without_the_period() -> Found:
     printed("2-30 and 2-31"),
     slip=True,
 )  # fmt: skip
-def equation_of_the_sum_of_damping() -> Found:
+def equation_of_the_sum_of_damping() -> Finding:
     names = {symbol.name for symbol in EQUATIONS["2-30"].symbols}
-    return found(
+    return finding(
         any("xi" in name for name in names),
         f"2-30 is the {EQUATIONS['2-30'].meaning}; 2-31 the {EQUATIONS['2-31'].meaning}",
     )
@@ -219,9 +221,9 @@ def equation_of_the_sum_of_damping() -> Found:
     printed("2-31 and 2-33"),
     slip=True,
 )  # fmt: skip
-def equation_that_was_calibrated() -> Found:
+def equation_that_was_calibrated() -> Finding:
     names = {symbol.name for symbol in EQUATIONS["2-31"].symbols}
-    return found(
+    return finding(
         bool(names & set("abcdef")),
         f"2-31 is the {EQUATIONS['2-31'].meaning}, 2-33 the {EQUATIONS['2-33'].meaning}",
     )
@@ -233,9 +235,9 @@ def equation_that_was_calibrated() -> Found:
     printed("Table 2-4"),
     slip=True,
 )  # fmt: skip
-def odd_factors_of_table_2_4() -> Found:
+def odd_factors_of_table_2_4() -> Finding:
     factors = formulas.damping.GRANT_FACTORS
     others = [f.d for name, f in factors.items() if name not in ("flag", "bilinear")]
     outside = not min(others) <= factors["bilinear"].d <= max(others)
     low = [name.replace("_", " ") for name, f in factors.items() if f.d < 1]
-    return found(int(outside), f"d below 1 have {' and '.join(low)}, and not the bilinear one")
+    return finding(int(outside), f"d below 1 have {' and '.join(low)}, and not the bilinear one")

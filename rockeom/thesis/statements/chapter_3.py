@@ -31,14 +31,14 @@ from rockeom.thesis.figures.chapter_3_impacts import (
 from rockeom.thesis.points_of_interest import points_by_score
 from rockeom.thesis.printed import TABLE_3_1
 from rockeom.thesis.statements.statement import (
-    Found,
+    Finding,
     Register,
     about,
     at_least,
     at_most,
     between,
     closed_form,
-    found,
+    finding,
     near,
     printed,
     rounded,
@@ -61,10 +61,10 @@ _POINTS = printed("Figure 3-3, thirteen points")
     _POINTS,
     figure="3-3",
 )  # fmt: skip
-def quarters_of_figure_3_3() -> Found:
+def quarters_of_figure_3_3() -> Finding:
     quarters = np.diff(points()[0])[::2]
     ratio = float((quarters[1:] / quarters[:-1]).max())
-    return found(ratio, f"{', '.join(f'{q:.3f}' for q in quarters)} s")
+    return finding(ratio, f"{', '.join(f'{q:.3f}' for q in quarters)} s")
 
 
 @statement(
@@ -73,10 +73,10 @@ def quarters_of_figure_3_3() -> Found:
     simulation("a record in kind of 5 s"),
     figure="3-4", lost=_TRACES,
 )  # fmt: skip
-def points_of_a_record() -> Found:
+def points_of_a_record() -> Finding:
     scored = points_by_score(record(), "theta")
     n = len(scored.peaks) + len(scored.crossings)
-    return found(n, f"{len(scored.peaks)} peaks and {len(scored.crossings)} crossings in kind")
+    return finding(n, f"{len(scored.peaks)} peaks and {len(scored.crossings)} crossings in kind")
 
 
 @statement(
@@ -85,9 +85,9 @@ def points_of_a_record() -> Found:
     closed_form("2-5"), _POINTS,
     figure="3-5",
 )  # fmt: skip
-def accuracy_of_2_5() -> Found:
+def accuracy_of_2_5() -> Finding:
     error = _errors_of_quarters()
-    return found(
+    return finding(
         100 * np.abs(error[1:]).max(),
         f"{100 * np.abs(error[1:]).max():.1f} % at most of 11 quarters; the first, which holds the "
         f"delay of the release, {100 * error[0]:.1f} %",
@@ -100,9 +100,9 @@ def accuracy_of_2_5() -> Found:
     closed_form("2-5"), _POINTS,
     figure="3-5",
 )  # fmt: skip
-def sign_of_the_error_of_2_5() -> Found:
+def sign_of_the_error_of_2_5() -> Finding:
     error = _errors_of_quarters()[1:]
-    return found(
+    return finding(
         int((error > 0).sum()),
         f"{(error > 0).sum()} of 11, by {100 * error.mean():+.1f} % on the average",
     )
@@ -123,13 +123,13 @@ def _errors_of_quarters() -> np.ndarray:
     simulation("2-9"), _POINTS,
     figure="3-6",
 )  # fmt: skip
-def crossings_with_less_restitution() -> Found:
+def crossings_with_less_restitution() -> Finding:
     measured = points()[0][1::2] - release_delay()
     off = [
         float(np.abs([hit.time for hit in housner(r, 14.0).impacts[:6]] - measured).max())
         for r in (PRINTED_HOUSNER, 0.88 * PRINTED_HOUSNER)
     ]
-    return found(
+    return finding(
         off[1] / off[0],
         f"off by {off[0]:.2f} s at most with 0.89, by {off[1]:.2f} s with 0.88 of it",
     )
@@ -141,12 +141,12 @@ def crossings_with_less_restitution() -> Found:
     simulation("2-9 with both r"),
     figure="3-6",
 )  # fmt: skip
-def end_with_less_restitution() -> Found:
+def end_with_less_restitution() -> Finding:
     ends = [
         housner(r, 14.0).events.rest_time or math.inf
         for r in (PRINTED_HOUSNER, 0.88 * PRINTED_HOUSNER)
     ]
-    return found(ends[1] / ends[0], f"at {ends[1]:.1f} s instead of {ends[0]:.1f} s")
+    return finding(ends[1] / ends[0], f"at {ends[1]:.1f} s instead of {ends[0]:.1f} s")
 
 
 @statement(
@@ -156,10 +156,10 @@ def end_with_less_restitution() -> Found:
     closed_form("energy at the printed peaks"), simulation("2-9 with r = 0.89"),
     figure="3-7", lost="the measured speeds are not printed",
 )  # fmt: skip
-def speed_at_the_second_impact() -> Found:
+def speed_at_the_second_impact() -> Finding:
     own = float(abs(measured_impacts().speed[1]))
     predicted = abs(housner(PRINTED_HOUSNER, 14.0).impacts[1].before["theta_dot"])
-    return found(
+    return finding(
         own / predicted,
         f"from the printed peaks, without another energy, {own:.3f} rad/s; predicted "
         f"{predicted:.3f} rad/s",
@@ -175,9 +175,9 @@ def speed_at_the_second_impact() -> Found:
     simulation("a record in kind"),
     figure="3-7", lost=_TRACES,
 )  # fmt: skip
-def rate_by_resampling() -> Found:
+def rate_by_resampling() -> Finding:
     again = record().velocities_by_resampling("theta", 0.05)
-    return found(
+    return finding(
         again.spread / again.noise,
         f"in kind, the rate at half and twice the sampling is off by {again.spread:.4f} rad/s "
         f"(standard deviation), its noise being {again.noise:.4f} rad/s",
@@ -190,11 +190,11 @@ def rate_by_resampling() -> Found:
     simulation("2-9"),
     figure="3-8",
 )  # fmt: skip
-def kinetic_energy_after_an_impact() -> Found:
+def kinetic_energy_after_an_impact() -> Finding:
     first = housner(R_HOUSNER).impacts[0]
     after = float(BLOCK.energies(first.after, mode="left")["kinetic_energy"])
     ratio = after / float(BLOCK.energies(first.before, mode="right")["kinetic_energy"])
-    return found(ratio, f"{ratio:.9f} of it, with r = {R_HOUSNER:.6f}")
+    return finding(ratio, f"{ratio:.9f} of it, with r = {R_HOUSNER:.6f}")
 
 
 @statement(
@@ -203,10 +203,10 @@ def kinetic_energy_after_an_impact() -> Found:
     closed_form("energies at the printed peaks of Figure 3-3"),
     figure="3-9", lost="the trace, whose energy between the peaks this is of, is lost",
 )  # fmt: skip
-def energy_between_the_peaks() -> Found:
+def energy_between_the_peaks() -> Finding:
     energy = measured_impacts().energy_before
     ratio = float(energy[1:].max() / energy[0])
-    return found(ratio, f"at the later printed peaks {100 * ratio:.0f} % at most")
+    return finding(ratio, f"at the later printed peaks {100 * ratio:.0f} % at most")
 
 
 @statement(
@@ -215,9 +215,9 @@ def energy_between_the_peaks() -> Found:
     about(THRESHOLD, "J", why="approximately"),
     closed_form("3-1"),
 )  # fmt: skip
-def energy_at_one_degree() -> Found:
+def energy_at_one_degree() -> Finding:
     energy = float(identification.static_energy(BLOCK, math.radians(1.1)))
-    return found(energy, f"{energy:.2f} J, for the printed mass and size")
+    return finding(energy, f"{energy:.2f} J, for the printed mass and size")
 
 
 @statement(
@@ -225,9 +225,9 @@ def energy_at_one_degree() -> Found:
     about(10.0, "% of alpha", why="approximately"),
     closed_form("alpha of the printed size"),
 )  # fmt: skip
-def rotation_of_the_threshold() -> Found:
+def rotation_of_the_threshold() -> Finding:
     share = 100 * math.radians(1.1) / BLOCK.alpha
-    return found(share, f"{share:.1f} % of {math.degrees(BLOCK.alpha):.2f} degrees")
+    return finding(share, f"{share:.1f} % of {math.degrees(BLOCK.alpha):.2f} degrees")
 
 
 # --- 3.2.3 support forces
@@ -239,12 +239,12 @@ def rotation_of_the_threshold() -> Found:
     closed_form("3-11 and 3-12 at the first impact of Figure 3-3"),
     figure="3-13", lost="the speed of the typical run of Table 3-1 is not printed",
 )  # fmt: skip
-def baseline_of_table_3_1() -> Found:
+def baseline_of_table_3_1() -> Finding:
     first = housner(R_HOUSNER, 14.0).impacts[0]
     speed = abs(first.before["theta_dot"])
     horizontal, vertical = formulas.block_reactions_at_impact(speed, 1, slender=True, **SHAPE)
     v, h = float(vertical) / 1e3, abs(float(horizontal)) / 1e3
-    return found([v, h], f"{v:.3f} and {h:.3f} kN at {speed:.3f} rad/s")
+    return finding([v, h], f"{v:.3f} and {h:.3f} kN at {speed:.3f} rad/s")
 
 
 @statement(
@@ -253,10 +253,10 @@ def baseline_of_table_3_1() -> Found:
     closed_form("limits 3-14 and 3-15"),
     figure="3-13",
 )  # fmt: skip
-def limit_of_the_vertical_force() -> Found:
+def limit_of_the_vertical_force() -> Finding:
     h, v = formulas.block_reactions_at_impact(0.0, 1, slender=True, **SHAPE)
     weight = BLOCK.mass * BLOCK.gravity
-    return found(
+    return finding(
         float(v) / weight,
         f"{float(v) / 1e3:.3f} kN of {weight / 1e3:.3f} kN; the horizontal force chatters between "
         f"\N{PLUS-MINUS SIGN}{abs(float(h)) / 1e3:.3f} kN",
@@ -276,10 +276,10 @@ def _support_forces() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     closed_form("3-11 to 3-13"),
     figure="3-14",
 )  # fmt: skip
-def range_of_the_support_forces() -> Found:
+def range_of_the_support_forces() -> Finding:
     speed, h, v = _support_forces()
     change = [100 * float(np.ptp(x) / np.abs(x).max()) for x in (v, h)]
-    return found(
+    return finding(
         max(change),
         f"up to {speed[-1]:.2f} rad/s the vertical force changes by {change[0]:.0f} %, the "
         f"horizontal one by {change[1]:.0f} %",
@@ -292,10 +292,10 @@ def range_of_the_support_forces() -> Found:
     closed_form("3-11 to 3-13"),
     figure="3-14",
 )  # fmt: skip
-def direction_of_the_support_force() -> Found:
+def direction_of_the_support_force() -> Finding:
     _, h, v = _support_forces()
     angle = np.degrees(np.arctan2(np.abs(h), v))
-    return found(
+    return finding(
         float(np.ptp(angle)), f"from {angle.min():.2f} to {angle.max():.2f} degrees of the vertical"
     )
 
@@ -314,9 +314,9 @@ def _slope(values: np.ndarray) -> float:
     simulation("records in kind, differentiated"),
     figure="3-15", lost="the measured traces are lost, and these impacts have no duration",
 )  # fmt: skip
-def vertical_impact_forces() -> Found:
+def vertical_impact_forces() -> Finding:
     growth = 100 * _slope(impact_forces().vertical)
-    return found(growth, f"in kind {growth:+.0f} % (left foot)")
+    return finding(growth, f"in kind {growth:+.0f} % (left foot)")
 
 
 @statement(
@@ -325,9 +325,9 @@ def vertical_impact_forces() -> Found:
     simulation("records in kind, differentiated"),
     figure="3-15", lost="the measured traces are lost, and these impacts have no duration",
 )  # fmt: skip
-def horizontal_impact_forces() -> Found:
+def horizontal_impact_forces() -> Finding:
     growth = 100 * _slope(impact_forces().horizontal)
-    return found(growth, f"in kind {growth:+.0f} % (left foot)")
+    return finding(growth, f"in kind {growth:+.0f} % (left foot)")
 
 
 @statement(
@@ -337,13 +337,13 @@ def horizontal_impact_forces() -> Found:
     simulation("records in kind, differentiated"),
     figure="3-16", lost="the measured traces are lost, and these impacts have no duration",
 )  # fmt: skip
-def direction_of_impact_forces() -> Found:
+def direction_of_impact_forces() -> Finding:
     forces = impact_forces()
     left = forces.speed < 0
     line = np.polyfit(np.abs(forces.speed[left]), np.degrees(forces.angle[left]), 1)
     change = [float(np.polyval(line, v)) for v in (0.2, 0.8)]
     more = 100 * _slope(forces.magnitude)
-    return found(
+    return finding(
         change[1] - change[0],
         f"in kind from {change[0]:.0f} to {change[1]:.0f} degrees, the magnitude {more:+.0f} %",
     )
@@ -359,11 +359,11 @@ def direction_of_impact_forces() -> Found:
     _POINTS,
     figure="3-3",
 )  # fmt: skip
-def restitution_by_foot() -> Found:
+def restitution_by_foot() -> Finding:
     impacts = measured_impacts()
     gap = impacts.at_foot("right").energy_ratio.min() - impacts.at_foot("left").energy_ratio.max()
     listed = ", ".join(f"{r:.3f}" for r in impacts.energy_ratio)
-    return found(float(gap), f"r by 3-3 {listed}; the left foot lands first")
+    return finding(float(gap), f"r by 3-3 {listed}; the left foot lands first")
 
 
 @statement(
@@ -373,14 +373,14 @@ def restitution_by_foot() -> Found:
     simulation("records in kind with a spring"),
     figure="3-17", lost="the measured traces and the stiffness of the spring are lost",
 )  # fmt: skip
-def effect_of_the_correction() -> Found:
+def effect_of_the_correction() -> Finding:
     changes = [
         np.abs(corrected.energy_ratio - plain.energy_ratio)
         for plain, corrected in (corrected_impacts(*run) for run in RUNS)
     ]
     first = max(float(x[0]) for x in changes)
     later = max(float(x[2:].max()) for x in changes)
-    return found(
+    return finding(
         later, f"in kind by {first:.3f} at most at the first impact, {later:.3f} after the cycle"
     )
 
@@ -392,10 +392,10 @@ def effect_of_the_correction() -> Found:
     figure="3-20",
     lost="the average is of thousands of impacts, of which Figure 3-3 prints six",
 )  # fmt: skip
-def mean_restitution() -> Found:
+def mean_restitution() -> Finding:
     mean = float(measured_impacts().energy_ratio.mean())
     kind = float(filtered().energy_ratio.mean())
-    return found(mean, f"{mean:.3f} of the six printed, {kind:.3f} of the runs in kind")
+    return finding(mean, f"{mean:.3f} of the six printed, {kind:.3f} of the runs in kind")
 
 
 @statement(
@@ -404,9 +404,9 @@ def mean_restitution() -> Found:
     _POINTS,
     figure="3-19",
 )  # fmt: skip
-def range_of_restitution() -> Found:
+def range_of_restitution() -> Finding:
     r = measured_impacts().energy_ratio
-    return found(r, f"{r.min():.3f} to {r.max():.3f}, the six printed")
+    return finding(r, f"{r.min():.3f} to {r.max():.3f}, the six printed")
 
 
 @statement(
@@ -415,10 +415,10 @@ def range_of_restitution() -> Found:
     closed_form("3-17"), _POINTS,
     figure="3-22",
 )  # fmt: skip
-def fit_of_3_17() -> Found:
+def fit_of_3_17() -> Finding:
     left = measured_impacts().at_foot("left")
     off = float(np.abs(left.energy_change - fitted_change("3-17", left.speed)).max())
-    return found(off, f"off by {off:.2f} J at most where the left foot lands")
+    return finding(off, f"off by {off:.2f} J at most where the left foot lands")
 
 
 @statement(
@@ -427,13 +427,15 @@ def fit_of_3_17() -> Found:
     closed_form("3-18"), _POINTS,
     figure="3-22",
 )  # fmt: skip
-def fit_of_3_18() -> Found:
+def fit_of_3_18() -> Finding:
     right = measured_impacts().at_foot("right")
     off, other = (
         float(np.abs(right.energy_change - fitted_change(number, right.speed)).max())
         for number in ("3-18", "3-17")
     )
-    return found(off, f"off by {off:.2f} J at most where the right foot lands, 3-17 by {other:.2f}")
+    return finding(
+        off, f"off by {off:.2f} J at most where the right foot lands, 3-17 by {other:.2f}"
+    )
 
 
 # --- errors of the text
@@ -445,9 +447,9 @@ def fit_of_3_18() -> Found:
     printed("Table 3-1, baseline and peak of the horizontal force"),
     slip=True,
 )  # fmt: skip
-def rise_of_the_horizontal_force() -> Found:
+def rise_of_the_horizontal_force() -> Finding:
     ratio = TABLE_3_1.cell("horizontal", "measured peak") / TABLE_3_1.cell("horizontal", "baseline")
-    return found(100 * (ratio - 1), f"by {100 * (ratio - 1):.1f} %: {ratio:.3f} is the ratio")
+    return finding(100 * (ratio - 1), f"by {100 * (ratio - 1):.1f} %: {ratio:.3f} is the ratio")
 
 
 @statement(
@@ -456,9 +458,9 @@ def rise_of_the_horizontal_force() -> Found:
     printed("3-11 and 3-12"),
     slip=True,
 )  # fmt: skip
-def equation_of_the_vertical_force() -> Found:
+def equation_of_the_vertical_force() -> Finding:
     meanings = [EQUATIONS[n].meaning for n in ("3-11", "3-12")]
-    return found("vertical" in meanings[0], f"3-11 is the {meanings[0]}; 3-12 the {meanings[1]}")
+    return finding("vertical" in meanings[0], f"3-11 is the {meanings[0]}; 3-12 the {meanings[1]}")
 
 
 @statement(
@@ -467,9 +469,9 @@ def equation_of_the_vertical_force() -> Found:
     closed_form("2-6 for 190 mm by 2 x 454.9 mm"),
     slip=True,
 )  # fmt: skip
-def restitution_of_the_block() -> Found:
+def restitution_of_the_block() -> Finding:
     five = float(formulas.energy_ratio_of_block(math.atan(1 / 5.0)))
-    return found(
+    return finding(
         R_HOUSNER,
         f"{R_HOUSNER:.3f} at {1 / math.tan(BLOCK.alpha):.2f}; {five:.3f} belongs to 5",
     )
@@ -481,7 +483,7 @@ def restitution_of_the_block() -> Found:
     closed_form("standard gravity"),
     slip=True,
 )  # fmt: skip
-def gravity_of_chapter_3() -> Found:
-    return found(
+def gravity_of_chapter_3() -> Finding:
+    return finding(
         STANDARD_GRAVITY, f"{STANDARD_GRAVITY:.2f} m/s2; perhaps only ill read from the page"
     )

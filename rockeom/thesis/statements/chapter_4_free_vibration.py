@@ -20,14 +20,14 @@ from rockeom.thesis.figures.chapter_4_wall import GAUGE, legible
 from rockeom.thesis.free_vibration_table import PEAKS, WALL
 from rockeom.thesis.printed import FIGURE_4_29
 from rockeom.thesis.statements.statement import (
-    Found,
+    Finding,
     Register,
     about,
     at_least,
     at_most,
     closed_form,
     data,
-    found,
+    finding,
     near,
     ranging,
     rounded,
@@ -54,9 +54,11 @@ def _measured() -> identification.FreeVibration:
     closed_form("4-3 and 4-4"), data("Table A-1, rotation centre at the first 13 peaks"),
     figure="4-11",
 )  # fmt: skip
-def correction_of_the_toe() -> Found:
+def correction_of_the_toe() -> Finding:
     taken = 100 * GAUGE / np.asarray(_measured().centre_from_edge)[peaks()]
-    return found(taken.max(), f"by {taken.min():.0f} to {taken.max():.0f} % at the first 13 peaks")
+    return finding(
+        taken.max(), f"by {taken.min():.0f} to {taken.max():.0f} % at the first 13 peaks"
+    )
 
 
 @statement(
@@ -65,9 +67,9 @@ def correction_of_the_toe() -> Found:
     data("Table A-1, rotation centre at the first 9 peaks"),
     figure="4-11",
 )  # fmt: skip
-def travel_of_the_centre_while_rocking() -> Found:
+def travel_of_the_centre_while_rocking() -> Finding:
     x = 1e3 * np.asarray(_measured().centre_from_edge)[peaks()[:9]]
-    return found(float(np.ptp(x)), f"from {x.min():.0f} to {x.max():.0f} mm")
+    return finding(float(np.ptp(x)), f"from {x.min():.0f} to {x.max():.0f} mm")
 
 
 @statement(
@@ -76,11 +78,11 @@ def travel_of_the_centre_while_rocking() -> Found:
     data("Table A-1, rotation centre at the peaks"),
     figure="4-11",
 )  # fmt: skip
-def centre_at_the_end() -> Found:
+def centre_at_the_end() -> Finding:
     measured = _measured()
     x = 1e3 * np.asarray(measured.centre_from_edge)
     late, early = x[measured.at_peak & legible()][-3:], x[peaks()[:9]]
-    return found(
+    return finding(
         late.max() / early.max(),
         f"{late.min():.0f} to {late.max():.0f} mm at the last 3 legible peaks, {early.min():.0f} "
         f"to {early.max():.0f} mm at the first 9",
@@ -93,10 +95,10 @@ def centre_at_the_end() -> Found:
     closed_form("4-5"), data("Table A-1, legible quarters"),
     figure="4-13",
 )  # fmt: skip
-def fit_of_4_5() -> Found:
+def fit_of_4_5() -> Finding:
     peak, time = quarters()
     r2 = identification.coefficient_of_determination(time, quarter_period_fit(np.abs(peak)))
-    return found(r2, f"{r2:.4f} over {len(time)} quarters")
+    return finding(r2, f"{r2:.4f} over {len(time)} quarters")
 
 
 @statement(
@@ -106,7 +108,7 @@ def fit_of_4_5() -> Found:
     data("Table A-1, legible quarters, least squares"),
     figure="4-13",
 )  # fmt: skip
-def coefficients_of_4_5() -> Found:
+def coefficients_of_4_5() -> Finding:
     fit = fitted_quarters()
     ends = [fit.interval(name) for name in ("k", "c")]
     k, c = (fit.values[name] for name in ("k", "c"))
@@ -124,12 +126,12 @@ def coefficients_of_4_5() -> Found:
     data("Table A-1, quarters at the smallest and the largest peak"),
     figure="4-13", lost="the rows of the smallest motions are legible in part",
 )  # fmt: skip
-def range_of_frequency() -> Found:
+def range_of_frequency() -> Finding:
     peak, time = quarters()
     fast, slow = 1 / (4 * time[np.argmin(np.abs(peak))]), 1 / (4 * time[0])
     last = 1 / (4 * _measured().quarter_periods().time[-4:])
     drift = 100 * abs(peak[0]) / WALL.height
-    return found(
+    return finding(
         [fast, slow],
         f"{fast:.1f} Hz at the smallest legible peak to {slow:.1f} Hz at {drift:.2f} %; "
         f"{last.min():.1f} to {last.max():.1f} Hz where rows had to be guessed",
@@ -142,13 +144,13 @@ def range_of_frequency() -> Found:
     data("Table A-1, uplift of the edge that lifts"),
     figure="4-14",
 )  # fmt: skip
-def uplift_against_displacement() -> Found:
+def uplift_against_displacement() -> Finding:
     measured, chosen = _measured(), legible()
     left, right = np.asarray(measured.left_uplift), np.asarray(measured.right_uplift)
     uplift = np.where(measured.displacement > 0, left, right)[chosen]
     size = np.abs(measured.displacement[chosen])
     line = identification.fit(lambda k, c: k * size + c, uplift, {"k": 0.4, "c": 1e-4})
-    return found(
+    return finding(
         line.r_squared,
         f"{line.r_squared:.3f}, {line.values['k']:.3f} of the displacement; about the far edge it "
         f"were {2 * WALL.half_width / WALL.height:.3f}",
@@ -161,7 +163,7 @@ def uplift_against_displacement() -> Found:
     data("Table A-1, tendon force"),
     figure="4-15",
 )  # fmt: skip
-def slopes_of_the_tendon_force() -> Found:
+def slopes_of_the_tendon_force() -> Finding:
     measured, chosen = _measured(), legible()
     size, force = np.abs(measured.displacement[chosen]), np.asarray(measured.tendon_force)[chosen]
     slopes = []
@@ -184,12 +186,12 @@ def slopes_of_the_tendon_force() -> Found:
     data("Table A-1, uplifts of both edges at the peaks beyond 5 mm"),
     slip=True,
 )  # fmt: skip
-def column_of_the_rotation_centre() -> Found:
+def column_of_the_rotation_centre() -> Finding:
     measured = _measured()
     rows = measured.at_peak & legible() & (np.abs(measured.displacement) > 5e-3)
     beside = measured.centre_from_edge - measured.rotation_centre(WALL.half_width)
     more = 1e3 * float(np.median(beside[rows]))
-    return found(more, f"{more:.0f} mm more than its uplifts say: the gauge is 30 mm outside")
+    return finding(more, f"{more:.0f} mm more than its uplifts say: the gauge is 30 mm outside")
 
 
 @statement(
@@ -198,11 +200,11 @@ def column_of_the_rotation_centre() -> Found:
     data("Table A-1, crossings"),
     slip=True,
 )  # fmt: skip
-def displacement_at_the_crossings() -> Found:
+def displacement_at_the_crossings() -> Finding:
     measured = _measured()
     rows = ~measured.at_peak & legible()
     mean = 1e3 * float(np.mean(np.abs(measured.displacement[rows])))
-    return found(mean, f"there the wall is {mean:.1f} mm from the gauge's zero on average")
+    return finding(mean, f"there the wall is {mean:.1f} mm from the gauge's zero on average")
 
 
 # --- 4.7 energy
@@ -215,7 +217,7 @@ def displacement_at_the_crossings() -> Found:
     closed_form("4-23"), _TABLE,
     figure="4-26", lost=_RECORD,
 )  # fmt: skip
-def onset_of_dissipation() -> Found:
+def onset_of_dissipation() -> Finding:
     measured = _measured()
     lost = [
         100 * (1 - (measured.velocity[row + 1] / speed[-1]) ** 2)
@@ -233,10 +235,10 @@ def onset_of_dissipation() -> Found:
     closed_form("4-28 with n of 4-7"),
     figure="4-27", lost=_RECORD,
 )  # fmt: skip
-def loss_within_four_millimetres() -> Found:
+def loss_within_four_millimetres() -> Finding:
     n = WALL.rotation_centre.epsilon
     within = 100 * float(erf(4e-3 / n))
-    return found(within, f"4-28 with n = {1e3 * n:.2f} mm has {within:.0f} % of its loss there")
+    return finding(within, f"4-28 with n = {1e3 * n:.2f} mm has {within:.0f} % of its loss there")
 
 
 @statement(
@@ -245,10 +247,10 @@ def loss_within_four_millimetres() -> Found:
     closed_form("4-18 to 4-20"), data("Table A-1, first peak"),
     figure="4-28",
 )  # fmt: skip
-def share_of_the_tendon() -> Found:
+def share_of_the_tendon() -> Finding:
     energies = _measured().energies(WALL)
     share = 100 * float(energies.elastic[0] / energies.total[0])
-    return found(share, f"{share:.1f} %")
+    return finding(share, f"{share:.1f} %")
 
 
 @statement(
@@ -257,11 +259,11 @@ def share_of_the_tendon() -> Found:
     closed_form("4-18 to 4-20"), data("Table A-1, first three cycles"),
     figure="4-28",
 )  # fmt: skip
-def energy_at_the_crossings() -> Found:
+def energy_at_the_crossings() -> Finding:
     total = _measured().energies(WALL).total[:13]
     rises = int(np.sum(total[1::2] > total[:-1:2]))
     most = 100 * float((total[1::2] / total[:-1:2]).max() - 1)
-    return found(rises, f"at {rises} of the 6, by up to {most:.0f} %")
+    return finding(rises, f"at {rises} of the 6, by up to {most:.0f} %")
 
 
 @statement(
@@ -271,10 +273,10 @@ def energy_at_the_crossings() -> Found:
     closed_form("4-18 and 4-20"), data("Table A-1, peaks"),
     figure="4-29",
 )  # fmt: skip
-def energies_of_figure_4_29() -> Found:
+def energies_of_figure_4_29() -> Finding:
     energies = _measured().energies(WALL).total[peaks()]
     off = np.abs(energies - FIGURE_4_29.numbers("total energy")).max()
-    return found(energies, f"off by {off:.1f} J at most")
+    return finding(energies, f"off by {off:.1f} J at most")
 
 
 @statement(
@@ -284,13 +286,13 @@ def energies_of_figure_4_29() -> Found:
     closed_form("energies of 4-18 to 4-20"), _TABLE,
     figure="4-30",
 )  # fmt: skip
-def scatter_of_restitution() -> Found:
+def scatter_of_restitution() -> Finding:
     lost = losses()
     large = lost.chosen & (np.abs(lost.peak) > 7e-3)
     spread = [
         float(np.std(lost.energy_ratio[rows], ddof=1)) for rows in (large, lost.chosen & ~large)
     ]
-    return found(spread[0], f"{spread[0]:.3f}; {spread[1]:.3f} from smaller ones")
+    return finding(spread[0], f"{spread[0]:.3f}; {spread[1]:.3f} from smaller ones")
 
 
 @statement(
@@ -299,7 +301,7 @@ def scatter_of_restitution() -> Found:
     closed_form("2-6 about the corner"), _TABLE,
     figure="4-31",
 )  # fmt: skip
-def mean_restitution() -> Found:
+def mean_restitution() -> Finding:
     r = losses().energy_ratio[: PEAKS - 1]
     low, high = identification.fit(lambda mean: np.full(len(r), mean), r, {"mean": 0.85}).interval(
         "mean"
@@ -317,11 +319,11 @@ def mean_restitution() -> Found:
     closed_form("energies of 4-18 to 4-20"), _TABLE,
     figure="4-31",
 )  # fmt: skip
-def restitution_against_the_speed() -> Found:
+def restitution_against_the_speed() -> Finding:
     r, speed = (x[: PEAKS - 1] for x in losses()[:2])
     line = identification.fit(lambda r, slope: r + slope * speed, r, {"r": 0.85, "slope": 0.0})
     low, high = line.interval("slope")
-    return found(
+    return finding(
         abs(low + high) / (high - low), f"slope {low:+.2f} to {high:+.2f} s/m with 95 % confidence"
     )
 
@@ -332,11 +334,11 @@ def restitution_against_the_speed() -> Found:
     closed_form("4-25 and 4-26"), _TABLE,
     figure="4-34", lost="the boundary of the experiment is not printed",
 )  # fmt: skip
-def crossings_within_the_boundary() -> Found:
+def crossings_within_the_boundary() -> Finding:
     measured = _measured()
     rows = ~measured.at_peak & legible()
     size, speed = np.abs(measured.displacement[rows]), np.abs(measured.velocity[rows])
     limit = WALL.dissipation_limit(np.linspace(5e-4, 0.0325, 400))
     inside = size < np.interp(speed, limit.speed, limit.displacement)
     outside = 100 * float(1 - inside.mean())
-    return found(outside, f"{inside.sum()} of {len(inside)} measured crossings lie inside it")
+    return finding(outside, f"{inside.sum()} of {len(inside)} measured crossings lie inside it")

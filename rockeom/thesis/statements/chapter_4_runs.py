@@ -26,14 +26,14 @@ from rockeom.thesis.figures.chapter_4_wall import legible
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import TABLE_4_1, TABLE_4_2, TABLE_4_3, TABLE_4_5
 from rockeom.thesis.statements.statement import (
-    Found,
+    Finding,
     Register,
     about,
     at_least,
     at_most,
     closed_form,
     data,
-    found,
+    finding,
     near,
     printed,
     ranging,
@@ -69,7 +69,7 @@ def _said(peaks: np.ndarray) -> str:
 _LAWS = {"SDOF": _LAW_31, "MHSG": _LAW_38, "r by 4-31": _LAW_31, "constant r": 0.852}
 
 
-def peaks_of_run(run: str, model: str) -> Found:
+def peaks_of_run(run: str, model: str) -> Finding:
     """Sizes of displacement and velocity of a run, by a model as the tables name it."""
     simulated = shaken.substitute_gravity_peaks if model == "MHSG" else shaken.oscillator_peaks
     peaks = simulated(run, _LAWS[model])
@@ -97,13 +97,13 @@ for _table, _run, _model in (
          "table have it, for some run"),
     printed("Table 4-3, displacement by SDOF over that measured, the nearest run"),
 )  # fmt: skip
-def printed_peaks_by_sdof() -> Found:
+def printed_peaks_by_sdof() -> Finding:
     ratios = {
         run: abs(TABLE_4_3.cell(run, "displacement, SDOF") / TABLE_4_3.cell(run, "displacement"))
         for run in ("1", "2", "3", "4", "6")
     }
     best = min(ratios.values(), key=lambda x: abs(x - 1))
-    return found(best, ", ".join(f"run {run} {x:.2f}" for run, x in ratios.items()))
+    return finding(best, ", ".join(f"run {run} {x:.2f}" for run, x in ratios.items()))
 
 
 @statement(
@@ -113,7 +113,7 @@ def printed_peaks_by_sdof() -> Found:
     simulation("4-27"),
     figure="4-68", lost="the measured trace is lost",
 )  # fmt: skip
-def tracking_of_run_4() -> Found:
+def tracking_of_run_4() -> Finding:
     return unknown("there is nothing to correlate with")
 
 
@@ -123,13 +123,13 @@ def tracking_of_run_4() -> Found:
     printed("Table 4-5, simulated displacements over those measured"),
     figure="4-79",
 )  # fmt: skip
-def printed_peaks_with_110_kn() -> Found:
+def printed_peaks_with_110_kn() -> Finding:
     ratios = [
         abs(TABLE_4_5.cell(run, f"displacement, {name}") / TABLE_4_5.cell(run, "displacement"))
         for run in ("7", "8", "9")
         for name in ("r by 4-31", "constant r")
     ]
-    return found(ratios, f"{min(ratios):.2f} to {max(ratios):.2f} of the measured ones")
+    return finding(ratios, f"{min(ratios):.2f} to {max(ratios):.2f} of the measured ones")
 
 
 @statement(
@@ -138,13 +138,13 @@ def printed_peaks_with_110_kn() -> Found:
     printed("Table 4-5, displacements with constant r over those by 4-31"),
     figure="4-79",
 )  # fmt: skip
-def similarity_of_both_settings() -> Found:
+def similarity_of_both_settings() -> Finding:
     ratios = [
         abs(TABLE_4_5.cell(run, "displacement, constant r"))
         / abs(TABLE_4_5.cell(run, "displacement, r by 4-31"))
         for run in ("7", "8", "9")
     ]
-    return found(ratios, f"{', '.join(f'{x:.2f}' for x in ratios)} in runs 7 to 9")
+    return finding(ratios, f"{', '.join(f'{x:.2f}' for x in ratios)} in runs 7 to 9")
 
 
 @statement(
@@ -153,8 +153,8 @@ def similarity_of_both_settings() -> Found:
     printed("Table 4-5, head: r = 0.852"),
     slip=True,
 )  # fmt: skip
-def constant_restitution_of_table_4_5() -> Found:
-    return found(0.852, "0.852 in the head of the table and under Figure 4-79")
+def constant_restitution_of_table_4_5() -> Finding:
+    return finding(0.852, "0.852 in the head of the table and under Figure 4-79")
 
 
 @statement(
@@ -163,7 +163,7 @@ def constant_restitution_of_table_4_5() -> Found:
     simulation("4-27 with r of 4-31, time scaled by 0.6 and by 0.38"),
     lost=_TABLE,
 )  # fmt: skip
-def time_scale_of_run_4() -> Found:
+def time_scale_of_run_4() -> Finding:
     motions = [shaken.sylmar_360().scaled(time=x) for x in (shaken.SYLMAR_TIME, shaken.TABAS_TIME)]
     wall = shaken.oscillator_of("4", _LAW_31)
     peaks = [1e3 * abs(rk.simulate(wall, m).extremes("u").peak) for m in motions]
@@ -184,13 +184,13 @@ def time_scale_of_run_4() -> Found:
     closed_form("4-30"), data("Table A-1, -M_e a at the legible peaks by 4-42"),
     figure="4-69", lost="the data of the shaking-table tests are lost",
 )  # fmt: skip
-def restoring_force_of_the_free_vibration() -> Found:
+def restoring_force_of_the_free_vibration() -> Finding:
     measured = identification.FreeVibration.table_a1()
     rows = measured.at_peak & legible()
     force = back_calculated_force(WALL.mass, measured.acceleration[rows])
     own = WALL.restoring_force(measured.displacement[rows])
     fit = float(identification.coefficient_of_determination(force, own))
-    return found(fit, f"{fit:.3f} in the free vibration")
+    return finding(fit, f"{fit:.3f} in the free vibration")
 
 
 @statement(
@@ -200,7 +200,7 @@ def restoring_force_of_the_free_vibration() -> Found:
     simulation("4-27 with r = 0.852"),
     figure="4-70", lost=_TABLE,
 )  # fmt: skip
-def run_4_with_a_constant_ratio() -> Found:
+def run_4_with_a_constant_ratio() -> Finding:
     peaks = shaken.oscillator_peaks("4", 0.852)
     return ranging(_sizes(peaks)[:, 0], _said(peaks))
 
@@ -211,10 +211,10 @@ def run_4_with_a_constant_ratio() -> Found:
     simulation("4-27 with other backbones and dampings"),
     figure="4-70", lost=_TABLE,
 )  # fmt: skip
-def trials_of_run_4() -> Found:
+def trials_of_run_4() -> Finding:
     peaks = {name: 1e3 * float(run.peak) for name, run in trials().items()}
     error = min(abs(x / (1e3 * abs(MEASURED_PEAK)) - 1) for x in peaks.values())
-    return found(error, ", ".join(f"{name} {x:.1f} mm" for name, x in peaks.items()))
+    return finding(error, ", ".join(f"{name} {x:.1f} mm" for name, x in peaks.items()))
 
 
 @statement(
@@ -223,10 +223,10 @@ def trials_of_run_4() -> Found:
     simulation("4-27 with 101 r within 10 % of 0.852"),
     figure="4-71", lost=_TABLE,
 )  # fmt: skip
-def conservative_analyses() -> Found:
+def conservative_analyses() -> Finding:
     _, peaks = peaks_by_ratio()
     share = 100 * float(np.mean(peaks >= abs(MEASURED_PEAK)))
-    return found(
+    return finding(
         share,
         f"{share:.0f} % reach the measured 23.91 mm; the largest is {1e3 * peaks.max():.1f} mm",
     )
@@ -238,11 +238,11 @@ def conservative_analyses() -> Found:
     simulation("4-27 with 101 r within 10 % of 0.852"),
     figure="4-71", lost=_TABLE,
 )  # fmt: skip
-def trend_with_restitution() -> Found:
+def trend_with_restitution() -> Finding:
     _, peaks = peaks_by_ratio()
     jumps = np.sign(np.diff(peaks))
     turns = int(np.count_nonzero(jumps[1:] * jumps[:-1] < 0))
-    return found(
+    return finding(
         turns / (len(peaks) - 2),
         f"{turns} of {len(peaks) - 2}; {1e3 * peaks.min():.2f} to {1e3 * peaks.max():.2f} mm",
     )
@@ -257,10 +257,10 @@ def trend_with_restitution() -> Found:
     simulation("4-43 with Z = 5.88 m/s2 and r = 0.852"),
     figure="4-72",
 )  # fmt: skip
-def velocities_of_the_steady_motion() -> Found:
+def velocities_of_the_steady_motion() -> Finding:
     u, _, speeds = settled()
     distinct = len(np.unique(np.round(speeds, 6)))
-    return found(
+    return finding(
         distinct,
         f"{distinct} velocities when upright in 40 cycles, {np.abs(speeds).max():.3f} m/s, "
         f"{1e3 * np.abs(u).max():.1f} mm",
@@ -273,11 +273,11 @@ def velocities_of_the_steady_motion() -> Found:
     simulation("4-43 at 8 Hz with Z = 6.1 m/s2 and r = 0.852"),
     figure="4-73", slip=True,
 )  # fmt: skip
-def velocities_above_the_doubling() -> Found:
+def velocities_above_the_doubling() -> Finding:
     counts = [
         len(np.unique(np.round(settled_speeds(8.0, z, {"u": 0.0})[0], 4))) for z in (5.9, 6.1)
     ]
-    return found(counts[1], f"{counts[0]} and {counts[1]} velocities when upright at 5.9 and 6.1")
+    return finding(counts[1], f"{counts[0]} and {counts[1]} velocities when upright at 5.9 and 6.1")
 
 
 @statement(
@@ -286,7 +286,7 @@ def velocities_above_the_doubling() -> Found:
     simulation("4-43 at 8 Hz with Z = 6.3 m/s2"),
     figure="4-73", slip=True,
 )  # fmt: skip
-def velocities_in_the_smear() -> Found:
+def velocities_in_the_smear() -> Finding:
     starts = ({"u": 0.0}, {"u": 0.02}, {"u": 0.004, "u_dot": -0.6})
     counts = [len(np.unique(np.round(settled_speeds(8.0, 6.3, at)[0], 4))) for at in starts]
     return ranging(counts, f"{counts} velocities when upright at 6.3, from three starts")
@@ -298,12 +298,12 @@ def velocities_in_the_smear() -> Found:
     simulation("run 4 by 4-27 from upright and from 0.1 mm"),
     figure="4-74", lost="runs 18 and 19 of another study, and what was different in them, are lost",
 )  # fmt: skip
-def growth_of_a_small_difference() -> Found:
+def growth_of_a_small_difference() -> Finding:
     first = oscillator_run("4")
     again = rk.simulate(first.structure, first.motion, initial={"u": BESIDE})
     t = np.arange(0.0, 15.0, 2e-3)
     apart = float(np.abs(displacement(first, t) - displacement(again, t)).max())
-    return found(
+    return finding(
         apart / BESIDE,
         f"in kind, {1e3 * BESIDE:g} mm apart at first they come {1e3 * apart:.2f} mm apart",
     )

@@ -20,13 +20,13 @@ from rockeom.thesis.figures.chapter_4_simulated import (
 )
 from rockeom.thesis.free_vibration_table import measured_peaks
 from rockeom.thesis.statements.statement import (
-    Found,
+    Finding,
     Register,
     at_least,
     at_most,
     closed_form,
     data,
-    found,
+    finding,
     near,
     printed,
     rounded,
@@ -49,14 +49,14 @@ _PEAKS = data("Table A-1, thirteen peaks")
     simulation("4-27, r fitted"), _PEAKS,
     figure="4-36",
 )  # fmt: skip
-def ratios_of_early_and_late_passages() -> Found:
+def ratios_of_early_and_late_passages() -> Finding:
     early, late = fitted_ratio(0, 5), fitted_ratio(8, 12)
     gap = early.interval("r")[0] - late.interval("r")[1]
     said = [
         f"{one.values['r']:.3f} ({one.interval('r')[0]:.3f} to {one.interval('r')[1]:.3f})"
         for one in (early, late)
     ]
-    return found(gap, f"the first five passages ask for r = {said[0]}, the last four {said[1]}")
+    return finding(gap, f"the first five passages ask for r = {said[0]}, the last four {said[1]}")
 
 
 @statement(
@@ -65,10 +65,10 @@ def ratios_of_early_and_late_passages() -> Found:
     simulation("4-27 with r of 4-31 larger by 0.02 in one band"),
     figure="4-38", lost="the deviations of the figure are not legible",
 )  # fmt: skip
-def sensitivity_to_4_31() -> Found:
+def sensitivity_to_4_31() -> Finding:
     off = moved(with_deviations_of_4_31())
     first = 1e3 * abs(measured_peaks()[1][0])
-    return found(
+    return finding(
         100 * max(off) / first,
         f"{', '.join(f'{x:.1f}' for x in off)} mm, of {first:.1f} mm at first",
     )
@@ -83,10 +83,10 @@ def sensitivity_to_4_31() -> Found:
     simulation("4-32, released at each peak"), _PEAKS,
     figure="4-39",
 )  # fmt: skip
-def ratios_of_large_and_small_cycles() -> Found:
+def ratios_of_large_and_small_cycles() -> Finding:
     r, _ = ratios_by_release()
     early, late = float(r[:6].mean()), float(r[6:].mean())
-    return found([early, late], f"{early:.3f} and {late:.3f}")
+    return finding([early, late], f"{early:.3f} and {late:.3f}")
 
 
 @statement(
@@ -95,7 +95,7 @@ def ratios_of_large_and_small_cycles() -> Found:
     simulation("4-32, released at each peak"), _PEAKS,
     figure="4-40",
 )  # fmt: skip
-def restitution_by_release_against_speed() -> Found:
+def restitution_by_release_against_speed() -> Finding:
     return slope_of(*ratios_by_release(), 0.88)
 
 
@@ -105,13 +105,13 @@ def restitution_by_release_against_speed() -> Found:
     simulation("4-32, released at each peak"), _PEAKS,
     figure="4-40",
 )  # fmt: skip
-def restitution_by_side() -> Found:
+def restitution_by_side() -> Finding:
     r, _ = ratios_by_release()
     peak = measured_peaks()[1][:-1]
     left, right = (r[:8][peak[:8] * side > 0] for side in (-1, 1))
     place = upright(8)
     low, high = (1e3 * x for x in place.interval("x"))
-    return found(
+    return finding(
         float(right.max() - left.min()),
         f"the first eight alternate with the side, {left.min():.3f} to {left.max():.3f} coming "
         f"from the left, {right.min():.3f} to {right.max():.3f} from the right; an upright "
@@ -126,11 +126,11 @@ def restitution_by_side() -> Found:
     simulation("4-32, released at each peak"), closed_form("4-31"),
     figure="4-41",
 )  # fmt: skip
-def moving_averages() -> Found:
+def moving_averages() -> Finding:
     r, speed = ratios_by_release()
     mean, at = (r[1:] + r[:-1]) / 2, (speed[1:] + speed[:-1]) / 2
     off = mean - np.array([BY_4_31.at(x) for x in at])
-    return found(
+    return finding(
         float(np.sqrt(np.mean(off**2))),
         f"rms {np.sqrt(np.mean(off**2)):.3f} off it, {off.min():+.3f} to {off.max():+.3f}; "
         f"{mean.std(ddof=1):.3f} (standard deviation) about their own mean",
@@ -143,8 +143,8 @@ def moving_averages() -> Found:
     simulation("4-32 with 4-31"), _PEAKS,
     figure="4-42",
 )  # fmt: skip
-def improvement_by_4_31() -> Found:
-    return found(
+def improvement_by_4_31() -> Finding:
+    return finding(
         miss(BY_4_31).peak / miss(CONSTANT).peak,
         f"rms of the peaks and their times: {miss(BY_4_31)} with 4-31, {miss(CONSTANT)} with 0.88",
     )
@@ -157,8 +157,8 @@ def improvement_by_4_31() -> Found:
     simulation("4-32 with 4-36"), _PEAKS,
     figure="4-43", lost="which r of 4-36 belongs to the large speeds the text says in both ways",
 )  # fmt: skip
-def effect_of_4_36() -> Found:
-    return found(
+def effect_of_4_36() -> Finding:
+    return finding(
         miss(BY_4_36).peak / miss(BY_4_31).peak,
         f"rms of the peaks and their times: {miss(BY_4_36)} with 4-36, {miss(BY_4_31)} with 4-31",
     )
@@ -170,10 +170,10 @@ def effect_of_4_36() -> Found:
     closed_form("4-32 at rest"),
     figure="4-43",
 )  # fmt: skip
-def acceleration_that_starts_the_wall() -> Found:
+def acceleration_that_starts_the_wall() -> Finding:
     start = FIXED.uplift_acceleration
     assert start is not None
-    return found(start, f"{start:.2f} m/s2")
+    return finding(start, f"{start:.2f} m/s2")
 
 
 @statement(
@@ -182,8 +182,10 @@ def acceleration_that_starts_the_wall() -> Found:
     printed("captions 4-39 and 4-49"),
     slip=True,
 )  # fmt: skip
-def figure_of_the_range_of_restitution() -> Found:
-    return found("4-49" in FIGURES, f"4-39: {FIGURES['4-39'].title}; of 4-49: {NOT_DRAWN['4-49']}")
+def figure_of_the_range_of_restitution() -> Finding:
+    return finding(
+        "4-49" in FIGURES, f"4-39: {FIGURES['4-39'].title}; of 4-49: {NOT_DRAWN['4-49']}"
+    )
 
 
 # --- 4.8.3 sensitivity
@@ -195,6 +197,6 @@ def figure_of_the_range_of_restitution() -> Found:
     simulation("4-40 with r of 4-38 larger by 0.02 in one band"),
     figure="4-48", lost="the deviations of the figure are not stated",
 )  # fmt: skip
-def sensitivity_to_4_38() -> Found:
+def sensitivity_to_4_38() -> Finding:
     off = np.array(moved(with_deviations_of_4_38()))
-    return found(off[1:] / off[:-1], f"{', '.join(f'{x:.1f}' for x in off)} mm")
+    return finding(off[1:] / off[:-1], f"{', '.join(f'{x:.1f}' for x in off)} mm")

@@ -27,7 +27,7 @@ from rockeom.thesis.figures.chapter_4_tests import (
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import TABLE_4_1, TABLE_4_2, TABLE_4_4
 from rockeom.thesis.statements.statement import (
-    Found,
+    Finding,
     Register,
     about,
     at_least,
@@ -35,7 +35,7 @@ from rockeom.thesis.statements.statement import (
     between,
     closed_form,
     data,
-    found,
+    finding,
     near,
     printed,
     ranging,
@@ -69,12 +69,12 @@ def _of_75_kn(table: object, column: str) -> np.ndarray:
     printed("Table 4-1, PGA"), data("El Centro 180 and Sylmar 360, scaled as printed"),
     figure="4-6",
 )  # fmt: skip
-def peaks_of_the_table() -> Found:
+def peaks_of_the_table() -> Finding:
     off = {
         run: 100 * (TABLE_4_1.cell(run, "PGA") / shaken.intended_motion(run).peak - 1)
         for run in ("1", "2", "4", "7", "9")
     }
-    return found(
+    return finding(
         max(map(abs, off.values())), ", ".join(f"run {run} {x:+.1f} %" for run, x in off.items())
     )
 
@@ -85,10 +85,12 @@ def peaks_of_the_table() -> Found:
     printed("Table 4-1, PGV"), data("El Centro 180 and Sylmar 360, scaled as printed"),
     figure="4-6", lost=f"{_TABLE}, and with them their spectra",
 )  # fmt: skip
-def velocities_of_the_table() -> Found:
+def velocities_of_the_table() -> Finding:
     runs = ("1", "2", "4", "7", "9")
     ratio = [TABLE_4_1.cell(run, "PGV") / shaken.intended_motion(run).peak_velocity for run in runs]
-    return found(ratio, f"their PGV is {min(ratio):.2f} to {max(ratio):.2f} of that of the records")
+    return finding(
+        ratio, f"their PGV is {min(ratio):.2f} to {max(ratio):.2f} of that of the records"
+    )
 
 
 @cache
@@ -110,7 +112,7 @@ _DESIGN = closed_form("NZS 1170.5, class E, Z R = 0.7")
     data("El Centro 180, runs 1 and 2"), _DESIGN,
     figure="4-7",
 )  # fmt: skip
-def el_centro_over_the_design_level() -> Found:
+def el_centro_over_the_design_level() -> Finding:
     ratios = [_over_design(run).max(axis=1) for run in ("1", "2")]
     said = ", ".join(f"{x.min():.2f} to {x.max():.2f}" for x in ratios)
     return ranging(
@@ -125,7 +127,7 @@ def el_centro_over_the_design_level() -> Found:
     data("Sylmar 360, run 4"), _DESIGN,
     figure="4-7",
 )  # fmt: skip
-def sylmar_over_the_design_level() -> Found:
+def sylmar_over_the_design_level() -> Finding:
     ratio = _over_design("4")
     return ranging(
         ratio.ravel(),
@@ -139,10 +141,10 @@ def sylmar_over_the_design_level() -> Found:
     near(ROCKING_PERIODS, 0.01, "s", why="half of the last digit, and the 0.005 s of a sample"),
     data("Table A-1, times between peaks to the same side"),
 )  # fmt: skip
-def rocking_periods() -> Found:
+def rocking_periods() -> Finding:
     displacement, period = _cycles()
     tests = np.abs(displacement) < 1e-3 * abs(TABLE_4_2.cell("4", "largest displacement"))
-    return found(
+    return finding(
         [period.min(), period[tests].max()],
         f"{period.min():.3f} s at 2 mm, {period[tests].max():.3f} s below the 23.91 mm of run 4, "
         f"{period.max():.2f} s at 30 mm",
@@ -166,11 +168,11 @@ def _cycles() -> tuple[np.ndarray, np.ndarray]:
     near([5, 3], 0, "runs", why="the printed numbers; nominal: within 2 %"),
     printed("Table 4-1, prestress"),
 )  # fmt: skip
-def runs_by_prestress() -> Found:
+def runs_by_prestress() -> Finding:
     shaken_runs = [row for row in TABLE_4_1.rows if row[3]]
     force = np.array([TABLE_4_1.cell(row[0], "prestress") for row in shaken_runs])
     counts = [int(np.sum(np.abs(force / nominal - 1) < 0.02)) for nominal in (75.0, 110.0)]
-    return found(counts, f"{counts[0]} and {counts[1]} of {len(force)}")
+    return finding(counts, f"{counts[0]} and {counts[1]} of {len(force)}")
 
 
 @statement(
@@ -178,9 +180,9 @@ def runs_by_prestress() -> Found:
     rounded("0.24", "0.84", unit="g"),
     printed("Table 4-1, PGA"),
 )  # fmt: skip
-def range_of_the_table() -> Found:
+def range_of_the_table() -> Finding:
     peaks = _of_75_kn(TABLE_4_1, "PGA") / STANDARD_GRAVITY
-    return found([peaks.min(), peaks.max()], f"{peaks.min():.3f} to {peaks.max():.3f} g")
+    return finding([peaks.min(), peaks.max()], f"{peaks.min():.3f} to {peaks.max():.3f} g")
 
 
 @statement(
@@ -188,9 +190,9 @@ def range_of_the_table() -> Found:
     rounded("4.34", "23.91", unit="mm"),
     printed("Table 4-2, largest displacement"),
 )  # fmt: skip
-def range_of_the_displacements() -> Found:
+def range_of_the_displacements() -> Finding:
     peaks = np.abs(_of_75_kn(TABLE_4_2, "largest displacement"))
-    return found([peaks.min(), peaks.max()], f"{peaks.min():g} to {peaks.max():g} mm")
+    return finding([peaks.min(), peaks.max()], f"{peaks.min():g} to {peaks.max():g} mm")
 
 
 @statement(
@@ -198,10 +200,10 @@ def range_of_the_displacements() -> Found:
     at_least(1.0, why="largest displacement of test 1 over that of test 2"),
     printed("Table 4-2, largest displacement"),
 )  # fmt: skip
-def test_1_over_test_2() -> Found:
+def test_1_over_test_2() -> Finding:
     one, two = (abs(TABLE_4_2.cell(run, "largest displacement")) for run in "12")
     ratio = TABLE_4_1.cell("2", "PGA") / TABLE_4_1.cell("1", "PGA")
-    return found(
+    return finding(
         one / two,
         f"{one:.2f} and {two:.2f} mm; the peaks of the table are as 1 to {ratio:.2f}",
     )
@@ -213,10 +215,10 @@ def test_1_over_test_2() -> Found:
     printed("Table 4-2, tendon force before"),
     slip=True,
 )  # fmt: skip
-def variation_of_the_initial_force() -> Found:
+def variation_of_the_initial_force() -> Finding:
     forces = _of_75_kn(TABLE_4_2, "tendon force before")
     spread = 100 * float(np.abs(forces / forces.mean() - 1).max())
-    return found(spread, f"by up to {spread:.1f} % about their mean")
+    return finding(spread, f"by up to {spread:.1f} % about their mean")
 
 
 @statement(
@@ -224,7 +226,7 @@ def variation_of_the_initial_force() -> Found:
     about(2.0, why="double"),
     printed("Table 4-1, PGA, PGV and acceleration scale of runs 2 and 1"),
 )  # fmt: skip
-def test_2_over_test_1() -> Found:
+def test_2_over_test_1() -> Finding:
     columns = ("PGA", "PGV", "acceleration scale")
     ratios = [TABLE_4_1.cell("2", name) / TABLE_4_1.cell("1", name) for name in columns]
     return ranging(
@@ -247,7 +249,7 @@ def _modes_of_decay() -> tuple[float, np.ndarray]:
     data("Table A-1, times between peaks to the same side"),
     figure="4-51",
 )  # fmt: skip
-def frequency_of_smooth_rocking() -> Found:
+def frequency_of_smooth_rocking() -> Finding:
     displacement, period = _cycles()
     last = {
         least: 1 / period[np.abs(displacement) > 1e-3 * least][-1] for least in (14.0, 10.0, 8.0)
@@ -266,10 +268,10 @@ def frequency_of_smooth_rocking() -> Found:
     data("Table A-1, times between peaks to the same side"),
     figure="4-51",
 )  # fmt: skip
-def increase_of_the_frequency() -> Found:
+def increase_of_the_frequency() -> Finding:
     displacement, period = _cycles()
     ratio = period[0] / period[np.abs(displacement) > 14e-3][-1]
-    return found(ratio, f"{ratio:.2f}, and {period[0] / period[-1]:.1f} to that at 2 mm")
+    return finding(ratio, f"{ratio:.2f}, and {period[0] / period[-1]:.1f} to that at 2 mm")
 
 
 @statement(
@@ -278,9 +280,9 @@ def increase_of_the_frequency() -> Found:
     simulation("4-27 in free vibration"),
     figure="4-51", lost=_TRACES,
 )  # fmt: skip
-def frequency_as_rocking_ends() -> Found:
+def frequency_as_rocking_ends() -> Finding:
     top, _ = _modes_of_decay()
-    return found(top, f"in kind {top:.1f} Hz")
+    return finding(top, f"in kind {top:.1f} Hz")
 
 
 @statement(
@@ -289,11 +291,11 @@ def frequency_as_rocking_ends() -> Found:
     data("Table A-1, times between peaks to the same side, below 5 mm"),
     figure="4-51", lost="the trace after the last row of Table A-1, at 2 mm, is lost",
 )  # fmt: skip
-def frequency_after_rocking() -> Found:
+def frequency_after_rocking() -> Finding:
     displacement, period = _cycles()
     small = 1 / period[np.abs(displacement) < 5e-3]
     _, after = _modes_of_decay()
-    return found(
+    return finding(
         [small.min(), small.max()],
         f"{small[0]:.1f} Hz at 4 mm, rising to {small[-1]:.1f} Hz at 2 mm; in kind "
         f"{after.max():.1f} to {after.min():.1f} Hz later, falling, without a wall that bends",
@@ -307,9 +309,9 @@ def frequency_after_rocking() -> Found:
     printed("4.7, natural period of the fixed base, 0.0428 s"),
     figure="4-51",
 )  # fmt: skip
-def frequency_of_bending() -> Found:
+def frequency_of_bending() -> Finding:
     frequency = 1 / WALL.fixed_base_period
-    return found(
+    return finding(
         frequency,
         f"it bends at {frequency:.1f} Hz; in a motion of 8.5 Hz bending is "
         f"{100 * (8.5 / frequency) ** 2:.0f} % of the displacement",
@@ -322,8 +324,8 @@ def frequency_of_bending() -> Found:
     printed("captions of Figures 4-51 and 4-61"),
     slip=True,
 )  # fmt: skip
-def figure_of_the_typical_errors() -> Found:
-    return found(51, "4-51 is the spectrogram described; 4-61 is a drawing of the wall in flight")
+def figure_of_the_typical_errors() -> Finding:
+    return finding(51, "4-51 is the spectrogram described; 4-61 is a drawing of the wall in flight")
 
 
 def _shares(run: str, until: float) -> tuple[float, float]:
@@ -338,9 +340,9 @@ def _shares(run: str, until: float) -> tuple[float, float]:
     simulation("4-27 under half of El Centro"),
     figure="4-52", lost=_TRACES,
 )  # fmt: skip
-def smooth_rocking_in_run_1() -> Found:
+def smooth_rocking_in_run_1() -> Finding:
     low, high = _shares("1", 30.0)
-    return found(low, f"in kind {low:.0f} % from 3 to 5 Hz, {high:.0f} % from 7 to 12 Hz")
+    return finding(low, f"in kind {low:.0f} % from 3 to 5 Hz, {high:.0f} % from 7 to 12 Hz")
 
 
 @statement(
@@ -349,9 +351,9 @@ def smooth_rocking_in_run_1() -> Found:
     simulation("4-27 under El Centro"),
     figure="4-53", lost=_TRACES,
 )  # fmt: skip
-def frequencies_of_run_2() -> Found:
+def frequencies_of_run_2() -> Finding:
     low, high = _shares("2", 30.0)
-    return found(high, f"in kind {high:.0f} % from 7 to 12 Hz, {low:.0f} % from 3 to 5 Hz")
+    return finding(high, f"in kind {high:.0f} % from 7 to 12 Hz, {low:.0f} % from 3 to 5 Hz")
 
 
 @statement(
@@ -359,13 +361,13 @@ def frequencies_of_run_2() -> Found:
     at_most([_DRIFT] * 3, "kN", why="the largest change of the tendon force by a test"),
     printed("Table 4-2, rise of the tendon force in El Centro and Valparaiso"),
 )  # fmt: skip
-def tendon_without_uplift() -> Found:
+def tendon_without_uplift() -> Finding:
     rise = [
         TABLE_4_2.cell(run, "largest tendon force") - TABLE_4_2.cell(run, "tendon force before")
         for run in ("1", "2", "6")
     ]
     lifted = [1e6 * x / WALL.tendons[0].stiffness for x in rise]
-    return found(
+    return finding(
         rise,
         f"{', '.join(f'{x:.1f}' for x in rise)} kN in runs 1, 2 and 6: the middle of the base is "
         f"lifted by {min(lifted):.2f} to {max(lifted):.2f} mm",
@@ -378,9 +380,9 @@ def tendon_without_uplift() -> Found:
     simulation("4-27 under Sylmar"),
     figure="4-55", lost=f"{_TRACES}, and with the record that was meant the run hardly rocks",
 )  # fmt: skip
-def smooth_rocking_in_run_4() -> Found:
+def smooth_rocking_in_run_4() -> Finding:
     low, high = _shares("4", 15.0)
-    return found(low, f"in kind {low:.0f} % from 3 to 5 Hz, {high:.0f} % from 7 to 12 Hz")
+    return finding(low, f"in kind {low:.0f} % from 3 to 5 Hz, {high:.0f} % from 7 to 12 Hz")
 
 
 # --- 4.9.1.1 uplifts and tendon forces
@@ -392,10 +394,10 @@ def smooth_rocking_in_run_4() -> Found:
     printed("Table 4-2, change of alignment"),
     figure="4-57", lost=_TRACES,
 )  # fmt: skip
-def typical_sliding() -> Found:
+def typical_sliding() -> Finding:
     left = 1e3 * float(np.abs(rows_of_75_kn()["alignment"]).max())
     bent = 1e3 * float(bending(0.008))
-    return found(
+    return finding(
         left,
         f"after the tests at most {left:.2f} mm are left; bending shifts the points, too, by "
         f"{bent:.2f} mm at 8 mm",
@@ -409,7 +411,7 @@ def typical_sliding() -> Found:
     closed_form("4-9"), printed("Table 4-2, tendon forces of the five tests"),
     figure="4-57", lost="the uplifts are lost; the tendon tells them of one instant of each test",
 )  # fmt: skip
-def uplifts_of_75_kn() -> Found:
+def uplifts_of_75_kn() -> Finding:
     ratios = [_uplifts_over_4_9(GROUPS[0][1], bends) for bends in (True, False)]
     low, high = np.min(ratios), np.max(ratios)
     return ranging(ratios, f"{low:.2f} to {high:.2f}, with and without the bending of the wall")
@@ -436,9 +438,9 @@ def _above(runs: tuple[str, ...]) -> np.ndarray:
     closed_form("4-16"), printed("Table 4-2, largest tendon forces"),
     figure="4-58",
 )  # fmt: skip
-def tendon_forces_of_75_kn() -> Found:
+def tendon_forces_of_75_kn() -> Finding:
     off = _above(RUNS)
-    return found(off, f"4-16 lies {off.min():.1f} to {off.max():.1f} % above the largest forces")
+    return finding(off, f"4-16 lies {off.min():.1f} to {off.max():.1f} % above the largest forces")
 
 
 @statement(
@@ -447,7 +449,7 @@ def tendon_forces_of_75_kn() -> Found:
     closed_form("4-16"), printed("Table 4-2, largest tendon forces"),
     figure="4-58",
 )  # fmt: skip
-def spread_of_the_tendon_forces() -> Found:
+def spread_of_the_tendon_forces() -> Finding:
     grid = np.linspace(0.0, 0.04, 4001)
     tests = rows_of_75_kn()
     shifts = [
@@ -457,7 +459,7 @@ def spread_of_the_tendon_forces() -> Found:
         )
     ]
     size = 1e3 * np.abs(shifts)
-    return found(
+    return finding(
         size.max(), f"{size.min():.1f} to {size.max():.1f} mm, all to the same side of the curve"
     )
 
@@ -471,9 +473,9 @@ def spread_of_the_tendon_forces() -> Found:
     printed("4.9.1.1, approximately \N{PLUS-MINUS SIGN} 2.5 mm"),
     lost=_TRACES,
 )  # fmt: skip
-def sliding_by_the_centre() -> Found:
+def sliding_by_the_centre() -> Finding:
     ends = 1e3 * np.array([-SPREAD, SPREAD])
-    return found(ends, f"{ends[0]:g} to {ends[1]:g} mm by the uplifts, 0.8 mm more to one side")
+    return finding(ends, f"{ends[0]:g} to {ends[1]:g} mm by the uplifts, 0.8 mm more to one side")
 
 
 @statement(
@@ -481,7 +483,7 @@ def sliding_by_the_centre() -> Found:
     at_most(1.7, "mm", why="the shorter part of the line of no rotation"),
     closed_form("largest F_k of 4-30 over the stiffness in bending"),
 )  # fmt: skip
-def displacement_by_bending() -> Found:
+def displacement_by_bending() -> Finding:
     bent = 1e3 * float(np.max(bending(np.linspace(0.0, 0.03, 301))))
     soft = bent * (1 / WALL.fixed_base_period / 8.5) ** 2
     return ranging(
@@ -497,7 +499,7 @@ def displacement_by_bending() -> Found:
     closed_form("4-7"), printed("Table 4-2, tendon forces of the five tests"),
     lost="the uplifts are lost; the tendon tells them of one instant of each test",
 )  # fmt: skip
-def centre_with_75_kn() -> Found:
+def centre_with_75_kn() -> Finding:
     off = np.array(_beside_4_7(GROUPS[0][1]))
     return ranging(off, f"read from the tendon, {off.min():+.0f} to {off.max():+.0f} mm from 4-7")
 
@@ -510,10 +512,10 @@ def centre_with_75_kn() -> Found:
     at_most([1.0, 1.0], why="displacement with 110 kN over that with 75 kN"),
     printed("Table 4-4, Tabas and Northridge"),
 )  # fmt: skip
-def displacements_with_more_prestress() -> Found:
+def displacements_with_more_prestress() -> Finding:
     rows = ("Tabas-A1-T0.38", "Northridge-A1-T0.6")
     pairs = [[abs(TABLE_4_4.cell(row, f"displacement, {p} kN")) for p in (75, 110)] for row in rows]
-    return found([b / a for a, b in pairs], ", ".join(f"{a:g} to {b:g} mm" for a, b in pairs))
+    return finding([b / a for a, b in pairs], ", ".join(f"{a:g} to {b:g} mm" for a, b in pairs))
 
 
 @statement(
@@ -521,12 +523,12 @@ def displacements_with_more_prestress() -> Found:
     at_least([1.0, 1.0], why="acceleration with 110 kN over that with 75 kN, from 4.3 to 4.7 mm"),
     printed("Table 4-4, El Centro with 75 kN, El Centro and Northridge with 110 kN"),
 )  # fmt: skip
-def acceleration_at_the_same_drift() -> Found:
+def acceleration_at_the_same_drift() -> Finding:
     few = abs(TABLE_4_4.cell("El Centro-A1-T1", "acceleration, 75 kN"))
     rows = ("El Centro-A1-T1", "Northridge-A1-T0.6")
     ratios = [abs(TABLE_4_4.cell(row, "acceleration, 110 kN")) / few for row in rows]
     force = [float(wall.restoring_force(4.5e-3)) for wall in (WALL, MORE)]
-    return found(
+    return finding(
         ratios,
         f"{ratios[0]:.2f} and {ratios[1]:.2f}; F_k of 4-30 at 4.5 mm {force[1] / force[0]:.2f}",
     )
@@ -537,13 +539,13 @@ def acceleration_at_the_same_drift() -> Found:
     near([1.0] * 6, 0.1, why="effectively identical: 10 %, PGA and PGV over those of 75 kN"),
     printed("Table 4-1, runs 7 to 9 and 2 to 4"),
 )  # fmt: skip
-def motions_of_both_series() -> Found:
+def motions_of_both_series() -> Finding:
     ratios = [
         TABLE_4_1.cell(more, name) / TABLE_4_1.cell(few, name)
         for more, few in zip("789", "234", strict=True)
         for name in ("PGA", "PGV")
     ]
-    return found(ratios, f"{min(ratios):.3f} to {max(ratios):.3f}")
+    return finding(ratios, f"{min(ratios):.3f} to {max(ratios):.3f}")
 
 
 @statement(
@@ -552,8 +554,8 @@ def motions_of_both_series() -> Found:
     printed("4-7, repeated below as that of the rotation centre"),
     slip=True,
 )  # fmt: skip
-def equation_of_the_centre() -> Found:
-    return found(7, "4-7 is the equation of the rotation centre, 4-9 that of the uplift")
+def equation_of_the_centre() -> Finding:
+    return finding(7, "4-7 is the equation of the rotation centre, 4-9 that of the uplift")
 
 
 def _beside_4_7(runs: tuple[str, ...]) -> tuple[np.ndarray, np.ndarray]:
@@ -575,7 +577,7 @@ def _beside_4_7(runs: tuple[str, ...]) -> tuple[np.ndarray, np.ndarray]:
     closed_form("4-7"), printed("Table 4-2, tendon forces"),
     figure="4-75", lost="the uplifts are lost; the tendon tells them of one instant of each test",
 )  # fmt: skip
-def centre_with_more_prestress() -> Found:
+def centre_with_more_prestress() -> Finding:
     off = {label: _beside_4_7(runs) for label, runs, _ in GROUPS}
     said = "; ".join(
         f"{k} {whole.min():+.0f} to {whole.max():+.0f} mm, {rigid.min():+.0f} to "
@@ -592,11 +594,11 @@ def centre_with_more_prestress() -> Found:
     closed_form("4-9"), printed("Table 4-2, tendon forces"),
     figure="4-76", lost="the uplifts are lost; the tendon tells them of one instant of each test",
 )  # fmt: skip
-def uplifts_with_more_prestress() -> Found:
+def uplifts_with_more_prestress() -> Finding:
     ratios = {label: _uplifts_over_4_9(runs, True) for label, runs, _ in GROUPS}
     few, many = (float(np.abs(x - 1).max()) for x in ratios.values())
     said = "; ".join(f"{k} {x.min():.2f} to {x.max():.2f}" for k, x in ratios.items())
-    return found(many / few, f"uplift read from the tendon over 4-9: {said}")
+    return finding(many / few, f"uplift read from the tendon over 4-9: {said}")
 
 
 @statement(
@@ -605,9 +607,9 @@ def uplifts_with_more_prestress() -> Found:
     closed_form("4-16 with 111 kN"), printed("Table 4-2, largest tendon forces"),
     figure="4-77",
 )  # fmt: skip
-def tendon_forces_of_110_kn() -> Found:
+def tendon_forces_of_110_kn() -> Finding:
     off = _above(GROUPS[1][1])
-    return found(off, f"4-16 lies {off.min():.1f} to {off.max():.1f} % above the largest forces")
+    return finding(off, f"4-16 lies {off.min():.1f} to {off.max():.1f} % above the largest forces")
 
 
 @statement(
@@ -616,9 +618,9 @@ def tendon_forces_of_110_kn() -> Found:
     closed_form("4-30"),
     figure="4-78",
 )  # fmt: skip
-def force_threshold() -> Found:
+def force_threshold() -> Finding:
     few, many = (float(wall.restoring_force(2e-3)) / 1e3 for wall in (WALL, MORE))
-    return found(many / few, f"at 2 mm {many:.1f} kN against {few:.1f} kN")
+    return finding(many / few, f"at 2 mm {many:.1f} kN against {few:.1f} kN")
 
 
 @statement(
@@ -627,9 +629,9 @@ def force_threshold() -> Found:
     closed_form("4-16"),
     figure="4-78",
 )  # fmt: skip
-def displacement_at_yield() -> Found:
+def displacement_at_yield() -> Finding:
     few, many = (1e3 * wall.yield_displacement() for wall in (WALL, MORE))
-    return found(many / few, f"{many:.1f} mm against {few:.1f} mm")
+    return finding(many / few, f"{many:.1f} mm against {few:.1f} mm")
 
 
 @statement(
@@ -639,7 +641,7 @@ def displacement_at_yield() -> Found:
     closed_form("4-30 with 111 kN"),
     figure="4-78", lost=_TRACES,
 )  # fmt: skip
-def restoring_force_with_more_prestress() -> Found:
+def restoring_force_with_more_prestress() -> Finding:
     return unknown("no force of a test with 110 kN is printed but that of the tendon")
 
 
@@ -652,6 +654,6 @@ def restoring_force_with_more_prestress() -> Found:
     printed("Table 4-1, run 2"),
     figure="A-2", slip=True,
 )  # fmt: skip
-def run_of_figure_a_2() -> Found:
+def run_of_figure_a_2() -> Finding:
     scale = TABLE_4_1.cell("2", "acceleration scale")
-    return found(scale, f"{scale:g} in run 2, which Figure A-4 shows; run 1 has 0.5")
+    return finding(scale, f"{scale:g} in run 2, which Figure A-4 shows; run 1 has 0.5")

@@ -14,13 +14,13 @@ from rockeom.thesis.figures.chapter_4_wall import TendonOfTable
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.printed import TABLE_4_2, TENDON
 from rockeom.thesis.statements.statement import (
-    Found,
+    Finding,
     Register,
     at_least,
     at_most,
     closed_form,
     data,
-    found,
+    finding,
     near,
     printed,
     ranging,
@@ -36,10 +36,10 @@ statement = Register()
     rounded("35.7", "1.5", why="35.7 mm and 1.5 % to half of the last digit"),
     printed("Table 4-2, run 5"),
 )  # fmt: skip
-def largest_drift() -> Found:
+def largest_drift() -> Finding:
     displacement = TABLE_4_2.cell("5", "largest displacement")
     drift = 100 * displacement / 1e3 / WALL.height
-    return found(
+    return finding(
         [displacement, drift], f"{displacement:g} mm, {drift:.2f} % of H = {WALL.height:g} m"
     )
 
@@ -49,9 +49,9 @@ def largest_drift() -> Found:
     at_most(0.8, "mm", why="the printed number"),
     printed("Table 4-2, change of alignment"),
 )  # fmt: skip
-def residual_displacement() -> Found:
+def residual_displacement() -> Finding:
     left = max(map(abs, TABLE_4_2.numbers("change of alignment")))
-    return found(left, f"{left:.2f} mm at most")
+    return finding(left, f"{left:.2f} mm at most")
 
 
 @statement(
@@ -59,10 +59,10 @@ def residual_displacement() -> Found:
     at_most(10.0, "%", why="approximately: 10 %, change of the force"),
     printed("Table 4-2, tendon force before and after"),
 )  # fmt: skip
-def change_of_the_tendon_force() -> Found:
+def change_of_the_tendon_force() -> Finding:
     before, after = (TABLE_4_2.numbers(f"tendon force {when}") for when in ("before", "after"))
     change = 100 * float(np.abs(np.array(after) / before - 1).max())
-    return found(change, f"by up to {change:.1f} %")
+    return finding(change, f"by up to {change:.1f} %")
 
 
 # --- the tendon of 4.6
@@ -85,9 +85,9 @@ def fit_of_4_16(rows: np.ndarray) -> tuple[float, float]:
     closed_form("4-16"), data("Table A-1, tendon force"),
     figure="4-20", lost="the R2 of the text is of the whole record, of which Table A-1 has points",
 )  # fmt: skip
-def fit_of_the_tendon_force() -> Found:
+def fit_of_the_tendon_force() -> Finding:
     rows, peaks = fit_of_4_16(tendon().legible), fit_of_4_16(tendon().peaks)
-    return found(
+    return finding(
         rows[0],
         f"{rows[0]:.3f} at all legible rows, {peaks[0]:.3f} at the peaks; {rows[1]:.3f} and "
         f"{peaks[1]:.3f} with 4-7 from the edge",
@@ -100,12 +100,12 @@ def fit_of_the_tendon_force() -> Found:
     closed_form("4-16"), data("Table A-1, tendon force"),
     figure="4-20",
 )  # fmt: skip
-def adequacy_of_the_tendon_force() -> Found:
+def adequacy_of_the_tendon_force() -> Finding:
     of = tendon()
     r_squared, _ = fit_of_4_16(of.legible)
     large = of.peaks & (np.abs(of.displacement) > 6e-3)
     above = (WALL.tendon_force(of.displacement[large]) - of.force[large]) / 1e3
-    return found(
+    return finding(
         r_squared,
         f"{r_squared:.3f}; yet 4-16 lies {above.min():.1f} to {above.max():.1f} kN above the "
         f"{large.sum()} peaks beyond 6 mm",
@@ -118,7 +118,7 @@ def adequacy_of_the_tendon_force() -> Found:
     data("Table A-1, tendon force at the peaks"),
     figure="4-20",
 )  # fmt: skip
-def stiffness_of_the_tendon() -> Found:
+def stiffness_of_the_tendon() -> Finding:
     fit, stiffness = tendon().fit, WALL.tendons[0].stiffness / 1e6
     low, high = (stiffness * factor for factor in fit.interval("factor"))
     return ranging(
@@ -136,9 +136,9 @@ def stiffness_of_the_tendon() -> Found:
     rounded("195", unit="kN"),
     printed("4.2, 1100 MPa and 177 mm2"),
 )  # fmt: skip
-def rupture_of_the_tendon() -> Found:
+def rupture_of_the_tendon() -> Finding:
     force = TENDON["rupture"] * TENDON["section"] / 1e3
-    return found(force, f"{force:.1f} kN")
+    return finding(force, f"{force:.1f} kN")
 
 
 @statement(
@@ -146,9 +146,9 @@ def rupture_of_the_tendon() -> Found:
     near(160.0, 5.0, "kN", why="half of the last digit that is not zero"),
     printed("4.2, 900 MPa and 177 mm2"),
 )  # fmt: skip
-def yield_of_the_tendon() -> Found:
+def yield_of_the_tendon() -> Finding:
     force = TENDON["yield"] * TENDON["section"] / 1e3
-    return found(force, f"{force:.1f} kN")
+    return finding(force, f"{force:.1f} kN")
 
 
 @statement(
@@ -156,9 +156,9 @@ def yield_of_the_tendon() -> Found:
     at_most(WALL.tendons[0].yield_force / 1e3, "kN", why="the force at which the tendon yields"),
     printed("Table 4-2, largest tendon force"),
 )  # fmt: skip
-def largest_tendon_force() -> Found:
+def largest_tendon_force() -> Finding:
     largest = max(TABLE_4_2.numbers("largest tendon force"))
-    return found(largest, f"{largest:.1f} kN at most")
+    return finding(largest, f"{largest:.1f} kN at most")
 
 
 @statement(
@@ -167,9 +167,9 @@ def largest_tendon_force() -> Found:
     closed_form("3100 mm between the anchors, less the extension by the initial force"),
     slip=True,
 )  # fmt: skip
-def unbonded_length() -> Found:
+def unbonded_length() -> Finding:
     length = 3100 - 1e3 * WALL.tendons[0].initial_extension
-    return found(length, f"{length:.2f} mm: less the extension, not plus")
+    return finding(length, f"{length:.2f} mm: less the extension, not plus")
 
 
 # --- 4.7, B.2: inertia
@@ -190,9 +190,9 @@ def fit_of_4_17(inertia: float) -> float:
     closed_form("4-17 with B-9 as printed, 13 215 kg m2"), data("Table A-1, 22 quarters"),
     figure="4-24",
 )  # fmt: skip
-def fit_of_the_quarter_periods() -> Found:
+def fit_of_the_quarter_periods() -> Finding:
     as_printed, right = fit_of_4_17(13215.0), fit_of_4_17(WALL.corner_inertia)
-    return found(
+    return finding(
         as_printed,
         f"{as_printed:.3f} with 13 215 kg m2, {right:.3f} with the 12 101 kg m2 of B-9 put right: "
         "the figure has the inertia as printed",
@@ -205,10 +205,10 @@ def fit_of_the_quarter_periods() -> Found:
     closed_form("B-9 put right, over R from the centre to the centroid"),
     figure="4-22b",
 )  # fmt: skip
-def deviation_of_inertia_over_radius() -> Found:
+def deviation_of_inertia_over_radius() -> Finding:
     _, ratio = inertia_over_radius()
     off = 100 * float(np.abs(ratio / ratio[-1] - 1).max())
-    return found(off, f"by up to {off:.2f} % from that about the corner")
+    return finding(off, f"by up to {off:.2f} % from that about the corner")
 
 
 @statement(
@@ -216,7 +216,7 @@ def deviation_of_inertia_over_radius() -> Found:
     rounded("3", unit="%"),
     closed_form("B-9 put right, from the outermost centre of 4-7 to the centreline"),
 )  # fmt: skip
-def reduction_of_the_inertia() -> Found:
+def reduction_of_the_inertia() -> Finding:
     half = WALL.half_width
     lifted = half + WALL.rotation_centre.C1, half
     outermost, middle = (float(WALL.moment_of_inertia(d)) for d in lifted)
@@ -224,7 +224,7 @@ def reduction_of_the_inertia() -> Found:
     more = [1438.5 * (d**2 - (d - half) ** 2) for d in lifted]
     as_printed = 100 * (1 - (middle + more[1]) / (outermost + more[0]))
     less = 100 * (1 - middle / outermost)
-    return found(less, f"{less:.1f} %; B-9 as printed gives {as_printed:.1f} %")
+    return finding(less, f"{less:.1f} %; B-9 as printed gives {as_printed:.1f} %")
 
 
 @statement(
@@ -233,12 +233,12 @@ def reduction_of_the_inertia() -> Found:
     closed_form("2-6 with B-9 put right"),
     slip=True,
 )  # fmt: skip
-def constant_restitution_of_the_wall() -> Found:
+def constant_restitution_of_the_wall() -> Finding:
     r = float(computed("2-3")[1][5] or 0.0)
     mass, half, centroid = WALL.mass, WALL.half_width, WALL.centroid_height
     inertia = 686 + 577.56 * (2.743**2 + 4 * half**2) / 3 + 442 + 1438.5 * (2.537**2 + 4 * half**2)
     lost = mass * (half**2 + centroid**2) / inertia * (1 - math.cos(2 * math.atan2(half, centroid)))
-    return found(
+    return finding(
         r,
         f"{r:.3f}, as in 4.9.2.1; {(1 - lost) ** 2:.3f} follows from B-9 as printed with a height "
         "of 2.743 m, that of the wall being 2.438 m",

@@ -19,13 +19,13 @@ from rockeom.thesis import shaken
 from rockeom.thesis.figures import chapter_5_flexible as flexible, chapter_5_rigid as rigid
 from rockeom.thesis.printed import COLUMN, FIGURE_5_6, GAUGE, TABLE_5_1
 from rockeom.thesis.statements.statement import (
-    Found,
+    Finding,
     Register,
     about,
     at_least,
     at_most,
     closed_form,
-    found,
+    finding,
     near,
     printed,
     ranging,
@@ -47,7 +47,7 @@ def _said(peaks: np.ndarray) -> str:
     return f"{peaks[0]:.1f} mm as meant, {peaks.min():.1f} to {peaks.max():.1f} mm over the range"
 
 
-def _changed(ratio: np.ndarray) -> Found:
+def _changed(ratio: np.ndarray) -> Finding:
     """How far ratios of largest displacements are from 1."""
     change = 100 * np.abs(ratio - 1)
     return ranging(
@@ -64,15 +64,15 @@ def _changed(ratio: np.ndarray) -> Found:
     closed_form("5-14"),
     lost="the split of the inertia is not printed; its sum here follows from this r",
 )  # fmt: skip
-def restitution_of_the_column() -> Found:
+def restitution_of_the_column() -> Finding:
     r = float(formulas.energy_ratio_of_lumped_mass(**COLUMN))
-    return found(r, f"{r:.3f}")
+    return finding(r, f"{r:.3f}")
 
 
-def _first_quarter(run: Any, number: str) -> Found:
+def _first_quarter(run: Any, number: str) -> Finding:
     (start, zero, *_), _ = rigid.measured(number)
     own = rigid.first_zero(run)
-    return found(
+    return finding(
         own / float(zero - start),
         f"from rest to upright in {own:.3f} s; the times printed are {float(zero - start):.3f} s "
         "apart",
@@ -89,7 +89,7 @@ _RELEASE = "the time of the release, after the first time printed, is not stated
     simulation("5-9 to 5-11"), printed("Figure 5-6, first two times"),
     figure="5-22", lost=_RELEASE,
 )  # fmt: skip
-def first_quarter_by_model_a() -> Found:
+def first_quarter_by_model_a() -> Finding:
     return _first_quarter(rigid.released(shaken.MODEL_A, 0.74), "Figure 5-6")
 
 
@@ -99,11 +99,11 @@ def first_quarter_by_model_a() -> Found:
     simulation("5-9 to 5-11 with r = 0.81"), _POINTS["A"],
     figure="5-23",
 )  # fmt: skip
-def matching_with_the_ratio_of_the_test() -> Found:
+def matching_with_the_ratio_of_the_test() -> Finding:
     errors = [
         rigid.rms_of_peaks(rigid.released(shaken.MODEL_A, r), "Figure 5-6") for r in (0.81, 0.74)
     ]
-    return found(errors[0] / errors[1], f"rms {errors[0]:.2f} mm, with 0.74 {errors[1]:.2f} mm")
+    return finding(errors[0] / errors[1], f"rms {errors[0]:.2f} mm, with 0.74 {errors[1]:.2f} mm")
 
 
 _PEAK_3 = about(TABLE_5_1.cell("3", "largest displacement"), "mm", why="resembles")
@@ -116,7 +116,7 @@ _PEAK_4 = about(TABLE_5_1.cell("4", "largest displacement"), "mm", why="tracks")
     _RUN_3, printed("Table 5-1, run 3"),
     figure="5-24", lost=_TABLE,
 )  # fmt: skip
-def run_3_by_model_a() -> Found:
+def run_3_by_model_a() -> Finding:
     peaks = rigid.band("3", shaken.MODEL_A)
     return ranging(peaks, _said(peaks))
 
@@ -127,7 +127,7 @@ def run_3_by_model_a() -> Found:
     _RUN_3, printed("Table 5-1, run 3"),
     figure="5-25", lost=_TABLE,
 )  # fmt: skip
-def run_3_with_the_ratio_of_the_test() -> Found:
+def run_3_with_the_ratio_of_the_test() -> Finding:
     measured = TABLE_5_1.cell("3", "largest displacement")
     with_081, with_074 = (rigid.band("3", shaken.MODEL_A, r) for r in (0.81, 0.74))
     ratio = np.abs(with_081 - measured) / np.abs(with_074 - measured)
@@ -142,10 +142,10 @@ def run_3_with_the_ratio_of_the_test() -> Found:
     near(550.0, 55.0, "kN/m", why="approximately: 10 % of k_f = 550 kN/m"),
     closed_form("W/2 over 1.5 mm with the printed masses"),
 )  # fmt: skip
-def stiffness_of_the_rubber() -> Found:
+def stiffness_of_the_rubber() -> Finding:
     weight = (COLUMN["mass"] + COLUMN["base_mass"]) * STANDARD_GRAVITY
     k = weight / 2 / 1.5e-3 / 1e3
-    return found(k, f"{k:.0f} kN/m")
+    return finding(k, f"{k:.0f} kN/m")
 
 
 @statement(
@@ -154,10 +154,10 @@ def stiffness_of_the_rubber() -> Found:
     closed_form("5-26"), closed_form("5-32"),
     figure="5-29",
 )  # fmt: skip
-def forces_at_lift_off() -> Found:
+def forces_at_lift_off() -> Finding:
     a = rigid.approximation(550e3)
     jump = 100 * (a["P_crit2"] / a["P_crit"] - 1)
-    return found(abs(jump), f"P_crit2 is {jump:+.2f} % of P_crit off")
+    return finding(abs(jump), f"P_crit2 is {jump:+.2f} % of P_crit off")
 
 
 @statement(
@@ -167,11 +167,11 @@ def forces_at_lift_off() -> Found:
     closed_form("5-25 and 5-33"), closed_form("pushover with no angle taken as small"),
     figure="5-31",
 )  # fmt: skip
-def accuracy_of_the_linear_approximation() -> Found:
+def accuracy_of_the_linear_approximation() -> Finding:
     u, force = rigid.exact_pushover(550e3)
     off = np.abs(rigid.approximate_force(550e3, u) - force).max()
     worst = 100 * float(off / rigid.approximation(550e3)["P_crit"])
-    return found(worst, f"off by {worst:.1f} % of P_crit at most")
+    return finding(worst, f"off by {worst:.1f} % of P_crit at most")
 
 
 @statement(
@@ -181,7 +181,7 @@ def accuracy_of_the_linear_approximation() -> Found:
     simulation("5-15"), printed("Figure 5-10, first two times"),
     figure="5-32", lost=_RELEASE,
 )  # fmt: skip
-def first_quarter_by_model_b() -> Found:
+def first_quarter_by_model_b() -> Finding:
     return _first_quarter(rigid.released_on_springs(550e3), "Figure 5-10")
 
 
@@ -191,10 +191,10 @@ def first_quarter_by_model_b() -> Found:
     simulation("5-15 with r from 0.74 to 0.84"), _POINTS["B"],
     figure="5-32",
 )  # fmt: skip
-def best_ratio_on_rubber() -> Found:
+def best_ratio_on_rubber() -> Finding:
     errors = rigid.errors_on_rubber()
     best = min(errors, key=lambda r: errors[r])
-    return found(best, f"{best:.2f}: rms {errors[best]:.1f} mm, with 0.74 {errors[0.74]:.1f} mm")
+    return finding(best, f"{best:.2f}: rms {errors[best]:.1f} mm, with 0.74 {errors[0.74]:.1f} mm")
 
 
 @statement(
@@ -203,14 +203,14 @@ def best_ratio_on_rubber() -> Found:
     simulation("5-15 with k_f 50 % less and more"), closed_form("first quarter with 550 kN/m"),
     figure="5-33",
 )  # fmt: skip
-def first_quarter_against_the_stiffness() -> Found:
+def first_quarter_against_the_stiffness() -> Finding:
     zeros = [rigid.first_zero(rigid.released_on_springs(k * 1e3)) for k in (550, 275, 825)]
     errors = [
         rigid.rms_of_peaks(rigid.released_on_springs(k * 1e3), "Figure 5-10")
         for k in (550, 275, 825)
     ]
     change = 100 * max(abs(z / zeros[0] - 1) for z in zeros[1:])
-    return found(
+    return finding(
         change,
         f"the first quarter changes by up to {change:.0f} %; rms of seven peaks "
         f"{min(errors):.1f} to {max(errors):.1f} mm",
@@ -223,7 +223,7 @@ def first_quarter_against_the_stiffness() -> Found:
     _RUN_4, printed("Table 5-1, run 4"),
     figure="5-34", lost=_TABLE,
 )  # fmt: skip
-def run_4_by_model_b() -> Found:
+def run_4_by_model_b() -> Finding:
     peaks = rigid.band("4", shaken.model_b())
     return ranging(
         peaks,
@@ -238,9 +238,9 @@ def run_4_by_model_b() -> Found:
     closed_form("settlement of a foot under the whole weight, less that at rest"),
     figure="5-34",
 )  # fmt: skip
-def compression_of_the_rubber() -> Found:
+def compression_of_the_rubber() -> Finding:
     deepest = 1e3 * rigid.WEIGHT / (2 * 550e3)
-    return found(deepest, f"a foot that bears all of the weight goes down by {deepest:.2f} mm")
+    return finding(deepest, f"a foot that bears all of the weight goes down by {deepest:.2f} mm")
 
 
 @statement(
@@ -249,9 +249,9 @@ def compression_of_the_rubber() -> Found:
     closed_form("settlement of a foot under the whole weight with 10 MN/m"),
     figure="5-35",
 )  # fmt: skip
-def compression_of_stiff_rubber() -> Found:
+def compression_of_stiff_rubber() -> Finding:
     deepest = 1e3 * rigid.WEIGHT / (2 * 10e6)
-    return found(deepest, f"a foot that bears all of the weight goes down by {deepest:.2f} mm")
+    return finding(deepest, f"a foot that bears all of the weight goes down by {deepest:.2f} mm")
 
 
 @statement(
@@ -260,7 +260,7 @@ def compression_of_stiff_rubber() -> Found:
     _RUN_4,
     figure="5-35", lost=_TABLE,
 )  # fmt: skip
-def effect_of_the_stiffness_in_run_4() -> Found:
+def effect_of_the_stiffness_in_run_4() -> Finding:
     stiff, soft = (rigid.band("4", shaken.model_b(k)) for k in (10e6, 550e3))
     return _changed(stiff / soft)
 
@@ -271,7 +271,7 @@ def effect_of_the_stiffness_in_run_4() -> Found:
     _RUN_4,
     figure="5-36", lost=_TABLE,
 )  # fmt: skip
-def stiff_springs_and_rigid_ground_in_run_4() -> Found:
+def stiff_springs_and_rigid_ground_in_run_4() -> Finding:
     cart, run = (rigid.band("4", one) for one in (shaken.model_b(10e6), shaken.MODEL_A))
     change = 100 * np.abs(cart / run - 1)
     return ranging(change, f"{_said(cart)} on 10 MN/m; {_said(run)} on rigid ground")
@@ -286,12 +286,12 @@ def stiff_springs_and_rigid_ground_in_run_4() -> Found:
     simulation("5-34 to 5-37 with r = 0.74 from the first peak of Figure 5-6"),
     figure="5-38", lost="the uplift at which rocking is said to cease is not stated",
 )  # fmt: skip
-def end_of_rocking() -> Found:
+def end_of_rocking() -> Finding:
     ends = [
         flexible.rocking_ends(rigid.released(one, 0.74))
         for one in (flexible.MODEL_C, shaken.MODEL_A)
     ]
-    return found(ends[0] - ends[1], f"{ends[0] - ends[1]:.2f} s, with 0.1 mm as the end")
+    return finding(ends[0] - ends[1], f"{ends[0] - ends[1]:.2f} s, with 0.1 mm as the end")
 
 
 @statement(
@@ -300,10 +300,10 @@ def end_of_rocking() -> Found:
     simulation("5-34 to 5-37 with r = 0.74 from the first peak of Figure 5-6"),
     figure="5-39",
 )  # fmt: skip
-def vibration_after_rocking() -> Found:
+def vibration_after_rocking() -> Finding:
     run, stiff = (rigid.released(one, 0.74) for one in (flexible.MODEL_C, shaken.MODEL_A))
     lasts, ends = flexible.deformation_lasts(run), flexible.rocking_ends(stiff)
-    return found(
+    return finding(
         lasts - ends,
         f"uplifts of 0.1 mm end at {flexible.rocking_ends(run):.2f} s, deformations of 0.1 mm at "
         f"{lasts:.2f} s; the rigid column's uplifts at {ends:.2f} s",
@@ -316,12 +316,12 @@ def vibration_after_rocking() -> Found:
     simulation("5-34 to 5-37 with r = 0.81"), _POINTS["A"],
     figure="5-41",
 )  # fmt: skip
-def matching_of_the_flexible_column() -> Found:
+def matching_of_the_flexible_column() -> Finding:
     errors = [
         rigid.rms_of_peaks(rigid.released(flexible.MODEL_C, r), "Figure 5-6", 4)
         for r in (0.81, 0.74)
     ]
-    return found(errors[0] / errors[1], f"rms {errors[0]:.1f} mm, with 0.74 {errors[1]:.1f} mm")
+    return finding(errors[0] / errors[1], f"rms {errors[0]:.1f} mm, with 0.74 {errors[1]:.1f} mm")
 
 
 @statement(
@@ -331,7 +331,7 @@ def matching_of_the_flexible_column() -> Found:
     _RUN_3, printed("Table 5-1, run 3"),
     figure="5-43", lost=_TABLE,
 )  # fmt: skip
-def run_3_by_model_c() -> Found:
+def run_3_by_model_c() -> Finding:
     peaks = rigid.band("3", flexible.MODEL_C)
     return ranging(peaks, _said(peaks))
 
@@ -342,7 +342,7 @@ def run_3_by_model_c() -> Found:
     _RUN_3,
     figure="5-43", lost=_TABLE,
 )  # fmt: skip
-def effect_of_flexibility_in_run_3() -> Found:
+def effect_of_flexibility_in_run_3() -> Finding:
     bending, stiff = (rigid.band("3", one) for one in (flexible.MODEL_C, shaken.MODEL_A))
     return _changed(bending / stiff)
 
@@ -354,7 +354,7 @@ def effect_of_flexibility_in_run_3() -> Found:
     _RUN_3,
     figure="5-45", lost=_TABLE,
 )  # fmt: skip
-def isolation_by_rocking() -> Found:
+def isolation_by_rocking() -> Finding:
     compared = [flexible.beside(scale, run).ratios for run in "34" for scale in (0.85, 1.0, 1.15)]
     drift = [one["displacement"] for one in compared]
     relief = [1 / one["base_shear"] for one in compared]
@@ -378,9 +378,9 @@ def _spread(curves: dict[str, Any]) -> float:
     _RUN_3,
     figure="5-46", lost=_TABLE,
 )  # fmt: skip
-def sensitivity_to_restitution() -> Found:
+def sensitivity_to_restitution() -> Finding:
     spread = _spread(flexible.with_ratios())
-    return found(spread, f"0.04 more or less changes the largest displacement by {spread:.0f} %")
+    return finding(spread, f"0.04 more or less changes the largest displacement by {spread:.0f} %")
 
 
 @statement(
@@ -389,9 +389,9 @@ def sensitivity_to_restitution() -> Found:
     _RUN_3,
     figure="5-46", lost=_TABLE,
 )  # fmt: skip
-def sensitivity_to_stiffness() -> Found:
+def sensitivity_to_stiffness() -> Finding:
     spread = _spread(flexible.with_stiffnesses())
-    return found(spread, f"10 % more or less changes the largest displacement by {spread:.0f} %")
+    return finding(spread, f"10 % more or less changes the largest displacement by {spread:.0f} %")
 
 
 @statement(
@@ -400,9 +400,9 @@ def sensitivity_to_stiffness() -> Found:
     _RUN_3,
     figure="5-47", lost=_TABLE,
 )  # fmt: skip
-def sensitivity_to_damping() -> Found:
+def sensitivity_to_damping() -> Finding:
     spread = _spread(flexible.with_dampings())
-    return found(
+    return finding(
         spread, f"from none to 6 % of damping changes the largest displacement by {spread:.0f} %"
     )
 
@@ -416,9 +416,9 @@ def sensitivity_to_damping() -> Found:
     simulation("5-9 to 5-11 with 0.74 as either ratio"), _POINTS["A"],
     slip=True,
 )  # fmt: skip
-def ratio_of_velocities_of_the_column() -> Found:
+def ratio_of_velocities_of_the_column() -> Finding:
     errors = [_error_of_column(law) for law in (rk.EnergyRatio(0.74), rk.VelocityRatio(0.74))]
-    return found(
+    return finding(
         errors[1] / errors[0],
         f"the peaks of Figure 5-6 are met within {errors[0]:.1f} mm (rms) with the energy times "
         f"0.74, the velocity times {math.sqrt(0.74):.3f}, and within {errors[1]:.1f} mm with the "
@@ -448,13 +448,13 @@ def _error_of_column(law: rk.EnergyRatio | rk.VelocityRatio) -> float:
     simulation("5-34 to 5-37, momenta about the new foot kept"),
     slip=True,
 )  # fmt: skip
-def rate_of_bending_at_an_impact() -> Found:
+def rate_of_bending_at_an_impact() -> Finding:
     run = rk.simulate(
         shaken.model_c(), rk.GroundMotion.none(1.0), impact=rk.Impulsive(), initial={"theta": 0.03}
     )
     first = run.impacts[0]
     change = first.after["u_dot"] - first.before["u_dot"]
-    return found(
+    return finding(
         change,
         f"by the impulse at the new foot u' changes by {change:.3f} m/s at a first impact of "
         f"{abs(first.before['theta_dot']):.3f} rad/s: two momenta cannot be kept otherwise",

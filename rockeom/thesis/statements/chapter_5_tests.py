@@ -17,14 +17,14 @@ from rockeom.thesis.figures.chapter_5_tests import (
 )
 from rockeom.thesis.printed import COLUMN, FIGURE_5_6, FIGURE_5_10, GAUGE
 from rockeom.thesis.statements.statement import (
-    Found,
+    Finding,
     Register,
     about,
     at_least,
     at_most,
     between,
     closed_form,
-    found,
+    finding,
     near,
     printed,
     rounded,
@@ -40,9 +40,9 @@ _RUN_1, _RUN_2 = printed("Figure 5-6, sixteen points"), printed("Figure 5-10, si
     rounded("1093.8", unit="mm", why="half of the last digit of the third"),
     closed_form("the first two as sides of a right angle"),
 )  # fmt: skip
-def distance_of_the_gauge() -> Found:
+def distance_of_the_gauge() -> Finding:
     far = 1e3 * math.hypot(*GAUGE)
-    return found(far, f"{far:.1f} mm of {1e3 * GAUGE[0]:g} and {1e3 * GAUGE[1]:g} mm")
+    return finding(far, f"{far:.1f} mm of {1e3 * GAUGE[0]:g} and {1e3 * GAUGE[1]:g} mm")
 
 
 @statement(
@@ -52,10 +52,10 @@ def distance_of_the_gauge() -> Found:
     closed_form("5-2 of the displacements with atan(285/1050)"),
     figure="5-7",
 )  # fmt: skip
-def rotations_of_figure_5_6() -> Found:
+def rotations_of_figure_5_6() -> Finding:
     rotation = identification.rotation_from_displacement(points(1)[1][::2], **MEASURED_AT)
     phi = np.abs(rotation) / ALPHA
-    return found(phi, ", ".join(f"{x:.3f}" for x in phi))
+    return finding(phi, ", ".join(f"{x:.3f}" for x in phi))
 
 
 # --- run 1: steel feet
@@ -67,9 +67,9 @@ def rotations_of_figure_5_6() -> Found:
     _RUN_1,
     figure="5-9",
 )  # fmt: skip
-def range_of_restitution() -> Found:
+def range_of_restitution() -> Finding:
     r = impacts().energy_ratio
-    return found(r, f"{r.min():.3f} to {r.max():.3f} of the seven printed impacts")
+    return finding(r, f"{r.min():.3f} to {r.max():.3f} of the seven printed impacts")
 
 
 @statement(
@@ -78,11 +78,11 @@ def range_of_restitution() -> Found:
     _RUN_1,
     figure="5-9",
 )  # fmt: skip
-def restitution_against_the_peak() -> Found:
+def restitution_against_the_peak() -> Finding:
     rocking = impacts()
     peak = np.abs(rocking.peak_before) / ALPHA
     slope = float(np.polyfit(peak, rocking.energy_ratio, 1)[0])
-    return found(slope, f"by {-0.1 * slope:.2f} from 0.1 alpha_e to upright, by a straight line")
+    return finding(slope, f"by {-0.1 * slope:.2f} from 0.1 alpha_e to upright, by a straight line")
 
 
 @statement(
@@ -91,10 +91,10 @@ def restitution_against_the_peak() -> Found:
     closed_form("0.74 of 5-14"), _RUN_1,
     figure="5-6",
 )  # fmt: skip
-def theoretical_ratio_below_the_mean() -> Found:
+def theoretical_ratio_below_the_mean() -> Finding:
     mean = float(impacts().energy_ratio.mean())
     below = 100 * (1 - 0.74 / mean)
-    return found(below, f"{below:.1f} % below {mean:.3f}, the mean of the seven printed impacts")
+    return finding(below, f"{below:.1f} % below {mean:.3f}, the mean of the seven printed impacts")
 
 
 # --- run 2: soft rubber
@@ -107,10 +107,10 @@ def theoretical_ratio_below_the_mean() -> Found:
     _RUN_2, _RUN_1,
     figure="5-10",
 )  # fmt: skip
-def decay_on_rubber() -> Found:
+def decay_on_rubber() -> Finding:
     left = [abs(points(run)[1][::2][7] / points(run)[1][0]) for run in (1, 2)]
     cycles = [math.log(1 / x) / 7 for x in left]
-    return found(
+    return finding(
         cycles[1] / cycles[0],
         f"seven half-cycles leave {100 * left[1]:.0f} % of the first peak on rubber, "
         f"{100 * left[0]:.0f} % on steel: {cycles[1]:.3f} and {cycles[0]:.3f} a half-cycle",
@@ -123,9 +123,9 @@ def decay_on_rubber() -> Found:
     closed_form("5-5 at the printed peaks of Figure 5-10"),
     figure="5-12", lost="the uplifts from which the centre was found are lost",
 )  # fmt: skip
-def travel_of_the_rotation_centre() -> Found:
+def travel_of_the_rotation_centre() -> Finding:
     centre = 1e3 * identification.rotation_centre(smooth_trace(2)[1])
-    return found(
+    return finding(
         [centre.min(), centre.max()], f"by 5-5 from {centre.min():.0f} to {centre.max():.0f} mm"
     )
 
@@ -136,13 +136,13 @@ def travel_of_the_rotation_centre() -> Found:
     closed_form("5-6"), closed_form("5-2"),
     figure="5-13",
 )  # fmt: skip
-def rotation_about_the_moving_centre() -> Found:
+def rotation_about_the_moving_centre() -> Finding:
     first = FIGURE_5_10.numbers("displacement")[0] / 1e3
     fixed = float(identification.rotation_from_displacement(first, **MEASURED_AT))
     centre = identification.rotation_centre(first)
     moving = float(identification.rotation_about_moving_centre(first, centre, GAUGE[1]))
     change = 100 * (moving / fixed - 1)
-    return found(abs(change), f"at {1e3 * first:.2f} mm 5-6 gives {change:+.2f} % of 5-2")
+    return finding(abs(change), f"at {1e3 * first:.2f} mm 5-6 gives {change:+.2f} % of 5-2")
 
 
 @statement(
@@ -151,11 +151,11 @@ def rotation_about_the_moving_centre() -> Found:
     _RUN_2,
     figure="5-14",
 )  # fmt: skip
-def quarter_periods_on_rubber() -> Found:
+def quarter_periods_on_rubber() -> Finding:
     time, displacement = points(2)
     quarters = np.diff(time)[2::2]
     trend = float(np.corrcoef(np.abs(displacement[2::2][: len(quarters)]), quarters)[0, 1])
-    return found(
+    return finding(
         trend,
         f"{quarters.min():.3f} to {quarters.max():.3f} s after the first peak, correlation with "
         f"the peak {trend:.2f}",
@@ -169,9 +169,9 @@ def quarter_periods_on_rubber() -> Found:
     closed_form("vibration of 5-34 and 5-35, feet down and on one foot"),
     figure="5-15",
 )  # fmt: skip
-def frequency_of_the_elastic_mode() -> Found:
+def frequency_of_the_elastic_mode() -> Finding:
     both, foot = frequencies("both")[0], frequencies("right")[-1]
-    return found(
+    return finding(
         56 / max(both, foot),
         f"the model with one mass has {both:.1f} Hz with both feet down and {foot:.1f} Hz on one "
         "foot, so that 56 Hz is neither",
@@ -190,9 +190,9 @@ def _damping() -> tuple[np.ndarray, np.ndarray]:
     _RUN_2,
     figure="5-16", lost="the record continues to smaller peaks, which are not printed",
 )  # fmt: skip
-def mean_damping_on_rubber() -> Found:
+def mean_damping_on_rubber() -> Finding:
     _, ratio = _damping()
-    return found(
+    return finding(
         ratio.mean(),
         f"{ratio.mean():.3f} over the six printed cycles, {ratio.min():.3f} to {ratio.max():.3f}",
     )
@@ -204,10 +204,10 @@ def mean_damping_on_rubber() -> Found:
     _RUN_2,
     figure="5-16",
 )  # fmt: skip
-def damping_against_the_peak() -> Found:
+def damping_against_the_peak() -> Finding:
     size, ratio = _damping()
     every, later = (float(np.corrcoef(size[k:], ratio[k:])[0, 1]) for k in (0, 1))
-    return found(
+    return finding(
         every, f"{every:+.2f}; {later:+.2f} after the first cycle, which has {ratio[0]:.3f}"
     )
 
@@ -221,11 +221,11 @@ def damping_against_the_peak() -> Found:
     closed_form("5-1 with the period on solid feet, 0.112 s"),
     slip=True,
 )  # fmt: skip
-def stiffness_of_the_column() -> Found:
+def stiffness_of_the_column() -> Finding:
     k = [
         float(identification.stiffness_from_period(COLUMN["mass"], t)) / 1e3 for t in (0.112, 0.092)
     ]
-    return found(
+    return finding(
         k[0],
         f"5-1 gives {k[0]:.1f} kN/m at their 0.112 s; {k[1]:.1f} kN/m belongs to 0.092 s, that of "
         "the rubber pad",
@@ -238,8 +238,8 @@ def stiffness_of_the_column() -> Found:
     printed("height of the mass and of the gauge"),
     slip=True,
 )  # fmt: skip
-def height_in_5_6() -> Found:
-    return found(
+def height_in_5_6() -> Finding:
+    return finding(
         1e3 * COLUMN["height"],
         f"H' = {1e3 * GAUGE[1]:g} mm, to the gauge; H of the mass is {1e3 * COLUMN['height']:g} mm",
     )
@@ -251,9 +251,9 @@ def height_in_5_6() -> Found:
     printed("Figure 5-6, seven impacts"),
     slip=True,
 )  # fmt: skip
-def mean_restitution_of_the_captions() -> Found:
+def mean_restitution_of_the_captions() -> Finding:
     mean = float(impacts().energy_ratio.mean())
-    return found(
+    return finding(
         mean,
         f"the mean of Figure 5-6 is {mean:.3f}, of which 0.74 is about 12 % below, as 5.3.1 says; "
         f"of 0.81 it is {100 * (1 - 0.74 / 0.81):.1f} % below",

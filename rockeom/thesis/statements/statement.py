@@ -56,20 +56,20 @@ class Limits:
         unit = f" {self.unit}" if self.unit else ""
         return f"{', '.join(ends)}{unit} ({self.why})"
 
-    def judge(self, found: Found) -> Verdict:
-        """The verdict on what was found; ValueError if the numbers are not as many as printed."""
-        if found.low.shape != self.low.shape:
-            raise ValueError(f"{found.low.size} numbers for {self.low.size} printed")
-        if np.any((found.high < self.low) | (found.low > self.high)):
+    def judge(self, finding: Finding) -> Verdict:
+        """The verdict on a finding; ValueError if the numbers are not as many as printed."""
+        if finding.low.shape != self.low.shape:
+            raise ValueError(f"{finding.low.size} numbers for {self.low.size} printed")
+        if np.any((finding.high < self.low) | (finding.low > self.high)):
             return Verdict.DIFFERS
-        inside = (found.low >= self.low) & (found.high <= self.high)
+        inside = (finding.low >= self.low) & (finding.high <= self.high)
         return Verdict.HOLDS if np.all(inside) else Verdict.OPEN
 
-    def excluding(self, found: Found) -> Limits:
-        """The limits after the first printed number changed just beyond what was found."""
-        width = 1e-9 * (1.0 + abs(found.low[0]) + abs(found.high[0]))
-        up = found.high[0] - self.low[0] + width
-        down = found.low[0] - self.high[0] - width
+    def excluding(self, finding: Finding) -> Limits:
+        """The limits after the first printed number changed just beyond a finding."""
+        width = 1e-9 * (1.0 + abs(finding.low[0]) + abs(finding.high[0]))
+        up = finding.high[0] - self.low[0] + width
+        down = finding.low[0] - self.high[0] - width
         by = up if math.isfinite(self.low[0]) else down
         change = np.zeros(self.low.shape)
         change[0] = by
@@ -165,21 +165,21 @@ def simulation(name: str) -> Evidence:
     return Evidence(Origin.SIMULATION, name)
 
 
-class Found(NamedTuple):
-    """Value found: (n,) lower and upper ends, equal without a range, and a text with units."""
+class Finding(NamedTuple):
+    """A finding: (n,) lower and upper ends, equal without a range, and a text with units."""
 
     low: np.ndarray
     high: np.ndarray
     words: str
 
 
-def found(value: ArrayLike, words: str) -> Found:
+def finding(value: ArrayLike, words: str) -> Finding:
     """One number for each printed one, (n,); ValueError if one is not a number."""
     values = np.atleast_1d(np.asarray(value, float))
     return _checked(values, values, words)
 
 
-def ranging(values: ArrayLike, words: str) -> Found:
+def ranging(values: ArrayLike, words: str) -> Finding:
     """The range of a number (m,), or of n numbers (m, n), over inputs known within limits only.
 
     `words` names what was varied, and how far.
@@ -188,27 +188,27 @@ def ranging(values: ArrayLike, words: str) -> Found:
     return _checked(np.atleast_1d(every.min(axis=0)), np.atleast_1d(every.max(axis=0)), words)
 
 
-def slope_of(r: np.ndarray, speed: np.ndarray, first: float) -> Found:
+def slope_of(r: np.ndarray, speed: np.ndarray, first: float) -> Finding:
     """The slope of ratios r (n,) against speeds (n,) [m/s] over half the width of its interval.
 
     first : a ratio to begin the fit with.
     """
     line = fit(lambda r, slope: r + slope * speed, r, {"r": first, "slope": 0.0})
     low, high = line.interval("slope")
-    return found(
+    return finding(
         abs(low + high) / (high - low), f"slope {low:+.2f} to {high:+.2f} s/m with 95 % confidence"
     )
 
 
-def unknown(words: str) -> Found:
+def unknown(words: str) -> Finding:
     """A text alone, where no number can be found, since an input is lost."""
-    return Found(np.empty(0), np.empty(0), words)
+    return Finding(np.empty(0), np.empty(0), words)
 
 
-def _checked(low: np.ndarray, high: np.ndarray, words: str) -> Found:
+def _checked(low: np.ndarray, high: np.ndarray, words: str) -> Finding:
     if not (np.all(np.isfinite(low)) and np.all(np.isfinite(high))):
         raise ValueError(f"not a number among {low} to {high}: {words}")
-    return Found(low, high, words)
+    return Finding(low, high, words)
 
 
 # --- statements
@@ -230,7 +230,7 @@ class Statement:
     words: str
     limits: Limits
     evidence: tuple[Evidence, ...]
-    find: Callable[[], Found]
+    find: Callable[[], Finding]
     figure: str = field(default="", kw_only=True)
     lost: str = field(default="", kw_only=True)
     slip: bool = field(default=False, kw_only=True)
@@ -248,28 +248,28 @@ class Statement:
     def function(self) -> str:
         """Full name of the function that finds the number, with its arguments if it has any."""
         if isinstance(self.find, partial):
-            of, given = self.find.func, f"({', '.join(map(repr, self.find.args))})"
+            of, arguments = self.find.func, f"({', '.join(map(repr, self.find.args))})"
         else:
-            of, given = self.find, ""
-        return f"{of.__module__}.{of.__qualname__}{given}"
+            of, arguments = self.find, ""
+        return f"{of.__module__}.{of.__qualname__}{arguments}"
 
     def judged(self) -> Judgement:
         """The statement judged; open where a record that it needs is not at hand."""
         try:
-            found = self.find()
+            finding = self.find()
         except MotionError as error:
             return Judgement(self, None, Verdict.OPEN, str(error))
         if self.lost:
-            return Judgement(self, found, Verdict.OPEN, f"{self.lost}; {found.words}")
-        return Judgement(self, found, self.limits.judge(found), found.words)
+            return Judgement(self, finding, Verdict.OPEN, f"{self.lost}; {finding.words}")
+        return Judgement(self, finding, self.limits.judge(finding), finding.words)
 
 
 @dataclass(frozen=True)
 class Judgement:
-    """A statement, what was found, the verdict, and a text of what was found or is missing."""
+    """A statement, its finding, the verdict, and a text of the finding or of what is missing."""
 
     statement: Statement
-    found: Found | None
+    finding: Finding | None
     verdict: Verdict
     words: str
 
@@ -297,8 +297,8 @@ class Register:
     def __call__(
         self, place: str, words: str, limits: Limits, *evidence: Evidence,
         figure: str = "", lost: str = "", slip: bool = False,
-    ) -> Callable[[Callable[[], Found]], Callable[[], Found]]:  # fmt: skip
-        def add(find: Callable[[], Found]) -> Callable[[], Found]:
+    ) -> Callable[[Callable[[], Finding]], Callable[[], Finding]]:  # fmt: skip
+        def add(find: Callable[[], Finding]) -> Callable[[], Finding]:
             self.statements.append(
                 Statement(place, words, limits, evidence, find, figure=figure, lost=lost, slip=slip)
             )

@@ -35,21 +35,36 @@ class ControlledWallOscillator(StructureWithFields):
     The state `u` is Delta [m]; no velocity jumps and `impacts` is empty. Tolerances must be below
     the regularisation n.
 
-    mass : mass of the wall and what it carries [kg]
-    height : height of the point whose displacement is Delta [m]
-    half_width : half of the width of the base [m]
-    edge_distance : distance of the rotation centre from the edge, fully rocking [m]
-    transition : displacement over which the rotation centre moves out [m]
-    tendon_stiffness : stiffness of tendon [N/m]
-    initial_force : force of tendon [N]
-    yield_force : yield force of tendon [N]
-    regularisation : width of a passage in Delta [m]
-    held : 1: r of the speed of the whole passage; 0: of that of the instant [-]
-    energy_ratio : energy ratio r of a passage, in piece 1 at no speed [-]
-    effective_mass : mass of the equivalent oscillator [kg]; mass if not given
-    eccentricity : place of tendon along the base, from the centreline, positive to the right
-        [m]
-    gravity : acceleration of gravity [m/s2]
+    Parameters
+    ----------
+    mass : float
+        Mass of the wall and what it carries [kg].
+    height : float
+        Height of the point whose displacement is Delta [m].
+    half_width : float
+        Half of the width of the base [m].
+    edge_distance : float
+        Distance of the rotation centre from the edge, fully rocking [m].
+    transition : float
+        Displacement over which the rotation centre moves out [m].
+    tendon_stiffness : float
+        Stiffness of tendon [N/m].
+    initial_force : float
+        Force of tendon [N].
+    yield_force : float
+        Yield force of tendon [N].
+    regularisation : float
+        Width of a passage in Delta [m].
+    held : float
+        1: r of the speed of the whole passage; 0: of that of the instant.
+    energy_ratio : object
+        Energy ratio r of a passage, in piece 1 at no speed.
+    effective_mass : float, optional
+        Mass of the equivalent oscillator [kg]; mass if not given.
+    eccentricity : float, optional
+        Place of tendon along the base, from the centreline, positive to the right [m].
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
     """
 
     model: ClassVar[str] = "controlled_wall_oscillator"

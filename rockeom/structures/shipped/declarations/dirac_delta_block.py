@@ -27,9 +27,14 @@ class DiracDeltaBlock(StructureWithFields):
     Modes are marks on the way, at which a step ends: none leaps over the force. Only "left" and
     "right", far from the impact, are written in their shorter form.
 
-    alpha : angle of the line from edge to centroid [rad]
-    energy_ratio : ratio of kinetic energies after and before an impact [-]
-    regularisation : width of an impact in x [-]
+    Parameters
+    ----------
+    alpha : float
+        Angle of the line from edge to centroid [rad].
+    energy_ratio : float
+        Ratio of kinetic energies after and before an impact.
+    regularisation : float
+        Width of an impact in x.
     """
 
     model: ClassVar[str] = "dirac_delta_block"

@@ -27,23 +27,40 @@ class FlexibleControlledWall(StructureWithFields):
     hinge, (1 + m H_c**2/I)**(1/2) times as fast as on a base that cannot turn. No velocity jumps
     where it comes upright.
 
-    mass : mass of the wall and what it carries [kg]
-    inertia : moment of inertia about the centroid [kg m2]
-    centroid_height : height of the centroid [m]
-    height : height of the point whose displacement is Delta [m]
-    half_width : half of the width of the base [m]
-    edge_distance : distance of the rotation centre from the edge, fully rocking [m]
-    transition : displacement over which the rotation centre moves out [m]
-    anchor_height : height of the tendons' anchors in the wall above its base [m]
-    anchor_depth : depth of their anchors in the foundation below the base [m]
-    tendon_stiffness : stiffness of tendon [N/m]
-    initial_force : force of tendon [N]
-    yield_force : yield force of tendon [N]
-    stiffness : stiffness of the wall against its deflection [N/m]
-    damping : viscous damping coefficient of the deflection [N s/m]
-    eccentricity : place of tendon along the base, from the centreline, positive to the right
-        [m]
-    gravity : acceleration of gravity [m/s2]
+    Parameters
+    ----------
+    mass : float
+        Mass of the wall and what it carries [kg].
+    inertia : float
+        Moment of inertia about the centroid [kg m2].
+    centroid_height : float
+        Height of the centroid [m].
+    height : float
+        Height of the point whose displacement is Delta [m].
+    half_width : float
+        Half of the width of the base [m].
+    edge_distance : float
+        Distance of the rotation centre from the edge, fully rocking [m].
+    transition : float
+        Displacement over which the rotation centre moves out [m].
+    anchor_height : float
+        Height of the tendons' anchors in the wall above its base [m].
+    anchor_depth : float
+        Depth of their anchors in the foundation below the base [m].
+    tendon_stiffness : float
+        Stiffness of tendon [N/m].
+    initial_force : float
+        Force of tendon [N].
+    yield_force : float
+        Yield force of tendon [N].
+    stiffness : float
+        Stiffness of the wall against its deflection [N/m].
+    damping : float
+        Viscous damping coefficient of the deflection [N s/m].
+    eccentricity : float, optional
+        Place of tendon along the base, from the centreline, positive to the right [m].
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
     """
 
     model: ClassVar[str] = "flexible_controlled_wall"

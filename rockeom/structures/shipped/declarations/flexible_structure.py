@@ -16,18 +16,40 @@ class FlexibleStructure(StructureWithFields):
 
     A superstructure on an elastic, damped column that stands on a rocking rigid base.
 
-    support : what the base stands on, rk.Pinned() on rigid ground if not given.
+    Parameters
+    ----------
+    mass : float
+        Mass of the superstructure [kg].
+    height : float
+        Height of the superstructure's centroid [m].
+    inertia : float
+        Its moment of inertia about its centroid [kg m2].
+    base_mass : float
+        Mass of the base structure [kg].
+    base_height : float
+        Height of the base's centroid [m].
+    base_inertia : float
+        Its moment of inertia about its centroid [kg m2].
+    half_width : float
+        Half of the distance between the feet [m].
+    stiffness : float
+        Flexural stiffness of the column [N/m].
+    damping : float
+        Viscous damping coefficient of the column [N s/m].
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+    support : Support, optional
+        Support of the base; rk.Pinned() on rigid ground if not given.
 
-    mass : mass of the superstructure [kg]
-    height : height of the superstructure's centroid [m]
-    inertia : its moment of inertia about its centroid [kg m2]
-    base_mass : mass of the base structure [kg]
-    base_height : height of the base's centroid [m]
-    base_inertia : its moment of inertia about its centroid [kg m2]
-    half_width : half of the distance between the feet [m]
-    stiffness : flexural stiffness of the column [N/m]
-    damping : viscous damping coefficient of the column [N s/m]
-    gravity : acceleration of gravity [m/s2]
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> pier = rk.FlexibleStructure(
+    ...     mass=200e3, height=10.0, inertia=0.0, base_mass=80e3, base_height=0.5,
+    ...     base_inertia=60e3, half_width=2.5, stiffness=32e6, damping=250e3,
+    ... )  # kg, m, kg m2, N/m, N s/m
+    >>> pier.fixed_base().periods.round(3)  # s
+    array([0.497])
     """
 
     model: ClassVar[str] = "flexible_structure"

@@ -16,16 +16,26 @@ class LumpedMassStructure(StructureWithFields):
 
     A rigid superstructure and a base, both lumped masses that rock about two fixed pivots.
 
-    support : what the base stands on, rk.Pinned() on rigid ground if not given.
-
-    mass : mass of the superstructure [kg]
-    height : height of the superstructure's centroid [m]
-    inertia : its moment of inertia about its centroid [kg m2]
-    base_mass : mass of the base structure [kg]
-    base_height : height of the base's centroid [m]
-    base_inertia : its moment of inertia about its centroid [kg m2]
-    half_width : half of the distance between the feet [m]
-    gravity : acceleration of gravity [m/s2]
+    Parameters
+    ----------
+    mass : float
+        Mass of the superstructure [kg].
+    height : float
+        Height of the superstructure's centroid [m].
+    inertia : float
+        Its moment of inertia about its centroid [kg m2].
+    base_mass : float
+        Mass of the base structure [kg].
+    base_height : float
+        Height of the base's centroid [m].
+    base_inertia : float
+        Its moment of inertia about its centroid [kg m2].
+    half_width : float
+        Half of the distance between the feet [m].
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+    support : Support, optional
+        Support of the base; rk.Pinned() on rigid ground if not given.
     """
 
     model: ClassVar[str] = "lumped_mass_structure"

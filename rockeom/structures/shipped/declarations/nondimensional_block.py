@@ -19,8 +19,12 @@ class NondimensionalBlock(StructureWithFields):
     ground accelerations are in units of g, and I_o = mgR/p**2 leaves two numbers: alpha and
     rho = m R**2/I_o (3/4 for a rectangular block), which is the radius in these units.
 
-    alpha : angle of the line from edge to centroid [rad]
-    radius_ratio : $m R^2/I_o$, 3/4 for a rectangular block [-]
+    Parameters
+    ----------
+    alpha : float
+        Angle of the line from edge to centroid [rad].
+    radius_ratio : float, optional
+        $m R^2/I_o$, 3/4 for a rectangular block.
     """
 
     model: ClassVar[str] = "nondimensional_block"

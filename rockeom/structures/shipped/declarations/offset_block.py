@@ -20,13 +20,23 @@ class OffsetBlock(StructureWithFields):
     It lifts and overturns at different accelerations and angles to the right and to the left, and
     loses different parts of its angular velocity at impacts of its left and its right foot.
 
-    half_width : half of the width of the base [m]
-    half_height : height of the centroid above the base [m]
-    offset : of the centroid, to the right of the middle of the base [m]
-    mass : mass [kg]
-    inertia : moment of inertia about the centroid [kg m2]; that of a homogeneous rectangle
-        about its middle if not given
-    gravity : acceleration of gravity [m/s2]
+    Parameters
+    ----------
+    half_width : float
+        Half of the width of the base [m].
+    half_height : float
+        Height of the centroid above the base [m].
+    offset : float
+        Distance of the centroid to the right of the middle of the base [m].
+    mass : float, optional
+        Mass [kg].
+    inertia : float, optional
+        Moment of inertia about the centroid [kg m2]; that of a homogeneous rectangle about its
+        middle if not given.
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+    full_height : float, optional
+        Height of the whole block [m], for a strap and for words; `from_dimensions` sets it.
     """
 
     model: ClassVar[str] = "offset_block"

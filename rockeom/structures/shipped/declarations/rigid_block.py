@@ -17,12 +17,30 @@ class RigidBlock(StructureWithFields):
 
     Housner's rigid body, which rocks about its two edges; any size of rotation.
 
-    half_width : half of the width of the base [m]
-    half_height : height of the centroid above the base [m]
-    mass : mass [kg]
-    inertia : moment of inertia about the centroid [kg m2]; that of a homogeneous rectangle if
-        not given
-    gravity : acceleration of gravity [m/s2]
+    Parameters
+    ----------
+    half_width : float
+        Half of the width of the base [m].
+    half_height : float
+        Height of the centroid above the base [m].
+    mass : float, optional
+        Mass [kg].
+    inertia : float, optional
+        Moment of inertia about the centroid [kg m2]; that of a homogeneous rectangle if not
+        given.
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+    full_height : float, optional
+        Height of the whole block [m], for a strap and for words; `from_dimensions` sets it.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4, mass=300.0)  # m, kg
+    >>> round(block.alpha, 4), round(block.p, 3)  # rad, rad/s
+    (0.245, 4.224)
+    >>> round(block.uplift_acceleration, 3)  # m/s2
+    2.453
     """
 
     model: ClassVar[str] = "rigid_block"

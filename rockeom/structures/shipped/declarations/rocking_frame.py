@@ -20,12 +20,20 @@ class RockingFrame(StructureWithFields):
     columns turn alike, they are one body of their mass and inertia together; the forces on the
     feet are sums over the columns.
 
-    columns : number of columns [-]
-    column_mass : mass of each column [kg]
-    half_width : half of the width of a column [m]
-    half_height : half of the height of a column [m]
-    beam_mass : mass of the beam [kg]
-    gravity : acceleration of gravity [m/s2]
+    Parameters
+    ----------
+    columns : float
+        Number of columns.
+    column_mass : float
+        Mass of each column [kg].
+    half_width : float
+        Half of the width of a column [m].
+    half_height : float
+        Half of the height of a column [m].
+    beam_mass : float
+        Mass of the beam [kg].
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
     """
 
     model: ClassVar[str] = "rocking_frame"

@@ -19,19 +19,32 @@ class SimplifiedSubstituteGravityWall(StructureWithFields):
     Only the extension of the tendon knows of the rotation centre that moves (4-16). The wall lifts
     off when the ground acceleration exceeds (m g + P) B/(m H_c).
 
-    mass : mass of the wall and what it carries [kg]
-    pivot_inertia : moment of inertia about the rotation centre, constant [kg m2]
-    centroid_height : height of the centroid [m]
-    height : height of the point whose displacement is Delta [m]
-    half_width : half of the width of the base [m]
-    edge_distance : distance of the rotation centre from the edge, fully rocking [m]
-    transition : displacement over which the rotation centre moves out [m]
-    tendon_stiffness : stiffness of tendon [N/m]
-    initial_force : force of tendon [N]
-    yield_force : yield force of tendon [N]
-    eccentricity : place of tendon along the base, from the centreline, positive to the right
-        [m]
-    gravity : acceleration of gravity [m/s2]
+    Parameters
+    ----------
+    mass : float
+        Mass of the wall and what it carries [kg].
+    pivot_inertia : float
+        Moment of inertia about the rotation centre, constant [kg m2].
+    centroid_height : float
+        Height of the centroid [m].
+    height : float
+        Height of the point whose displacement is Delta [m].
+    half_width : float
+        Half of the width of the base [m].
+    edge_distance : float
+        Distance of the rotation centre from the edge, fully rocking [m].
+    transition : float
+        Displacement over which the rotation centre moves out [m].
+    tendon_stiffness : float
+        Stiffness of tendon [N/m].
+    initial_force : float
+        Force of tendon [N].
+    yield_force : float
+        Yield force of tendon [N].
+    eccentricity : float, optional
+        Place of tendon along the base, from the centreline, positive to the right [m].
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
     """
 
     model: ClassVar[str] = "simplified_substitute_gravity_wall"

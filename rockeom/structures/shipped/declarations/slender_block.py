@@ -19,12 +19,19 @@ class SlenderBlock(StructureWithFields):
     Rotation, alpha and horizontal ground acceleration in g are small of first order. The
     restitution keeps the exact geometry (thesis 2-6), as Housner's does.
 
-    radius : distance of the centroid from either edge [m]
-    alpha : angle of that line from the vertical [rad]
-    mass : mass [kg]
-    inertia : moment of inertia about the centroid [kg m2]; that of a homogeneous rectangle if
-        not given
-    gravity : acceleration of gravity [m/s2]
+    Parameters
+    ----------
+    radius : float
+        Distance of the centroid from either edge [m].
+    alpha : float
+        Angle of that line from the vertical [rad].
+    mass : float, optional
+        Mass [kg].
+    inertia : float, optional
+        Moment of inertia about the centroid [kg m2]; that of a homogeneous rectangle if not
+        given.
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
     """
 
     model: ClassVar[str] = "slender_block"

@@ -21,14 +21,25 @@ class SlidingBlock(StructureWithFields):
     rates. A restitution of 0 to 1 is the ratio of the rates of a foot's gap after and before it
     lands.
 
-    half_width : half of the width of the base [m]
-    half_height : height of the centroid above the base [m]
-    friction : coefficient of friction at each foot [-]
-    restitution : ratio of the rates of a gap after and before an impact [-]
-    mass : mass [kg]
-    inertia : moment of inertia about the centroid [kg m2]; that of a homogeneous rectangle if
-        not given
-    gravity : acceleration of gravity [m/s2]
+    Parameters
+    ----------
+    half_width : float
+        Half of the width of the base [m].
+    half_height : float
+        Height of the centroid above the base [m].
+    friction : float
+        Coefficient of friction at each foot.
+    restitution : float
+        Ratio of the rates of a gap after and before an impact.
+    mass : float, optional
+        Mass [kg].
+    inertia : float, optional
+        Moment of inertia about the centroid [kg m2]; that of a homogeneous rectangle if not
+        given.
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+    full_height : float, optional
+        Height of the whole block [m], for a strap and for words; `from_dimensions` sets it.
     """
 
     model: ClassVar[str] = "sliding_block"

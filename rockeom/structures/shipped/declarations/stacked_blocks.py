@@ -20,29 +20,50 @@ class StackedBlocks(StructureWithFields):
     over its normal force. A restitution of 0 to 1 is the ratio of the rates of a gap after and
     before a corner lands alone. The upper block is no wider than the lower one.
 
-    lower, upper : two of `RigidBlock` under one gravity may take the place of the parameters of
-    each block.
-
-    support : without one no corner slips; impacts are by Newton's law, or above a restitution of 0
-    by Poisson's, since Newton's has no impulse for many landings that do not slip. At corners of
-    both blocks `rk.Sliding(friction=..., restitution=..., law=...)` has its own of each; its
-    equations are derived at their first use.
+    Two of `RigidBlock` under one gravity, `lower` and `upper`, may take the place of the parameters
+    of each block.
 
     The states are x, y [m] and theta [rad] of the lower block's base; xi and eta [m] of the upper
     block's base along and above the lower one's top, and its rotation phi [rad]; and their rates.
 
-    lower_half_width : half of the width of the lower block [m]
-    lower_half_height : half of the height of the lower block [m]
-    upper_half_width : half of the width of the upper block [m]
-    upper_half_height : half of the height of the upper block [m]
-    lower_mass : mass of the lower block [kg]
-    lower_inertia : moment of inertia about the centroid of the lower block [kg m2]; that of a
-        homogeneous rectangle if not given
-    upper_mass : mass of the upper block [kg]
-    upper_inertia : moment of inertia about the centroid of the upper block [kg m2]; that of a
-        homogeneous rectangle if not given
-    gravity : acceleration of gravity [m/s2]
-    restitution : ratio of the rates of a gap after and before an impact [-]
+    Parameters
+    ----------
+    lower_half_width : float
+        Half of the width of the lower block [m].
+    lower_half_height : float
+        Half of the height of the lower block [m].
+    upper_half_width : float
+        Half of the width of the upper block [m].
+    upper_half_height : float
+        Half of the height of the upper block [m].
+    lower_mass : float, optional
+        Mass of the lower block [kg].
+    lower_inertia : float, optional
+        Moment of inertia about the centroid of the lower block [kg m2]; that of a homogeneous
+        rectangle if not given.
+    upper_mass : float, optional
+        Mass of the upper block [kg].
+    upper_inertia : float, optional
+        Moment of inertia about the centroid of the upper block [kg m2]; that of a homogeneous
+        rectangle if not given.
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+    restitution : float, optional
+        Ratio of the rates of a gap after and before an impact.
+    support : Support, optional
+        Without one no corner slips; impacts are by Newton's law, or above a restitution of 0 by
+        Poisson's, since Newton's has no impulse for many landings that do not slip. At corners of
+        both blocks ``rk.Sliding(friction=..., restitution=..., law=...)`` has its own of each; its
+        equations are derived at their first use.
+
+    Examples
+    --------
+    >>> import rockeom as rk
+    >>> pedestal = rk.RigidBlock(half_width=0.3, half_height=0.4, mass=500.0)  # m, kg
+    >>> statue = rk.RigidBlock(half_width=0.2, half_height=0.7, mass=300.0)
+    >>> stack = rk.StackedBlocks(lower=pedestal, upper=statue)
+    >>> stack.upper_mass  # kg
+    300.0
     """
 
     model: ClassVar[str] = "stacked_blocks"

@@ -19,15 +19,26 @@ class TwoSpringCart(StructureWithFields):
     Each passage through u = 0 is an impact with the restitution of the structure on fixed
     pivots (5-14).
 
-    mass : mass of the superstructure [kg]
-    height : height of the superstructure's centroid [m]
-    inertia : its moment of inertia about its centroid [kg m2]
-    base_mass : mass of the base structure [kg]
-    base_height : height of the base's centroid [m]
-    base_inertia : its moment of inertia about its centroid [kg m2]
-    half_width : half of the distance between the feet [m]
-    foundation_stiffness : stiffness of each spring [N/m]
-    gravity : acceleration of gravity [m/s2]
+    Parameters
+    ----------
+    mass : float
+        Mass of the superstructure [kg].
+    height : float
+        Height of the superstructure's centroid [m].
+    inertia : float
+        Its moment of inertia about its centroid [kg m2].
+    base_mass : float
+        Mass of the base structure [kg].
+    base_height : float
+        Height of the base's centroid [m].
+    base_inertia : float
+        Its moment of inertia about its centroid [kg m2].
+    half_width : float
+        Half of the distance between the feet [m].
+    foundation_stiffness : float
+        Stiffness of each spring [N/m].
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
     """
 
     model: ClassVar[str] = "two_spring_cart"

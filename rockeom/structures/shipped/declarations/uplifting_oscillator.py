@@ -21,12 +21,20 @@ class UpliftingOscillator(StructureWithFields):
     By `Impulsive` each impact ends in full contact. The base has no weight to keep it down:
     `lost_contact` says whether a foot would have jumped.
 
-    mass : mass, a point [kg]
-    height : height of the mass above the base [m]
-    half_width : half of the distance between the feet [m]
-    stiffness : flexural stiffness of the column [N/m]
-    damping : viscous damping coefficient of the column [N s/m]
-    gravity : acceleration of gravity [m/s2]
+    Parameters
+    ----------
+    mass : float
+        Mass, a point [kg].
+    height : float
+        Height of the mass above the base [m].
+    half_width : float
+        Half of the distance between the feet [m].
+    stiffness : float
+        Flexural stiffness of the column [N/m].
+    damping : float
+        Viscous damping coefficient of the column [N s/m].
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
     """
 
     model: ClassVar[str] = "uplifting_oscillator"

@@ -20,17 +20,30 @@ class WallWithFrame(StructureWithFields):
     level. How far from the wall the frame stands changes nothing but a sketch. The forces on the
     feet are those of the wall alone: the frame's columns carry its mass.
 
-    mass : mass of the wall [kg]
-    half_width : half of the width of the wall [m]
-    height : height of the wall's centroid [m]
-    inertia : the wall's inertia about its centroid [kg m2]
-    frame_mass : mass of the frame [kg]
-    frame_stiffness : lateral stiffness of the frame [N/m]
-    frame_damping : damping of the frame [N s/m]
-    link_height : height of the frame and of the link [m]
-    link_stiffness : stiffness of the link [N/m]
-    link_damping : damping of the link [N s/m]
-    gravity : acceleration of gravity [m/s2]
+    Parameters
+    ----------
+    mass : float
+        Mass of the wall [kg].
+    half_width : float
+        Half of the width of the wall [m].
+    height : float
+        Height of the wall's centroid [m].
+    inertia : float
+        The wall's inertia about its centroid [kg m2].
+    frame_mass : float
+        Mass of the frame [kg].
+    frame_stiffness : float
+        Lateral stiffness of the frame [N/m].
+    frame_damping : float
+        Damping of the frame [N s/m].
+    link_height : float
+        Height of the frame and of the link [m].
+    link_stiffness : float
+        Stiffness of the link [N/m].
+    link_damping : float
+        Damping of the link [N s/m].
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
     """
 
     model: ClassVar[str] = "wall_with_frame"

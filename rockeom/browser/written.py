@@ -1,0 +1,16 @@
+"""Names of the text that a set-up writes, see `rockeom.browser.setup`."""
+
+from rockeom.compiler.decorators import Floats, Floats2
+
+MOST_P: int
+ROWS_X: int
+ROWS_Y: int
+BOTH_MODE: int
+LEFT_FOOT: int
+RIGHT_FOOT: int
+N_REACTIONS: int
+
+
+def set_up(
+    sliders: Floats, y: Floats, p: Floats, horizontal: Floats2, vertical: Floats2, numbers: Floats
+) -> int: ...

@@ -1,0 +1,191 @@
+"""The names that are bound when a program is built: each program has others behind them.
+
+The compiler takes this module for the texts that a program is built with. A name that none of them
+defines is an error only where a function uses it. Python itself runs no function of this file.
+"""
+
+import numpy as np
+
+from rockeom.compiler.decorators import Floats, Floats2
+from rockeom.integrator.records import Arrays, Case, Ground, Motion, Recorder, Rest, Row, Step
+
+Int = int | np.int64
+Float = float | np.float64
+Gap = tuple[float, float, float, float, float, float]
+"""Bernstein coefficients of a gap, see `gap_at_ends`."""
+
+# -- a generated module: the structure
+
+N_STATES: int
+N_GUARDS: int
+N_PARTS: int
+N_POINTS: int
+N_KNOWN: int
+N_ELEMENTS: int
+ROTATION: int
+ROTATION_RATE: int
+N_FALLS: int
+FEET_OF: tuple[tuple[int, ...], ...]
+POSITIONS: tuple[str, ...]
+FALLS: tuple[int, ...]
+SIDES: tuple[float, ...]
+GUARDS: tuple[int, ...]
+KINDS: tuple[tuple[int, ...], ...]
+TARGETS: tuple[tuple[int, ...], ...]
+REVERSE: tuple[tuple[int, ...], ...]
+PARTS: tuple[tuple[int, ...], ...]
+POINT_STATES: tuple[tuple[int, ...], ...]
+ELEMENT_STATES: tuple[tuple[int, ...], ...]
+SHARED: tuple[tuple[int, ...], ...]
+SUBJECTS: tuple[tuple[int, ...], ...]
+IMPACT_LAW: int
+LOCALISED: bool
+FULL_CONTACT: int
+
+EQUATIONS: tuple[int, ...]
+
+
+def rates(mode: Int, y: Floats, p: Floats, ax: Float, ay: Float, dy: Floats) -> None: ...
+def opening_acceleration(mode: Int, y: Floats, p: Floats, ax: Float, ay: Float) -> float: ...
+def guards(mode: Int, y: Floats, p: Floats, ax: Float, ay: Float, g: Floats) -> None: ...
+def full_contact_guards(y: Floats, p: Floats, ax: Float, g: Floats) -> None: ...
+def jump(
+    mode: Int, guard: Int, law: Int, ratio: Float, y: Floats, p: Floats, out: Floats
+) -> int: ...
+def energies(mode: Int, y: Floats, p: Floats, out: Floats) -> None: ...
+def reactions(mode: Int, y: Floats, p: Floats, ax: Float, ay: Float, out: Floats) -> None: ...
+def powers(mode: Int, y: Floats, p: Floats, ax: Float, ay: Float, out: Floats) -> None: ...
+def statics(mode: Int, y: Floats, p: Floats, load: Float, out: Floats) -> None: ...
+def kinematics(mode: Int, y: Floats, p: Floats, out: Floats) -> None: ...
+def positions(mode: Int, y: Floats, p: Floats, out: Floats) -> None: ...
+def shapes(p: Floats, out: Floats) -> None: ...
+def overturns_at(number: Int, p: Floats) -> float: ...
+
+
+# -- of one whose contacts may open, slide and bounce
+
+
+def free_motion(
+    y: Floats, p: Floats, ax: Float, ay: Float, mode: Int, matrix: Floats, forces: Floats
+) -> None: ...
+def points(y: Floats, p: Floats, out: Floats) -> None: ...
+def point_laws(p: Floats, out: Floats) -> None: ...
+def point_numbers(p: Floats, out: Floats) -> None: ...
+
+
+# -- of the printer: numbers with derivatives
+
+
+def value(x: Float) -> float: ...
+def moving(x: Float, rate: Float) -> float: ...
+def rate(x: Float) -> float: ...
+
+
+ANGLES: tuple[float, ...]
+
+# -- the contract of an impact: transitions/newton.py, or transitions/impacts.py
+
+
+def landed(
+    mode: Int, near: Floats, y: Floats, p: Floats, ground: Floats, known: Floats, out: Floats
+) -> int: ...
+
+
+# -- the contract of transitions: transitions/table.py, or transitions/search.py
+
+QUIET_STEPS: bool
+EXTRAPOLATES: bool
+
+
+def initial_mode_is_one(mode: Int, y: Floats, p: Floats, ax: Float, ay: Float) -> bool: ...
+def longest_turn(y: Floats) -> float: ...
+def is_known(closed: Int, i: Int) -> bool: ...
+def grain_of(
+    mode: Int, index: Int, ax: Float, ay: Float, h: Float, b: Floats, stride: Int, case: Case,
+    a: Arrays,
+) -> float: ...  # fmt: skip
+def can_move(mode: Int, y: Floats, p: Floats) -> bool: ...
+def standing(mode: Int, y: Floats, p: Floats) -> bool: ...
+def free_flight(
+    mode: Int, closed: Int, t: Float, y: Floats, p: Floats, k: Floats
+) -> tuple[int, float]: ...
+def hop_ends(
+    motion: Motion, ground: Ground, step: Step, gap: Gap, case: Case, a: Arrays
+) -> bool: ...
+def without_hop(step: Step) -> Step: ...
+def certain_event(
+    motion: Motion, ground: Ground, step: Step, gap: Gap, case: Case, a: Arrays
+) -> tuple[Int, Float, bool, bool]: ...
+def time_to_landing(motion: Motion, step: Step, case: Case, a: Arrays) -> float: ...
+def is_rounding(mode: Int, guard: Int, y: Floats, p: Floats) -> bool: ...
+def transition(
+    motion: Motion,
+    ground: Ground,
+    guard: Int,
+    h: Float,
+    end: Float,
+    case: Case,
+    a: Arrays,
+    recorder: Recorder,
+) -> tuple[Motion, Rest]: ...
+def zeno_time(
+    motion: Motion, ground: Ground, end: Float, case: Case, a: Arrays
+) -> tuple[Motion, Rest]: ...
+def through_rest(
+    motion: Motion, ground: Ground, rest: Rest, case: Case, a: Arrays, recorder: Recorder
+) -> tuple[Int, bool]: ...
+
+
+# -- the step of a method
+
+N_STAGES: int
+N_ALL_STAGES: int
+STAGE_TIMES: Floats
+ERROR_EXPONENT: float
+COARSE: float
+SAMPLES_TO_BERNSTEIN: Floats2
+POWERS_TO_BERNSTEIN: Floats2
+NODES: Floats
+QUINTIC: Floats2
+QUARTIC: Floats2
+
+
+def take_step(
+    mode: Int, t: Float, h: Float, y: Floats, p: Floats, gx: Row, gy: Row, rtol: Float,
+    atol: Floats, k: Floats, y_new: Floats,
+) -> float: ...  # fmt: skip
+def dense_output(
+    mode: Int, t: Float, h: Float, y: Floats, p: Floats, gx: Row, gy: Row, k: Floats,
+    coefficients: Floats,
+) -> None: ...  # fmt: skip
+
+
+# -- and the constants of Radau, of which radau_step.py is the step
+
+A: Floats2
+A_SQUARED: Floats2
+DENSE_PLACE: Floats2
+DENSE_VELOCITY: Floats2
+G: float
+ERROR_PLACE: Floats
+ERROR_VELOCITY: Floats
+
+# -- the step of all lanes
+
+LANES: int
+N_PARAMETERS: int
+PLACES: int
+STAGE_PLACES: Floats
+NODE_PLACES: Floats
+DAMPING: float
+GAP_SIDES: tuple[float, ...]
+
+
+def shake_lanes(z: Floats, times: Floats) -> None: ...
+def bend_x_lanes(z: Floats, times: Floats) -> None: ...
+def bend_y_lanes(z: Floats, times: Floats) -> None: ...
+def control_lanes(z: Floats) -> None: ...
+def step_lanes(z: Floats, rtol: Float, tolerances: Floats) -> None: ...
+def judge_lanes(z: Floats, coarse: Float) -> None: ...
+def judge_held_lanes(z: Floats, coarse: Float) -> None: ...
+def accept_lanes(z: Floats) -> None: ...
