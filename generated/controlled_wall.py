@@ -23,16 +23,16 @@ Source: thesis 4-8, 4-33; Lagrange's equations in place of 4-27 and 4-32.
 Operations before and after common subexpressions were shared:
     accelerations           1277   356
     guards                   254   107
-    jump                     122    66
-    reactions               1893   291
-    energies                 616   213
-    kinematics               396   126
-    momentum                 330   102
-    statics                 1240   216
+    jump                      61    33
+    reactions                814   110
+    energies                 253    92
+    kinematics               132    42
+    momentum                 110    34
+    statics                 1036    92
     masses                     0     0
-    powers                   553   192
-    positions                552   105
-    elements                 465   134
+    powers                   330    95
+    positions                184    35
+    elements                 417    84
     shapes                    10     6
     overturning                1     1
     velocity_ratio             0     0
@@ -49,7 +49,7 @@ from rockeom.generated.prelude import (
     velocity_ratio, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "a48f5dda0f88ee89"
+SOURCE_HASH = "9fba3e50625ffebd"
 
 NAME = "controlled_wall"
 CLASS = "ControlledWall"
@@ -176,6 +176,14 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right
     (-1, -1, -1,),  # right_slack
     (-1, -1, -1,),  # right_yield
+)
+ELEMENT_STATES = (  # of each mode, 1 while `tendon` is elastic, while `tendon` yields
+    (1.0, 0.0,),  # left
+    (0.0, 0.0,),  # left_slack
+    (0.0, 1.0,),  # left_yield
+    (1.0, 0.0,),  # right
+    (0.0, 0.0,),  # right_slack
+    (0.0, 1.0,),  # right_yield
 )
 LOCALISED = True  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = False
@@ -435,7 +443,7 @@ def guards(mode, y, p, ax, ay, g):
         of two, where PARTS says.
     """
     if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
+        s = SIDES[mode]
         theta = y[0]
         permanent_extension = y[1]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -459,7 +467,7 @@ def guards(mode, y, p, ax, ay, g):
         g[1] = -c19 - x2
         g[2] = initial_force + x2
     elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
+        s = SIDES[mode]
         theta = y[0]
         permanent_extension = y[1]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -480,7 +488,7 @@ def guards(mode, y, p, ax, ay, g):
             (anchor_height*sin_theta + cos_theta*x1 - eccentricity - x0)**2))
         )
     elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
+        s = SIDES[mode]
         theta = y[0]
         theta_dot = y[2]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -544,29 +552,6 @@ def jump(mode, guard, law, ratio, y, p, out):
             return RIGHT_YIELD
         out[2] = 0.0
         return RIGHT_YIELD
-    if mode == LEFT_YIELD and guard == 1:
-        s = -1.0
-        theta = y[0]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        yield_force = p[11]
-        eccentricity = p[12]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
-        x3 = eccentricity - x2
-        out[1] = (
-            -anchor_depth - anchor_height + math.sqrt((anchor_depth + anchor_height*x0 -
-            x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2) - (-initial_force +
-            yield_force)/tendon_stiffness
-        )
-        return LEFT
     if mode == RIGHT and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
@@ -594,8 +579,8 @@ def jump(mode, guard, law, ratio, y, p, out):
             return LEFT_YIELD
         out[2] = 0.0
         return LEFT_YIELD
-    if mode == RIGHT_YIELD and guard == 1:
-        s = 1.0
+    if mode in (LEFT_YIELD, RIGHT_YIELD,) and guard == 1:
+        s = SIDES[mode]
         theta = y[0]
         height = p[3]
         half_width = p[4]
@@ -613,313 +598,137 @@ def jump(mode, guard, law, ratio, y, p, out):
         x3 = eccentricity - x2
         out[1] = (
             -anchor_depth - anchor_height + math.sqrt((anchor_depth + anchor_height*x0 -
-            x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2) - (-initial_force +
+            x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2) + (initial_force -
             yield_force)/tendon_stiffness
         )
-        return RIGHT
+        return TARGETS[mode][guard]
     return mode
 
 
 def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
-        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
-        theta_ddot = found[0]
-        theta = y[0]
-        permanent_extension = y[1]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        gravity = p[13]
-        x0 = math.cos(theta)
-        x1 = centroid_height*mass
-        x2 = theta_ddot*x1
-        x3 = math.sin(theta)
-        x4 = theta_dot**2
-        x5 = x1*x4
-        x6 = x3**2
-        x7 = height**2/transition**2
-        x8 = x6*x7
-        x9 = math.exp(-x8)
-        x10 = s*(-edge_distance + half_width)
-        x11 = x10*(1 - x9)
-        x12 = mass*x11
-        x13 = theta_ddot*x12
-        x14 = x12*x4
-        x15 = mass*x10*x7*x9
-        x16 = 2*x15
-        x17 = theta_ddot*x3
-        x18 = x0**2
-        x19 = 2*x18
-        x20 = 4*x4
-        x21 = mass*x0*x10*x8*x9
-        x22 = x16*x4*(-x18 + x19*x8 + x6)
-        x23 = (1/2)*s
-        x24 = eccentricity - x11
-        x25 = anchor_depth + anchor_height*x0 - x24*x3
-        x26 = math.sqrt(x25**2 + (anchor_height*x3 - eccentricity + x0*x24 + x11)**2)
-        x27 = (
-            initial_force + tendon_stiffness*(-anchor_depth - anchor_height -
-            permanent_extension + x26)
-        )
-        x28 = (
-            ay*mass + gravity*mass + 2*theta_ddot*x21 + x0*x13 - x0*x5 - x14*x3 + x15*x18*x20*x3
-            - x2*x3 - x22*x3 + x25*x27/x26
-        )
-        out[0] = (
-            ax*mass + x0*x14 + x0*x16*x17 + x0*x2 + x0*x22 + x13*x3 - x15*x17*x19 + x20*x21 -
-            x22 - x3*x5
-        )
-        out[1] = x28*(1/2 - x23)
-        out[2] = x28*(x23 + 1/2)
-        out[3] = x27
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
-        theta_ddot = found[0]
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        gravity = p[13]
-        x0 = math.cos(theta)
-        x1 = centroid_height*mass
-        x2 = theta_ddot*x1
-        x3 = math.sin(theta)
-        x4 = theta_dot**2
-        x5 = x1*x4
-        x6 = x3**2
-        x7 = height**2/transition**2
-        x8 = x6*x7
-        x9 = math.exp(-x8)
-        x10 = mass*s*(-edge_distance + half_width)
-        x11 = x10*(1 - x9)
-        x12 = theta_ddot*x11
-        x13 = x11*x4
-        x14 = x10*x7*x9
-        x15 = 2*x14
-        x16 = theta_ddot*x3
-        x17 = x0**2
-        x18 = 2*x17
-        x19 = 4*x4
-        x20 = x0*x10*x8*x9
-        x21 = x15*x4*(-x17 + x18*x8 + x6)
-        x22 = (1/2)*s
-        x23 = (
-            ay*mass + gravity*mass + 2*theta_ddot*x20 + x0*x12 - x0*x5 - x13*x3 + x14*x17*x19*x3
-            - x2*x3 - x21*x3
-        )
-        out[0] = (
-            ax*mass + x0*x13 + x0*x15*x16 + x0*x2 + x0*x21 + x12*x3 - x14*x16*x18 + x19*x20 -
-            x21 - x3*x5
-        )
-        out[1] = x23*(1/2 - x22)
-        out[2] = x23*(x22 + 1/2)
-        out[3] = 0
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
-        theta_ddot = found[0]
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        yield_force = p[11]
-        eccentricity = p[12]
-        gravity = p[13]
-        x0 = math.cos(theta)
-        x1 = centroid_height*mass
-        x2 = theta_ddot*x1
-        x3 = math.sin(theta)
-        x4 = theta_dot**2
-        x5 = x1*x4
-        x6 = x3**2
-        x7 = height**2/transition**2
-        x8 = x6*x7
-        x9 = math.exp(-x8)
-        x10 = s*(-edge_distance + half_width)
-        x11 = x10*(1 - x9)
-        x12 = mass*x11
-        x13 = theta_ddot*x12
-        x14 = x12*x4
-        x15 = mass*x10*x7*x9
-        x16 = 2*x15
-        x17 = theta_ddot*x3
-        x18 = x0**2
-        x19 = 2*x18
-        x20 = 4*x4
-        x21 = mass*x0*x10*x8*x9
-        x22 = x16*x4*(-x18 + x19*x8 + x6)
-        x23 = (1/2)*s
-        x24 = eccentricity - x11
-        x25 = anchor_depth + anchor_height*x0 - x24*x3
-        x26 = (
-            ay*mass + gravity*mass + 2*theta_ddot*x21 + x0*x13 - x0*x5 - x14*x3 + x15*x18*x20*x3
-            - x2*x3 - x22*x3 + x25*yield_force/math.sqrt(x25**2 + (anchor_height*x3 -
-            eccentricity + x0*x24 + x11)**2)
-        )
-        out[0] = (
-            ax*mass + x0*x14 + x0*x16*x17 + x0*x2 + x0*x22 + x13*x3 - x15*x17*x19 + x20*x21 -
-            x22 - x3*x5
-        )
-        out[1] = x26*(1/2 - x23)
-        out[2] = x26*(x23 + 1/2)
-        out[3] = yield_force
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
+    theta_ddot = found[0]
+    theta = y[0]
+    permanent_extension = y[1]
+    theta_dot = y[2]
+    mass = p[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    tendon_stiffness = p[9]
+    initial_force = p[10]
+    yield_force = p[11]
+    eccentricity = p[12]
+    gravity = p[13]
+    x0 = math.cos(theta)
+    x1 = centroid_height*mass
+    x2 = theta_ddot*x1
+    x3 = math.sin(theta)
+    x4 = theta_dot**2
+    x5 = x1*x4
+    x6 = x3**2
+    x7 = height**2/transition**2
+    x8 = x6*x7
+    x9 = math.exp(-x8)
+    x10 = s*(-edge_distance + half_width)
+    x11 = x10*(1 - x9)
+    x12 = mass*x11
+    x13 = theta_ddot*x12
+    x14 = x12*x4
+    x15 = mass*x10*x7*x9
+    x16 = 2*x15
+    x17 = theta_ddot*x3
+    x18 = x0**2
+    x19 = 2*x18
+    x20 = 4*x4
+    x21 = mass*x0*x10*x8*x9
+    x22 = x16*x4*(-x18 + x19*x8 + x6)
+    x23 = (1/2)*s
+    x24 = eccentricity - x11
+    x25 = anchor_depth + anchor_height*x0 - x24*x3
+    x26 = math.sqrt(x25**2 + (anchor_height*x3 - eccentricity + x0*x24 + x11)**2)
+    x27 = (
+        chi_0*(initial_force + tendon_stiffness*(-anchor_depth - anchor_height -
+        permanent_extension + x26)) + chi_1*yield_force
+    )
+    x28 = (
+        ay*mass + gravity*mass + 2*theta_ddot*x21 + x0*x13 - x0*x5 - x14*x3 + x15*x18*x20*x3
+        - x2*x3 - x22*x3 + x25*x27/x26
+    )
+    out[0] = (
+        ax*mass + x0*x14 + x0*x16*x17 + x0*x2 + x0*x22 + x13*x3 - x15*x17*x19 + x20*x21 -
+        x22 - x3*x5
+    )
+    out[1] = x28*(1/2 - x23)
+    out[2] = x28*(x23 + 1/2)
+    out[3] = x27
 
 
 def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
-        theta = y[0]
-        permanent_extension = y[1]
-        theta_dot = y[2]
-        mass = p[0]
-        inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        gravity = p[13]
-        x0 = theta_dot**2
-        x1 = (1/2)*x0
-        x2 = mass*x1
-        x3 = math.sin(theta)
-        x4 = x3**2
-        x5 = height**2/transition**2
-        x6 = x4*x5
-        x7 = math.exp(-x6)
-        x8 = 1 - x7
-        x9 = -edge_distance + half_width
-        x10 = x9**2
-        x11 = math.cos(theta)
-        x12 = centroid_height*x11
-        x13 = s*x9
-        x14 = mass*x0
-        x15 = 2*x13*x14*x3*x5*x7
-        x16 = x11**2
-        x17 = 2*x6
-        x18 = x10*x14
-        x19 = 4*height**4*x18*x4*math.exp(-x17)/transition**4
-        x20 = gravity*mass
-        x21 = x13*x8
-        x22 = eccentricity - x21
-        out[0] = (
-            centroid_height**2*x2 + centroid_height*x15*x16 + inertia*x1 + x10*x2*x8**2 -
-            x11**3*x19 + x11*x17*x18*x7*x8 - x12*x15 + x16*x19
-        )
-        out[1] = x12*x20 + x20*x21*x3
-        out[2] = (
-            (1/2)*(initial_force + tendon_stiffness*(-anchor_depth - anchor_height -
-            permanent_extension + math.sqrt((anchor_depth + anchor_height*x11 - x22*x3)**2 +
-            (anchor_height*x3 - eccentricity + x11*x22 + x21)**2)))**2/tendon_stiffness
-        )
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        gravity = p[13]
-        x0 = theta_dot**2
-        x1 = (1/2)*x0
-        x2 = mass*x1
-        x3 = math.sin(theta)
-        x4 = x3**2
-        x5 = height**2/transition**2
-        x6 = x4*x5
-        x7 = math.exp(-x6)
-        x8 = 1 - x7
-        x9 = -edge_distance + half_width
-        x10 = x9**2
-        x11 = math.cos(theta)
-        x12 = centroid_height*x11
-        x13 = s*x3*x9
-        x14 = mass*x0
-        x15 = 2*x13*x14*x5*x7
-        x16 = x11**2
-        x17 = 2*x6
-        x18 = x10*x14
-        x19 = 4*height**4*x18*x4*math.exp(-x17)/transition**4
-        x20 = gravity*mass
-        out[0] = (
-            centroid_height**2*x2 + centroid_height*x15*x16 + inertia*x1 + x10*x2*x8**2 -
-            x11**3*x19 + x11*x17*x18*x7*x8 - x12*x15 + x16*x19
-        )
-        out[1] = x12*x20 + x13*x20*x8
-        out[2] = 0
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        tendon_stiffness = p[9]
-        yield_force = p[11]
-        gravity = p[13]
-        x0 = theta_dot**2
-        x1 = (1/2)*x0
-        x2 = mass*x1
-        x3 = math.sin(theta)
-        x4 = x3**2
-        x5 = height**2/transition**2
-        x6 = x4*x5
-        x7 = math.exp(-x6)
-        x8 = 1 - x7
-        x9 = -edge_distance + half_width
-        x10 = x9**2
-        x11 = math.cos(theta)
-        x12 = centroid_height*x11
-        x13 = s*x3*x9
-        x14 = mass*x0
-        x15 = 2*x13*x14*x5*x7
-        x16 = x11**2
-        x17 = 2*x6
-        x18 = x10*x14
-        x19 = 4*height**4*x18*x4*math.exp(-x17)/transition**4
-        x20 = gravity*mass
-        out[0] = (
-            centroid_height**2*x2 + centroid_height*x15*x16 + inertia*x1 + x10*x2*x8**2 -
-            x11**3*x19 + x11*x17*x18*x7*x8 - x12*x15 + x16*x19
-        )
-        out[1] = x12*x20 + x13*x20*x8
-        out[2] = (1/2)*yield_force**2/tendon_stiffness
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    theta = y[0]
+    permanent_extension = y[1]
+    theta_dot = y[2]
+    mass = p[0]
+    inertia = p[1]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    tendon_stiffness = p[9]
+    initial_force = p[10]
+    yield_force = p[11]
+    eccentricity = p[12]
+    gravity = p[13]
+    x0 = theta_dot**2
+    x1 = (1/2)*x0
+    x2 = mass*x1
+    x3 = math.sin(theta)
+    x4 = x3**2
+    x5 = height**2/transition**2
+    x6 = x4*x5
+    x7 = math.exp(-x6)
+    x8 = 1 - x7
+    x9 = -edge_distance + half_width
+    x10 = x9**2
+    x11 = math.cos(theta)
+    x12 = centroid_height*x11
+    x13 = s*x9
+    x14 = mass*x0
+    x15 = 2*x13*x14*x3*x5*x7
+    x16 = x11**2
+    x17 = 2*x6
+    x18 = x10*x14
+    x19 = 4*height**4*x18*x4*math.exp(-x17)/transition**4
+    x20 = gravity*mass
+    x21 = x13*x8
+    x22 = (1/2)/tendon_stiffness
+    x23 = eccentricity - x21
+    out[0] = (
+        centroid_height**2*x2 + centroid_height*x15*x16 + inertia*x1 + x10*x2*x8**2 -
+        x11**3*x19 + x11*x17*x18*x7*x8 - x12*x15 + x16*x19
+    )
+    out[1] = x12*x20 + x20*x21*x3
+    out[2] = (
+        chi_0*x22*(initial_force + tendon_stiffness*(-anchor_depth - anchor_height -
+        permanent_extension + math.sqrt((anchor_depth + anchor_height*x11 - x23*x3)**2 +
+        (anchor_height*x3 - eccentricity + x11*x23 + x21)**2)))**2 +
+        chi_1*x22*yield_force**2
+    )
 
 
 def kinematics(mode, y, p, out):
@@ -977,132 +786,63 @@ def momentum(mode, y, p, out):
 
 def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
-        theta = y[0]
-        permanent_extension = y[1]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        gravity = p[13]
-        x0 = math.sin(theta)
-        x1 = gravity*mass
-        x2 = x0**2
-        x3 = height**2
-        x4 = transition**(-2)
-        x5 = x3*x4
-        x6 = x2*x5
-        x7 = math.exp(-x6)
-        x8 = -edge_distance + half_width
-        x9 = s*x8
-        x10 = x9*(1 - x7)
-        x11 = math.cos(theta)
-        x12 = x1*x11
-        x13 = x7*x9
-        x14 = 2*x13
-        x15 = x0*x5
-        x16 = x14*x15
-        x17 = x11**2
-        x18 = anchor_height*x11
-        x19 = eccentricity - x10
-        x20 = x0*x19
-        x21 = anchor_depth + x18 - x20
-        x22 = anchor_height*x0
-        x23 = x11*x19
-        x24 = -eccentricity + x10 + x22 + x23
-        x25 = math.sqrt(x21**2 + x24**2)
-        x26 = 4*x13
-        x27 = (
-            ((1/2)*x21*(4*s*x11*x2*x3*x4*x7*x8 - 2*x22 - 2*x23) + (1/2)*x24*(x11*x15*x26 -
-            x15*x17*x26 + 2*x18 - 2*x20))/x25
-        )
-        x28 = tendon_stiffness*x27
-        out[0] = (
-            -centroid_height*x0*x1 + initial_force*x27 - load*(height*x11 + x0*x10 + x11*x16 -
-            x16*x17) - permanent_extension*x28 + x10*x12 + x12*x14*x6 + x28*(-anchor_depth -
-            anchor_height + x25)
-        )
-        out[1] = 0
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        theta = y[0]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        gravity = p[13]
-        x0 = math.sin(theta)
-        x1 = math.cos(theta)
-        x2 = -edge_distance + half_width
-        x3 = x0**2
-        x4 = height**2
-        x5 = transition**(-2)
-        x6 = x4*x5
-        x7 = math.exp(-x3*x6)
-        x8 = 1 - x7
-        x9 = s*x2
-        x10 = 2*x0*x6*x7*x9
-        out[0] = (
-            -centroid_height*gravity*mass*x0 + 2*gravity*mass*s*x1*x2*x3*x4*x5*x7 +
-            gravity*mass*s*x1*x2*x8 - load*(height*x1 + x0*x8*x9 - x1**2*x10 + x1*x10)
-        )
-        out[1] = 0
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        theta = y[0]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        yield_force = p[11]
-        eccentricity = p[12]
-        gravity = p[13]
-        x0 = math.sin(theta)
-        x1 = gravity*mass
-        x2 = x0**2
-        x3 = height**2
-        x4 = transition**(-2)
-        x5 = x3*x4
-        x6 = x2*x5
-        x7 = math.exp(-x6)
-        x8 = -edge_distance + half_width
-        x9 = s*x8
-        x10 = x9*(1 - x7)
-        x11 = math.cos(theta)
-        x12 = x1*x11
-        x13 = x7*x9
-        x14 = 2*x13
-        x15 = x0*x5
-        x16 = x14*x15
-        x17 = x11**2
-        x18 = anchor_height*x11
-        x19 = eccentricity - x10
-        x20 = x0*x19
-        x21 = anchor_depth + x18 - x20
-        x22 = anchor_height*x0
-        x23 = x11*x19
-        x24 = -eccentricity + x10 + x22 + x23
-        x25 = 4*x13
-        out[0] = (
-            -centroid_height*x0*x1 - load*(height*x11 + x0*x10 + x11*x16 - x16*x17) + x10*x12 +
-            x12*x14*x6 + yield_force*((1/2)*x21*(4*s*x11*x2*x3*x4*x7*x8 - 2*x22 - 2*x23) +
-            (1/2)*x24*(x11*x15*x25 - x15*x17*x25 + 2*x18 - 2*x20))/math.sqrt(x21**2 + x24**2)
-        )
-        out[1] = 0
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    theta = y[0]
+    permanent_extension = y[1]
+    mass = p[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    tendon_stiffness = p[9]
+    initial_force = p[10]
+    yield_force = p[11]
+    eccentricity = p[12]
+    gravity = p[13]
+    x0 = math.sin(theta)
+    x1 = gravity*mass
+    x2 = x0**2
+    x3 = height**2
+    x4 = transition**(-2)
+    x5 = x3*x4
+    x6 = x2*x5
+    x7 = math.exp(-x6)
+    x8 = -edge_distance + half_width
+    x9 = s*x8
+    x10 = x9*(1 - x7)
+    x11 = math.cos(theta)
+    x12 = x1*x11
+    x13 = x7*x9
+    x14 = 2*x13
+    x15 = x0*x5
+    x16 = x14*x15
+    x17 = x11**2
+    x18 = anchor_height*x11
+    x19 = eccentricity - x10
+    x20 = x0*x19
+    x21 = anchor_depth + x18 - x20
+    x22 = anchor_height*x0
+    x23 = x11*x19
+    x24 = -eccentricity + x10 + x22 + x23
+    x25 = math.sqrt(x21**2 + x24**2)
+    x26 = 4*x13
+    x27 = (
+        ((1/2)*x21*(4*s*x11*x2*x3*x4*x7*x8 - 2*x22 - 2*x23) + (1/2)*x24*(x11*x15*x26 -
+        x15*x17*x26 + 2*x18 - 2*x20))/x25
+    )
+    x28 = chi_0*x27
+    x29 = tendon_stiffness*x28
+    out[0] = (
+        -centroid_height*x0*x1 + chi_1*x27*yield_force + initial_force*x28 -
+        load*(height*x11 + x0*x10 + x11*x16 - x16*x17) - permanent_extension*x29 + x10*x12 +
+        x12*x14*x6 + x29*(-anchor_depth - anchor_height + x25)
+    )
+    out[1] = 0
 
 
 def masses(mode, y, p, out):
@@ -1119,84 +859,55 @@ def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK):
-        s = SIDES[mode]
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        x0 = math.cos(theta)
-        x1 = ax*x0
-        x2 = math.sin(theta)
-        x3 = height**2
-        x4 = transition**(-2)
-        x5 = x3*x4
-        x6 = x2**2*x5
-        x7 = math.exp(-x6)
-        x8 = -edge_distance + half_width
-        x9 = mass*s*x8
-        x10 = x9*(1 - x7)
-        x11 = ay*x0
-        x12 = 2*x7*x9
-        out[0] = (
-            theta_dot*(2*ax*mass*s*x0**2*x2*x3*x4*x7*x8 - ax*x10*x2 + ay*centroid_height*mass*x2
-            - centroid_height*mass*x1 - x1*x12*x2*x5 - x10*x11 - x11*x12*x6)
-        )
-        out[1] = 0
-        out[2] = 0
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        yield_force = p[11]
-        eccentricity = p[12]
-        x0 = math.cos(theta)
-        x1 = ax*x0
-        x2 = math.sin(theta)
-        x3 = x2**2
-        x4 = height**2
-        x5 = transition**(-2)
-        x6 = x4*x5
-        x7 = x3*x6
-        x8 = math.exp(-x7)
-        x9 = -edge_distance + half_width
-        x10 = s*x9
-        x11 = x10*(1 - x8)
-        x12 = mass*x11
-        x13 = ay*x0
-        x14 = x2*x6
-        x15 = x10*x8
-        x16 = 2*mass*x15
-        x17 = x0**2
-        x18 = anchor_height*x0
-        x19 = eccentricity - x11
-        x20 = x19*x2
-        x21 = anchor_depth + x18 - x20
-        x22 = anchor_height*x2
-        x23 = x0*x19
-        x24 = -eccentricity + x11 + x22 + x23
-        x25 = 4*x15
-        out[0] = (
-            theta_dot*(2*ax*mass*s*x17*x2*x4*x5*x8*x9 - ax*x12*x2 + ay*centroid_height*mass*x2 -
-            centroid_height*mass*x1 - x1*x14*x16 - x12*x13 - x13*x16*x7)
-        )
-        out[1] = (
-            theta_dot*yield_force*((1/2)*x21*(4*s*x0*x3*x4*x5*x8*x9 - 2*x22 - 2*x23) +
-            (1/2)*x24*(x0*x14*x25 - x14*x17*x25 + 2*x18 - 2*x20))/math.sqrt(x21**2 + x24**2)
-        )
-        out[2] = 0
+    s = SIDES[mode]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    theta = y[0]
+    theta_dot = y[2]
+    mass = p[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    yield_force = p[11]
+    eccentricity = p[12]
+    x0 = math.cos(theta)
+    x1 = ax*x0
+    x2 = math.sin(theta)
+    x3 = x2**2
+    x4 = height**2
+    x5 = transition**(-2)
+    x6 = x4*x5
+    x7 = x3*x6
+    x8 = math.exp(-x7)
+    x9 = -edge_distance + half_width
+    x10 = s*x9
+    x11 = x10*(1 - x8)
+    x12 = mass*x11
+    x13 = ay*x0
+    x14 = x2*x6
+    x15 = x10*x8
+    x16 = 2*mass*x15
+    x17 = x0**2
+    x18 = anchor_height*x0
+    x19 = eccentricity - x11
+    x20 = x19*x2
+    x21 = anchor_depth + x18 - x20
+    x22 = anchor_height*x2
+    x23 = x0*x19
+    x24 = -eccentricity + x11 + x22 + x23
+    x25 = 4*x15
+    out[0] = (
+        theta_dot*(2*ax*mass*s*x17*x2*x4*x5*x8*x9 - ax*x12*x2 + ay*centroid_height*mass*x2 -
+        centroid_height*mass*x1 - x1*x14*x16 - x12*x13 - x13*x16*x7)
+    )
+    out[1] = (
+        chi_1*theta_dot*yield_force*((1/2)*x21*(4*s*x0*x3*x4*x5*x8*x9 - 2*x22 - 2*x23) +
+        (1/2)*x24*(x0*x14*x25 - x14*x17*x25 + 2*x18 - 2*x20))/math.sqrt(x21**2 + x24**2)
+    )
+    out[2] = 0
 
 
 def positions(mode, y, p, out):
@@ -1234,95 +945,54 @@ def elements(mode, y, p, out):
 
     Into out, one element behind the other.
     """
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
-        theta = y[0]
-        permanent_extension = y[1]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
-        x3 = eccentricity - x2
-        x4 = (
-            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
-            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2)
-        )
-        x5 = initial_force + tendon_stiffness*x4
-        out[0] = x4
-        out[1] = x5
-        out[2] = (1/2)*x5**2/tendon_stiffness
-        out[3] = 0
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        theta = y[0]
-        permanent_extension = y[1]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        eccentricity = p[12]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
-        x3 = eccentricity - x2
-        out[0] = (
-            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
-            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2)
-        )
-        out[1] = 0
-        out[2] = 0
-        out[3] = 0
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        yield_force = p[11]
-        eccentricity = p[12]
-        x0 = 1/tendon_stiffness
-        x1 = math.cos(theta)
-        x2 = anchor_height*x1
-        x3 = math.sin(theta)
-        x4 = x3**2
-        x5 = height**2
-        x6 = transition**(-2)
-        x7 = x5*x6
-        x8 = math.exp(-x4*x7)
-        x9 = -edge_distance + half_width
-        x10 = s*x9
-        x11 = x10*(1 - x8)
-        x12 = eccentricity - x11
-        x13 = x12*x3
-        x14 = anchor_depth - x13 + x2
-        x15 = anchor_height*x3
-        x16 = x1*x12
-        x17 = -eccentricity + x11 + x15 + x16
-        x18 = 4*x10*x8
-        x19 = x3*x7
-        out[0] = x0*(-initial_force + yield_force)
-        out[1] = yield_force
-        out[2] = (1/2)*x0*yield_force**2
-        out[3] = (
-            theta_dot*yield_force*((1/2)*x14*(4*s*x1*x4*x5*x6*x8*x9 - 2*x15 - 2*x16) +
-            (1/2)*x17*(-x1**2*x18*x19 + x1*x18*x19 - 2*x13 + 2*x2))/math.sqrt(x14**2 + x17**2)
-        )
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    theta = y[0]
+    permanent_extension = y[1]
+    theta_dot = y[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    tendon_stiffness = p[9]
+    initial_force = p[10]
+    yield_force = p[11]
+    eccentricity = p[12]
+    x0 = 1/tendon_stiffness
+    x1 = chi_1*x0
+    x2 = math.cos(theta)
+    x3 = anchor_height*x2
+    x4 = math.sin(theta)
+    x5 = x4**2
+    x6 = height**2
+    x7 = transition**(-2)
+    x8 = x6*x7
+    x9 = math.exp(-x5*x8)
+    x10 = -edge_distance + half_width
+    x11 = s*x10
+    x12 = x11*(1 - x9)
+    x13 = eccentricity - x12
+    x14 = x13*x4
+    x15 = anchor_depth - x14 + x3
+    x16 = anchor_height*x4
+    x17 = x13*x2
+    x18 = -eccentricity + x12 + x16 + x17
+    x19 = math.sqrt(x15**2 + x18**2)
+    x20 = -anchor_depth - anchor_height - permanent_extension + x19
+    x21 = chi_1*yield_force
+    x22 = initial_force + tendon_stiffness*x20
+    x23 = 4*x11*x9
+    x24 = x4*x8
+    out[0] = x1*(-initial_force + yield_force) + x20*(1 - chi_1)
+    out[1] = chi_0*x22 + x21
+    out[2] = (1/2)*chi_0*x0*x22**2 + (1/2)*x1*yield_force**2
+    out[3] = (
+        theta_dot*x21*((1/2)*x15*(4*s*x10*x2*x5*x6*x7*x9 - 2*x16 - 2*x17) +
+        (1/2)*x18*(-2*x14 - x2**2*x23*x24 + x2*x23*x24 + 2*x3))/x19
+    )
 
 
 def shapes(p, out):

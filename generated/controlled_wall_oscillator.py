@@ -32,17 +32,17 @@ Source: thesis 4-18, 4-20, 4-27 to 4-31, 4-39.
 
 Operations before and after common subexpressions were shared:
     accelerations            852   208
-    guards                  1292   548
-    jump                     484   330
-    reactions                 47    35
-    energies                 142    94
-    kinematics               129    69
-    momentum                   3     3
-    statics                  878   174
+    guards                   671   295
+    jump                     167   108
+    reactions                 44    32
+    energies                  80    46
+    kinematics                43    23
+    momentum                   1     1
+    statics                  700    72
     masses                     0     0
-    powers                   616   147
+    powers                   493    85
     positions                  0     0
-    elements                 298   110
+    elements                 273    76
     shapes                     7     4
     overturning                2     2
     velocity_ratio             0     0
@@ -59,7 +59,7 @@ from rockeom.generated.prelude import (
     velocity_ratio,
 )
 
-SOURCE_HASH = "a465c81df680a6ac"
+SOURCE_HASH = "9e7cd6ba4018b325"
 
 NAME = "controlled_wall_oscillator"
 CLASS = "ControlledWallOscillator"
@@ -346,6 +346,26 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1, -1,),  # right_slack
     (-1, -1, -1, -1,),  # right_yield
 )
+ELEMENT_STATES = (  # of each mode, 1 while `tendon` is elastic, while `tendon` yields
+    (1.0, 0.0,),  # left
+    (1.0, 0.0,),  # left_inward
+    (0.0, 0.0,),  # left_inward_slack
+    (0.0, 1.0,),  # left_inward_yield
+    (1.0, 0.0,),  # left_near
+    (0.0, 0.0,),  # left_near_slack
+    (0.0, 1.0,),  # left_near_yield
+    (0.0, 0.0,),  # left_slack
+    (0.0, 1.0,),  # left_yield
+    (1.0, 0.0,),  # right
+    (1.0, 0.0,),  # right_inward
+    (0.0, 0.0,),  # right_inward_slack
+    (0.0, 1.0,),  # right_inward_yield
+    (1.0, 0.0,),  # right_near
+    (0.0, 0.0,),  # right_near_slack
+    (0.0, 1.0,),  # right_near_yield
+    (0.0, 0.0,),  # right_slack
+    (0.0, 1.0,),  # right_yield
+)
 LOCALISED = True  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = False
 LEFT = 0
@@ -568,7 +588,8 @@ def guards(mode, y, p, ax, ay, g):
     g (N_GUARDS + N_PARTS,) : behind the guards stand the two parts of those that are the larger
         of two, where PARTS says.
     """
-    if mode == LEFT:
+    if mode == LEFT or mode == RIGHT:
+        s = SIDES[mode]
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -585,13 +606,14 @@ def guards(mode, y, p, ax, ay, g):
         x1 = math.sqrt(-c0*x0 + 1)
         x2 = 1/x1
         x3 = (
-            tendon_stiffness*(c3*u*x2*(-eccentricity - x2*(-c2*(1 - math.exp(-c1*x0)) +
+            tendon_stiffness*(c3*u*x2*(-eccentricity + s*x2*(-c2*(1 - math.exp(-c1*x0)) +
             half_width*(1 - x1))) - permanent_extension)
         )
-        g[0] = -u_dot
+        g[0] = s*u_dot
         g[1] = -c15 - x3
         g[2] = initial_force + x3
-    elif mode == LEFT_INWARD:
+    elif mode == LEFT_INWARD or mode == RIGHT_INWARD:
+        s = SIDES[mode]
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -609,14 +631,15 @@ def guards(mode, y, p, ax, ay, g):
         x1 = math.sqrt(-c0*x0 + 1)
         x2 = 1/x1
         x3 = (
-            tendon_stiffness*(c3*u*x2*(-eccentricity - x2*(-c2*(1 - math.exp(-c1*x0)) +
+            tendon_stiffness*(c3*u*x2*(-eccentricity + s*x2*(-c2*(1 - math.exp(-c1*x0)) +
             half_width*(1 - x1))) - permanent_extension)
         )
-        g[0] = -c16 - u
-        g[1] = u_dot
+        g[0] = -c16 + s*u
+        g[1] = -s*u_dot
         g[2] = -c15 - x3
         g[3] = initial_force + x3
-    elif mode == LEFT_INWARD_SLACK:
+    elif mode == LEFT_INWARD_SLACK or mode == RIGHT_INWARD_SLACK:
+        s = SIDES[mode]
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -632,13 +655,14 @@ def guards(mode, y, p, ax, ay, g):
         x0 = u**2
         x1 = math.sqrt(-c0*x0 + 1)
         x2 = 1/x1
-        g[0] = -c16 - u
-        g[1] = u_dot
+        g[0] = -c16 + s*u
+        g[1] = -s*u_dot
         g[2] = (
-            -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity - x2*(-c2*(1 -
+            -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity + s*x2*(-c2*(1 -
             math.exp(-c1*x0)) + half_width*(1 - x1))) - permanent_extension)
         )
-    elif mode == LEFT_INWARD_YIELD:
+    elif mode == LEFT_INWARD_YIELD or mode == RIGHT_INWARD_YIELD:
+        s = SIDES[mode]
         u = y[0]
         u_dot = y[3]
         half_width = p[3]
@@ -657,13 +681,14 @@ def guards(mode, y, p, ax, ay, g):
         x3 = 1/x2
         x4 = math.exp(-c1*x0)
         x5 = -c2*(1 - x4) + half_width*(1 - x2)
-        x6 = -eccentricity - x3*x5
+        x6 = -eccentricity + s*x3*x5
         x7 = c3*x3
         x8 = x1**(-3/2)
-        g[0] = -c16 - u
-        g[1] = u_dot
-        g[2] = u_dot*(c6*x0*x6*x8 + u*x7*(-c0*u*x5*x8 - x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
-    elif mode == LEFT_NEAR:
+        g[0] = -c16 + s*u
+        g[1] = -s*u_dot
+        g[2] = u_dot*(c6*x0*x6*x8 + u*x7*(c0*s*u*x5*x8 + s*x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
+    elif mode == LEFT_NEAR or mode == RIGHT_NEAR:
+        s = SIDES[mode]
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -680,14 +705,15 @@ def guards(mode, y, p, ax, ay, g):
         x1 = math.sqrt(-c0*x0 + 1)
         x2 = 1/x1
         x3 = (
-            tendon_stiffness*(c3*u*x2*(-eccentricity - x2*(-c2*(1 - math.exp(-c1*x0)) +
+            tendon_stiffness*(c3*u*x2*(-eccentricity + s*x2*(-c2*(1 - math.exp(-c1*x0)) +
             half_width*(1 - x1))) - permanent_extension)
         )
-        g[0] = -u
-        g[1] = u_dot
+        g[0] = s*u
+        g[1] = -s*u_dot
         g[2] = -c15 - x3
         g[3] = initial_force + x3
-    elif mode == LEFT_NEAR_SLACK:
+    elif mode == LEFT_NEAR_SLACK or mode == RIGHT_NEAR_SLACK:
+        s = SIDES[mode]
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -702,13 +728,14 @@ def guards(mode, y, p, ax, ay, g):
         x0 = u**2
         x1 = math.sqrt(-c0*x0 + 1)
         x2 = 1/x1
-        g[0] = -u
-        g[1] = u_dot
+        g[0] = s*u
+        g[1] = -s*u_dot
         g[2] = (
-            -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity - x2*(-c2*(1 -
+            -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity + s*x2*(-c2*(1 -
             math.exp(-c1*x0)) + half_width*(1 - x1))) - permanent_extension)
         )
-    elif mode == LEFT_NEAR_YIELD:
+    elif mode == LEFT_NEAR_YIELD or mode == RIGHT_NEAR_YIELD:
+        s = SIDES[mode]
         u = y[0]
         u_dot = y[3]
         half_width = p[3]
@@ -720,19 +747,21 @@ def guards(mode, y, p, ax, ay, g):
         c4 = p[28]  # half_width/height**2
         c5 = p[29]  # 2*(-edge_distance + half_width)/transition**2
         c6 = p[30]  # height**(-3)
-        x0 = u**2
-        x1 = -c0*x0 + 1
-        x2 = math.sqrt(x1)
-        x3 = 1/x2
-        x4 = math.exp(-c1*x0)
-        x5 = -c2*(1 - x4) + half_width*(1 - x2)
-        x6 = -eccentricity - x3*x5
-        x7 = c3*x3
-        x8 = x1**(-3/2)
-        g[0] = -u
-        g[1] = u_dot
-        g[2] = u_dot*(c6*x0*x6*x8 + u*x7*(-c0*u*x5*x8 - x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
-    elif mode == LEFT_SLACK:
+        x0 = s*u
+        x1 = u**2
+        x2 = -c0*x1 + 1
+        x3 = math.sqrt(x2)
+        x4 = 1/x3
+        x5 = math.exp(-c1*x1)
+        x6 = -c2*(1 - x5) + half_width*(1 - x3)
+        x7 = -eccentricity + s*x4*x6
+        x8 = c3*x4
+        x9 = x2**(-3/2)
+        g[0] = x0
+        g[1] = -s*u_dot
+        g[2] = u_dot*(c6*x1*x7*x9 + u*x8*(c0*x0*x6*x9 + s*x4*(c4*u*x4 + c5*u*x5)) + x7*x8)
+    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
+        s = SIDES[mode]
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -747,12 +776,13 @@ def guards(mode, y, p, ax, ay, g):
         x0 = u**2
         x1 = math.sqrt(-c0*x0 + 1)
         x2 = 1/x1
-        g[0] = -u_dot
+        g[0] = s*u_dot
         g[1] = (
-            -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity - x2*(-c2*(1 -
+            -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity + s*x2*(-c2*(1 -
             math.exp(-c1*x0)) + half_width*(1 - x1))) - permanent_extension)
         )
-    elif mode == LEFT_YIELD:
+    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = SIDES[mode]
         u = y[0]
         u_dot = y[3]
         half_width = p[3]
@@ -770,216 +800,10 @@ def guards(mode, y, p, ax, ay, g):
         x3 = 1/x2
         x4 = math.exp(-c1*x0)
         x5 = -c2*(1 - x4) + half_width*(1 - x2)
-        x6 = -eccentricity - x3*x5
+        x6 = -eccentricity + s*x3*x5
         x7 = c3*x3
         x8 = x1**(-3/2)
-        g[0] = u_dot*(c6*x0*x6*x8 + u*x7*(-c0*u*x5*x8 - x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
-    elif mode == RIGHT:
-        u = y[0]
-        permanent_extension = y[1]
-        u_dot = y[3]
-        half_width = p[3]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        c0 = p[24]  # height**(-2)
-        c1 = p[25]  # transition**(-2)
-        c2 = p[26]  # edge_distance - half_width
-        c3 = p[27]  # 1/height
-        c15 = p[39]  # initial_force - yield_force
-        x0 = u**2
-        x1 = math.sqrt(-c0*x0 + 1)
-        x2 = 1/x1
-        x3 = (
-            tendon_stiffness*(c3*u*x2*(-eccentricity + x2*(-c2*(1 - math.exp(-c1*x0)) +
-            half_width*(1 - x1))) - permanent_extension)
-        )
-        g[0] = u_dot
-        g[1] = -c15 - x3
-        g[2] = initial_force + x3
-    elif mode == RIGHT_INWARD:
-        u = y[0]
-        permanent_extension = y[1]
-        u_dot = y[3]
-        half_width = p[3]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        c0 = p[24]  # height**(-2)
-        c1 = p[25]  # transition**(-2)
-        c2 = p[26]  # edge_distance - half_width
-        c3 = p[27]  # 1/height
-        c15 = p[39]  # initial_force - yield_force
-        c16 = p[40]  # 6*regularisation
-        x0 = u**2
-        x1 = math.sqrt(-c0*x0 + 1)
-        x2 = 1/x1
-        x3 = (
-            tendon_stiffness*(c3*u*x2*(-eccentricity + x2*(-c2*(1 - math.exp(-c1*x0)) +
-            half_width*(1 - x1))) - permanent_extension)
-        )
-        g[0] = -c16 + u
-        g[1] = -u_dot
-        g[2] = -c15 - x3
-        g[3] = initial_force + x3
-    elif mode == RIGHT_INWARD_SLACK:
-        u = y[0]
-        permanent_extension = y[1]
-        u_dot = y[3]
-        half_width = p[3]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        c0 = p[24]  # height**(-2)
-        c1 = p[25]  # transition**(-2)
-        c2 = p[26]  # edge_distance - half_width
-        c3 = p[27]  # 1/height
-        c16 = p[40]  # 6*regularisation
-        x0 = u**2
-        x1 = math.sqrt(-c0*x0 + 1)
-        x2 = 1/x1
-        g[0] = -c16 + u
-        g[1] = -u_dot
-        g[2] = (
-            -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity + x2*(-c2*(1 -
-            math.exp(-c1*x0)) + half_width*(1 - x1))) - permanent_extension)
-        )
-    elif mode == RIGHT_INWARD_YIELD:
-        u = y[0]
-        u_dot = y[3]
-        half_width = p[3]
-        eccentricity = p[9]
-        c0 = p[24]  # height**(-2)
-        c1 = p[25]  # transition**(-2)
-        c2 = p[26]  # edge_distance - half_width
-        c3 = p[27]  # 1/height
-        c4 = p[28]  # half_width/height**2
-        c5 = p[29]  # 2*(-edge_distance + half_width)/transition**2
-        c6 = p[30]  # height**(-3)
-        c16 = p[40]  # 6*regularisation
-        x0 = u**2
-        x1 = -c0*x0 + 1
-        x2 = math.sqrt(x1)
-        x3 = 1/x2
-        x4 = math.exp(-c1*x0)
-        x5 = -c2*(1 - x4) + half_width*(1 - x2)
-        x6 = -eccentricity + x3*x5
-        x7 = c3*x3
-        x8 = x1**(-3/2)
-        g[0] = -c16 + u
-        g[1] = -u_dot
-        g[2] = u_dot*(c6*x0*x6*x8 + u*x7*(c0*u*x5*x8 + x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
-    elif mode == RIGHT_NEAR:
-        u = y[0]
-        permanent_extension = y[1]
-        u_dot = y[3]
-        half_width = p[3]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        c0 = p[24]  # height**(-2)
-        c1 = p[25]  # transition**(-2)
-        c2 = p[26]  # edge_distance - half_width
-        c3 = p[27]  # 1/height
-        c15 = p[39]  # initial_force - yield_force
-        x0 = u**2
-        x1 = math.sqrt(-c0*x0 + 1)
-        x2 = 1/x1
-        x3 = (
-            tendon_stiffness*(c3*u*x2*(-eccentricity + x2*(-c2*(1 - math.exp(-c1*x0)) +
-            half_width*(1 - x1))) - permanent_extension)
-        )
-        g[0] = u
-        g[1] = -u_dot
-        g[2] = -c15 - x3
-        g[3] = initial_force + x3
-    elif mode == RIGHT_NEAR_SLACK:
-        u = y[0]
-        permanent_extension = y[1]
-        u_dot = y[3]
-        half_width = p[3]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        c0 = p[24]  # height**(-2)
-        c1 = p[25]  # transition**(-2)
-        c2 = p[26]  # edge_distance - half_width
-        c3 = p[27]  # 1/height
-        x0 = u**2
-        x1 = math.sqrt(-c0*x0 + 1)
-        x2 = 1/x1
-        g[0] = u
-        g[1] = -u_dot
-        g[2] = (
-            -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity + x2*(-c2*(1 -
-            math.exp(-c1*x0)) + half_width*(1 - x1))) - permanent_extension)
-        )
-    elif mode == RIGHT_NEAR_YIELD:
-        u = y[0]
-        u_dot = y[3]
-        half_width = p[3]
-        eccentricity = p[9]
-        c0 = p[24]  # height**(-2)
-        c1 = p[25]  # transition**(-2)
-        c2 = p[26]  # edge_distance - half_width
-        c3 = p[27]  # 1/height
-        c4 = p[28]  # half_width/height**2
-        c5 = p[29]  # 2*(-edge_distance + half_width)/transition**2
-        c6 = p[30]  # height**(-3)
-        x0 = u**2
-        x1 = -c0*x0 + 1
-        x2 = math.sqrt(x1)
-        x3 = 1/x2
-        x4 = math.exp(-c1*x0)
-        x5 = -c2*(1 - x4) + half_width*(1 - x2)
-        x6 = -eccentricity + x3*x5
-        x7 = c3*x3
-        x8 = x1**(-3/2)
-        g[0] = u
-        g[1] = -u_dot
-        g[2] = u_dot*(c6*x0*x6*x8 + u*x7*(c0*u*x5*x8 + x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
-    elif mode == RIGHT_SLACK:
-        u = y[0]
-        permanent_extension = y[1]
-        u_dot = y[3]
-        half_width = p[3]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        c0 = p[24]  # height**(-2)
-        c1 = p[25]  # transition**(-2)
-        c2 = p[26]  # edge_distance - half_width
-        c3 = p[27]  # 1/height
-        x0 = u**2
-        x1 = math.sqrt(-c0*x0 + 1)
-        x2 = 1/x1
-        g[0] = u_dot
-        g[1] = (
-            -initial_force - tendon_stiffness*(c3*u*x2*(-eccentricity + x2*(-c2*(1 -
-            math.exp(-c1*x0)) + half_width*(1 - x1))) - permanent_extension)
-        )
-    elif mode == RIGHT_YIELD:
-        u = y[0]
-        u_dot = y[3]
-        half_width = p[3]
-        eccentricity = p[9]
-        c0 = p[24]  # height**(-2)
-        c1 = p[25]  # transition**(-2)
-        c2 = p[26]  # edge_distance - half_width
-        c3 = p[27]  # 1/height
-        c4 = p[28]  # half_width/height**2
-        c5 = p[29]  # 2*(-edge_distance + half_width)/transition**2
-        c6 = p[30]  # height**(-3)
-        x0 = u**2
-        x1 = -c0*x0 + 1
-        x2 = math.sqrt(x1)
-        x3 = 1/x2
-        x4 = math.exp(-c1*x0)
-        x5 = -c2*(1 - x4) + half_width*(1 - x2)
-        x6 = -eccentricity + x3*x5
-        x7 = c3*x3
-        x8 = x1**(-3/2)
-        g[0] = u_dot*(c6*x0*x6*x8 + u*x7*(c0*u*x5*x8 + x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
+        g[0] = u_dot*(c6*x0*x6*x8 + u*x7*(c0*s*u*x5*x8 + s*x3*(c4*u*x3 + c5*u*x4)) + x6*x7)
 
 
 def jump(mode, guard, law, ratio, y, p, out):
@@ -991,36 +815,6 @@ def jump(mode, guard, law, ratio, y, p, out):
     """
     for i in range(N_STATES):
         out[i] = y[i]
-    if mode == LEFT and guard == 0:
-        s = -1.0
-        u = y[0]
-        permanent_extension = y[1]
-        u_dot = y[3]
-        mass = p[0]
-        effective_mass = p[1]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        gravity = p[23]
-        x0 = (1/2)/tendon_stiffness
-        x1 = u**2
-        x2 = math.sqrt(1 - x1/height**2)
-        x3 = 1/x2
-        x4 = (
-            half_width*(1 - x2) + (1 - math.exp(-x1/transition**2))*(-edge_distance +
-            half_width)
-        )
-        x5 = 1/height
-        out[2] = (
-            math.sqrt(u_dot**2 + 2*max(0, gravity*mass*s*u*x3*x4*x5 + x0*(initial_force +
-            tendon_stiffness*(-permanent_extension + u*x3*x5*(-eccentricity + s*x3*x4)))**2 -
-            x0*max(0, initial_force - permanent_extension*tendon_stiffness)**2)/effective_mass)
-        )
-        return LEFT_INWARD
     if mode == LEFT and guard == 1:
         return LEFT_YIELD
     if mode == LEFT and guard == 2:
@@ -1043,26 +837,6 @@ def jump(mode, guard, law, ratio, y, p, out):
         return LEFT_NEAR_YIELD
     if mode == LEFT_INWARD_YIELD and guard == 1:
         return LEFT_YIELD
-    if mode == LEFT_INWARD_YIELD and guard == 2:
-        s = -1.0
-        u = y[0]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        yield_force = p[8]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        x2 = 1/x1
-        out[1] = (
-            -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity +
-            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
-            half_width)))/height
-        )
-        return LEFT_INWARD
     if mode == LEFT_NEAR and guard == 0:
         return RIGHT
     if mode == LEFT_NEAR and guard == 1:
@@ -1081,101 +855,8 @@ def jump(mode, guard, law, ratio, y, p, out):
         return RIGHT_YIELD
     if mode == LEFT_NEAR_YIELD and guard == 1:
         return LEFT_YIELD
-    if mode == LEFT_NEAR_YIELD and guard == 2:
-        s = -1.0
-        u = y[0]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        yield_force = p[8]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        x2 = 1/x1
-        out[1] = (
-            -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity +
-            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
-            half_width)))/height
-        )
-        return LEFT_NEAR
-    if mode == LEFT_SLACK and guard == 0:
-        s = -1.0
-        u = y[0]
-        permanent_extension = y[1]
-        u_dot = y[3]
-        mass = p[0]
-        effective_mass = p[1]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        gravity = p[23]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        out[2] = (
-            math.sqrt(u_dot**2 + 2*max(0, gravity*mass*s*u*(half_width*(1 - x1) + (1 -
-            math.exp(-x0/transition**2))*(-edge_distance + half_width))/(height*x1) - 1/2*max(0,
-            initial_force -
-            permanent_extension*tendon_stiffness)**2/tendon_stiffness)/effective_mass)
-        )
-        return LEFT_INWARD_SLACK
     if mode == LEFT_SLACK and guard == 1:
         return LEFT
-    if mode == LEFT_YIELD and guard == 0:
-        s = -1.0
-        u = y[0]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        yield_force = p[8]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        x2 = 1/x1
-        out[1] = (
-            -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity +
-            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
-            half_width)))/height
-        )
-        return LEFT
-    if mode == RIGHT and guard == 0:
-        s = 1.0
-        u = y[0]
-        permanent_extension = y[1]
-        u_dot = y[3]
-        mass = p[0]
-        effective_mass = p[1]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        gravity = p[23]
-        x0 = (1/2)/tendon_stiffness
-        x1 = u**2
-        x2 = math.sqrt(1 - x1/height**2)
-        x3 = 1/x2
-        x4 = (
-            half_width*(1 - x2) + (1 - math.exp(-x1/transition**2))*(-edge_distance +
-            half_width)
-        )
-        x5 = 1/height
-        out[2] = (
-            math.sqrt(u_dot**2 + 2*max(0, gravity*mass*s*u*x3*x4*x5 + x0*(initial_force +
-            tendon_stiffness*(-permanent_extension + u*x3*x5*(-eccentricity + s*x3*x4)))**2 -
-            x0*max(0, initial_force - permanent_extension*tendon_stiffness)**2)/effective_mass)
-        )
-        return RIGHT_INWARD
     if mode == RIGHT and guard == 1:
         return RIGHT_YIELD
     if mode == RIGHT and guard == 2:
@@ -1198,26 +879,6 @@ def jump(mode, guard, law, ratio, y, p, out):
         return RIGHT_NEAR_YIELD
     if mode == RIGHT_INWARD_YIELD and guard == 1:
         return RIGHT_YIELD
-    if mode == RIGHT_INWARD_YIELD and guard == 2:
-        s = 1.0
-        u = y[0]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        yield_force = p[8]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        x2 = 1/x1
-        out[1] = (
-            -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity +
-            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
-            half_width)))/height
-        )
-        return RIGHT_INWARD
     if mode == RIGHT_NEAR and guard == 0:
         return LEFT
     if mode == RIGHT_NEAR and guard == 1:
@@ -1236,28 +897,12 @@ def jump(mode, guard, law, ratio, y, p, out):
         return LEFT_YIELD
     if mode == RIGHT_NEAR_YIELD and guard == 1:
         return RIGHT_YIELD
-    if mode == RIGHT_NEAR_YIELD and guard == 2:
-        s = 1.0
-        u = y[0]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        yield_force = p[8]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        x2 = 1/x1
-        out[1] = (
-            -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity +
-            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
-            half_width)))/height
-        )
-        return RIGHT_NEAR
-    if mode == RIGHT_SLACK and guard == 0:
-        s = 1.0
+    if mode == RIGHT_SLACK and guard == 1:
+        return RIGHT
+    if mode in (LEFT, LEFT_SLACK, RIGHT, RIGHT_SLACK,) and guard == 0:
+        s = SIDES[mode]
+        chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+        chi_1 = 1.0 * ELEMENT_STATES[mode][1]
         u = y[0]
         permanent_extension = y[1]
         u_dot = y[3]
@@ -1269,20 +914,27 @@ def jump(mode, guard, law, ratio, y, p, out):
         transition = p[5]
         tendon_stiffness = p[6]
         initial_force = p[7]
+        yield_force = p[8]
+        eccentricity = p[9]
         gravity = p[23]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        out[2] = (
-            math.sqrt(u_dot**2 + 2*max(0, gravity*mass*s*u*(half_width*(1 - x1) + (1 -
-            math.exp(-x0/transition**2))*(-edge_distance + half_width))/(height*x1) - 1/2*max(0,
-            initial_force -
-            permanent_extension*tendon_stiffness)**2/tendon_stiffness)/effective_mass)
+        x0 = (1/2)/tendon_stiffness
+        x1 = u**2
+        x2 = math.sqrt(1 - x1/height**2)
+        x3 = 1/x2
+        x4 = (
+            half_width*(1 - x2) + (1 - math.exp(-x1/transition**2))*(-edge_distance +
+            half_width)
         )
-        return RIGHT_INWARD_SLACK
-    if mode == RIGHT_SLACK and guard == 1:
-        return RIGHT
-    if mode == RIGHT_YIELD and guard == 0:
-        s = 1.0
+        x5 = 1/height
+        out[2] = (
+            math.sqrt(u_dot**2 + 2*max(0, chi_0*x0*(initial_force +
+            tendon_stiffness*(-permanent_extension + u*x3*x5*(-eccentricity + s*x3*x4)))**2 +
+            chi_1*x0*yield_force**2 + gravity*mass*s*u*x3*x4*x5 - x0*max(0, initial_force -
+            permanent_extension*tendon_stiffness)**2)/effective_mass)
+        )
+        return TARGETS[mode][guard]
+    if mode in (LEFT_INWARD_YIELD, LEFT_NEAR_YIELD, RIGHT_INWARD_YIELD, RIGHT_NEAR_YIELD,) and guard == 2:
+        s = SIDES[mode]
         u = y[0]
         height = p[2]
         half_width = p[3]
@@ -1296,127 +948,98 @@ def jump(mode, guard, law, ratio, y, p, out):
         x1 = math.sqrt(1 - x0/height**2)
         x2 = 1/x1
         out[1] = (
-            -(-initial_force + yield_force)/tendon_stiffness + u*x2*(-eccentricity +
+            (initial_force - yield_force)/tendon_stiffness + u*x2*(-eccentricity +
             s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
             half_width)))/height
         )
-        return RIGHT
+        return TARGETS[mode][guard]
+    if mode in (LEFT_YIELD, RIGHT_YIELD,) and guard == 0:
+        s = SIDES[mode]
+        u = y[0]
+        height = p[2]
+        half_width = p[3]
+        edge_distance = p[4]
+        transition = p[5]
+        tendon_stiffness = p[6]
+        initial_force = p[7]
+        yield_force = p[8]
+        eccentricity = p[9]
+        x0 = u**2
+        x1 = math.sqrt(1 - x0/height**2)
+        x2 = 1/x1
+        out[1] = (
+            (initial_force - yield_force)/tendon_stiffness + u*x2*(-eccentricity +
+            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
+            half_width)))/height
+        )
+        return TARGETS[mode][guard]
     return mode
 
 
 def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if mode == LEFT or mode == LEFT_INWARD or mode == LEFT_NEAR or mode == RIGHT or mode == RIGHT_INWARD or mode == RIGHT_NEAR:
-        s = SIDES[mode]
-        found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
-        u_ddot = found[0]
-        u = y[0]
-        permanent_extension = y[1]
-        effective_mass = p[1]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        x2 = 1/x1
-        out[0] = ax*effective_mass + effective_mass*u_ddot
-        out[1] = (
-            initial_force + tendon_stiffness*(-permanent_extension + u*x2*(-eccentricity +
-            s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
-            half_width)))/height)
-        )
-    elif mode == LEFT_SLACK or mode == LEFT_INWARD_SLACK or mode == LEFT_NEAR_SLACK or mode == RIGHT_SLACK or mode == RIGHT_INWARD_SLACK or mode == RIGHT_NEAR_SLACK:
-        found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
-        u_ddot = found[0]
-        effective_mass = p[1]
-        out[0] = ax*effective_mass + effective_mass*u_ddot
-        out[1] = 0
-    elif mode == LEFT_YIELD or mode == LEFT_INWARD_YIELD or mode == LEFT_NEAR_YIELD or mode == RIGHT_YIELD or mode == RIGHT_INWARD_YIELD or mode == RIGHT_NEAR_YIELD:
-        found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
-        u_ddot = found[0]
-        effective_mass = p[1]
-        yield_force = p[8]
-        out[0] = ax*effective_mass + effective_mass*u_ddot
-        out[1] = yield_force
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+    u_ddot = found[0]
+    u = y[0]
+    permanent_extension = y[1]
+    effective_mass = p[1]
+    height = p[2]
+    half_width = p[3]
+    edge_distance = p[4]
+    transition = p[5]
+    tendon_stiffness = p[6]
+    initial_force = p[7]
+    yield_force = p[8]
+    eccentricity = p[9]
+    x0 = u**2
+    x1 = math.sqrt(1 - x0/height**2)
+    x2 = 1/x1
+    out[0] = ax*effective_mass + effective_mass*u_ddot
+    out[1] = (
+        chi_0*(initial_force + tendon_stiffness*(-permanent_extension + u*x2*(-eccentricity
+        + s*x2*(half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
+        half_width)))/height)) + chi_1*yield_force
+    )
 
 
 def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if mode == LEFT or mode == LEFT_INWARD or mode == LEFT_NEAR or mode == RIGHT or mode == RIGHT_INWARD or mode == RIGHT_NEAR:
-        s = SIDES[mode]
-        u = y[0]
-        permanent_extension = y[1]
-        u_dot = y[3]
-        mass = p[0]
-        effective_mass = p[1]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        gravity = p[23]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        x2 = 1/x1
-        x3 = (
-            half_width*(1 - x1) + (1 - math.exp(-x0/transition**2))*(-edge_distance +
-            half_width)
-        )
-        x4 = 1/height
-        out[0] = (1/2)*effective_mass*u_dot**2
-        out[1] = 0
-        out[2] = (
-            gravity*mass*s*u*x2*x3*x4 + (1/2)*(initial_force +
-            tendon_stiffness*(-permanent_extension + u*x2*x4*(-eccentricity +
-            s*x2*x3)))**2/tendon_stiffness
-        )
-    elif mode == LEFT_SLACK or mode == LEFT_INWARD_SLACK or mode == LEFT_NEAR_SLACK or mode == RIGHT_SLACK or mode == RIGHT_INWARD_SLACK or mode == RIGHT_NEAR_SLACK:
-        s = SIDES[mode]
-        u = y[0]
-        u_dot = y[3]
-        mass = p[0]
-        effective_mass = p[1]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        gravity = p[23]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        out[0] = (1/2)*effective_mass*u_dot**2
-        out[1] = 0
-        out[2] = (
-            gravity*mass*s*u*(half_width*(1 - x1) + (1 -
-            math.exp(-x0/transition**2))*(-edge_distance + half_width))/(height*x1)
-        )
-    elif mode == LEFT_YIELD or mode == LEFT_INWARD_YIELD or mode == LEFT_NEAR_YIELD or mode == RIGHT_YIELD or mode == RIGHT_INWARD_YIELD or mode == RIGHT_NEAR_YIELD:
-        s = SIDES[mode]
-        u = y[0]
-        u_dot = y[3]
-        mass = p[0]
-        effective_mass = p[1]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        yield_force = p[8]
-        gravity = p[23]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        out[0] = (1/2)*effective_mass*u_dot**2
-        out[1] = 0
-        out[2] = (
-            gravity*mass*s*u*(half_width*(1 - x1) + (1 -
-            math.exp(-x0/transition**2))*(-edge_distance + half_width))/(height*x1) +
-            (1/2)*yield_force**2/tendon_stiffness
-        )
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    u = y[0]
+    permanent_extension = y[1]
+    u_dot = y[3]
+    mass = p[0]
+    effective_mass = p[1]
+    height = p[2]
+    half_width = p[3]
+    edge_distance = p[4]
+    transition = p[5]
+    tendon_stiffness = p[6]
+    initial_force = p[7]
+    yield_force = p[8]
+    eccentricity = p[9]
+    gravity = p[23]
+    x0 = (1/2)/tendon_stiffness
+    x1 = u**2
+    x2 = math.sqrt(1 - x1/height**2)
+    x3 = 1/x2
+    x4 = (
+        half_width*(1 - x2) + (1 - math.exp(-x1/transition**2))*(-edge_distance +
+        half_width)
+    )
+    x5 = 1/height
+    out[0] = (1/2)*effective_mass*u_dot**2
+    out[1] = 0
+    out[2] = (
+        chi_0*x0*(initial_force + tendon_stiffness*(-permanent_extension +
+        u*x3*x5*(-eccentricity + s*x3*x4)))**2 + chi_1*x0*yield_force**2 +
+        gravity*mass*s*u*x3*x4*x5
+    )
 
 
 def kinematics(mode, y, p, out):
@@ -1447,106 +1070,49 @@ def momentum(mode, y, p, out):
 
 def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if mode == LEFT or mode == LEFT_INWARD or mode == LEFT_NEAR or mode == RIGHT or mode == RIGHT_INWARD or mode == RIGHT_NEAR:
-        s = SIDES[mode]
-        u = y[0]
-        permanent_extension = y[1]
-        mass = p[0]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        gravity = p[23]
-        x0 = 1/height
-        x1 = height**(-2)
-        x2 = u**2
-        x3 = -x1*x2 + 1
-        x4 = math.sqrt(x3)
-        x5 = -edge_distance + half_width
-        x6 = transition**(-2)
-        x7 = math.exp(-x2*x6)
-        x8 = half_width*(1 - x4) + x5*(1 - x7)
-        x9 = 1/x4
-        x10 = s*x9
-        x11 = u*x1
-        x12 = x10*(half_width*x11*x9 + 2*u*x5*x6*x7)
-        x13 = x3**(-3/2)
-        x14 = x13*x2/height**3
-        x15 = s*x8
-        x16 = -eccentricity + s*x8*x9
-        x17 = x0*x9
-        x18 = x16*x17
-        x19 = u*x17*(x11*x13*x15 + x12) + x14*x16 + x18
-        x20 = tendon_stiffness*x19
-        out[0] = (
-            gravity*mass*(u*x0*x12 + x0*x10*x8 + x14*x15) + initial_force*x19 - load -
-            permanent_extension*x20 + u*x18*x20
-        )
-        out[1] = 0
-        out[2] = 0
-    elif mode == LEFT_SLACK or mode == LEFT_INWARD_SLACK or mode == LEFT_NEAR_SLACK or mode == RIGHT_SLACK or mode == RIGHT_INWARD_SLACK or mode == RIGHT_NEAR_SLACK:
-        s = SIDES[mode]
-        u = y[0]
-        mass = p[0]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        gravity = p[23]
-        x0 = height**(-2)
-        x1 = u**2
-        x2 = -x0*x1 + 1
-        x3 = math.sqrt(x2)
-        x4 = -edge_distance + half_width
-        x5 = transition**(-2)
-        x6 = math.exp(-x1*x5)
-        x7 = s*(half_width*(1 - x3) + x4*(1 - x6))
-        x8 = 1/x3
-        x9 = x8/height
-        out[0] = (
-            gravity*mass*(s*u*x9*(half_width*u*x0*x8 + 2*u*x4*x5*x6) + x7*x9 +
-            x1*x7/(height**3*x2**(3/2))) - load
-        )
-        out[1] = 0
-        out[2] = 0
-    elif mode == LEFT_YIELD or mode == LEFT_INWARD_YIELD or mode == LEFT_NEAR_YIELD or mode == RIGHT_YIELD or mode == RIGHT_INWARD_YIELD or mode == RIGHT_NEAR_YIELD:
-        s = SIDES[mode]
-        u = y[0]
-        mass = p[0]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        yield_force = p[8]
-        eccentricity = p[9]
-        gravity = p[23]
-        x0 = 1/height
-        x1 = height**(-2)
-        x2 = u**2
-        x3 = -x1*x2 + 1
-        x4 = math.sqrt(x3)
-        x5 = -edge_distance + half_width
-        x6 = transition**(-2)
-        x7 = math.exp(-x2*x6)
-        x8 = half_width*(1 - x4) + x5*(1 - x7)
-        x9 = 1/x4
-        x10 = s*x9
-        x11 = u*x1
-        x12 = x10*(half_width*x11*x9 + 2*u*x5*x6*x7)
-        x13 = x3**(-3/2)
-        x14 = x13*x2/height**3
-        x15 = s*x8
-        x16 = -eccentricity + s*x8*x9
-        x17 = x0*x9
-        out[0] = (
-            gravity*mass*(u*x0*x12 + x0*x10*x8 + x14*x15) - load +
-            yield_force*(u*x17*(x11*x13*x15 + x12) + x14*x16 + x16*x17)
-        )
-        out[1] = 0
-        out[2] = 0
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    u = y[0]
+    permanent_extension = y[1]
+    mass = p[0]
+    height = p[2]
+    half_width = p[3]
+    edge_distance = p[4]
+    transition = p[5]
+    tendon_stiffness = p[6]
+    initial_force = p[7]
+    yield_force = p[8]
+    eccentricity = p[9]
+    gravity = p[23]
+    x0 = 1/height
+    x1 = height**(-2)
+    x2 = u**2
+    x3 = -x1*x2 + 1
+    x4 = math.sqrt(x3)
+    x5 = -edge_distance + half_width
+    x6 = transition**(-2)
+    x7 = math.exp(-x2*x6)
+    x8 = half_width*(1 - x4) + x5*(1 - x7)
+    x9 = 1/x4
+    x10 = s*x9
+    x11 = u*x1
+    x12 = x10*(half_width*x11*x9 + 2*u*x5*x6*x7)
+    x13 = x3**(-3/2)
+    x14 = x13*x2/height**3
+    x15 = s*x8
+    x16 = -eccentricity + s*x8*x9
+    x17 = x0*x9
+    x18 = x16*x17
+    x19 = u*x17*(x11*x13*x15 + x12) + x14*x16 + x18
+    x20 = chi_0*x19
+    x21 = tendon_stiffness*x20
+    out[0] = (
+        chi_1*x19*yield_force + gravity*mass*(u*x0*x12 + x0*x10*x8 + x14*x15) +
+        initial_force*x20 - load - permanent_extension*x21 + u*x18*x21
+    )
+    out[1] = 0
+    out[2] = 0
 
 
 def masses(mode, y, p, out):
@@ -1562,90 +1128,60 @@ def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if mode in (LEFT, LEFT_INWARD, LEFT_NEAR, RIGHT, RIGHT_INWARD, RIGHT_NEAR, LEFT_SLACK, LEFT_INWARD_SLACK, LEFT_NEAR_SLACK, RIGHT_SLACK, RIGHT_INWARD_SLACK, RIGHT_NEAR_SLACK):
-        u = y[0]
-        passage_speed = y[2]
-        u_dot = y[3]
-        effective_mass = p[1]
-        regularisation = p[10]
-        held = p[11]
-        energy_ratio = p[12]
-        energy_ratio_slope_1 = p[13]
-        speed_limit_1 = p[14]
-        energy_ratio_2 = p[15]
-        energy_ratio_slope_2 = p[16]
-        speed_limit_2 = p[17]
-        energy_ratio_3 = p[18]
-        energy_ratio_slope_3 = p[19]
-        speed_limit_3 = p[20]
-        energy_ratio_4 = p[21]
-        energy_ratio_slope_4 = p[22]
-        x0 = abs(u_dot)
-        x1 = held*passage_speed + x0*(1 - held)
-        out[0] = -ax*effective_mass*u_dot
-        out[1] = 0
-        out[2] = (
-            (1/2)*effective_mass*u_dot**2*x0*math.exp(-u**2/regularisation**2)*math.log(((energy_ratio
-            + energy_ratio_slope_1*x1) if (speed_limit_1 > x1) else (energy_ratio_2 +
-            energy_ratio_slope_2*x1) if (speed_limit_2 > x1) else (energy_ratio_3 +
-            energy_ratio_slope_3*x1) if (speed_limit_3 > x1) else (energy_ratio_4 +
-            energy_ratio_slope_4*x1)))/(math.sqrt(math.pi)*regularisation)
-        )
-    elif mode == LEFT_YIELD or mode == LEFT_INWARD_YIELD or mode == LEFT_NEAR_YIELD or mode == RIGHT_YIELD or mode == RIGHT_INWARD_YIELD or mode == RIGHT_NEAR_YIELD:
-        s = SIDES[mode]
-        u = y[0]
-        passage_speed = y[2]
-        u_dot = y[3]
-        effective_mass = p[1]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        yield_force = p[8]
-        eccentricity = p[9]
-        regularisation = p[10]
-        held = p[11]
-        energy_ratio = p[12]
-        energy_ratio_slope_1 = p[13]
-        speed_limit_1 = p[14]
-        energy_ratio_2 = p[15]
-        energy_ratio_slope_2 = p[16]
-        speed_limit_2 = p[17]
-        energy_ratio_3 = p[18]
-        energy_ratio_slope_3 = p[19]
-        speed_limit_3 = p[20]
-        energy_ratio_4 = p[21]
-        energy_ratio_slope_4 = p[22]
-        x0 = effective_mass*u_dot
-        x1 = height**(-2)
-        x2 = u**2
-        x3 = -x1*x2 + 1
-        x4 = math.sqrt(x3)
-        x5 = 1/x4
-        x6 = -edge_distance + half_width
-        x7 = transition**(-2)
-        x8 = math.exp(-x2*x7)
-        x9 = half_width*(1 - x4) + x6*(1 - x8)
-        x10 = -eccentricity + s*x5*x9
-        x11 = x5/height
-        x12 = x3**(-3/2)
-        x13 = u*x1
-        x14 = (
-            yield_force*(u*x11*(s*x12*x13*x9 + s*x5*(half_width*x13*x5 + 2*u*x6*x7*x8)) +
-            x10*x11 + x10*x12*x2/height**3)
-        )
-        x15 = u_dot*x14
-        x16 = abs(u_dot)
-        x17 = held*passage_speed + x16*(1 - held)
-        out[0] = -ax*x0
-        out[1] = x15
-        out[2] = (
-            u_dot*(-x14 + (1/2)*x0*x16*math.exp(-x2/regularisation**2)*math.log(((energy_ratio +
-            energy_ratio_slope_1*x17) if (speed_limit_1 > x17) else (energy_ratio_2 +
-            energy_ratio_slope_2*x17) if (speed_limit_2 > x17) else (energy_ratio_3 +
-            energy_ratio_slope_3*x17) if (speed_limit_3 > x17) else (energy_ratio_4 +
-            energy_ratio_slope_4*x17)))/(math.sqrt(math.pi)*regularisation)) + x15
-        )
+    s = SIDES[mode]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    u = y[0]
+    passage_speed = y[2]
+    u_dot = y[3]
+    effective_mass = p[1]
+    height = p[2]
+    half_width = p[3]
+    edge_distance = p[4]
+    transition = p[5]
+    yield_force = p[8]
+    eccentricity = p[9]
+    regularisation = p[10]
+    held = p[11]
+    energy_ratio = p[12]
+    energy_ratio_slope_1 = p[13]
+    speed_limit_1 = p[14]
+    energy_ratio_2 = p[15]
+    energy_ratio_slope_2 = p[16]
+    speed_limit_2 = p[17]
+    energy_ratio_3 = p[18]
+    energy_ratio_slope_3 = p[19]
+    speed_limit_3 = p[20]
+    energy_ratio_4 = p[21]
+    energy_ratio_slope_4 = p[22]
+    x0 = height**(-2)
+    x1 = u**2
+    x2 = -x0*x1 + 1
+    x3 = math.sqrt(x2)
+    x4 = 1/x3
+    x5 = -edge_distance + half_width
+    x6 = transition**(-2)
+    x7 = math.exp(-x1*x6)
+    x8 = half_width*(1 - x3) + x5*(1 - x7)
+    x9 = -eccentricity + s*x4*x8
+    x10 = x4/height
+    x11 = x2**(-3/2)
+    x12 = u*x0
+    x13 = (
+        chi_1*yield_force*(u*x10*(s*x11*x12*x8 + s*x4*(half_width*x12*x4 + 2*u*x5*x6*x7)) +
+        x10*x9 + x1*x11*x9/height**3)
+    )
+    x14 = u_dot*x13
+    x15 = abs(u_dot)
+    x16 = held*passage_speed + x15*(1 - held)
+    out[0] = -ax*effective_mass*u_dot
+    out[1] = x14
+    out[2] = (
+        u_dot*((1/2)*effective_mass*u_dot*x15*math.exp(-x1/regularisation**2)*math.log(((energy_ratio
+        + energy_ratio_slope_1*x16) if (speed_limit_1 > x16) else (energy_ratio_2 +
+        energy_ratio_slope_2*x16) if (speed_limit_2 > x16) else (energy_ratio_3 +
+        energy_ratio_slope_3*x16) if (speed_limit_3 > x16) else (energy_ratio_4 +
+        energy_ratio_slope_4*x16)))/(math.sqrt(math.pi)*regularisation) - x13) + x14
+    )
 
 
 def positions(mode, y, p, out):
@@ -1664,81 +1200,46 @@ def elements(mode, y, p, out):
 
     Into out, one element behind the other.
     """
-    if mode == LEFT or mode == LEFT_INWARD or mode == LEFT_NEAR or mode == RIGHT or mode == RIGHT_INWARD or mode == RIGHT_NEAR:
-        s = SIDES[mode]
-        u = y[0]
-        permanent_extension = y[1]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        x2 = 1/x1
-        x3 = (
-            -permanent_extension + u*x2*(-eccentricity + s*x2*(half_width*(1 - x1) + (1 -
-            math.exp(-x0/transition**2))*(-edge_distance + half_width)))/height
-        )
-        x4 = initial_force + tendon_stiffness*x3
-        out[0] = x3
-        out[1] = x4
-        out[2] = (1/2)*x4**2/tendon_stiffness
-        out[3] = 0
-    elif mode == LEFT_SLACK or mode == LEFT_INWARD_SLACK or mode == LEFT_NEAR_SLACK or mode == RIGHT_SLACK or mode == RIGHT_INWARD_SLACK or mode == RIGHT_NEAR_SLACK:
-        s = SIDES[mode]
-        u = y[0]
-        permanent_extension = y[1]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        eccentricity = p[9]
-        x0 = u**2
-        x1 = math.sqrt(1 - x0/height**2)
-        x2 = 1/x1
-        out[0] = (
-            -permanent_extension + u*x2*(-eccentricity + s*x2*(half_width*(1 - x1) + (1 -
-            math.exp(-x0/transition**2))*(-edge_distance + half_width)))/height
-        )
-        out[1] = 0
-        out[2] = 0
-        out[3] = 0
-    elif mode == LEFT_YIELD or mode == LEFT_INWARD_YIELD or mode == LEFT_NEAR_YIELD or mode == RIGHT_YIELD or mode == RIGHT_INWARD_YIELD or mode == RIGHT_NEAR_YIELD:
-        s = SIDES[mode]
-        u = y[0]
-        u_dot = y[3]
-        height = p[2]
-        half_width = p[3]
-        edge_distance = p[4]
-        transition = p[5]
-        tendon_stiffness = p[6]
-        initial_force = p[7]
-        yield_force = p[8]
-        eccentricity = p[9]
-        x0 = 1/tendon_stiffness
-        x1 = height**(-2)
-        x2 = u**2
-        x3 = -x1*x2 + 1
-        x4 = math.sqrt(x3)
-        x5 = 1/x4
-        x6 = -edge_distance + half_width
-        x7 = transition**(-2)
-        x8 = math.exp(-x2*x7)
-        x9 = half_width*(1 - x4) + x6*(1 - x8)
-        x10 = -eccentricity + s*x5*x9
-        x11 = x5/height
-        x12 = x3**(-3/2)
-        x13 = u*x1
-        out[0] = x0*(-initial_force + yield_force)
-        out[1] = yield_force
-        out[2] = (1/2)*x0*yield_force**2
-        out[3] = (
-            u_dot*yield_force*(u*x11*(s*x12*x13*x9 + s*x5*(half_width*x13*x5 + 2*u*x6*x7*x8)) +
-            x10*x11 + x10*x12*x2/height**3)
-        )
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    u = y[0]
+    permanent_extension = y[1]
+    u_dot = y[3]
+    height = p[2]
+    half_width = p[3]
+    edge_distance = p[4]
+    transition = p[5]
+    tendon_stiffness = p[6]
+    initial_force = p[7]
+    yield_force = p[8]
+    eccentricity = p[9]
+    x0 = 1/tendon_stiffness
+    x1 = chi_1*x0
+    x2 = 1/height
+    x3 = height**(-2)
+    x4 = u**2
+    x5 = -x3*x4 + 1
+    x6 = math.sqrt(x5)
+    x7 = 1/x6
+    x8 = -edge_distance + half_width
+    x9 = transition**(-2)
+    x10 = math.exp(-x4*x9)
+    x11 = half_width*(1 - x6) + x8*(1 - x10)
+    x12 = -eccentricity + s*x11*x7
+    x13 = -permanent_extension + u*x12*x2*x7
+    x14 = chi_1*yield_force
+    x15 = initial_force + tendon_stiffness*x13
+    x16 = x2*x7
+    x17 = x5**(-3/2)
+    x18 = u*x3
+    out[0] = x1*(-initial_force + yield_force) + x13*(1 - chi_1)
+    out[1] = chi_0*x15 + x14
+    out[2] = (1/2)*chi_0*x0*x15**2 + (1/2)*x1*yield_force**2
+    out[3] = (
+        u_dot*x14*(u*x16*(s*x11*x17*x18 + s*x7*(half_width*x18*x7 + 2*u*x10*x8*x9)) +
+        x12*x16 + x12*x17*x4/height**3)
+    )
 
 
 def shapes(p, out):

@@ -25,16 +25,16 @@ Source: thesis 4-8, 4-33; Lagrange's equations in place of 4-27 and 4-32; the fi
 Operations before and after common subexpressions were shared:
     accelerations           1739   549
     guards                   254   109
-    jump                     122    66
-    reactions               2082   378
-    energies                 951   306
-    kinematics               399   129
-    momentum                 384   168
-    statics                 1282   282
+    jump                      61    33
+    reactions                877   132
+    energies                 365   122
+    kinematics               133    43
+    momentum                 128    56
+    statics                 1050   105
     masses                     0     0
-    powers                   617   238
-    positions                564   111
-    elements                 489   158
+    powers                   352   111
+    positions                188    37
+    elements                 425    92
     shapes                    10     6
     overturning                1     1
     velocity_ratio             0     0
@@ -51,7 +51,7 @@ from rockeom.generated.prelude import (
     velocity_ratio, overturning, sine_cosine,
 )
 
-SOURCE_HASH = "8f3a6d25dce9a422"
+SOURCE_HASH = "0e3c5524485faa9b"
 
 NAME = "flexible_controlled_wall"
 CLASS = "FlexibleControlledWall"
@@ -201,6 +201,14 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right
     (-1, -1, -1,),  # right_slack
     (-1, -1, -1,),  # right_yield
+)
+ELEMENT_STATES = (  # of each mode, 1 while `tendon` is elastic, while `tendon` yields
+    (1.0, 0.0,),  # left
+    (0.0, 0.0,),  # left_slack
+    (0.0, 1.0,),  # left_yield
+    (1.0, 0.0,),  # right
+    (0.0, 0.0,),  # right_slack
+    (0.0, 1.0,),  # right_yield
 )
 LOCALISED = True  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = False
@@ -552,7 +560,7 @@ def guards(mode, y, p, ax, ay, g):
         of two, where PARTS says.
     """
     if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
+        s = SIDES[mode]
         theta = y[0]
         permanent_extension = y[2]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -576,7 +584,7 @@ def guards(mode, y, p, ax, ay, g):
         g[1] = -c23 - x2
         g[2] = initial_force + x2
     elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
+        s = SIDES[mode]
         theta = y[0]
         permanent_extension = y[2]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -597,7 +605,7 @@ def guards(mode, y, p, ax, ay, g):
             (anchor_height*sin_theta + cos_theta*x1 - eccentricity - x0)**2))
         )
     elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
+        s = SIDES[mode]
         theta = y[0]
         theta_dot = y[3]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -660,29 +668,6 @@ def jump(mode, guard, law, ratio, y, p, out):
             return RIGHT_YIELD
         out[3] = 0.0
         return RIGHT_YIELD
-    if mode == LEFT_YIELD and guard == 1:
-        s = -1.0
-        theta = y[0]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        yield_force = p[11]
-        eccentricity = p[12]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
-        x3 = eccentricity - x2
-        out[2] = (
-            -anchor_depth - anchor_height + math.sqrt((anchor_depth + anchor_height*x0 -
-            x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2) - (-initial_force +
-            yield_force)/tendon_stiffness
-        )
-        return LEFT
     if mode == RIGHT and guard == 0:
         out[0] = 0.0
         out[3] = ratio * y[3]
@@ -710,8 +695,8 @@ def jump(mode, guard, law, ratio, y, p, out):
             return LEFT_YIELD
         out[3] = 0.0
         return LEFT_YIELD
-    if mode == RIGHT_YIELD and guard == 1:
-        s = 1.0
+    if mode in (LEFT_YIELD, RIGHT_YIELD,) and guard == 1:
+        s = SIDES[mode]
         theta = y[0]
         height = p[3]
         half_width = p[4]
@@ -729,387 +714,159 @@ def jump(mode, guard, law, ratio, y, p, out):
         x3 = eccentricity - x2
         out[2] = (
             -anchor_depth - anchor_height + math.sqrt((anchor_depth + anchor_height*x0 -
-            x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2) - (-initial_force +
+            x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2) + (initial_force -
             yield_force)/tendon_stiffness
         )
-        return RIGHT
+        return TARGETS[mode][guard]
     return mode
 
 
 def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
-        found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
-        theta_ddot = found[0]
-        u_ddot = found[1]
-        theta = y[0]
-        u = y[1]
-        permanent_extension = y[2]
-        theta_dot = y[3]
-        u_dot = y[4]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        gravity = p[15]
-        x0 = math.cos(theta)
-        x1 = mass*u_ddot
-        x2 = centroid_height*mass
-        x3 = theta_ddot*x2
-        x4 = math.sin(theta)
-        x5 = mass*u
-        x6 = theta_ddot*x5
-        x7 = mass*x4
-        x8 = 2*x7
-        x9 = theta_dot*u_dot
-        x10 = theta_dot**2
-        x11 = x10*x4
-        x12 = x0*x10
-        x13 = x4**2
-        x14 = height**2/transition**2
-        x15 = x13*x14
-        x16 = math.exp(-x15)
-        x17 = s*(-edge_distance + half_width)
-        x18 = x17*(1 - x16)
-        x19 = theta_ddot*x18
-        x20 = mass*x18
-        x21 = x16*x17
-        x22 = x14*x21
-        x23 = theta_ddot*x22*x8
-        x24 = x0**2
-        x25 = 2*x15
-        x26 = mass*x22
-        x27 = 2*x26*(x13 + x24*x25 - x24)
-        x28 = (1/2)*s
-        x29 = mass*x0
-        x30 = eccentricity - x18
-        x31 = anchor_depth + anchor_height*x0 - x30*x4
-        x32 = math.sqrt(x31**2 + (anchor_height*x4 - eccentricity + x0*x30 + x18)**2)
-        x33 = (
-            initial_force + tendon_stiffness*(-anchor_depth - anchor_height -
-            permanent_extension + x32)
-        )
-        x34 = (
-            ay*mass + gravity*mass + theta_ddot*x21*x25*x29 - x0*x6 - x1*x4 - x11*x20 +
-            4*x11*x24*x26 - x11*x27 + x11*x5 - x12*x2 + x19*x29 - 2*x29*x9 - x3*x4 + x31*x33/x32
-        )
-        out[0] = (
-            ax*mass + 4*mass*x12*x15*x21 + x0*x1 + x0*x23 + x0*x3 - x10*x27 - x11*x2 + x12*x20 +
-            x12*x27 - x12*x5 + x19*x7 - x23*x24 - x4*x6 - x8*x9
-        )
-        out[1] = x34*(1/2 - x28)
-        out[2] = x34*(x28 + 1/2)
-        out[3] = x33
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
-        theta_ddot = found[0]
-        u_ddot = found[1]
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[3]
-        u_dot = y[4]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        gravity = p[15]
-        x0 = math.cos(theta)
-        x1 = mass*u_ddot
-        x2 = centroid_height*mass
-        x3 = theta_ddot*x2
-        x4 = math.sin(theta)
-        x5 = mass*u
-        x6 = theta_ddot*x5
-        x7 = mass*x4
-        x8 = 2*x7
-        x9 = theta_dot*u_dot
-        x10 = theta_dot**2
-        x11 = x10*x4
-        x12 = x0*x10
-        x13 = x4**2
-        x14 = height**2
-        x15 = transition**(-2)
-        x16 = x14*x15
-        x17 = x13*x16
-        x18 = math.exp(-x17)
-        x19 = 1 - x18
-        x20 = -edge_distance + half_width
-        x21 = s*x20
-        x22 = x19*x21
-        x23 = mass*x22
-        x24 = x18*x21
-        x25 = x16*x24
-        x26 = theta_ddot*x25*x8
-        x27 = x0**2
-        x28 = 2*mass*x25*(x13 + 2*x17*x27 - x27)
-        x29 = (1/2)*s
-        x30 = (
-            ay*mass + gravity*mass + 2*mass*s*theta_ddot*x0*x13*x14*x15*x18*x20 +
-            mass*s*theta_ddot*x0*x19*x20 + 4*mass*s*x10*x14*x15*x18*x20*x27*x4 + mass*u*x10*x4 -
-            2*mass*x0*x9 - x0*x6 - x1*x4 - x11*x23 - x11*x28 - x12*x2 - x3*x4
-        )
-        out[0] = (
-            ax*mass + 4*mass*x12*x17*x24 + theta_ddot*x22*x7 + x0*x1 + x0*x26 + x0*x3 - x10*x28
-            - x11*x2 + x12*x23 + x12*x28 - x12*x5 - x26*x27 - x4*x6 - x8*x9
-        )
-        out[1] = x30*(1/2 - x29)
-        out[2] = x30*(x29 + 1/2)
-        out[3] = 0
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
-        theta_ddot = found[0]
-        u_ddot = found[1]
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[3]
-        u_dot = y[4]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        yield_force = p[11]
-        eccentricity = p[12]
-        gravity = p[15]
-        x0 = math.cos(theta)
-        x1 = mass*u_ddot
-        x2 = centroid_height*mass
-        x3 = theta_ddot*x2
-        x4 = math.sin(theta)
-        x5 = mass*u
-        x6 = theta_ddot*x5
-        x7 = mass*x4
-        x8 = 2*x7
-        x9 = theta_dot*u_dot
-        x10 = theta_dot**2
-        x11 = x10*x4
-        x12 = x0*x10
-        x13 = x4**2
-        x14 = height**2/transition**2
-        x15 = x13*x14
-        x16 = math.exp(-x15)
-        x17 = s*(-edge_distance + half_width)
-        x18 = x17*(1 - x16)
-        x19 = theta_ddot*x18
-        x20 = mass*x18
-        x21 = x16*x17
-        x22 = x14*x21
-        x23 = theta_ddot*x22*x8
-        x24 = x0**2
-        x25 = 2*x15
-        x26 = mass*x22
-        x27 = 2*x26*(x13 + x24*x25 - x24)
-        x28 = (1/2)*s
-        x29 = mass*x0
-        x30 = eccentricity - x18
-        x31 = anchor_depth + anchor_height*x0 - x30*x4
-        x32 = (
-            ay*mass + gravity*mass + theta_ddot*x21*x25*x29 - x0*x6 - x1*x4 - x11*x20 +
-            4*x11*x24*x26 - x11*x27 + x11*x5 - x12*x2 + x19*x29 - 2*x29*x9 - x3*x4 +
-            x31*yield_force/math.sqrt(x31**2 + (anchor_height*x4 - eccentricity + x0*x30 +
-            x18)**2)
-        )
-        out[0] = (
-            ax*mass + 4*mass*x12*x15*x21 + x0*x1 + x0*x23 + x0*x3 - x10*x27 - x11*x2 + x12*x20 +
-            x12*x27 - x12*x5 + x19*x7 - x23*x24 - x4*x6 - x8*x9
-        )
-        out[1] = x32*(1/2 - x28)
-        out[2] = x32*(x28 + 1/2)
-        out[3] = yield_force
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    found = accelerations(mode, y[0], y[1], y[2], y[3], y[4], y[5], p, ax, ay)
+    theta_ddot = found[0]
+    u_ddot = found[1]
+    theta = y[0]
+    u = y[1]
+    permanent_extension = y[2]
+    theta_dot = y[3]
+    u_dot = y[4]
+    mass = p[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    tendon_stiffness = p[9]
+    initial_force = p[10]
+    yield_force = p[11]
+    eccentricity = p[12]
+    gravity = p[15]
+    x0 = math.cos(theta)
+    x1 = mass*u_ddot
+    x2 = centroid_height*mass
+    x3 = theta_ddot*x2
+    x4 = math.sin(theta)
+    x5 = mass*u
+    x6 = theta_ddot*x5
+    x7 = mass*x4
+    x8 = 2*x7
+    x9 = theta_dot*u_dot
+    x10 = theta_dot**2
+    x11 = x10*x4
+    x12 = x0*x10
+    x13 = x4**2
+    x14 = height**2/transition**2
+    x15 = x13*x14
+    x16 = math.exp(-x15)
+    x17 = s*(-edge_distance + half_width)
+    x18 = x17*(1 - x16)
+    x19 = theta_ddot*x18
+    x20 = mass*x18
+    x21 = x16*x17
+    x22 = x14*x21
+    x23 = theta_ddot*x22*x8
+    x24 = x0**2
+    x25 = 2*x15
+    x26 = mass*x22
+    x27 = 2*x26*(x13 + x24*x25 - x24)
+    x28 = (1/2)*s
+    x29 = mass*x0
+    x30 = eccentricity - x18
+    x31 = anchor_depth + anchor_height*x0 - x30*x4
+    x32 = math.sqrt(x31**2 + (anchor_height*x4 - eccentricity + x0*x30 + x18)**2)
+    x33 = (
+        chi_0*(initial_force + tendon_stiffness*(-anchor_depth - anchor_height -
+        permanent_extension + x32)) + chi_1*yield_force
+    )
+    x34 = (
+        ay*mass + gravity*mass + theta_ddot*x21*x25*x29 - x0*x6 - x1*x4 - x11*x20 +
+        4*x11*x24*x26 - x11*x27 + x11*x5 - x12*x2 + x19*x29 - 2*x29*x9 - x3*x4 + x31*x33/x32
+    )
+    out[0] = (
+        ax*mass + 4*mass*x12*x15*x21 + x0*x1 + x0*x23 + x0*x3 - x10*x27 - x11*x2 + x12*x20 +
+        x12*x27 - x12*x5 + x19*x7 - x23*x24 - x4*x6 - x8*x9
+    )
+    out[1] = x34*(1/2 - x28)
+    out[2] = x34*(x28 + 1/2)
+    out[3] = x33
 
 
 def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
-        theta = y[0]
-        u = y[1]
-        permanent_extension = y[2]
-        theta_dot = y[3]
-        u_dot = y[4]
-        mass = p[0]
-        inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        stiffness = p[13]
-        gravity = p[15]
-        x0 = centroid_height*mass
-        x1 = theta_dot*u_dot
-        x2 = theta_dot**2
-        x3 = (1/2)*x2
-        x4 = mass*x3
-        x5 = u**2
-        x6 = math.sin(theta)
-        x7 = x6**2
-        x8 = height**2/transition**2
-        x9 = x7*x8
-        x10 = math.exp(-x9)
-        x11 = 1 - x10
-        x12 = -edge_distance + half_width
-        x13 = s*x12
-        x14 = x11*x13
-        x15 = mass*u
-        x16 = x15*x2
-        x17 = x12**2
-        x18 = math.cos(theta)
-        x19 = x10*x18
-        x20 = 2*x13*x6*x8
-        x21 = mass*x1
-        x22 = x0*x18
-        x23 = x10*x20
-        x24 = x2*x23
-        x25 = x18**2
-        x26 = 2*x9
-        x27 = x19*x26
-        x28 = mass*x17*x2
-        x29 = 4*height**4*x28*x7*math.exp(-x26)/transition**4
-        x30 = gravity*x6
-        x31 = eccentricity - x14
-        out[0] = (
-            centroid_height**2*x4 + inertia*x3 + (1/2)*mass*u_dot**2 + x0*x1 + x0*x24*x25 +
-            x11**2*x17*x4 + x11*x27*x28 - x13*x16*x27 - x14*x16 - x18**3*x29 - x19*x20*x21 +
-            x21*x23*x25 - x22*x24 + x25*x29 + x4*x5
-        )
-        out[1] = gravity*x22 + mass*x14*x30 - x15*x30
-        out[2] = (
-            (1/2)*stiffness*x5 + (1/2)*(initial_force + tendon_stiffness*(-anchor_depth -
-            anchor_height - permanent_extension + math.sqrt((anchor_depth + anchor_height*x18 -
-            x31*x6)**2 + (anchor_height*x6 - eccentricity + x14 +
-            x18*x31)**2)))**2/tendon_stiffness
-        )
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[3]
-        u_dot = y[4]
-        mass = p[0]
-        inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        stiffness = p[13]
-        gravity = p[15]
-        x0 = centroid_height*mass
-        x1 = theta_dot*u_dot
-        x2 = theta_dot**2
-        x3 = (1/2)*x2
-        x4 = mass*x3
-        x5 = u**2
-        x6 = math.sin(theta)
-        x7 = x6**2
-        x8 = height**2/transition**2
-        x9 = x7*x8
-        x10 = math.exp(-x9)
-        x11 = 1 - x10
-        x12 = x11*x2
-        x13 = mass*u
-        x14 = -edge_distance + half_width
-        x15 = s*x14
-        x16 = x13*x15
-        x17 = x14**2
-        x18 = math.cos(theta)
-        x19 = x10*x18
-        x20 = 2*x6*x8
-        x21 = mass*x15
-        x22 = x1*x21
-        x23 = x0*x18
-        x24 = x10*x20
-        x25 = x15*x2*x24
-        x26 = x18**2
-        x27 = 2*x9
-        x28 = x19*x27
-        x29 = mass*x17
-        x30 = 4*height**4*x2*x29*x7*math.exp(-x27)/transition**4
-        x31 = gravity*x6
-        out[0] = (
-            centroid_height**2*x4 + inertia*x3 + (1/2)*mass*u_dot**2 + x0*x1 + x0*x25*x26 +
-            x11**2*x17*x4 - x12*x16 + x12*x28*x29 - x16*x2*x28 - x18**3*x30 - x19*x20*x22 +
-            x22*x24*x26 - x23*x25 + x26*x30 + x4*x5
-        )
-        out[1] = gravity*x23 + x11*x21*x31 - x13*x31
-        out[2] = (1/2)*stiffness*x5
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[3]
-        u_dot = y[4]
-        mass = p[0]
-        inertia = p[1]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        tendon_stiffness = p[9]
-        yield_force = p[11]
-        stiffness = p[13]
-        gravity = p[15]
-        x0 = centroid_height*mass
-        x1 = theta_dot*u_dot
-        x2 = theta_dot**2
-        x3 = (1/2)*x2
-        x4 = mass*x3
-        x5 = u**2
-        x6 = math.sin(theta)
-        x7 = x6**2
-        x8 = height**2/transition**2
-        x9 = x7*x8
-        x10 = math.exp(-x9)
-        x11 = 1 - x10
-        x12 = x11*x2
-        x13 = mass*u
-        x14 = -edge_distance + half_width
-        x15 = s*x14
-        x16 = x13*x15
-        x17 = x14**2
-        x18 = math.cos(theta)
-        x19 = x10*x18
-        x20 = 2*x6*x8
-        x21 = mass*x15
-        x22 = x1*x21
-        x23 = x0*x18
-        x24 = x10*x20
-        x25 = x15*x2*x24
-        x26 = x18**2
-        x27 = 2*x9
-        x28 = x19*x27
-        x29 = mass*x17
-        x30 = 4*height**4*x2*x29*x7*math.exp(-x27)/transition**4
-        x31 = gravity*x6
-        out[0] = (
-            centroid_height**2*x4 + inertia*x3 + (1/2)*mass*u_dot**2 + x0*x1 + x0*x25*x26 +
-            x11**2*x17*x4 - x12*x16 + x12*x28*x29 - x16*x2*x28 - x18**3*x30 - x19*x20*x22 +
-            x22*x24*x26 - x23*x25 + x26*x30 + x4*x5
-        )
-        out[1] = gravity*x23 + x11*x21*x31 - x13*x31
-        out[2] = (1/2)*stiffness*x5 + (1/2)*yield_force**2/tendon_stiffness
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    theta = y[0]
+    u = y[1]
+    permanent_extension = y[2]
+    theta_dot = y[3]
+    u_dot = y[4]
+    mass = p[0]
+    inertia = p[1]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    tendon_stiffness = p[9]
+    initial_force = p[10]
+    yield_force = p[11]
+    eccentricity = p[12]
+    stiffness = p[13]
+    gravity = p[15]
+    x0 = centroid_height*mass
+    x1 = theta_dot*u_dot
+    x2 = theta_dot**2
+    x3 = (1/2)*x2
+    x4 = mass*x3
+    x5 = u**2
+    x6 = math.sin(theta)
+    x7 = x6**2
+    x8 = height**2/transition**2
+    x9 = x7*x8
+    x10 = math.exp(-x9)
+    x11 = 1 - x10
+    x12 = -edge_distance + half_width
+    x13 = s*x12
+    x14 = x11*x13
+    x15 = mass*u
+    x16 = x15*x2
+    x17 = x12**2
+    x18 = math.cos(theta)
+    x19 = x10*x18
+    x20 = 2*x13*x6*x8
+    x21 = mass*x1
+    x22 = x0*x18
+    x23 = x10*x20
+    x24 = x2*x23
+    x25 = x18**2
+    x26 = 2*x9
+    x27 = x19*x26
+    x28 = mass*x17*x2
+    x29 = 4*height**4*x28*x7*math.exp(-x26)/transition**4
+    x30 = gravity*x6
+    x31 = (1/2)/tendon_stiffness
+    x32 = eccentricity - x14
+    out[0] = (
+        centroid_height**2*x4 + inertia*x3 + (1/2)*mass*u_dot**2 + x0*x1 + x0*x24*x25 +
+        x11**2*x17*x4 + x11*x27*x28 - x13*x16*x27 - x14*x16 - x18**3*x29 - x19*x20*x21 +
+        x21*x23*x25 - x22*x24 + x25*x29 + x4*x5
+    )
+    out[1] = gravity*x22 + mass*x14*x30 - x15*x30
+    out[2] = (
+        chi_0*x31*(initial_force + tendon_stiffness*(-anchor_depth - anchor_height -
+        permanent_extension + math.sqrt((anchor_depth + anchor_height*x18 - x32*x6)**2 +
+        (anchor_height*x6 - eccentricity + x14 + x18*x32)**2)))**2 +
+        chi_1*x31*yield_force**2 + (1/2)*stiffness*x5
+    )
 
 
 def kinematics(mode, y, p, out):
@@ -1177,141 +934,66 @@ def momentum(mode, y, p, out):
 
 def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
-        theta = y[0]
-        u = y[1]
-        permanent_extension = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        stiffness = p[13]
-        gravity = p[15]
-        x0 = math.sin(theta)
-        x1 = gravity*mass
-        x2 = x0*x1
-        x3 = math.cos(theta)
-        x4 = -edge_distance + half_width
-        x5 = x0**2
-        x6 = height**2
-        x7 = transition**(-2)
-        x8 = x6*x7
-        x9 = math.exp(-x5*x8)
-        x10 = 1 - x9
-        x11 = s*x4
-        x12 = x10*x11
-        x13 = x3**2
-        x14 = x11*x9
-        x15 = x0*x8
-        x16 = anchor_height*x3
-        x17 = eccentricity - x12
-        x18 = x0*x17
-        x19 = anchor_depth + x16 - x18
-        x20 = anchor_height*x0
-        x21 = x17*x3
-        x22 = -eccentricity + x12 + x20 + x21
-        x23 = math.sqrt(x19**2 + x22**2)
-        x24 = 1/x23
-        x25 = 4*x14
-        x26 = (
-            (1/2)*x19*(4*s*x3*x4*x5*x6*x7*x9 - 2*x20 - 2*x21) + (1/2)*x22*(-x13*x15*x25 +
-            x15*x25*x3 + 2*x16 - 2*x18)
-        )
-        out[0] = (
-            -centroid_height*x2 + gravity*mass*s*x10*x3*x4 + 2*gravity*mass*s*x3*x4*x5*x6*x7*x9
-            + initial_force*x24*x26 - load*(height*x3 + 2*s*x0*x3*x4*x6*x7*x9 - x0*(u - x12) -
-            2*x13*x14*x15) - permanent_extension*tendon_stiffness*x24*x26 +
-            tendon_stiffness*x24*x26*(-anchor_depth - anchor_height + x23) - u*x1*x3
-        )
-        out[1] = -load*x3 + stiffness*u - x2
-        out[2] = 0
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        theta = y[0]
-        u = y[1]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        stiffness = p[13]
-        gravity = p[15]
-        x0 = math.sin(theta)
-        x1 = gravity*mass
-        x2 = x0*x1
-        x3 = math.cos(theta)
-        x4 = -edge_distance + half_width
-        x5 = x0**2
-        x6 = height**2
-        x7 = transition**(-2)
-        x8 = x6*x7
-        x9 = math.exp(-x5*x8)
-        x10 = 1 - x9
-        x11 = s*x4
-        out[0] = (
-            -centroid_height*x2 + gravity*mass*s*x10*x3*x4 + 2*gravity*mass*s*x3*x4*x5*x6*x7*x9
-            - load*(height*x3 + 2*s*x0*x3*x4*x6*x7*x9 - 2*x0*x11*x3**2*x8*x9 - x0*(u - x10*x11))
-            - u*x1*x3
-        )
-        out[1] = -load*x3 + stiffness*u - x2
-        out[2] = 0
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        theta = y[0]
-        u = y[1]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        yield_force = p[11]
-        eccentricity = p[12]
-        stiffness = p[13]
-        gravity = p[15]
-        x0 = math.sin(theta)
-        x1 = gravity*mass
-        x2 = x0*x1
-        x3 = math.cos(theta)
-        x4 = -edge_distance + half_width
-        x5 = x0**2
-        x6 = height**2
-        x7 = transition**(-2)
-        x8 = x6*x7
-        x9 = math.exp(-x5*x8)
-        x10 = 1 - x9
-        x11 = s*x4
-        x12 = x10*x11
-        x13 = x3**2
-        x14 = x11*x9
-        x15 = x0*x8
-        x16 = anchor_height*x3
-        x17 = eccentricity - x12
-        x18 = x0*x17
-        x19 = anchor_depth + x16 - x18
-        x20 = anchor_height*x0
-        x21 = x17*x3
-        x22 = -eccentricity + x12 + x20 + x21
-        x23 = 4*x14
-        out[0] = (
-            -centroid_height*x2 + gravity*mass*s*x10*x3*x4 + 2*gravity*mass*s*x3*x4*x5*x6*x7*x9
-            - load*(height*x3 + 2*s*x0*x3*x4*x6*x7*x9 - x0*(u - x12) - 2*x13*x14*x15) - u*x1*x3
-            + yield_force*((1/2)*x19*(4*s*x3*x4*x5*x6*x7*x9 - 2*x20 - 2*x21) +
-            (1/2)*x22*(-x13*x15*x23 + x15*x23*x3 + 2*x16 - 2*x18))/math.sqrt(x19**2 + x22**2)
-        )
-        out[1] = -load*x3 + stiffness*u - x2
-        out[2] = 0
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    theta = y[0]
+    u = y[1]
+    permanent_extension = y[2]
+    mass = p[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    tendon_stiffness = p[9]
+    initial_force = p[10]
+    yield_force = p[11]
+    eccentricity = p[12]
+    stiffness = p[13]
+    gravity = p[15]
+    x0 = math.sin(theta)
+    x1 = gravity*mass
+    x2 = x0*x1
+    x3 = math.cos(theta)
+    x4 = x1*x3
+    x5 = x0**2
+    x6 = height**2
+    x7 = transition**(-2)
+    x8 = x6*x7
+    x9 = x5*x8
+    x10 = math.exp(-x9)
+    x11 = -edge_distance + half_width
+    x12 = s*x11
+    x13 = x12*(1 - x10)
+    x14 = x10*x12
+    x15 = 2*x14
+    x16 = x3**2
+    x17 = x0*x8
+    x18 = anchor_height*x3
+    x19 = eccentricity - x13
+    x20 = x0*x19
+    x21 = anchor_depth + x18 - x20
+    x22 = anchor_height*x0
+    x23 = x19*x3
+    x24 = -eccentricity + x13 + x22 + x23
+    x25 = math.sqrt(x21**2 + x24**2)
+    x26 = 4*x14
+    x27 = (
+        ((1/2)*x21*(4*s*x10*x11*x3*x5*x6*x7 - 2*x22 - 2*x23) + (1/2)*x24*(-x16*x17*x26 +
+        x17*x26*x3 + 2*x18 - 2*x20))/x25
+    )
+    x28 = chi_0*x27
+    x29 = tendon_stiffness*x28
+    out[0] = (
+        -centroid_height*x2 + chi_1*x27*yield_force + initial_force*x28 - load*(height*x3 +
+        2*s*x0*x10*x11*x3*x6*x7 - x0*(u - x13) - x15*x16*x17) - permanent_extension*x29 -
+        u*x4 + x13*x4 + x15*x4*x9 + x29*(-anchor_depth - anchor_height + x25)
+    )
+    out[1] = -load*x3 + stiffness*u - x2
+    out[2] = 0
 
 
 def masses(mode, y, p, out):
@@ -1328,96 +1010,61 @@ def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK):
-        s = SIDES[mode]
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[3]
-        u_dot = y[4]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        damping = p[14]
-        x0 = math.cos(theta)
-        x1 = mass*x0
-        x2 = ax*x1
-        x3 = math.sin(theta)
-        x4 = ax*mass*x3
-        x5 = height**2
-        x6 = transition**(-2)
-        x7 = x5*x6
-        x8 = x3**2*x7
-        x9 = math.exp(-x8)
-        x10 = -edge_distance + half_width
-        x11 = s*x10
-        x12 = x11*(1 - x9)
-        x13 = ay*x1
-        x14 = 2*x11*x9
-        out[0] = (
-            theta_dot*(2*ax*mass*s*x0**2*x10*x3*x5*x6*x9 + ax*mass*u*x3 +
-            ay*centroid_height*mass*x3 + ay*mass*u*x0 - centroid_height*x2 - x0*x14*x4*x7 -
-            x12*x13 - x12*x4 - x13*x14*x8) + u_dot*(ay*mass*x3 - x2)
-        )
-        out[1] = damping*u_dot**2
-        out[2] = 0
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[3]
-        u_dot = y[4]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        yield_force = p[11]
-        eccentricity = p[12]
-        damping = p[14]
-        x0 = math.cos(theta)
-        x1 = mass*x0
-        x2 = ax*x1
-        x3 = math.sin(theta)
-        x4 = x3**2
-        x5 = height**2
-        x6 = transition**(-2)
-        x7 = x5*x6
-        x8 = x4*x7
-        x9 = math.exp(-x8)
-        x10 = -edge_distance + half_width
-        x11 = s*x10
-        x12 = x11*(1 - x9)
-        x13 = ax*mass*x3
-        x14 = ay*x1
-        x15 = x11*x9
-        x16 = 2*x15
-        x17 = x0**2
-        x18 = anchor_height*x0
-        x19 = eccentricity - x12
-        x20 = x19*x3
-        x21 = anchor_depth + x18 - x20
-        x22 = anchor_height*x3
-        x23 = x0*x19
-        x24 = -eccentricity + x12 + x22 + x23
-        x25 = 4*x15
-        x26 = x3*x7
-        out[0] = (
-            theta_dot*(2*ax*mass*s*x10*x17*x3*x5*x6*x9 + ax*mass*u*x3 +
-            ay*centroid_height*mass*x3 + ay*mass*u*x0 - centroid_height*x2 - x0*x13*x16*x7 -
-            x12*x13 - x12*x14 - x14*x16*x8) + u_dot*(ay*mass*x3 - x2)
-        )
-        out[1] = (
-            damping*u_dot**2 + theta_dot*yield_force*((1/2)*x21*(4*s*x0*x10*x4*x5*x6*x9 - 2*x22
-            - 2*x23) + (1/2)*x24*(x0*x25*x26 - x17*x25*x26 + 2*x18 - 2*x20))/math.sqrt(x21**2 +
-            x24**2)
-        )
-        out[2] = 0
+    s = SIDES[mode]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    theta = y[0]
+    u = y[1]
+    theta_dot = y[3]
+    u_dot = y[4]
+    mass = p[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    yield_force = p[11]
+    eccentricity = p[12]
+    damping = p[14]
+    x0 = math.cos(theta)
+    x1 = mass*x0
+    x2 = ax*x1
+    x3 = math.sin(theta)
+    x4 = x3**2
+    x5 = height**2
+    x6 = transition**(-2)
+    x7 = x5*x6
+    x8 = x4*x7
+    x9 = math.exp(-x8)
+    x10 = -edge_distance + half_width
+    x11 = s*x10
+    x12 = x11*(1 - x9)
+    x13 = ax*mass*x3
+    x14 = ay*x1
+    x15 = x11*x9
+    x16 = 2*x15
+    x17 = x0**2
+    x18 = anchor_height*x0
+    x19 = eccentricity - x12
+    x20 = x19*x3
+    x21 = anchor_depth + x18 - x20
+    x22 = anchor_height*x3
+    x23 = x0*x19
+    x24 = -eccentricity + x12 + x22 + x23
+    x25 = 4*x15
+    x26 = x3*x7
+    out[0] = (
+        theta_dot*(2*ax*mass*s*x10*x17*x3*x5*x6*x9 + ax*mass*u*x3 +
+        ay*centroid_height*mass*x3 + ay*mass*u*x0 - centroid_height*x2 - x0*x13*x16*x7 -
+        x12*x13 - x12*x14 - x14*x16*x8) + u_dot*(ay*mass*x3 - x2)
+    )
+    out[1] = (
+        chi_1*theta_dot*yield_force*((1/2)*x21*(4*s*x0*x10*x4*x5*x6*x9 - 2*x22 - 2*x23) +
+        (1/2)*x24*(x0*x25*x26 - x17*x25*x26 + 2*x18 - 2*x20))/math.sqrt(x21**2 + x24**2) +
+        damping*u_dot**2
+    )
+    out[2] = 0
 
 
 def positions(mode, y, p, out):
@@ -1457,119 +1104,62 @@ def elements(mode, y, p, out):
 
     Into out, one element behind the other.
     """
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
-        theta = y[0]
-        u = y[1]
-        permanent_extension = y[2]
-        u_dot = y[4]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        eccentricity = p[12]
-        stiffness = p[13]
-        damping = p[14]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
-        x3 = eccentricity - x2
-        x4 = (
-            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
-            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2)
-        )
-        x5 = initial_force + tendon_stiffness*x4
-        out[0] = x4
-        out[1] = x5
-        out[2] = (1/2)*x5**2/tendon_stiffness
-        out[3] = 0
-        out[4] = u
-        out[5] = damping*u_dot + stiffness*u
-        out[6] = (1/2)*stiffness*u**2
-        out[7] = damping*u_dot**2
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        theta = y[0]
-        u = y[1]
-        permanent_extension = y[2]
-        u_dot = y[4]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        eccentricity = p[12]
-        stiffness = p[13]
-        damping = p[14]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = s*(1 - math.exp(-height**2*x1**2/transition**2))*(-edge_distance + half_width)
-        x3 = eccentricity - x2
-        out[0] = (
-            -anchor_depth - anchor_height - permanent_extension + math.sqrt((anchor_depth +
-            anchor_height*x0 - x1*x3)**2 + (anchor_height*x1 - eccentricity + x0*x3 + x2)**2)
-        )
-        out[1] = 0
-        out[2] = 0
-        out[3] = 0
-        out[4] = u
-        out[5] = damping*u_dot + stiffness*u
-        out[6] = (1/2)*stiffness*u**2
-        out[7] = damping*u_dot**2
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        theta = y[0]
-        u = y[1]
-        theta_dot = y[3]
-        u_dot = y[4]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        anchor_height = p[7]
-        anchor_depth = p[8]
-        tendon_stiffness = p[9]
-        initial_force = p[10]
-        yield_force = p[11]
-        eccentricity = p[12]
-        stiffness = p[13]
-        damping = p[14]
-        x0 = 1/tendon_stiffness
-        x1 = math.cos(theta)
-        x2 = anchor_height*x1
-        x3 = math.sin(theta)
-        x4 = x3**2
-        x5 = height**2
-        x6 = transition**(-2)
-        x7 = x5*x6
-        x8 = math.exp(-x4*x7)
-        x9 = -edge_distance + half_width
-        x10 = s*x9
-        x11 = x10*(1 - x8)
-        x12 = eccentricity - x11
-        x13 = x12*x3
-        x14 = anchor_depth - x13 + x2
-        x15 = anchor_height*x3
-        x16 = x1*x12
-        x17 = -eccentricity + x11 + x15 + x16
-        x18 = 4*x10*x8
-        x19 = x3*x7
-        out[0] = x0*(-initial_force + yield_force)
-        out[1] = yield_force
-        out[2] = (1/2)*x0*yield_force**2
-        out[3] = (
-            theta_dot*yield_force*((1/2)*x14*(4*s*x1*x4*x5*x6*x8*x9 - 2*x15 - 2*x16) +
-            (1/2)*x17*(-x1**2*x18*x19 + x1*x18*x19 - 2*x13 + 2*x2))/math.sqrt(x14**2 + x17**2)
-        )
-        out[4] = u
-        out[5] = damping*u_dot + stiffness*u
-        out[6] = (1/2)*stiffness*u**2
-        out[7] = damping*u_dot**2
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    theta = y[0]
+    u = y[1]
+    permanent_extension = y[2]
+    theta_dot = y[3]
+    u_dot = y[4]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    anchor_height = p[7]
+    anchor_depth = p[8]
+    tendon_stiffness = p[9]
+    initial_force = p[10]
+    yield_force = p[11]
+    eccentricity = p[12]
+    stiffness = p[13]
+    damping = p[14]
+    x0 = 1/tendon_stiffness
+    x1 = chi_1*x0
+    x2 = math.cos(theta)
+    x3 = anchor_height*x2
+    x4 = math.sin(theta)
+    x5 = x4**2
+    x6 = height**2
+    x7 = transition**(-2)
+    x8 = x6*x7
+    x9 = math.exp(-x5*x8)
+    x10 = -edge_distance + half_width
+    x11 = s*x10
+    x12 = x11*(1 - x9)
+    x13 = eccentricity - x12
+    x14 = x13*x4
+    x15 = anchor_depth - x14 + x3
+    x16 = anchor_height*x4
+    x17 = x13*x2
+    x18 = -eccentricity + x12 + x16 + x17
+    x19 = math.sqrt(x15**2 + x18**2)
+    x20 = -anchor_depth - anchor_height - permanent_extension + x19
+    x21 = chi_1*yield_force
+    x22 = initial_force + tendon_stiffness*x20
+    x23 = 4*x11*x9
+    x24 = x4*x8
+    out[0] = x1*(-initial_force + yield_force) + x20*(1 - chi_1)
+    out[1] = chi_0*x22 + x21
+    out[2] = (1/2)*chi_0*x0*x22**2 + (1/2)*x1*yield_force**2
+    out[3] = (
+        theta_dot*x21*((1/2)*x15*(4*s*x10*x2*x5*x6*x7*x9 - 2*x16 - 2*x17) +
+        (1/2)*x18*(-2*x14 - x2**2*x23*x24 + x2*x23*x24 + 2*x3))/x19
+    )
+    out[4] = u
+    out[5] = damping*u_dot + stiffness*u
+    out[6] = (1/2)*stiffness*u**2
+    out[7] = damping*u_dot**2
 
 
 def shapes(p, out):

@@ -21,15 +21,15 @@ Source: thesis 4-32.
 Operations before and after common subexpressions were shared:
     accelerations             78    58
     guards                   100    72
-    jump                      48    46
-    reactions                401   169
-    energies                  43    40
-    kinematics               120   105
-    momentum                  60    45
-    statics                   94    79
-    masses                    25    25
-    powers                   108    89
-    positions                158    77
+    jump                      24    23
+    reactions                216    86
+    energies                  15    14
+    kinematics                40    35
+    momentum                  20    15
+    statics                   54    46
+    masses                    10    10
+    powers                    58    49
+    positions                 53    26
     elements                   0     0
     shapes                     7     3
     overturning                1     1
@@ -47,7 +47,7 @@ from rockeom.generated.prelude import (
     full_contact_guards, elements, sine_cosine,
 )
 
-SOURCE_HASH = "8d0f5472fbfeb464"
+SOURCE_HASH = "32cf9a95ae80801e"
 
 NAME = "simplified_substitute_gravity_wall"
 CLASS = "SimplifiedSubstituteGravityWall"
@@ -177,6 +177,16 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right_slack
     (-1, -1, -1,),  # right_yield
 )
+ELEMENT_STATES = (  # of each mode, 1 while `tendon` is elastic, while `tendon` yields
+    (1.0, 0.0,),  # left
+    (0.0, 0.0,),  # left_slack
+    (0.0, 1.0,),  # left_yield
+    (1.0, 0.0,),  # both
+    (0.0, 0.0,),  # both_slack
+    (1.0, 0.0,),  # right
+    (0.0, 0.0,),  # right_slack
+    (0.0, 1.0,),  # right_yield
+)
 LOCALISED = True  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = False
 LEFT = 0
@@ -283,10 +293,10 @@ def accelerations(mode, theta, permanent_extension, theta_dot, permanent_extensi
 
 def rates(mode, y, p, ax, ay, dy):
     """Rates of the states y (N,) under ground accelerations ax, ay [m/s2], into dy (N,)."""
-    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+    if mode == LEFT or mode == RIGHT or mode == LEFT_SLACK or mode == RIGHT_SLACK or mode == LEFT_YIELD or mode == RIGHT_YIELD:
         dy[0] = y[2]
         dy[1] = 0.0
-    elif mode in (BOTH, BOTH_SLACK):
+    elif mode == BOTH or mode == BOTH_SLACK:
         dy[0] = 0.0
         dy[1] = 0.0
     found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
@@ -308,7 +318,7 @@ def guards(mode, y, p, ax, ay, g):
         of two, where PARTS says.
     """
     if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
+        s = SIDES[mode]
         theta = y[0]
         permanent_extension = y[1]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -328,7 +338,7 @@ def guards(mode, y, p, ax, ay, g):
         g[1] = -c8 - x0
         g[2] = initial_force + x0
     elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
+        s = SIDES[mode]
         theta = y[0]
         permanent_extension = y[1]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -345,7 +355,7 @@ def guards(mode, y, p, ax, ay, g):
             cos_theta))/cos_theta)*math.tan(theta))
         )
     elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
+        s = SIDES[mode]
         theta = y[0]
         theta_dot = y[2]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -407,24 +417,6 @@ def jump(mode, guard, law, ratio, y, p, out):
             return RIGHT_YIELD
         out[2] = 0.0
         return BOTH
-    if mode == LEFT_YIELD and guard == 1:
-        s = -1.0
-        theta = y[0]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        tendon_stiffness = p[7]
-        initial_force = p[8]
-        yield_force = p[9]
-        eccentricity = p[10]
-        x0 = math.cos(theta)
-        out[1] = (
-            (-eccentricity + s*(half_width*(1 - x0) + (1 -
-            math.exp(-height**2*math.sin(theta)**2/transition**2))*(-edge_distance +
-            half_width))/x0)*math.tan(theta) - (-initial_force + yield_force)/tendon_stiffness
-        )
-        return LEFT
     if mode == BOTH and guard == 0:
         return LEFT
     if mode == BOTH and guard == 1:
@@ -460,8 +452,8 @@ def jump(mode, guard, law, ratio, y, p, out):
             return LEFT_YIELD
         out[2] = 0.0
         return BOTH
-    if mode == RIGHT_YIELD and guard == 1:
-        s = 1.0
+    if mode in (LEFT_YIELD, RIGHT_YIELD,) and guard == 1:
+        s = SIDES[mode]
         theta = y[0]
         height = p[3]
         half_width = p[4]
@@ -475,16 +467,18 @@ def jump(mode, guard, law, ratio, y, p, out):
         out[1] = (
             (-eccentricity + s*(half_width*(1 - x0) + (1 -
             math.exp(-height**2*math.sin(theta)**2/transition**2))*(-edge_distance +
-            half_width))/x0)*math.tan(theta) - (-initial_force + yield_force)/tendon_stiffness
+            half_width))/x0)*math.tan(theta) + (initial_force - yield_force)/tendon_stiffness
         )
-        return RIGHT
+        return TARGETS[mode][guard]
     return mode
 
 
 def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT or mode == LEFT_SLACK or mode == RIGHT_SLACK or mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = SIDES[mode]
+        chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+        chi_1 = 1.0 * ELEMENT_STATES[mode][1]
         found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
         theta_ddot = found[0]
         theta = y[0]
@@ -498,6 +492,7 @@ def reactions(mode, y, p, ax, ay, out):
         transition = p[6]
         tendon_stiffness = p[7]
         initial_force = p[8]
+        yield_force = p[9]
         eccentricity = p[10]
         gravity = p[11]
         x0 = math.cos(theta)
@@ -511,110 +506,44 @@ def reactions(mode, y, p, ax, ay, out):
         x8 = x4*x6
         x9 = (1/2)*s
         x10 = (
-            initial_force + tendon_stiffness*(-permanent_extension + (-eccentricity +
+            chi_0*(initial_force + tendon_stiffness*(-permanent_extension + (-eccentricity +
             s*(half_width*(1 - x0) + (1 -
             math.exp(-height**2*x3**2/transition**2))*(-edge_distance +
-            half_width))/x0)*math.tan(theta))
+            half_width))/x0)*math.tan(theta))) + chi_1*yield_force
         )
         x11 = ay*mass + gravity*mass + x0*x5 - x0*x7 + x10 - x2*x3 - x3*x8
         out[0] = ax*mass + x0*x2 + x0*x8 + x3*x5 - x3*x7
         out[1] = x11*(1/2 - x9)
         out[2] = x11*(x9 + 1/2)
         out[3] = x10
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
-        theta_ddot = found[0]
-        theta = y[0]
-        theta_dot = y[2]
+    elif mode == BOTH or mode == BOTH_SLACK:
+        chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+        chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+        permanent_extension = y[1]
         mass = p[0]
         centroid_height = p[2]
         half_width = p[4]
-        gravity = p[11]
-        x0 = math.cos(theta)
-        x1 = centroid_height*mass
-        x2 = theta_ddot*x1
-        x3 = math.sin(theta)
-        x4 = half_width*mass*s
-        x5 = theta_ddot*x4
-        x6 = theta_dot**2
-        x7 = x1*x6
-        x8 = x4*x6
-        x9 = (1/2)*s
-        x10 = ay*mass + gravity*mass + x0*x5 - x0*x7 - x2*x3 - x3*x8
-        out[0] = ax*mass + x0*x2 + x0*x8 + x3*x5 - x3*x7
-        out[1] = x10*(1/2 - x9)
-        out[2] = x10*(x9 + 1/2)
-        out[3] = 0
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
-        theta_ddot = found[0]
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        half_width = p[4]
+        tendon_stiffness = p[7]
+        initial_force = p[8]
         yield_force = p[9]
         gravity = p[11]
-        x0 = math.cos(theta)
-        x1 = centroid_height*mass
-        x2 = theta_ddot*x1
-        x3 = math.sin(theta)
-        x4 = half_width*mass*s
-        x5 = theta_ddot*x4
-        x6 = theta_dot**2
-        x7 = x1*x6
-        x8 = x4*x6
-        x9 = (1/2)*s
-        x10 = ay*mass + gravity*mass + x0*x5 - x0*x7 - x2*x3 - x3*x8 + yield_force
-        out[0] = ax*mass + x0*x2 + x0*x8 + x3*x5 - x3*x7
-        out[1] = x10*(1/2 - x9)
-        out[2] = x10*(x9 + 1/2)
-        out[3] = yield_force
-    elif mode == BOTH:
-        permanent_extension = y[1]
-        mass = p[0]
-        centroid_height = p[2]
-        half_width = p[4]
-        tendon_stiffness = p[7]
-        initial_force = p[8]
-        gravity = p[11]
         x0 = ax*mass
         x1 = centroid_height*x0
         x2 = half_width*mass
-        x3 = permanent_extension*tendon_stiffness
-        x4 = ay*x2 + gravity*x2 + half_width*initial_force - half_width*x3
-        x5 = (1/2)/half_width
+        x3 = chi_0*half_width
+        x4 = chi_1*yield_force
+        x5 = permanent_extension*tendon_stiffness
+        x6 = ay*x2 + gravity*x2 + half_width*x4 + initial_force*x3 - x3*x5
+        x7 = (1/2)/half_width
         out[0] = x0
-        out[1] = x5*(x1 + x4)
-        out[2] = x5*(-x1 + x4)
-        out[3] = initial_force - x3
-    elif mode == BOTH_SLACK:
-        permanent_extension = y[1]
-        mass = p[0]
-        centroid_height = p[2]
-        half_width = p[4]
-        tendon_stiffness = p[7]
-        initial_force = p[8]
-        gravity = p[11]
-        x0 = ax*mass
-        x1 = centroid_height*x0
-        x2 = half_width*mass
-        x3 = (
-            ay*x2 + gravity*x2 + half_width*initial_force -
-            half_width*permanent_extension*tendon_stiffness
-        )
-        x4 = (1/2)/half_width
-        out[0] = x0
-        out[1] = x4*(x1 + x3)
-        out[2] = x4*(-x1 + x3)
-        out[3] = 0
+        out[1] = x7*(x1 + x6)
+        out[2] = x7*(-x1 + x6)
+        out[3] = chi_0*(initial_force - x5) + x4
 
 
 def energies(mode, y, p, out):
     """Kinetic, gravitational and elastic energy [J] into out (3,)."""
-    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+    if mode == LEFT or mode == RIGHT or mode == LEFT_SLACK or mode == RIGHT_SLACK or mode == LEFT_YIELD or mode == RIGHT_YIELD:
         s = SIDES[mode]
         theta = y[0]
         theta_dot = y[2]
@@ -627,7 +556,7 @@ def energies(mode, y, p, out):
         out[0] = (1/2)*pivot_inertia*theta_dot**2
         out[1] = centroid_height*x0*math.cos(theta) + half_width*s*x0*math.sin(theta)
         out[2] = 0
-    elif mode in (BOTH, BOTH_SLACK):
+    elif mode == BOTH or mode == BOTH_SLACK:
         mass = p[0]
         centroid_height = p[2]
         gravity = p[11]
@@ -638,7 +567,7 @@ def energies(mode, y, p, out):
 
 def kinematics(mode, y, p, out):
     """Displacement of the load point, gaps and slips [m] into out, as KINEMATICS."""
-    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+    if mode == LEFT or mode == RIGHT or mode == LEFT_SLACK or mode == RIGHT_SLACK or mode == LEFT_YIELD or mode == RIGHT_YIELD:
         s = SIDES[mode]
         theta = y[0]
         height = p[3]
@@ -658,7 +587,7 @@ def kinematics(mode, y, p, out):
             (-eccentricity + s*(half_width*(1 - x2) + (1 -
             math.exp(-height**2*x1**2/transition**2))*(-edge_distance - x3))/x2)*math.tan(theta)
         )
-    elif mode in (BOTH, BOTH_SLACK):
+    elif mode == BOTH or mode == BOTH_SLACK:
         half_width = p[4]
         out[0] = 0
         out[1] = 0
@@ -669,7 +598,7 @@ def kinematics(mode, y, p, out):
 
 def momentum(mode, y, p, out):
     """Horizontal and vertical momentum of all masses [kg m/s] into out (2,)."""
-    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+    if mode == LEFT or mode == RIGHT or mode == LEFT_SLACK or mode == RIGHT_SLACK or mode == LEFT_YIELD or mode == RIGHT_YIELD:
         s = SIDES[mode]
         theta = y[0]
         theta_dot = y[2]
@@ -682,15 +611,17 @@ def momentum(mode, y, p, out):
         x3 = math.sin(theta)
         out[0] = half_width*s*x1*x3 + x0*x2
         out[1] = half_width*mass*s*theta_dot*x0 - x2*x3
-    elif mode in (BOTH, BOTH_SLACK):
+    elif mode == BOTH or mode == BOTH_SLACK:
         out[0] = 0
         out[1] = 0
 
 
 def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT or mode == LEFT_SLACK or mode == RIGHT_SLACK or mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = SIDES[mode]
+        chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+        chi_1 = 1.0 * ELEMENT_STATES[mode][1]
         theta = y[0]
         permanent_extension = y[1]
         mass = p[0]
@@ -701,6 +632,7 @@ def statics(mode, y, p, load, out):
         transition = p[6]
         tendon_stiffness = p[7]
         initial_force = p[8]
+        yield_force = p[9]
         eccentricity = p[10]
         gravity = p[11]
         x0 = math.sin(theta)
@@ -708,45 +640,13 @@ def statics(mode, y, p, load, out):
         x2 = math.cos(theta)
         out[0] = (
             gravity*half_width*mass*s*x2 - gravity*mass*x1 - load*(half_width*s*x0 + height*x2)
-            + (initial_force + tendon_stiffness*(-permanent_extension + (-eccentricity +
+            - (-chi_0*(initial_force + tendon_stiffness*(-permanent_extension + (-eccentricity +
             s*(half_width*(1 - x2) + (1 -
             math.exp(-height**2*x0**2/transition**2))*(-edge_distance +
-            half_width))/x2)*math.tan(theta)))*(half_width*s*x2 - x1)
+            half_width))/x2)*math.tan(theta))) - chi_1*yield_force)*(half_width*s*x2 - x1)
         )
         out[1] = 0
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        theta = y[0]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        gravity = p[11]
-        x0 = math.sin(theta)
-        x1 = math.cos(theta)
-        out[0] = (
-            -centroid_height*gravity*mass*x0 + gravity*half_width*mass*s*x1 -
-            load*(half_width*s*x0 + height*x1)
-        )
-        out[1] = 0
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        theta = y[0]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        yield_force = p[9]
-        gravity = p[11]
-        x0 = math.sin(theta)
-        x1 = centroid_height*x0
-        x2 = math.cos(theta)
-        out[0] = (
-            gravity*half_width*mass*s*x2 - gravity*mass*x1 - load*(half_width*s*x0 + height*x2)
-            + yield_force*(half_width*s*x2 - x1)
-        )
-        out[1] = 0
-    elif mode in (BOTH, BOTH_SLACK):
+    elif mode == BOTH or mode == BOTH_SLACK:
         out[0] = 0
         out[1] = 0
 
@@ -767,8 +667,10 @@ def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
+    if mode == LEFT or mode == RIGHT or mode == LEFT_SLACK or mode == RIGHT_SLACK or mode == LEFT_YIELD or mode == RIGHT_YIELD:
+        s = SIDES[mode]
+        chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+        chi_1 = 1.0 * ELEMENT_STATES[mode][1]
         theta = y[0]
         permanent_extension = y[1]
         theta_dot = y[2]
@@ -780,6 +682,7 @@ def powers(mode, y, p, ax, ay, out):
         transition = p[6]
         tendon_stiffness = p[7]
         initial_force = p[8]
+        yield_force = p[9]
         eccentricity = p[10]
         x0 = math.cos(theta)
         x1 = ax*mass
@@ -791,46 +694,12 @@ def powers(mode, y, p, ax, ay, out):
         )
         out[1] = 0
         out[2] = (
-            -theta_dot*(initial_force + tendon_stiffness*(-permanent_extension + (-eccentricity
-            + s*(half_width*(1 - x0) + (1 -
-            math.exp(-height**2*x2**2/transition**2))*(-edge_distance +
-            half_width))/x0)*math.tan(theta)))*(-centroid_height*x2 + half_width*s*x0)
+            theta_dot*(-centroid_height*x2 + half_width*s*x0)*(-chi_0*(initial_force +
+            tendon_stiffness*(-permanent_extension + (-eccentricity + s*(half_width*(1 - x0) +
+            (1 - math.exp(-height**2*x2**2/transition**2))*(-edge_distance +
+            half_width))/x0)*math.tan(theta))) - chi_1*yield_force)
         )
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        half_width = p[4]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = half_width*mass*s
-        out[0] = (
-            theta_dot*(-ax*centroid_height*mass*x0 - ax*x1*x2 + ay*centroid_height*mass*x1 -
-            ay*x0*x2)
-        )
-        out[1] = 0
-        out[2] = 0
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        half_width = p[4]
-        yield_force = p[9]
-        x0 = math.cos(theta)
-        x1 = ax*mass
-        x2 = math.sin(theta)
-        x3 = half_width*s
-        out[0] = (
-            theta_dot*(ay*centroid_height*mass*x2 - ay*mass*x0*x3 - centroid_height*x0*x1 -
-            x1*x2*x3)
-        )
-        out[1] = 0
-        out[2] = -theta_dot*yield_force*(-centroid_height*x2 + half_width*s*x0)
-    elif mode in (BOTH, BOTH_SLACK):
+    elif mode == BOTH or mode == BOTH_SLACK:
         out[0] = 0
         out[1] = 0
         out[2] = 0
@@ -838,7 +707,7 @@ def powers(mode, y, p, ax, ay, out):
 
 def positions(mode, y, p, out):
     """Place x, y [m] and clockwise rotation [rad] of each of POSITIONS into out, one by one."""
-    if mode in (LEFT, RIGHT, LEFT_SLACK, RIGHT_SLACK, LEFT_YIELD, RIGHT_YIELD):
+    if mode == LEFT or mode == RIGHT or mode == LEFT_SLACK or mode == RIGHT_SLACK or mode == LEFT_YIELD or mode == RIGHT_YIELD:
         s = SIDES[mode]
         theta = y[0]
         centroid_height = p[2]
@@ -863,7 +732,7 @@ def positions(mode, y, p, out):
         out[9] = height*x0 + x3
         out[10] = height*x2 + x4
         out[11] = 0
-    elif mode in (BOTH, BOTH_SLACK):
+    elif mode == BOTH or mode == BOTH_SLACK:
         centroid_height = p[2]
         height = p[3]
         half_width = p[4]

@@ -21,15 +21,15 @@ Source: thesis 4-37, 4-40.
 Operations before and after common subexpressions were shared:
     accelerations            126    71
     guards                   100    72
-    jump                      48    46
-    reactions                517   153
-    energies                  69    63
-    kinematics               270   108
-    momentum                 120    75
-    statics                  174   103
-    masses                    48    48
-    powers                   254   132
-    positions                516   102
+    jump                      24    23
+    reactions                230    63
+    energies                  23    21
+    kinematics                90    36
+    momentum                  40    25
+    statics                   84    49
+    masses                    16    16
+    powers                   111    60
+    positions                172    34
     elements                   0     0
     shapes                     7     3
     overturning                1     1
@@ -47,7 +47,7 @@ from rockeom.generated.prelude import (
     full_contact_guards, elements, velocity_ratio, sine_cosine,
 )
 
-SOURCE_HASH = "36854dfeb390e90e"
+SOURCE_HASH = "89a6d23c10761923"
 
 NAME = "substitute_gravity_wall"
 CLASS = "SubstituteGravityWall"
@@ -154,6 +154,14 @@ PARTS = (  # place in g of the two parts of a guard, or -1
     (-1, -1, -1,),  # right
     (-1, -1, -1,),  # right_slack
     (-1, -1, -1,),  # right_yield
+)
+ELEMENT_STATES = (  # of each mode, 1 while `tendon` is elastic, while `tendon` yields
+    (1.0, 0.0,),  # left
+    (0.0, 0.0,),  # left_slack
+    (0.0, 1.0,),  # left_yield
+    (1.0, 0.0,),  # right
+    (0.0, 0.0,),  # right_slack
+    (0.0, 1.0,),  # right_yield
 )
 LOCALISED = True  # whether forces may act in a small part of a step
 HAS_IMPULSIVE = False
@@ -269,7 +277,7 @@ def guards(mode, y, p, ax, ay, g):
         of two, where PARTS says.
     """
     if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
+        s = SIDES[mode]
         theta = y[0]
         permanent_extension = y[1]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -289,7 +297,7 @@ def guards(mode, y, p, ax, ay, g):
         g[1] = -c8 - x0
         g[2] = initial_force + x0
     elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
+        s = SIDES[mode]
         theta = y[0]
         permanent_extension = y[1]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -306,7 +314,7 @@ def guards(mode, y, p, ax, ay, g):
             cos_theta))/cos_theta)*math.tan(theta))
         )
     elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
+        s = SIDES[mode]
         theta = y[0]
         theta_dot = y[2]
         sin_theta, cos_theta = sine_cosine(theta)
@@ -362,24 +370,6 @@ def jump(mode, guard, law, ratio, y, p, out):
             return RIGHT_YIELD
         out[2] = 0.0
         return RIGHT_YIELD
-    if mode == LEFT_YIELD and guard == 1:
-        s = -1.0
-        theta = y[0]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        tendon_stiffness = p[7]
-        initial_force = p[8]
-        yield_force = p[9]
-        eccentricity = p[10]
-        x0 = math.cos(theta)
-        out[1] = (
-            (-eccentricity + s*(half_width*(1 - x0) + (1 -
-            math.exp(-height**2*math.sin(theta)**2/transition**2))*(-edge_distance +
-            half_width))/x0)*math.tan(theta) - (-initial_force + yield_force)/tendon_stiffness
-        )
-        return LEFT
     if mode == RIGHT and guard == 0:
         out[0] = 0.0
         out[2] = ratio * y[2]
@@ -407,8 +397,8 @@ def jump(mode, guard, law, ratio, y, p, out):
             return LEFT_YIELD
         out[2] = 0.0
         return LEFT_YIELD
-    if mode == RIGHT_YIELD and guard == 1:
-        s = 1.0
+    if mode in (LEFT_YIELD, RIGHT_YIELD,) and guard == 1:
+        s = SIDES[mode]
         theta = y[0]
         height = p[3]
         half_width = p[4]
@@ -422,106 +412,54 @@ def jump(mode, guard, law, ratio, y, p, out):
         out[1] = (
             (-eccentricity + s*(half_width*(1 - x0) + (1 -
             math.exp(-height**2*math.sin(theta)**2/transition**2))*(-edge_distance +
-            half_width))/x0)*math.tan(theta) - (-initial_force + yield_force)/tendon_stiffness
+            half_width))/x0)*math.tan(theta) + (initial_force - yield_force)/tendon_stiffness
         )
-        return RIGHT
+        return TARGETS[mode][guard]
     return mode
 
 
 def reactions(mode, y, p, ax, ay, out):
     """Forces of the ground [N] into out, in the order of REACTIONS."""
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
-        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
-        theta_ddot = found[0]
-        theta = y[0]
-        permanent_extension = y[1]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        tendon_stiffness = p[7]
-        initial_force = p[8]
-        eccentricity = p[10]
-        gravity = p[11]
-        x0 = math.cos(theta)
-        x1 = centroid_height*mass
-        x2 = theta_ddot*x1
-        x3 = math.sin(theta)
-        x4 = theta_dot**2
-        x5 = x1*x4
-        x6 = 1 - math.exp(-height**2*x3**2/transition**2)
-        x7 = half_width*mass*s*x6
-        x8 = theta_ddot*x7
-        x9 = x4*x7
-        x10 = (1/2)*s
-        x11 = (
-            initial_force + tendon_stiffness*(-permanent_extension + (-eccentricity +
-            s*(half_width*(1 - x0) + x6*(-edge_distance + half_width))/x0)*math.tan(theta))
-        )
-        x12 = ay*mass + gravity*mass - x0*x5 + x0*x8 + x11 - x2*x3 - x3*x9
-        out[0] = ax*mass + x0*x2 + x0*x9 - x3*x5 + x3*x8
-        out[1] = x12*(1/2 - x10)
-        out[2] = x12*(x10 + 1/2)
-        out[3] = x11
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
-        theta_ddot = found[0]
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        transition = p[6]
-        gravity = p[11]
-        x0 = math.cos(theta)
-        x1 = centroid_height*mass
-        x2 = theta_ddot*x1
-        x3 = math.sin(theta)
-        x4 = theta_dot**2
-        x5 = x1*x4
-        x6 = half_width*mass*s*(1 - math.exp(-height**2*x3**2/transition**2))
-        x7 = theta_ddot*x6
-        x8 = x4*x6
-        x9 = (1/2)*s
-        x10 = ay*mass + gravity*mass - x0*x5 + x0*x7 - x2*x3 - x3*x8
-        out[0] = ax*mass + x0*x2 + x0*x8 - x3*x5 + x3*x7
-        out[1] = x10*(1/2 - x9)
-        out[2] = x10*(x9 + 1/2)
-        out[3] = 0
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
-        theta_ddot = found[0]
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        transition = p[6]
-        yield_force = p[9]
-        gravity = p[11]
-        x0 = math.cos(theta)
-        x1 = centroid_height*mass
-        x2 = theta_ddot*x1
-        x3 = math.sin(theta)
-        x4 = theta_dot**2
-        x5 = x1*x4
-        x6 = half_width*mass*s*(1 - math.exp(-height**2*x3**2/transition**2))
-        x7 = theta_ddot*x6
-        x8 = x4*x6
-        x9 = (1/2)*s
-        x10 = ay*mass + gravity*mass - x0*x5 + x0*x7 - x2*x3 - x3*x8 + yield_force
-        out[0] = ax*mass + x0*x2 + x0*x8 - x3*x5 + x3*x7
-        out[1] = x10*(1/2 - x9)
-        out[2] = x10*(x9 + 1/2)
-        out[3] = yield_force
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    found = accelerations(mode, y[0], y[1], y[2], y[3], p, ax, ay)
+    theta_ddot = found[0]
+    theta = y[0]
+    permanent_extension = y[1]
+    theta_dot = y[2]
+    mass = p[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    tendon_stiffness = p[7]
+    initial_force = p[8]
+    yield_force = p[9]
+    eccentricity = p[10]
+    gravity = p[11]
+    x0 = math.cos(theta)
+    x1 = centroid_height*mass
+    x2 = theta_ddot*x1
+    x3 = math.sin(theta)
+    x4 = theta_dot**2
+    x5 = x1*x4
+    x6 = 1 - math.exp(-height**2*x3**2/transition**2)
+    x7 = half_width*mass*s*x6
+    x8 = theta_ddot*x7
+    x9 = x4*x7
+    x10 = (1/2)*s
+    x11 = (
+        chi_0*(initial_force + tendon_stiffness*(-permanent_extension + (-eccentricity +
+        s*(half_width*(1 - x0) + x6*(-edge_distance + half_width))/x0)*math.tan(theta))) +
+        chi_1*yield_force
+    )
+    x12 = ay*mass + gravity*mass - x0*x5 + x0*x8 + x11 - x2*x3 - x3*x9
+    out[0] = ax*mass + x0*x2 + x0*x9 - x3*x5 + x3*x8
+    out[1] = x12*(1/2 - x10)
+    out[2] = x12*(x10 + 1/2)
+    out[3] = x11
 
 
 def energies(mode, y, p, out):
@@ -592,67 +530,33 @@ def momentum(mode, y, p, out):
 
 def statics(mode, y, p, load, out):
     """Lack of equilibrium dV/dq - load dx/dq under a force at the load point [N], (n,)."""
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
-        theta = y[0]
-        permanent_extension = y[1]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        tendon_stiffness = p[7]
-        initial_force = p[8]
-        eccentricity = p[10]
-        gravity = p[11]
-        x0 = math.sin(theta)
-        x1 = centroid_height*x0
-        x2 = math.cos(theta)
-        x3 = 1 - math.exp(-height**2*x0**2/transition**2)
-        out[0] = (
-            gravity*half_width*mass*s*x2*x3 - gravity*mass*x1 - load*(half_width*s*x0*x3 +
-            height*x2) + (initial_force + tendon_stiffness*(-permanent_extension +
-            (-eccentricity + s*(half_width*(1 - x2) + x3*(-edge_distance +
-            half_width))/x2)*math.tan(theta)))*(half_width*s*x2*x3 - x1)
-        )
-        out[1] = 0
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        theta = y[0]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        transition = p[6]
-        gravity = p[11]
-        x0 = math.sin(theta)
-        x1 = math.cos(theta)
-        x2 = 1 - math.exp(-height**2*x0**2/transition**2)
-        out[0] = (
-            -centroid_height*gravity*mass*x0 + gravity*half_width*mass*s*x1*x2 -
-            load*(half_width*s*x0*x2 + height*x1)
-        )
-        out[1] = 0
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        theta = y[0]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        transition = p[6]
-        yield_force = p[9]
-        gravity = p[11]
-        x0 = math.sin(theta)
-        x1 = centroid_height*x0
-        x2 = math.cos(theta)
-        x3 = 1 - math.exp(-height**2*x0**2/transition**2)
-        out[0] = (
-            gravity*half_width*mass*s*x2*x3 - gravity*mass*x1 - load*(half_width*s*x0*x3 +
-            height*x2) + yield_force*(half_width*s*x2*x3 - x1)
-        )
-        out[1] = 0
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    theta = y[0]
+    permanent_extension = y[1]
+    mass = p[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    tendon_stiffness = p[7]
+    initial_force = p[8]
+    yield_force = p[9]
+    eccentricity = p[10]
+    gravity = p[11]
+    x0 = math.sin(theta)
+    x1 = centroid_height*x0
+    x2 = math.cos(theta)
+    x3 = 1 - math.exp(-height**2*x0**2/transition**2)
+    out[0] = (
+        gravity*half_width*mass*s*x2*x3 - gravity*mass*x1 - load*(half_width*s*x0*x3 +
+        height*x2) - (-chi_0*(initial_force + tendon_stiffness*(-permanent_extension +
+        (-eccentricity + s*(half_width*(1 - x2) + x3*(-edge_distance +
+        half_width))/x2)*math.tan(theta))) - chi_1*yield_force)*(half_width*s*x2*x3 - x1)
+    )
+    out[1] = 0
 
 
 def masses(mode, y, p, out):
@@ -677,88 +581,41 @@ def powers(mode, y, p, ax, ay, out):
     """Powers [W] into out (3,): of the shaking, of dampers and yielding, and of declared
     forces.
     """
-    if mode == LEFT or mode == RIGHT:
-        s = 1.0 if mode == RIGHT else -1.0
-        theta = y[0]
-        permanent_extension = y[1]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        edge_distance = p[5]
-        transition = p[6]
-        tendon_stiffness = p[7]
-        initial_force = p[8]
-        eccentricity = p[10]
-        gravity = p[11]
-        x0 = math.cos(theta)
-        x1 = ax*mass
-        x2 = math.sin(theta)
-        x3 = height**2*x2**2/transition**2
-        x4 = math.exp(-x3)
-        x5 = 1 - x4
-        x6 = half_width*s*x5
-        out[0] = (
-            theta_dot*(ay*centroid_height*mass*x2 - ay*mass*x0*x6 - centroid_height*x0*x1 -
-            x1*x2*x6)
-        )
-        out[1] = 0
-        out[2] = (
-            2*gravity*half_width*mass*s*theta_dot*x0*x3*x4 - theta_dot*(initial_force +
-            tendon_stiffness*(-permanent_extension + (-eccentricity + s*(half_width*(1 - x0) +
-            x5*(-edge_distance + half_width))/x0)*math.tan(theta)))*(-centroid_height*x2 +
-            half_width*s*x0*x5)
-        )
-    elif mode == LEFT_SLACK or mode == RIGHT_SLACK:
-        s = 1.0 if mode == RIGHT_SLACK else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        transition = p[6]
-        gravity = p[11]
-        x0 = math.cos(theta)
-        x1 = math.sin(theta)
-        x2 = height**2*x1**2/transition**2
-        x3 = math.exp(-x2)
-        x4 = half_width*mass*s
-        x5 = x4*(1 - x3)
-        out[0] = (
-            theta_dot*(-ax*centroid_height*mass*x0 - ax*x1*x5 + ay*centroid_height*mass*x1 -
-            ay*x0*x5)
-        )
-        out[1] = 0
-        out[2] = 2*gravity*theta_dot*x0*x2*x3*x4
-    elif mode == LEFT_YIELD or mode == RIGHT_YIELD:
-        s = 1.0 if mode == RIGHT_YIELD else -1.0
-        theta = y[0]
-        theta_dot = y[2]
-        mass = p[0]
-        centroid_height = p[2]
-        height = p[3]
-        half_width = p[4]
-        transition = p[6]
-        yield_force = p[9]
-        gravity = p[11]
-        x0 = math.cos(theta)
-        x1 = ax*mass
-        x2 = math.sin(theta)
-        x3 = height**2*x2**2/transition**2
-        x4 = math.exp(-x3)
-        x5 = 1 - x4
-        x6 = half_width*s*x5
-        out[0] = (
-            theta_dot*(ay*centroid_height*mass*x2 - ay*mass*x0*x6 - centroid_height*x0*x1 -
-            x1*x2*x6)
-        )
-        out[1] = 0
-        out[2] = (
-            2*gravity*half_width*mass*s*theta_dot*x0*x3*x4 -
-            theta_dot*yield_force*(-centroid_height*x2 + half_width*s*x0*x5)
-        )
+    s = SIDES[mode]
+    chi_0 = 1.0 * ELEMENT_STATES[mode][0]
+    chi_1 = 1.0 * ELEMENT_STATES[mode][1]
+    theta = y[0]
+    permanent_extension = y[1]
+    theta_dot = y[2]
+    mass = p[0]
+    centroid_height = p[2]
+    height = p[3]
+    half_width = p[4]
+    edge_distance = p[5]
+    transition = p[6]
+    tendon_stiffness = p[7]
+    initial_force = p[8]
+    yield_force = p[9]
+    eccentricity = p[10]
+    gravity = p[11]
+    x0 = math.cos(theta)
+    x1 = ax*mass
+    x2 = math.sin(theta)
+    x3 = height**2*x2**2/transition**2
+    x4 = math.exp(-x3)
+    x5 = 1 - x4
+    x6 = half_width*s*x5
+    out[0] = (
+        theta_dot*(ay*centroid_height*mass*x2 - ay*mass*x0*x6 - centroid_height*x0*x1 -
+        x1*x2*x6)
+    )
+    out[1] = 0
+    out[2] = (
+        2*gravity*half_width*mass*s*theta_dot*x0*x3*x4 + theta_dot*(-centroid_height*x2 +
+        half_width*s*x0*x5)*(-chi_0*(initial_force + tendon_stiffness*(-permanent_extension
+        + (-eccentricity + s*(half_width*(1 - x0) + x5*(-edge_distance +
+        half_width))/x0)*math.tan(theta))) - chi_1*yield_force)
+    )
 
 
 def positions(mode, y, p, out):

@@ -11,7 +11,7 @@ from rockeom.codegen.solve import by_states, eliminate, solve
 from rockeom.codegen.tables import rows
 from rockeom.codegen.text import Text
 from rockeom.codes import KIND_OF, SWITCH
-from rockeom.symbolic.algebra import SIDE, at_side
+from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.impulse import ImpulseMap
 from rockeom.symbolic.mode import Transition
@@ -43,10 +43,19 @@ def _tables(text: Text, held: int) -> list[str]:
         f"GUARDS = ({', '.join(str(len(_outgoing(model, x))) for x in model.mode_names)},)",
         *_of_transitions(model),
         *_of_guards(model),
+        *_of_switches(model),
         f"LOCALISED = {bool(model.functions)}  # whether forces may act in a small part of a step",
         f"FULL_CONTACT = {held}  # mode whose guards are sums of the state and the ground, or -1",
         f"HAS_IMPULSIVE = {_impulsive(model)}",
     ]
+
+
+def _of_switches(model: HybridModel) -> list[str]:
+    if not model.switches:
+        return []
+    meanings = ", ".join(switch.meaning for switch in model.modes[0].switches)
+    states = {m: list(map(float, model.mode(m).states_of(m))) for m in model.mode_names}
+    return rows(f"ELEMENT_STATES = (  # of each mode, 1 {meanings}", states)
 
 
 def _of_transitions(model: HybridModel) -> list[str]:
@@ -189,19 +198,28 @@ def _image(model: HybridModel, mode: str) -> str | None:
 
     They are then written once, with s: a mirrored motion has mirrored guards to the last bit.
     """
-    sides = model.mode(mode).sides
-    if sorted(sides.values()) != [-1, 1]:
+    of = model.mode(mode)
+    side, states = of.side_of(mode), of.states_of(mode)
+    mine = _outgoing(model, mode)
+    switches = [model.written_out(t.guard) for t in mine if t.kind == "switch"]
+    if not side or not any(e.has(SIDE) for e in switches):
         return None
-    (other,) = (m for m in sides if m != mode)
-    mine, others = _outgoing(model, mode), _outgoing(model, other)
-    alike = len(mine) == len(others) and all(
+    images = (
+        name
+        for name in of.sides
+        if of.side_of(name) == -side
+        and of.states_of(name) == states
+        and _mirrors(mine, _outgoing(model, name))
+    )
+    return next(images, None)
+
+
+def _mirrors(mine: list[Transition], others: list[Transition]) -> bool:
+    """Whether transitions have the same guards, written with s."""
+    return len(mine) == len(others) and all(
         t.kind == o.kind and (t.kind == "impact" or (t.kind == "switch" and t.guard == o.guard))
         for t, o in zip(mine, others, strict=True)
     )
-    switches = [model.written_out(t.guard) for t in mine if t.kind == "switch"]
-    if alike and any(e.has(SIDE) for e in switches):
-        return other
-    return None
 
 
 # -- guards in full contact ----------------------------------------------------------------------
@@ -255,7 +273,7 @@ def _sum(text: Text, rocking: str) -> sp.Expr | None:
         return None
     closed = {model.rotation.position: 0, model.rotation.velocity: 0, GROUND_Y: 0}
     side = mode.side_of(rocking)
-    opens = sp.expand(at_side(model.written_out(F[rotation]), side).subs(closed))
+    opens = sp.expand(model.in_mode(F[rotation], rocking).subs(closed))
     return by_states(text, -side * opens)
 
 
@@ -271,13 +289,19 @@ def _jump(text: Text) -> None:
     """The functions of the impact maps, and one that passes through a transition."""
     impulses = _impulses(text)
     body = ["    for i in range(N_STATES):", "        out[i] = y[i]"]
+    setting: dict[str, list[Transition]] = {}
     for mode in text.model.mode_names:
         for i, t in enumerate(_outgoing(text.model, mode)):
+            if t.sets:
+                setting.setdefault(f"{i} {t.sets}", []).append(t)
+                continue
             body.append(f"    if mode == {text.mode_constants[mode]} and guard == {i}:")
             if t.kind == "impact":
                 body += _impact(text, t, impulses, " " * 8)
             else:
-                body += _without_impact(text, t, " " * 8)
+                body.append(f"        return {text.mode_constants[t.target]}")
+    for key, alike in setting.items():
+        body += _setting(text, alike, key.partition(" ")[0])
     body.append("    return mode")
     text.function(
         "jump(mode, guard, law, ratio, y, p, out)",
@@ -290,14 +314,17 @@ def _jump(text: Text) -> None:
     )
 
 
-def _without_impact(text: Text, t: Transition, indent: str) -> list[str]:
-    """Lines of a transition without an impact: the states that it sets."""
-    sets = {f"out[{text.index(x)}]": text.model.written_out(e) for x, e in t.sets.items()}
-    lines = []
-    if any(e.has(SIDE) for e in sets.values()):
-        lines.append(f"{indent}s = {text.model.mode(t.source).side_of(t.source)}.0")
-    lines += text.evaluate("jump", sets, indent) if sets else []
-    return [*lines, f"{indent}return {text.mode_constants[t.target]}"]
+def _setting(text: Text, alike: list[Transition], guard: str) -> list[str]:
+    """Lines of transitions without an impact that set states alike."""
+    sources = ", ".join(text.mode_constants[t.source] for t in alike)
+    sets = {f"out[{text.index(x)}]": text.model.written_out(e) for x, e in alike[0].sets.items()}
+    lines = text.evaluate("jump", sets, " " * 8)
+    return [
+        f"    if mode in ({sources},) and guard == {guard}:",
+        *text.signs(lines, [text.model.mode(alike[0].source)]),
+        *lines,
+        "        return TARGETS[mode][guard]",
+    ]
 
 
 def _impact(text: Text, t: Transition, impulses: ImpulseNames, indent: str) -> list[str]:

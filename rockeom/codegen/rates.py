@@ -17,7 +17,7 @@ def equations_of_motion(text: Text) -> None:
 
 def _accelerations(text: Text) -> None:
     """A function of plain numbers for each mode, and one that chooses the mode."""
-    modes = text.model.modes
+    modes = [one for mode in text.model.modes for one in mode.of_each_state()]
     indent = " " * 8 if len(modes) > 1 else " " * 4
     chosen: list[str] = []
     for i, mode in enumerate(modes):

@@ -24,7 +24,9 @@ from rockeom.codes import (
     LIFTING,
     MOST_DIGITS,
     NEVER_SLIPS,
+    OPEN,
     SLIPPING,
+    STICK,
     STICKING,
     SWITCH,
 )
@@ -35,18 +37,10 @@ from rockeom.symbolic.elements import Ending
 from rockeom.symbolic.hybrid import Search
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import GROUND_Y, Body
-from rockeom.symbolic.modes import (
-    OPEN,
-    SLIP,
-    STICK,
-    VERBS,
-    DerivedMode,
-    Modes,
-    Pattern,
-    force_of,
-    free_motion,
-    sign_of_slip,
-)
+from rockeom.symbolic.modes.balance import force_of, free_motion
+from rockeom.symbolic.modes.derived import VERBS, DerivedMode
+from rockeom.symbolic.modes.every import Modes, Pattern
+from rockeom.symbolic.modes.kinematics import SLIP, sign_of_slip
 from rockeom.symbolic.reactions import total_reaction
 
 MOST_QUICK = 2
@@ -237,7 +231,7 @@ def _motion_of(written: Written, number: int, mode: DerivedMode) -> str:
                 entries[f"tie_{d}_{i}"] = mode.motions[d, j]
                 terms.append(f"tie_{d}_{i} * {names[i]}")
         tied.append(f"    {names[d]} = {' + '.join(terms) or '0.0'}")
-    solve = eliminated if mode.symmetric else unsymmetric
+    solve = eliminated if mode.balance.symmetric else unsymmetric
     gravity, out = written.of.gravity, [names[i] for i in mode.independent]
     of_motion, solved = solve(
         text, mode.mass_matrix, mode.forcing, out, "    ", gravity

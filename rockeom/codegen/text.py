@@ -15,7 +15,6 @@ from rockeom.codegen.names import Names, docstring, names_in
 from rockeom.codegen.printer import WIDTH, assign, python, statements
 from rockeom.codegen.sine_cosine import assigned_angles, named_angles
 from rockeom.symbolic.algebra import SIDE
-from rockeom.symbolic.elements import switch_of
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
@@ -92,10 +91,9 @@ class Text:
             self.names[c.position] = sp.Symbol(self.states[i])
             self.names[c.velocity] = sp.Symbol(self.states[self.n + i])
             self.names[c.acceleration] = sp.Symbol(f"{self.states[i]}_ddot")
-        of = model.search.of if model.search else None
-        self.switches = [f"chi_{i}" for i in range(len(of.switching) if of else 0)]
-        for i, name in enumerate(self.switches):
-            self.names[switch_of(i)] = sp.Symbol(name)
+        self.switches = [f"chi_{i}" for i in range(len(model.switches))]
+        for symbol, name in zip(model.switches, self.switches, strict=True):
+            self.names[symbol] = sp.Symbol(name)
         self.constants = Constants(self.names[p.symbol] for p in model.parameters)
         self.operations: dict[str, tuple[int, int]] = {}
         self.lines: list[str] = []
@@ -146,7 +144,7 @@ class Text:
         right = next(c for side, c in sides if side == 1)
         return [f"{indent}s = 1.0 if mode == {self.mode_constants[right]} else -1.0"]
 
-    def _signs(self, lines: Iterable[str], modes: Sequence[Mode]) -> list[str]:
+    def signs(self, lines: Iterable[str], modes: Sequence[Mode]) -> list[str]:
         """Lines that read the side and the states of elements, where lines of a branch use them."""
         used, indent = names_in(dedent("\n".join(lines))), " " * 8
         side = self.side(indent, *modes) if str(self.names[SIDE]) in used else []
@@ -235,7 +233,7 @@ class Text:
         for lines, modes in branches.items():
             if len(branches) > 1:
                 body.append(f"    {'elif' if body else 'if'} {self.test(*modes)}:")
-            body += self._signs(lines, modes)
+            body += self.signs(lines, modes)
             body += lines or [" " * 8 + "pass"]
         if len(branches) == 1:
             body = [line[4:] for line in body]

@@ -19,9 +19,9 @@ from rockeom.numbers.derivatives import CURVATURES, SLOPES
 
 
 @cache
-def gauss_rule() -> tuple[np.ndarray, np.ndarray]:
-    """(nodes, weights) of Gauss's rule with eight places on [-1, 1]."""
-    return np.polynomial.legendre.leggauss(8)  # NumPy imports it on first use
+def gauss_rule(places: int = 8) -> tuple[np.ndarray, np.ndarray]:
+    """(nodes, weights) of Gauss's rule on [-1, 1]."""
+    return np.polynomial.legendre.leggauss(places)  # NumPy imports it on first use
 
 
 class Compound:

@@ -40,20 +40,27 @@ class StructureWithFields(Structure):
     """Whether arguments of the right signs may give a body or a base no size."""
 
     __dataclass_fields__: ClassVar[dict[str, dataclasses.Field[Any]]]
+    _defaults: ClassVar[dict[str, Any]] = {}
+    _required: ClassVar[frozenset[str]] = frozenset()
+    """`defaults` and those of its names that have none, looked up once: structures are many."""
 
-    def __init_subclass__(cls, **given: Any) -> None:
-        super().__init_subclass__(**given)
+    def __init_subclass__(cls, **options: Any) -> None:
+        super().__init_subclass__(**options)
         explained.calls()(cls)  # of closed forms and other constructors
-        declared = (base.__doc__ for base in cls.__mro__ if "model" in vars(base))
-        described = cls.__doc__ or next(declared, None)
-        cls.__doc__ = described
-        if len(cls.__bases__) == 1 and not vars(cls).get("__annotations__"):
-            return  # closed forms of a declared structure, whose fields are those of its base
+        declarations = (base.__doc__ for base in cls.__mro__ if "model" in vars(base))
+        cls.__doc__ = cls.__doc__ or next(declarations, None)
+        if len(cls.__bases__) > 1 or vars(cls).get("__annotations__"):
+            cls._become_dataclass()
+        # else closed forms of a declared structure, whose fields are those of its base
+
+    @classmethod
+    def _become_dataclass(cls) -> None:
+        """A field for each argument, and a constructor that checks what it is given."""
         dataclass(frozen=True, kw_only=True, repr=False, eq=False)(cls)
+        cls._defaults = cls.defaults()
+        missing = dataclasses.MISSING
+        cls._required = frozenset(n for n, default in cls._defaults.items() if default is missing)
         plain: Any = cls.__init__
-        defaults = cls.defaults()
-        required = [n for n, default in defaults.items() if default is dataclasses.MISSING]
-        needed = frozenset(required)
 
         @functools.wraps(plain)
         def init(self: StructureWithFields, *unnamed: Any, **values: Any) -> None:
@@ -61,21 +68,32 @@ class StructureWithFields(Structure):
             if named_in_degrees(values):
                 values = in_radians(kind.__name__, values, kind.units())
             values = kind.complete(values)
-            if unnamed or not needed <= values.keys() <= defaults.keys():  # most fit, and fast
-                check_named(kind.__name__, unnamed, defaults, kind.__doc__)
-                explain = kind.__doc__, kind._taker_of
-                check_names(kind.__name__, required, defaults, values, *explain)
-            unset = {n for n, v in values.items() if v is None and defaults[n] is None}
-            numbers = {n: v for n, v in values.items() if n not in kind.not_numbers | unset}
-            check_values(kind.__name__, numbers, kind.may_vanish, kind.may_be_negative)
-            if "alpha" in numbers:
-                check_slenderness(kind.__name__, numbers["alpha"])
-            for name in kind.whole & set(values):
-                check_whole(kind.__name__, name, values[name])
+            kind._check_names(unnamed, values)
+            kind._check_numbers(values)
             plain(self, **values)
 
         setattr(cls, "__init__", init)  # noqa: B010
         explained.refuse_assignments(cls)
+
+    @classmethod
+    def _check_names(cls, unnamed: tuple[Any, ...], values: Mapping[str, Any]) -> None:
+        """Raise TypeError for arguments without a name, missing ones and unknown ones."""
+        if unnamed or not cls._required <= values.keys() <= cls._defaults.keys():
+            check_named(cls.__name__, unnamed, cls._defaults, cls.__doc__)
+            required = [name for name in cls._defaults if name in cls._required]
+            explain = cls.__doc__, cls._taker_of
+            check_names(cls.__name__, required, cls._defaults, values, *explain)
+
+    @classmethod
+    def _check_numbers(cls, values: Mapping[str, Any]) -> None:
+        """Raise TypeError or ValueError for what is no number, of the wrong sign, or not whole."""
+        unset = {n for n, v in values.items() if v is None and cls._defaults[n] is None}
+        numbers = {n: v for n, v in values.items() if n not in cls.not_numbers | unset}
+        check_values(cls.__name__, numbers, cls.may_vanish, cls.may_be_negative)
+        if "alpha" in numbers:
+            check_slenderness(cls.__name__, numbers["alpha"])
+        for name in cls.whole & set(values):
+            check_whole(cls.__name__, name, values[name])
 
     # dataclass would write these into each class, and a process would start later
 

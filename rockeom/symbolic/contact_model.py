@@ -16,7 +16,8 @@ from rockeom.symbolic.checks.declaration import check
 from rockeom.symbolic.contacts import Contact, ContactDeclaration, Rigid
 from rockeom.symbolic.hybrid import HybridModel, Search
 from rockeom.symbolic.model import Outline
-from rockeom.symbolic.modes import DerivedMode, Modes
+from rockeom.symbolic.modes.derived import DerivedMode
+from rockeom.symbolic.modes.every import Modes
 from rockeom.symbolic.parts import mechanics
 from rockeom.symbolic.pinned import reduced
 from rockeom.symbolic.rocking import Declared, RockingModel

@@ -185,6 +185,8 @@ class Yielding:
     slack : bool, optional
         Whether it carries no compression, and is slack where w < z; else it yields in compression,
         too (kinematic hardening).
+    initial_force : sympy.Expr, optional
+        Force where w and z are zero [N], as of a `Spring`; it is added to k (w - z).
 
     Notes
     -----
@@ -201,6 +203,7 @@ class Yielding:
     strength: sp.Expr
     hardening: sp.Expr = sp.S.Zero
     slack: bool = False
+    initial_force: sp.Expr = sp.S.Zero
 
     states: ClassVar = (0, 1, -1)
     """Elastic; flowing as it grows longer; flowing as it grows shorter, or slack."""
@@ -214,7 +217,9 @@ class Yielding:
     def __post_init__(self) -> None:
         what = f"element {self.name!r}"
         valid.texts(what, name=self.name)
-        valid.expressions(what, elongation=self.elongation, **self.constants)
+        valid.expressions(
+            what, elongation=self.elongation, initial_force=self.initial_force, **self.constants
+        )
         valid.not_negative(what, **self.constants)
         for item in sorted(self.positive):
             if sp.sympify(getattr(self, item)).is_zero:
@@ -282,7 +287,7 @@ class Yielding:
 
     @property
     def _elastic(self) -> sp.Expr:
-        return self.stiffness * (self.elongation - self.variable.symbol)
+        return self.initial_force + self.stiffness * (self.elongation - self.variable.symbol)
 
     def _carries(self, chi: sp.Expr) -> sp.Expr:
         """0 where it is slack, else 1, by chi."""
@@ -311,13 +316,13 @@ class Yielding:
         """Values of internal variables at the end of a state, free of rounding."""
         if state == 0 or (state < 0 and self.slack):
             return {}
-        beyond = self.stiffness * self.elongation - state * self.strength
+        beyond = self.initial_force + self.stiffness * self.elongation - state * self.strength
         return {self.variable: beyond / (self.stiffness + sp.sympify(self.hardening))}
 
     def energy(self, chi: sp.Expr) -> sp.Expr:
         """The energy that it stores in the state chi."""
         z = self.variable.symbol
-        stored = self.stiffness * (self.elongation - z) ** 2 / 2
+        stored = self._elastic**2 / (2 * self.stiffness)
         return self._carries(chi) * stored + self.hardening * z**2 / 2
 
     def loss(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:

@@ -14,8 +14,8 @@ from typing import Protocol
 
 import sympy as sp
 
-from rockeom.symbolic.algebra import at_side
 from rockeom.symbolic.contacts import ContactDeclaration
+from rockeom.symbolic.elements import switch_of
 from rockeom.symbolic.impulse import ImpulseMap, OnSide, derive_impulse_map, rigid_velocity_ratio
 from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.mode import Mode, Transition
@@ -28,7 +28,7 @@ from rockeom.symbolic.model import (
     NamedFunction,
     Parameter,
 )
-from rockeom.symbolic.modes import Modes, derive_modes
+from rockeom.symbolic.modes.every import Modes, derive_modes
 
 
 @dataclass(frozen=True)
@@ -145,6 +145,13 @@ class HybridModel:
         return (*names, *(f"{n}_dot" for n in names))
 
     @property
+    def switches(self) -> tuple[sp.Symbol, ...]:
+        """The symbols of states of elements."""
+        if self.search is None:
+            return tuple(switch.symbol for switch in self.modes[0].switches)
+        return tuple(switch_of(i) for i in range(len(self.search.of.switching)))
+
+    @property
     def bodies(self) -> tuple[Body, ...]:
         """The same in all modes but for where they are."""
         return self.modes[0].bodies
@@ -172,7 +179,7 @@ class HybridModel:
         return _written_out(self.functions, sp.sympify(expr))
 
     def in_mode(self, expr: sp.Expr, name: str) -> sp.Expr:
-        """Expression written out for a mode, its side put in as a number.
+        """Expression written out for a mode, its side and its switches put in as numbers.
 
         Parameters
         ----------
@@ -186,7 +193,7 @@ class HybridModel:
         sympy.Expr
             Expression in states and parameters.
         """
-        return at_side(self.written_out(expr), self.mode(name).side_of(name))
+        return self.mode(name).put(self.written_out(expr), name)
 
     # -- equations -----------------------------------------------------------------------------
 
@@ -214,7 +221,7 @@ class HybridModel:
         raise KeyError(f"{self.name} has no mode {name!r}; it has {', '.join(self.mode_names)}")
 
     def equations(self, name: str) -> Equations:
-        """Equations of motion of a mode, its side put in as a number.
+        """Equations of motion of a mode, its side and its switches put in as numbers.
 
         Parameters
         ----------
@@ -232,7 +239,8 @@ class HybridModel:
             If there is no mode of that name.
         """
         mode = self.mode(name)
-        return mode.equations.at_side(mode.side_of(name)) if mode.has_side else mode.equations
+        whole = not mode.has_side and not mode.switches
+        return mode.equations if whole else mode.equations.map(lambda e: mode.put(e, name))
 
     @property
     def has_impacts(self) -> bool:

@@ -7,17 +7,29 @@ and dampers follow its equations of motion.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
+from typing import NamedTuple
 
 import sympy as sp
 
 from rockeom.numbers.checks import InputError
 from rockeom.symbolic import valid
-from rockeom.symbolic.algebra import truncated
+from rockeom.symbolic.algebra import at_side, truncated
 from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.lagrange import Equations, derive_equations
 from rockeom.symbolic.model import Body, Coordinate, Foot
+
+
+class Switch(NamedTuple):
+    """A number in equations that serve several states of an element: 1 in some modes, else 0.
+
+    meaning : in words, when it is 1. on : names of those modes.
+    """
+
+    symbol: sp.Symbol
+    meaning: str
+    on: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -58,6 +70,8 @@ class Mode:
     elements : tuple of Spring, optional
         Springs and dampers by name, see `Spring`; their energies and losses are added to
         elastic_energy and dissipation. The names are the same in each mode.
+    switches : tuple of Switch, optional
+        States of elements that these equations serve; the same symbols in each mode.
     """
 
     sides: dict[str, int]
@@ -73,6 +87,7 @@ class Mode:
     quantities: Mapping[str, tuple[str, sp.Expr]] = field(default_factory=dict)
     beside_feet: tuple[sp.Expr, sp.Expr] = (sp.S.Zero, sp.S.Zero)
     elements: tuple[Spring, ...] = ()
+    switches: tuple[Switch, ...] = ()
 
     def __post_init__(self) -> None:
         what = f"mode {'/'.join(map(str, self.sides))}"
@@ -160,6 +175,62 @@ class Mode:
             -1, 0 or 1.
         """
         return self.sides[name]
+
+    def states_of(self, name: str) -> list[int]:
+        """Number of each switch in one of the modes that these equations serve.
+
+        Parameters
+        ----------
+        name : str
+            Name of the mode.
+
+        Returns
+        -------
+        list of int
+            1 where a switch is on, else 0.
+        """
+        return [int(name in switch.on) for switch in self.switches]
+
+    def put(self, expr: sp.Expr, name: str) -> sp.Expr:
+        """Expression in one of the modes: its side and its switches put in as numbers.
+
+        Parameters
+        ----------
+        expr : sympy.Expr
+            Expression.
+        name : str
+            Name of the mode.
+
+        Returns
+        -------
+        sympy.Expr
+            Expression without them.
+        """
+        return at_side(self._switched(expr, name), self.side_of(name))
+
+    def _switched(self, expr: sp.Expr, name: str) -> sp.Expr:
+        states = zip(self.switches, self.states_of(name), strict=True)
+        numbers = {switch.symbol: sp.Integer(on) for switch, on in states}
+        return sp.sympify(expr).xreplace(numbers)
+
+    def of_each_state(self) -> list[Mode]:
+        """Modes with its equations of motion, the states of its switches put in as numbers.
+
+        Returns
+        -------
+        list of Mode
+            One for each state.
+        """
+        served: dict[tuple[int, ...], dict[str, int]] = {}
+        for name, side in self.sides.items():
+            served.setdefault(tuple(self.states_of(name)), {})[name] = side
+        if len(served) == 1:
+            return [self]
+        modes = [replace(self, sides=sides, switches=()) for sides in served.values()]
+        for mode in modes:
+            of = partial(self._switched, name=mode.names[0])
+            vars(mode)["equations"] = self.equations.map(of)  # not derived once more
+        return modes
 
 
 def _are_springs(what: str, elements: tuple[Spring, ...]) -> None:

@@ -8,7 +8,7 @@ import sympy as sp
 from sympy.simplify.fu import TR10i
 from sympy.solvers.solveset import NonlinearError
 
-from rockeom.symbolic.algebra import at_side, tidy
+from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode
 
@@ -78,7 +78,7 @@ def holding_force(model: HybridModel, name: str) -> sp.Expr:
     mode = model.mode(name)
     if model.rotation not in mode.coordinates:
         raise ValueError(f"{model.name} does not rotate in the mode {name!r}")
-    rows = [at_side(e, mode.side_of(name)) for e in equilibrium(mode)]
+    rows = [mode.put(e, name) for e in equilibrium(mode)]
     names = [c.name for c in mode.coordinates]
     turning = rows.pop(names.index(model.rotation.name))
     others = [c.position for c in mode.coordinates if c != model.rotation]

@@ -227,9 +227,8 @@ def test_ground_acceleration_that_starts_a_wall_on_fixed_corners():
     """11.1 m/s2 in 4.8.2, from a weight of 19.8 kN and 75.6 kN."""
     assert WALL.uplift_acceleration() == pytest.approx(11.1, abs=0.05)
     assert WALL.mass * 9.81 == pytest.approx(19.8e3, abs=50)
-    weaker = dataclasses.replace(
-        WALL, tendons=(dataclasses.replace(WALL.tendons[0], eccentricity=-0.508),)
-    )
+    heel = dataclasses.replace(WALL.tendons[0], eccentricity=-0.508)
+    weaker = dataclasses.replace(WALL, tendons=(heel,))
     assert weaker.uplift_acceleration() == pytest.approx(9.81 * 0.508 / 2.173)
 
 

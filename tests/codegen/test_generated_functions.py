@@ -134,6 +134,7 @@ class Sample:
         for i, c in enumerate(m.coordinates):
             known |= {c.position: self.y[i], c.velocity: self.y[half + i]}
         known |= {SIDE: self.side, GROUND_X: self.ax, GROUND_Y: self.ay, LOAD: self.load}
+        known |= zip(m.switches, self.mode.states_of(self.mode_name), strict=True)
         free = [c.acceleration for c in self.mode.coordinates]
         known |= dict(zip(free, accelerations, strict=False))
         return np.array([np.broadcast_to(known[sp.sympify(e)], (self.n,)) for e in expressions])

@@ -10,7 +10,7 @@ import sympy as sp
 import rockeom as rk
 from rockeom.symbolic import Body, Contact, Model, Rigid, Unilateral, feet, parameter
 from rockeom.symbolic.algebra import SIDE
-from rockeom.symbolic.modes import sign_of_slip
+from rockeom.symbolic.modes.kinematics import sign_of_slip
 from tests.contact import declared
 from tests.refusals import refused, refuses
 

@@ -10,7 +10,7 @@ import sympy as sp
 
 import rockeom as rk
 from rockeom.symbolic.algebra import SIDE
-from rockeom.symbolic.modes import sign_of_slip
+from rockeom.symbolic.modes.kinematics import sign_of_slip
 
 MODEL = rk.derive("sliding_block")
 M, B, H, INERTIA, _, MU, E = (p.symbol for p in MODEL.parameters)
@@ -28,7 +28,7 @@ def simple(expr) -> sp.Expr:
 
 
 def landing(mode: str, before):
-    return MODEL.mode(mode).landing(before, MODEL.modes.standing)
+    return MODEL.mode(mode).impact.landing(before, MODEL.modes.standing)
 
 
 def test_a_corner_that_sticks():
@@ -88,7 +88,7 @@ def test_an_upper_corner_that_lands_lifts_the_lower_block_s_far_foot_if_that_is_
     """If and only if b_1 - b_2 < 6 s c h_1/(4 - 3 s^2): the ground would have to pull it."""
     across = {x.position: 0 for x in STACK.coordinates if x.name == "xi"}
     falling = {RATE["phi"]: W, RATE["eta"]: -OF["upper_half_width"] * W}
-    found = STACK.mode("both_upper_right").landing(falling, STACK.modes.standing | across)
+    found = STACK.mode("both_upper_right").impact.landing(falling, STACK.modes.standing | across)
     left = sp.fraction(sp.together(found.normal[0].subs(UPPER)))[0]
     bound = RADIUS * S + 6 * S * C * LOW / (4 - 3 * S**2)
     (border,) = sp.solve(left, BELOW)

@@ -14,7 +14,7 @@ import sympy as sp
 import rockeom as rk
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.symbolic.modes import sign_of_slip
+from rockeom.symbolic.modes.kinematics import sign_of_slip
 
 MODEL = rk.derive("sliding_block")
 M, B, H, INERTIA, G, MU, _ = (p.symbol for p in MODEL.parameters)

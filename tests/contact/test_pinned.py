@@ -29,7 +29,7 @@ from rockeom.symbolic import (
 from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.symbolic.modes import free_motion
+from rockeom.symbolic.modes.balance import free_motion
 from rockeom.symbolic.reactions import reactions
 from rockeom.symbolic.structures.flexible import flexible_structure
 from rockeom.symbolic.structures.rigid_block import rigid_block

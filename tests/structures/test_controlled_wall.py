@@ -134,9 +134,7 @@ def test_energy_is_conserved_without_losses(structure):
 )
 def test_substitute_gravity_gives_and_takes_the_work_of_its_weight(structure):
     """Kinetic energy against a quadrature of the moment, typed from 4-32 and 4-37."""
-    migrates = isinstance(structure, rk.SubstituteGravityWall) and not isinstance(
-        structure, rk.SimplifiedSubstituteGravityWall
-    )
+    migrates = type(structure) is rk.SubstituteGravityWall
 
     def moment(theta):
         d = H * np.sin(theta)
@@ -231,6 +229,13 @@ def test_what_the_models_of_the_thesis_leave_out(
     moving, fixed = rk.SubstituteGravityWall.thesis(), rk.SimplifiedSubstituteGravityWall.thesis()
     assert quarter_period(moving, displacement) == pytest.approx(substitute, abs=0.01)
     assert quarter_period(fixed, displacement) == pytest.approx(simplified, abs=0.01)
+
+
+@pytest.mark.parametrize(("mode", "pull"), [("both", 75.6e3), ("both_slack", 0.0)])
+def test_feet_of_a_standing_wall_carry_its_weight_and_the_pull_of_a_tight_tendon(mode, pull):
+    wall, forces = rk.SimplifiedSubstituteGravityWall.thesis(), np.empty(4)
+    wall.module.reactions(wall.module.MODES.index(mode), np.zeros(4), wall.vector, 0, 0, forces)
+    assert forces[1:3] == pytest.approx([(WALL.mass * WALL.gravity + pull) / 2] * 2)
 
 
 def test_substitute_gravity_has_a_third_of_the_stiffness_near_upright():
@@ -445,11 +450,8 @@ def test_thirteen_measured_peaks_are_met(structure, law, time, peak):
 def test_laws_of_different_length_go_together_in_an_ensemble():
     """One law's table is longer than the other's, and a plain ratio has none."""
     wall = rk.SimplifiedSubstituteGravityWall.thesis()
-    laws = [
-        rk.EnergyRatioAtSpeed.equation_4_31(),
-        rk.EnergyRatioAtSpeed.equation_4_36(),
-        rk.EnergyRatio(0.88),
-    ]
+    at_speed = rk.EnergyRatioAtSpeed
+    laws = [at_speed.equation_4_31(), at_speed.equation_4_36(), rk.EnergyRatio(0.88)]
     still, start = rk.GroundMotion.none(0.5), {"theta": -0.01}
 
     def case(law):

@@ -423,8 +423,8 @@ def test_pages_of_a_model_are_what_is_said_of_it():
 
 
 DERIVING = (
-    "model", "mode", "contacts", "modes", "hybrid", "lagrange", "impulse", "reactions", "statics",
-    "evaluate", "outputs",
+    "model", "mode", "contacts", "modes/every", "modes/derived", "hybrid", "lagrange", "impulse",
+    "reactions", "statics", "evaluate", "outputs",
 )  # fmt: skip
 
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from rockeom.structures.shipped.declarations import controlled_wall as declared
-from rockeom.structures.shipped.walls import RockingWall, TendonedWall, ThesisWall, of_wall
+from rockeom.structures.shipped.tendoned_wall import Wall
+from rockeom.structures.shipped.walls import RockingWall, of_wall
 
 
 class ControlledWall(RockingWall, declared.ControlledWall):
     @classmethod
-    def from_wall(cls, wall: TendonedWall, anchor_distance: float = 3.1) -> ControlledWall:
+    def from_wall(cls, wall: Wall, anchor_distance: float = 3.1) -> ControlledWall:
         """Wall of `rockeom.analysis`.
 
         The lower anchor is put at the base. The inertia about the centroid is that of 4-19 when the
@@ -50,4 +51,4 @@ class ControlledWall(RockingWall, declared.ControlledWall):
         ControlledWall
             Wall by Lagrange's equations.
         """
-        return cls.from_wall(ThesisWall(initial_force))
+        return cls.from_wall(Wall.thesis(initial_force))

@@ -13,7 +13,8 @@ from rockeom.numbers.checks import InputError, InputTypeError, number
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.impact_laws import EnergyRatioAtSpeed
 from rockeom.structures.shipped.declarations import controlled_wall_oscillator as declared
-from rockeom.structures.shipped.walls import RockingWall, TendonedWall, ThesisWall, of_wall
+from rockeom.structures.shipped.tendoned_wall import Wall
+from rockeom.structures.shipped.walls import RockingWall, of_wall
 
 _PIECES = 4
 
@@ -42,7 +43,7 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
     @classmethod
     def from_wall(
         cls,
-        wall: TendonedWall,
+        wall: Wall,
         energy_ratio: float | EnergyRatioAtSpeed,
         held: bool = True,
         regularisation: float | None = None,
@@ -99,7 +100,7 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
         ControlledWallOscillator
             Oscillator.
         """
-        return cls.from_wall(ThesisWall(initial_force), energy_ratio, held)
+        return cls.from_wall(Wall.thesis(initial_force), energy_ratio, held)
 
     @property
     def jumps_between_events(self) -> bool:

@@ -11,14 +11,15 @@ from rockeom.structures.parameters import check_values
 from rockeom.structures.shipped.controlled_wall import ControlledWall
 from rockeom.structures.shipped.declarations import flexible_controlled_wall as declared
 from rockeom.structures.shipped.flexible_structure import FlexibleStructure
-from rockeom.structures.shipped.walls import RockingWall, TendonedWall, ThesisWall
+from rockeom.structures.shipped.tendoned_wall import Wall
+from rockeom.structures.shipped.walls import RockingWall
 
 
 class FlexibleControlledWall(RockingWall, declared.FlexibleControlledWall):
     @classmethod
     def from_wall(
         cls,
-        wall: TendonedWall,
+        wall: Wall,
         fixed_base_period: float | None = None,
         damping_ratio: float = 0.0,
         anchor_distance: float = 3.1,
@@ -75,7 +76,7 @@ class FlexibleControlledWall(RockingWall, declared.FlexibleControlledWall):
         FlexibleControlledWall
             Wall by Lagrange's equations.
         """
-        return cls.from_wall(ThesisWall(initial_force), damping_ratio=damping_ratio)
+        return cls.from_wall(Wall.thesis(initial_force), damping_ratio=damping_ratio)
 
     def fixed_base(self) -> FixedBase:
         """Wall on a base that cannot turn: its mass at centroid_height on the elastic column.

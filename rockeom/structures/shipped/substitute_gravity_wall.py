@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import Self
 
 from rockeom.structures.shipped.declarations import substitute_gravity_wall as declared
-from rockeom.structures.shipped.walls import RockingWall, TendonedWall, ThesisWall, of_wall
+from rockeom.structures.shipped.tendoned_wall import Wall
+from rockeom.structures.shipped.walls import RockingWall, of_wall
 
 
 class SubstituteGravityWall(RockingWall, declared.SubstituteGravityWall):
     @classmethod
-    def from_wall(cls, wall: TendonedWall) -> Self:
+    def from_wall(cls, wall: Wall) -> Self:
         """Wall of `rockeom.analysis`, its inertia that about a corner.
 
         Parameters
@@ -43,4 +44,4 @@ class SubstituteGravityWall(RockingWall, declared.SubstituteGravityWall):
         SubstituteGravityWall
             Wall with the force of the tendon as weight.
         """
-        return cls.from_wall(ThesisWall(initial_force))
+        return cls.from_wall(Wall.thesis(initial_force))

@@ -1,116 +1,21 @@
-"""Controlled rocking walls: their constructors, their tendon, and their equilibrium."""
+"""Controlled rocking walls: their parameters, their tendon, and their equilibrium."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any, ClassVar, NamedTuple, Protocol
 
 import numpy as np
 
-from rockeom.motion.units import STANDARD_GRAVITY
 from rockeom.numbers.checks import InputError, InputTypeError, number
 from rockeom.numbers.dual import value_of
 from rockeom.structures.declared import StructureWithFields
 from rockeom.structures.declared_modes import margin
+from rockeom.structures.shipped.tendoned_wall import Wall
 
 
-class TendonedWall(Protocol):
-    """The properties of a wall, such as a `rockeom.analysis.Wall`, from which a class is made."""
-
-    @property
-    def mass(self) -> float: ...
-    @property
-    def height(self) -> float: ...
-    @property
-    def half_width(self) -> float: ...
-    @property
-    def centroid_height(self) -> float: ...
-    @property
-    def corner_inertia(self) -> float: ...
-    @property
-    def fixed_base_period(self) -> float: ...
-    @property
-    def gravity(self) -> float: ...
-    @property
-    def rotation_centre(self) -> Any: ...
-    @property
-    def tendons(self) -> tuple[Any, ...]: ...
-    def moment_of_inertia(self, detached_length: Any) -> Any: ...
-
-
-class ThesisCentre(NamedTuple):
-    """How the rotation centre moves out from the centreline, as printed in thesis 4-7 [m]."""
-
-    C1: float = 0.412
-    C2: float = 0.096
-    epsilon: float = 3.551e-3
-
-
-class ThesisTendon(NamedTuple):
-    """The tendon of thesis chapter 4, at one of its initial forces [N].
-
-    The thesis states x1 = 6.4564 mm at 75.6 kN between anchors 3100 mm apart, a yield extension of
-    13.5814 mm and F_y = 159.03 kN. E = 205 GPa and A = 176.7 mm2 are inferred: they give all of
-    these, the 177 mm2 of 4.2 does not. The stiffness is that at 75.6 kN for any initial force, as
-    4-44 has it.
-    """
-
-    initial_force: float = 75.6e3
-    stiffness: float = (205e9 * 176.7e-6 + 75.6e3) / 3.1
-    yield_force: float = 900e6 * 176.7e-6
-    eccentricity: float = 0.0
-
-
-@dataclass(frozen=True)
-class ThesisWall:
-    """The wall of thesis chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N].
-
-    The height of 2.438 m is inferred: with it the energies under Figure 4-29, the drifts of 4.5 and
-    the restitution 0.835 of 4.9.2.1 agree.
-    """
-
-    initial_force: float = 75.6e3
-    height: float = 2.438
-    centroid_height: float = 2.173
-    panel_mass: float = 577.56
-    added_mass: float = 1438.5
-    added_height: float = 2.537
-    own_inertia: float = 686.0 + 442.0
-    fixed_base_period: float = 0.0428
-    gravity: float = STANDARD_GRAVITY
-    rotation_centre: ClassVar[ThesisCentre] = ThesisCentre()
-
-    @property
-    def tendons(self) -> tuple[ThesisTendon]:
-        return (ThesisTendon(self.initial_force),)
-
-    @property
-    def mass(self) -> float:
-        """m of wall and added mass [kg]."""
-        return self.panel_mass + self.added_mass
-
-    @property
-    def half_width(self) -> float:
-        """B of the base [m]."""
-        return self.rotation_centre.C1 + self.rotation_centre.C2
-
-    def moment_of_inertia(self, detached_length: float) -> float:
-        """I_o about the rotation centre [kg m2] at a detached length d of the base [m]; B-9."""
-        d = detached_length
-        panel = self.panel_mass / 3 * (self.height**2 + d**2)
-        added = self.added_mass * (self.added_height**2 + (d - self.half_width) ** 2)
-        return self.own_inertia + panel + added
-
-    @property
-    def corner_inertia(self) -> float:
-        """I_o about a corner of the base [kg m2]."""
-        return self.moment_of_inertia(2 * self.half_width)
-
-
-def of_wall(what: str, wall: TendonedWall) -> dict[str, float]:
+def of_wall(what: str, wall: Wall) -> dict[str, float]:
     """The parameters that all classes of walls share, of a wall with one tendon."""
-    if isinstance(wall, type) or not hasattr(wall, "tendons"):
+    if not isinstance(wall, Wall):
         raise InputTypeError("wall", wall).give("a wall, such as rockeom.analysis.Wall.thesis()")
     if len(wall.tendons) != 1:
         raise InputError("wall", wall).says(
@@ -118,18 +23,7 @@ def of_wall(what: str, wall: TendonedWall) -> dict[str, float]:
             "rockeom.symbolic.controlled_wall"
         )
     (tendon,) = wall.tendons
-    return {
-        "mass": wall.mass,
-        "height": wall.height,
-        "half_width": wall.half_width,
-        "edge_distance": wall.rotation_centre.C2,
-        "transition": wall.rotation_centre.epsilon,
-        "tendon_stiffness": tendon.stiffness,
-        "initial_force": tendon.initial_force,
-        "yield_force": tendon.yield_force,
-        "eccentricity": tendon.eccentricity,
-        "gravity": wall.gravity,
-    }
+    return wall.parameters_with(tendon)
 
 
 class RockingWall(StructureWithFields):

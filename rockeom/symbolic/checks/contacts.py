@@ -187,8 +187,7 @@ def expressions_of_contacts(of: ContactDeclaration) -> Expressions:
             yield f"{constant}{where}", e, ""
         for axis, e in zip("xy", getattr(element, "place", None) or (), strict=False):
             yield f"{axis} of the place{where}", e, "q"
-    for spring in of.springs:
-        yield f"initial force of element {spring.name!r}", spring.initial_force, ""
+        yield f"initial force{where}", getattr(element, "initial_force", sp.S.Zero), ""
     for f in of.forces:
         for value, displacement in f.components:
             yield f"value of force {f.name!r}", value, "qvz"

@@ -123,7 +123,8 @@ def _kinds(model: HybridModel) -> dict[sp.Basic, str]:
     kinds |= {d.symbol: "" for d in model.definitions}
     for c in model.coordinates:
         kinds |= {c.position: PLACES, c.velocity: RATES, c.acceleration: ACCELERATIONS}
-    kinds |= {SIDE: SIDED, GROUND_X: SHAKING, GROUND_Y: SHAKING}
+    kinds |= dict.fromkeys([SIDE, *model.switches], SIDED)
+    kinds |= {GROUND_X: SHAKING, GROUND_Y: SHAKING}
     for f in model.functions:
         kinds[f.symbol if f.symbol.is_Symbol else f.symbol.func] = PLACES
     kinds |= {z.symbol: INTERNAL for z in model.internal}

@@ -12,16 +12,16 @@ extension is a coordinate that is held, and is put to its new value when yieldin
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import product
-from typing import Any, ClassVar, NamedTuple, Protocol
+from typing import Any, ClassVar
 
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side
-from rockeom.symbolic.elements import Spring
+from rockeom.symbolic.elements import Ending, Spring, Yielding, switch_of
 from rockeom.symbolic.lagrange import rate
-from rockeom.symbolic.mode import Mode, Transition
+from rockeom.symbolic.mode import Mode, Switch, Transition
 from rockeom.symbolic.model import (
     Body,
     Coordinate,
@@ -82,7 +82,8 @@ NEAR = 6
 
 SIDES = {"left": -1, "right": 1}
 
-ELASTIC, SLACK, YIELDING = "", "slack", "yield"
+WORDS = {0: "", -1: "_slack", 1: "_yield"}
+"""Ends of names of modes, by the states of a `Yielding` tendon."""
 
 
 # --- the rotation centre
@@ -121,83 +122,107 @@ AT_THE_EDGE = RotationCentre(lambda D: HALF_WIDTH.symbol)
 
 
 @dataclass(frozen=True)
-class TendonState(Spring):
-    """A tendon while it is elastic, slack or yields; its deformation is without what yielded."""
-
-    state: str = ELASTIC
-    yield_force: sp.Expr = sp.S.Zero
-
-    @property
-    def output_displacement(self) -> sp.Expr:
-        if self.state == YIELDING:
-            return (self.yield_force - self.initial_force) / self.stiffness
-        return self.deformation
-
-    def still_force(self, chi: sp.Expr = sp.S.One) -> sp.Expr:
-        if self.state == ELASTIC:
-            return super().still_force(chi)
-        return self.yield_force if self.state == YIELDING else sp.S.Zero
-
-    def energy(self, chi: sp.Expr = sp.S.One) -> sp.Expr:
-        """Energy that it gives back when released, P**2/(2 k)."""
-        return self.still_force(chi) ** 2 / (2 * self.stiffness)
-
-    def loss(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
-        if self.state != YIELDING:
-            return sp.S.Zero
-        return self.yield_force * rate(self.deformation, coordinates)
-
-
-@dataclass(frozen=True)
 class Tendon:
-    """Symbols of one tendon; with several they are numbered from 1."""
+    """Symbols of one tendon; with several they are numbered from 1.
 
-    number: int
+    Its states are those of the element `Yielding`, but that the permanent extension rests while it
+    yields, and is put to its value where that ends: meanwhile its force is the yield force.
+    """
+
+    number: str
     stiffness: Parameter
     initial_force: Parameter
     yield_force: Parameter
     eccentricity: Parameter
     permanent: Coordinate
-    extension: sp.Function
+    extension: sp.Expr
 
     @property
     def name(self) -> str:
-        return self.permanent.name.replace("permanent_extension", "tendon")
-
-    def force(self, extension: sp.Expr, permanent: sp.Expr | None = None) -> sp.Expr:
-        """P_0 + k (x - x_p), as long as it is elastic."""
-        held = self.permanent.position if permanent is None else permanent
-        return self.initial_force.symbol + self.stiffness.symbol * (extension - held)
-
-    def permanent_while_yielding(self, extension: sp.Expr) -> sp.Expr:
-        """x_p at which the force at this extension is F_y."""
-        return (
-            extension
-            - (self.yield_force.symbol - self.initial_force.symbol) / self.stiffness.symbol
-        )
-
-    def force_in(self, state: str, extension: sp.Expr) -> sp.Expr:
-        if state == ELASTIC:
-            return self.force(extension)
-        return self.yield_force.symbol if state == YIELDING else sp.S.Zero
-
-    def element(self, state: str, extension: sp.Expr) -> TendonState:
-        """It in a state, by name."""
-        return TendonState(
-            self.name, extension - self.permanent.position, self.stiffness.symbol,
-            initial_force=self.initial_force.symbol, state=state,
-            yield_force=self.yield_force.symbol,
-        )  # fmt: skip
-
-    def plastic_force_in(self, state: str, extension: sp.Expr, by: sp.Symbol) -> sp.Expr:
-        """Generalised force of the yield force, whose work is not stored."""
-        if state != YIELDING:
-            return sp.S.Zero
-        return -self.yield_force.symbol * sp.diff(extension, by)
+        return f"tendon{self.number}"
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
         return self.stiffness, self.initial_force, self.yield_force, self.eccentricity
+
+    @property
+    def element(self) -> Yielding:
+        """It, but that its permanent extension flows while it yields."""
+        return Yielding(
+            self.name, self.extension, self.stiffness.symbol, self.yield_force.symbol,
+            slack=True, initial_force=self.initial_force.symbol,
+        )  # fmt: skip
+
+    @property
+    def settled(self) -> sp.Expr:
+        """The permanent extension when yielding ends."""
+        flowed = sp.expand(self.element.settled(1)[self.element.variable])
+        return sp.collect(flowed, 1 / self.stiffness.symbol)
+
+    def in_state(self, expr: sp.Expr, state: int) -> sp.Expr:
+        """An expression of the element in a state, the permanent extension put in."""
+        z = self.element.variable.symbol
+        if state == 1:
+            return sp.expand(expr.xreplace({z: self.settled}))
+        return expr.xreplace({z: self.permanent.position})
+
+    def force(self, state: int = 0) -> sp.Expr:
+        """Its force; of the elastic state 0, P_0 + k (x - x_p)."""
+        return self.in_state(self.element.still_force(sp.Integer(state)), state)
+
+    def energy(self, state: int) -> sp.Expr:
+        """Energy that it gives back when released, P**2/(2 k)."""
+        return self.in_state(self.element.energy(sp.Integer(state)), state)
+
+    @property
+    def switches(self) -> dict[int, sp.Symbol]:
+        """The symbol of each state with a force."""
+        first = 2 * (int(self.number.strip("_") or 1) - 1)
+        return {0: switch_of(first), 1: switch_of(first + 1)}
+
+    def by_state(self, value: Callable[[int], sp.Expr]) -> sp.Expr:
+        """An expression that vanishes where it is slack, written once for all states."""
+        return sum((chi * value(state) for state, chi in self.switches.items()), sp.S.Zero)
+
+    @property
+    def acting(self) -> HeldTendon:
+        """It among the elements of a mode."""
+        return HeldTendon(
+            self.name, self.extension - self.permanent.position, self.stiffness.symbol,
+            initial_force=self.initial_force.symbol, of=self,
+        )  # fmt: skip
+
+    def plastic_force(self, by: sp.Symbol) -> sp.Expr:
+        """Generalised force of the yield force, whose work is not stored."""
+        return -self.switches[1] * self.yield_force.symbol * sp.diff(self.extension, by)
+
+    def endings(self, state: int, moving: Coordinate) -> Iterable[Ending]:
+        """Ends of a state; of two that lead to the same state only the one with a way back."""
+        endings = self.element.endings((moving,))[state]
+        return {e.target: e for e in sorted(endings, key=lambda e: e.back is not None)}.values()
+
+
+@dataclass(frozen=True)
+class HeldTendon(Spring):
+    """A `Tendon` as an element; its deformation is without what yielded."""
+
+    of: Tendon = field(kw_only=True)
+
+    @property
+    def output_displacement(self) -> sp.Expr:
+        yields = self.of.switches[1]
+        drawn = (self.of.yield_force.symbol - self.initial_force) / self.stiffness
+        return (1 - yields) * self.deformation + yields * drawn
+
+    def still_force(self, chi: sp.Expr = sp.S.One) -> sp.Expr:
+        return self.of.by_state(self.of.force)
+
+    def energy(self, chi: sp.Expr = sp.S.One) -> sp.Expr:
+        return self.of.by_state(self.of.energy)
+
+    def loss(self, chi: sp.Expr, coordinates: tuple[Coordinate, ...]) -> sp.Expr:
+        yields = self.of.switches[1] * self.of.yield_force.symbol
+        return yields * rate(self.deformation, coordinates)
 
 
 @dataclass(frozen=True)
@@ -208,9 +233,9 @@ class Tendons:
     moving: Coordinate
 
     @property
-    def states(self) -> Iterator[tuple[str, ...]]:
+    def states(self) -> Iterator[tuple[int, ...]]:
         """All combinations of states."""
-        return product((ELASTIC, SLACK, YIELDING), repeat=len(self.each))
+        return product(WORDS, repeat=len(self.each))
 
     @property
     def parameters(self) -> tuple[Parameter, ...]:
@@ -225,41 +250,36 @@ class Tendons:
         """End of the name of a structure with more than one."""
         return f"_{len(self.each)}_tendons" if len(self.each) != 1 else ""
 
-    def mark(self, tendon: Tendon, before: str = "_") -> str:
-        """End of the name of a tendon's item: its number, where there are several."""
-        return f"{before}{tendon.number}" if len(self.each) > 1 else ""
-
-    def suffix(self, states: Iterable[str]) -> str:
+    def suffix(self, states: Iterable[int]) -> str:
         """End of the name of a mode."""
         pairs = zip(self.each, states, strict=True)
-        return "".join(f"_{state}{self.mark(t)}" for t, state in pairs if state)
+        return "".join(f"{WORDS[state]}{t.number}" for t, state in pairs if state)
 
-    def extended(self, tendon: Tendon) -> sp.Expr:
-        """Extension of a tendon."""
-        return tendon.extension(self.moving.position)
+    def switches(self, places: Iterable[str]) -> tuple[Switch, ...]:
+        """The numbers by which equations serve all states, in the modes of some places."""
+        words = {0: "is elastic", 1: "yields"}
+        return tuple(
+            Switch(
+                chi,
+                f"while `{t.name}` {words[state]}",
+                tuple(
+                    f"{place}{self.suffix(states)}"
+                    for states in self.states
+                    for place in places
+                    if states[i] == state
+                ),
+            )
+            for i, t in enumerate(self.each)
+            for state, chi in t.switches.items()
+        )
 
-    def forces(self, states: Iterable[str]) -> list[sp.Expr]:
-        """Force of each in its state."""
-        pairs = zip(self.each, states, strict=True)
-        return [t.force_in(s, self.extended(t)) for t, s in pairs]
-
-    def elements(self, states: Iterable[str]) -> tuple[TendonState, ...]:
-        pairs = zip(self.each, states, strict=True)
-        return tuple(t.element(s, self.extended(t)) for t, s in pairs)
-
-    def plastic_force(self, states: Iterable[str]) -> sp.Expr:
-        """Generalised force of those that yield, whose work is not stored."""
-        q = self.moving.position
-        pairs = zip(self.each, states, strict=True)
-        return sum((t.plastic_force_in(s, self.extended(t), q) for t, s in pairs), sp.S.Zero)
-
-    def quantities(self, states: Iterable[str], centre: sp.Expr) -> dict[str, tuple[str, sp.Expr]]:
+    def quantities(self, centre: sp.Expr) -> dict[str, tuple[str, sp.Expr]]:
         """Further quantities of a response of the wall."""
-        found = {"rotation_centre": ("m", centre)}
-        for t, force in zip(self.each, self.forces(states), strict=True):
-            found[f"tendon_extension{self.mark(t)}"] = "m", self.extended(t)
-            found[f"tendon_force{self.mark(t)}"] = "N", force
-        return found
+        lengths_and_forces = {"rotation_centre": ("m", centre)}
+        for t in self.each:
+            lengths_and_forces[f"tendon_extension{t.number}"] = "m", t.extension
+            lengths_and_forces[f"tendon_force{t.number}"] = "N", t.by_state(t.force)
+        return lengths_and_forces
 
     def functions(
         self, centre: sp.Expr, distance: sp.Expr, extension: Callable[[Tendon], sp.Expr]
@@ -271,39 +291,17 @@ class Tendons:
         )  # fmt: skip
         extensions = (
             NamedFunction(
-                self.extended(t), f"tendon_extension{self.mark(t)}", "m",
-                f"extension of tendon{self.mark(t, ' ')} since the initial state", extension(t),
+                t.extension, f"tendon_extension{t.number}", "m",
+                f"extension of tendon{t.number.replace('_', ' ')} since the initial state",
+                extension(t),
             )
             for t in self.each
         )  # fmt: skip
         return (b, *extensions)
 
-    def changes(self, states: tuple[str, ...], number: int) -> list[Change]:
-        """Ends of the state of one tendon."""
-        tendon, state = self.each[number], states[number]
-        x = self.extended(tendon)
-        force = tendon.force(x)
-        if state == ELASTIC:
-            return [
-                Change(YIELDING, tendon.yield_force.symbol - force, {}),
-                Change(SLACK, force, {}),
-            ]
-        if state == SLACK:
-            return [Change(ELASTIC, -force, {})]
-        sets = {tendon.permanent.position: tendon.permanent_while_yielding(x)}
-        return [Change(ELASTIC, rate(x, (self.moving,)), sets)]
-
-
-class Change(NamedTuple):
-    """The state of a tendon that follows, the guard, and values that are set."""
-
-    state: str
-    guard: sp.Expr
-    sets: dict[sp.Symbol, sp.Expr]
-
 
 def _tendons(count: int, moving: Coordinate) -> Tendons:
-    found = []
+    tendons = []
     for i in range(1, count + 1):
         mark, name, which = (f"_{i}", f"_{i}", f" {i}") if count > 1 else ("", "", "")
 
@@ -316,9 +314,9 @@ def _tendons(count: int, moving: Coordinate) -> Tendons:
             "m",
             f"place of tendon{which} along the base, from the centreline, positive to the right",
         )
-        found.append(
+        tendons.append(
             Tendon(
-                i,
+                name,
                 of(f"k{mark or '_T'}", "tendon_stiffness", "N/m", "stiffness of tendon"),
                 of(f"P_{{0{i if count > 1 else ''}}}", "initial_force", "N", "force of tendon"),
                 of(f"F_{{y{i if count > 1 else ''}}}", "yield_force", "N", "yield force of tendon"),
@@ -329,53 +327,61 @@ def _tendons(count: int, moving: Coordinate) -> Tendons:
                     "m",
                     f"permanent extension of tendon{which} by yielding that has ended",
                 ),
-                sp.Function(f"x{mark or '_T'}", real=True),
+                sp.Function(f"x{mark or '_T'}", real=True)(moving.position),
             )
         )
-    return Tendons(tuple(found), moving)
+    return Tendons(tuple(tendons), moving)
 
 
 def _unique(parameters: Iterable[Parameter]) -> tuple[Parameter, ...]:
     return tuple(dict.fromkeys(parameters))
 
 
-class Wall(Protocol):
+@dataclass(frozen=True)
+class Wall:
     """A wall in its places ("left", ...), each with a side, in all states of its tendons."""
 
-    @property
-    def tendons(self) -> Tendons: ...
-    @property
-    def places(self) -> Mapping[str, int]: ...
-    def mode(self, sides: dict[str, int], states: tuple[str, ...]) -> Mode: ...
-    def leaving(self, place: str, states: tuple[str, ...]) -> list[Transition]:
-        """Transitions to other places, in the same states of the tendons."""
+    tendons: Tendons
+
+    places: ClassVar[Mapping[str, int]] = SIDES
+
+    def mode(self, sides: dict[str, int]) -> Mode:
+        """Its equations in all places and states."""
+        raise NotImplementedError
+
+    def leaving(self, place: str, states: tuple[int, ...]) -> list[Transition]:
+        """Transitions to other places in the same states: an impact where it comes upright."""
+        suffix, s = self.tendons.suffix(states), SIDES[place]
+        other = "right" if s < 0 else "left"
+        gap = s * self.tendons.moving.position
+        return [Transition(f"{place}{suffix}", f"{other}{suffix}", "impact", gap)]
 
 
 def _model(wall: Wall, **described: Any) -> RockingModel:
-    """A mode for each state of the tendons, and the transitions between all of them."""
-    tendons = wall.tendons
-    modes, transitions = [], []
+    """One mode for all states of the tendons, and the transitions between all of them."""
+    tendons, sides = wall.tendons, dict[str, int]()
+    transitions: list[Transition] = []
     for states in tendons.states:
         suffix = tendons.suffix(states)
-        modes.append(wall.mode({f"{p}{suffix}": s for p, s in wall.places.items()}, states))
-        for place, side in wall.places.items():
+        for place in wall.places:
+            sides[f"{place}{suffix}"] = wall.places[place]
             transitions += wall.leaving(place, states)
-            for i in range(len(states)):
-                for change in tendons.changes(states, i):
-                    then = (*states[:i], change.state, *states[i + 1 :])
-                    transitions.append(
-                        Transition(
-                            f"{place}{suffix}",
-                            f"{place}{tendons.suffix(then)}",
-                            "switch",
-                            at_side(change.guard, side),
-                            sets={k: at_side(e, side) for k, e in change.sets.items()},
-                            # a tendon begins to yield at any rate, and ends at none
-                            reversible=change.state != YIELDING,
-                        )
+            for i, (tendon, state) in enumerate(zip(tendons.each, states, strict=True)):
+                settled = {tendon.permanent.position: tendon.settled} if state == 1 else {}
+                transitions += (
+                    Transition(
+                        f"{place}{suffix}",
+                        f"{place}{tendons.suffix((*states[:i], ending.target, *states[i + 1 :]))}",
+                        "switch",
+                        tendon.in_state(ending.guard[0], state),
+                        sets=settled,
+                        reversible=ending.back is not None,
                     )
+                    for ending in tendon.endings(state, tendons.moving)
+                )
+    mode = replace(wall.mode(sides), switches=tendons.switches(wall.places))
     return RockingModel(
-        modes=tuple(modes), transitions=tuple(transitions), rotation=tendons.moving, **described
+        modes=(mode,), transitions=tuple(transitions), rotation=tendons.moving, **described
     )
 
 
@@ -408,17 +414,15 @@ def _energy_ratio() -> tuple[tuple[Parameter, ...], Callable[[sp.Expr], sp.Expr]
 
 
 @dataclass(frozen=True)
-class _Oscillator:
+class _Oscillator(Wall):
     """The equivalent oscillator: its symbols, functions, modes and the transitions between them."""
-
-    tendons: Tendons
 
     q: ClassVar = DISPLACEMENT.position
     v: ClassVar = DISPLACEMENT.velocity
     centre: ClassVar = sp.Function("b", real=True)(q)
     rise: ClassVar = sp.Function("y_0", real=True)(q)
     speed, ratio, now, upright = sp.symbols("v r v_a V_0", positive=True)
-    places: ClassVar = {
+    places: ClassVar[Mapping[str, int]] = {
         f"{side}{part}": s for side, s in SIDES.items() for part in ("", "_inward", "_near")
     }
 
@@ -431,7 +435,8 @@ class _Oscillator:
         cosine = sp.sqrt(1 - (q / H) ** 2)
         lever = (self.centre + B * (1 - cosine)) / cosine  # d - B
         stored = (
-            sp.Max(t.force(sp.S.Zero), 0) ** 2 / (2 * t.stiffness.symbol) for t in self.tendons.each
+            sp.Max(t.force().subs(t.extension, 0), 0) ** 2 / (2 * t.stiffness.symbol)
+            for t in self.tendons.each
         )
         return (
             *self.tendons.functions(
@@ -462,7 +467,7 @@ class _Oscillator:
         """Potential energy of gravity."""
         return MASS.symbol * GRAVITY.symbol * self.rise
 
-    def mode(self, sides: dict[str, int], states: tuple[str, ...]) -> Mode:
+    def mode(self, sides: dict[str, int]) -> Mode:
         B, M = HALF_WIDTH.symbol, EFFECTIVE_MASS.symbol
         damping = M * loss(self.ratio) * delta(self.q, REGULARISATION.symbol) * self.now * self.v
         place = (self.q, sp.S.Zero)
@@ -473,16 +478,15 @@ class _Oscillator:
             GRAVITY.symbol,
             self.raised,
             load_point=place,
-            forces=(damping + self.tendons.plastic_force(states),),
-            quantities=self.tendons.quantities(states, self.centre),
-            elements=self.tendons.elements(states),
+            forces=(sum((t.plastic_force(self.q) for t in self.tendons.each), damping),),
+            quantities=self.tendons.quantities(self.centre),
+            elements=tuple(t.acting for t in self.tendons.each),
         )
 
-    def leaving(self, place: str, states: tuple[str, ...]) -> list[Transition]:
+    def leaving(self, place: str, states: tuple[int, ...]) -> list[Transition]:
         """From mark to mark on the way."""
-        suffix, s = self.tendons.suffix(states), self.places[place]
-        q, v = self.q, self.v
-        side, other = ("left", "right") if s < 0 else ("right", "left")
+        suffix, q, v = self.tendons.suffix(states), SIDE * self.q, SIDE * self.v
+        side, other = ("left", "right") if self.places[place] < 0 else ("right", "left")
 
         def to(target: str, guard: sp.Expr, sets: dict | None = None) -> Transition:
             return Transition(
@@ -490,15 +494,15 @@ class _Oscillator:
             )
 
         if place == side:
-            if YIELDING in states:
+            if 1 in states:
                 return []  # turning back ends the yielding first, and only then x_p is known
-            stored = sum((e.energy() for e in self.tendons.elements(states)), self.raised)
-            gained = sp.Max(at_side(stored, s) - self.upright, 0)
-            speed = sp.sqrt(v**2 + 2 * gained / EFFECTIVE_MASS.symbol)
-            return [to(f"{side}_inward", s * v, {PASSAGE_SPEED.position: speed})]
+            stored = sum((t.by_state(t.energy) for t in self.tendons.each), self.raised)
+            gained = sp.Max(stored - self.upright, 0)
+            speed = sp.sqrt(self.v**2 + 2 * gained / EFFECTIVE_MASS.symbol)
+            return [to(f"{side}_inward", v, {PASSAGE_SPEED.position: speed})]
         if place == f"{side}_inward":
-            return [to(f"{side}_near", s * q - NEAR * REGULARISATION.symbol), to(side, -s * v)]
-        return [to(other, s * q), to(side, -s * v)]
+            return [to(f"{side}_near", q - NEAR * REGULARISATION.symbol), to(side, -v)]
+        return [to(other, q), to(side, -v)]
 
 
 @shipped(
@@ -561,13 +565,6 @@ def controlled_wall_oscillator(
 # --- walls that turn
 
 
-def _impact_upright(tendons: Tendons, place: str, states: tuple[str, ...]) -> list[Transition]:
-    """An impact where the wall comes upright."""
-    suffix, s = tendons.suffix(states), SIDES[place]
-    other = "right" if s < 0 else "left"
-    return [Transition(f"{place}{suffix}", f"{other}{suffix}", "impact", s * ROTATION.position)]
-
-
 def _pressed(mode: Mode, pivot: tuple[sp.Expr, sp.Expr], pull: sp.Expr) -> Mode:
     """It with feet: the pressed one carries all, with the downward pull of the tendons."""
     vertical = total_reaction(mode)[1] + pull
@@ -582,18 +579,16 @@ def _pressed(mode: Mode, pivot: tuple[sp.Expr, sp.Expr], pull: sp.Expr) -> Mode:
 
 
 @dataclass(frozen=True)
-class _SubstituteGravity:
+class _SubstituteGravity(Wall):
     """Housner's block with the tendons' force as weight.
 
     arm : distance of the rotation centre from the centreline, taken as fixed at each instant.
     """
 
-    tendons: Tendons
     arm: sp.Expr
 
     q: ClassVar = ROTATION.position
     centre: ClassVar = sp.Function("b", real=True)(q)
-    places: ClassVar = SIDES
 
     def functions(self, distance: sp.Expr, lever: sp.Expr) -> tuple[NamedFunction, ...]:
         """Extensions, the lever where it is no constant, and forces of elastic tendons."""
@@ -603,31 +598,32 @@ class _SubstituteGravity:
             edge = SIDE * (self.centre + B * (1 - sp.cos(q))) / sp.cos(q)
             return (edge - t.eccentricity.symbol) * sp.tan(q)
 
-        found = self.tendons.functions(self.centre, distance, extension)
+        functions = self.tendons.functions(self.centre, distance, extension)
         if self.arm != B:
             meaning = "arm, from the centreline to the centre about which the wall turns"
-            found += (NamedFunction(self.arm, "lever", "m", meaning, lever),)
+            functions += (NamedFunction(self.arm, "lever", "m", meaning, lever),)
         forces = (
             NamedFunction(
                 self.elastic_force(t), t.initial_force.name.replace("initial", "elastic"), "N",
-                "force of a tendon that is elastic", t.force(self.tendons.extended(t)),
+                "force of a tendon that is elastic", t.force(),
             )
             for t in self.tendons.each
         )  # fmt: skip
-        return (*found, *forces)
+        return (*functions, *forces)
 
     def elastic_force(self, tendon: Tendon) -> sp.Symbol:
         """Symbol of the force of an elastic tendon: the model has no derivative of it."""
-        return sp.Symbol(f"P_{{T{self.tendons.mark(tendon, '')}}}", real=True)
+        return sp.Symbol(f"P_{{T{tendon.number.strip('_')}}}", real=True)
 
-    def mode(self, sides: dict[str, int], states: tuple[str, ...]) -> Mode:
+    def weight(self, tendon: Tendon) -> sp.Expr:
+        """The force of a tendon as weight."""
+        forces = {0: self.elastic_force(tendon), 1: tendon.force(1)}
+        return tendon.by_state(forces.__getitem__)
+
+    def mode(self, sides: dict[str, int]) -> Mode:
         H, B, Hc, m = HEIGHT.symbol, HALF_WIDTH.symbol, CENTROID_HEIGHT.symbol, MASS.symbol
         q, pivot = self.q, (SIDE * self.arm, sp.S.Zero)
-        of_each = zip(self.tendons.each, states, self.tendons.forces(states), strict=True)
-        downward = sum(
-            (self.elastic_force(t) if s == ELASTIC else force for t, s, force in of_each),
-            sp.S.Zero,
-        )
+        downward = sum(map(self.weight, self.tendons.each), sp.S.Zero)
         centroid = turned((0, Hc), pivot, q)
         inertia = PIVOT_INERTIA.symbol - m * (self.arm**2 + Hc**2)
         mode = Mode(
@@ -637,12 +633,9 @@ class _SubstituteGravity:
             GRAVITY.symbol,
             load_point=turned((0, H), pivot, q),
             forces=(-downward * sp.diff(centroid[1], q),),
-            quantities=self.tendons.quantities(states, self.arm),
+            quantities=self.tendons.quantities(self.arm),
         )
         return _pressed(mode, pivot, downward)
-
-    def leaving(self, place: str, states: tuple[str, ...]) -> list[Transition]:
-        return _impact_upright(self.tendons, place, states)
 
 
 @shipped(place=13, may_vanish=_SHARED, defaults={"eccentricity": 0.0})
@@ -689,9 +682,6 @@ def substitute_gravity_wall(
 
 def _with_full_contact(model: RockingModel, cables: Tendons) -> RockingModel:
     """The wall also stands still on both edges, its tendons elastic or slack."""
-    modes = []
-    uplifts: list[Transition] = []
-
     forces = {f.symbol: f.value for f in model.functions if f.symbol.is_Symbol}
 
     def standing(expr: sp.Expr) -> sp.Expr:
@@ -700,33 +690,29 @@ def _with_full_contact(model: RockingModel, cables: Tendons) -> RockingModel:
     def stand(point: tuple[sp.Expr, sp.Expr]) -> tuple[sp.Expr, sp.Expr]:
         return standing(point[0]), standing(point[1])
 
-    for states in product((ELASTIC, SLACK), repeat=len(cables.each)):
-        suffix = cables.suffix(states)
-        turning = model.mode(f"right{suffix}")
-        modes.append(
-            Mode(
-                {f"both{suffix}": 0},
-                (),
-                tuple(
-                    replace(b, position=stand(b.position), rotation=sp.S.Zero)
-                    for b in turning.bodies
-                ),
-                turning.gravity,
-                feet={name: Foot(stand(f.position)) for name, f in turning.feet.items()},
-                load_point=turning.load_point and stand(turning.load_point),
-                quantities={k: (u, standing(e)) for k, (u, e) in turning.quantities.items()},
-            )
-        )
-        uplifts += [Transition(f"both{suffix}", f"{side}{suffix}", "uplift") for side in SIDES]
-    rests = {}  # full contact after an impact: no tendon goes on yielding in it
-    for states in cables.states:
-        kept = tuple(ELASTIC if state == YIELDING else state for state in states)
-        for side in SIDES:
-            rests[f"{side}{cables.suffix(states)}"] = f"both{cables.suffix(kept)}"
+    # full contact after an impact: no tendon goes on yielding in it
+    held = {states: cables.suffix(min(state, 0) for state in states) for states in cables.states}
+    rests = {f"{side}{cables.suffix(x)}": f"both{y}" for x, y in held.items() for side in SIDES}
+    (turning,) = model.modes
+    upright = Mode(
+        dict.fromkeys(rests.values(), 0),
+        (),
+        tuple(replace(b, position=stand(b.position), rotation=sp.S.Zero) for b in turning.bodies),
+        turning.gravity,
+        feet={name: Foot(stand(f.position)) for name, f in turning.feet.items()},
+        load_point=turning.load_point and stand(turning.load_point),
+        quantities={k: (u, standing(e)) for k, (u, e) in turning.quantities.items()},
+        switches=cables.switches(["both"]),
+    )
     rocking = (
         replace(t, fallback=rests[t.source]) if t.kind == "impact" else t for t in model.transitions
     )
-    return replace(model, modes=(*model.modes, *modes), transitions=(*rocking, *uplifts))
+    uplifts = (
+        Transition(both, f"{side}{both.removeprefix('both')}", "uplift")
+        for both in upright.sides
+        for side in SIDES
+    )
+    return replace(model, modes=(turning, upright), transitions=(*rocking, *uplifts))
 
 
 def _one_ratio(model: RockingModel) -> RockingModel:
@@ -753,17 +739,15 @@ ANCHOR_DEPTH = parameter(
 
 
 @dataclass(frozen=True)
-class _Lagrangian:
+class _Lagrangian(Wall):
     """The wall by Lagrange's equations, which may bend."""
 
-    tendons: Tendons
     flexible: bool
 
     q: ClassVar = ROTATION.position
     centre: ClassVar = sp.Function("b", real=True)(q)
     pivot: ClassVar = (SIDE * centre, sp.S.Zero)
     length: ClassVar = ANCHOR_HEIGHT.symbol + ANCHOR_DEPTH.symbol
-    places: ClassVar = SIDES
 
     @property
     def moving(self) -> tuple[Coordinate, ...]:
@@ -782,9 +766,9 @@ class _Lagrangian:
             lambda t: sp.sqrt(self.run(t)[0] ** 2 + self.run(t)[1] ** 2) - self.length,
         )
 
-    def mode(self, sides: dict[str, int], states: tuple[str, ...]) -> Mode:
+    def mode(self, sides: dict[str, int]) -> Mode:
         H, B, Hc = HEIGHT.symbol, HALF_WIDTH.symbol, CENTROID_HEIGHT.symbol
-        u = DEFLECTION.position if self.flexible else sp.S.Zero
+        u, cables = DEFLECTION.position if self.flexible else sp.S.Zero, self.tendons.each
         bending = (Spring("wall", u, STIFFNESS.symbol, DAMPING.symbol),) if self.flexible else ()
         at, top = turned((u, Hc), self.pivot, self.q), sp.Max(H, ANCHOR_HEIGHT.symbol)
         outline = rectangle(B, Hc, top - Hc)
@@ -794,22 +778,16 @@ class _Lagrangian:
             (Body("wall", MASS.symbol, at, INERTIA.symbol, self.q, outline=outline),),
             GRAVITY.symbol,
             load_point=turned((u, H), self.pivot, self.q),
-            forces=(self.tendons.plastic_force(states), *(sp.S.Zero for _ in self.moving[1:])),
-            quantities=self.tendons.quantities(states, self.centre),
-            elements=(*self.tendons.elements(states), *bending),
-        )
-        of_each = zip(self.tendons.each, self.tendons.forces(states), strict=True)
-        down = sum(
-            (
-                force * self.run(t)[1] / (self.tendons.extended(t) + self.length)
-                for t, force in of_each
+            forces=(
+                sum((t.plastic_force(self.q) for t in cables), sp.S.Zero),
+                *(sp.S.Zero for _ in self.moving[1:]),
             ),
-            sp.S.Zero,
+            quantities=self.tendons.quantities(self.centre),
+            elements=(*(t.acting for t in cables), *bending),
         )
+        pulls = (t.by_state(t.force) * self.run(t)[1] / (t.extension + self.length) for t in cables)
+        down = sum(pulls, sp.S.Zero)
         return _pressed(mode, self.pivot, down)
-
-    def leaving(self, place: str, states: tuple[str, ...]) -> list[Transition]:
-        return _impact_upright(self.tendons, place, states)
 
 
 @shipped(place=10, may_vanish=(*_SHARED, "inertia", "anchor_depth"), defaults={"eccentricity": 0.0})

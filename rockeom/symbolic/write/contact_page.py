@@ -6,11 +6,15 @@ from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
+from rockeom.codes import OPEN
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.contacts import ContactDeclaration
+from rockeom.symbolic.elements import switch_of
 from rockeom.symbolic.hybrid import HybridModel, Search
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.symbolic.modes import OPEN, DerivedMode, free_motion, sign_of_slip, switch_of
+from rockeom.symbolic.modes.balance import free_motion
+from rockeom.symbolic.modes.derived import DerivedMode
+from rockeom.symbolic.modes.kinematics import sign_of_slip
 from rockeom.symbolic.write.notation import AFTER, BEFORE, Notation, at_impact
 from rockeom.symbolic.write.page import Block, Display, Heading
 from rockeom.symbolic.write.symbols import energies, listed
@@ -277,13 +281,13 @@ def _landing(mode: DerivedMode, notation: Notation) -> list[Block]:
     old = sp.Matrix([at_impact(c, BEFORE) for c in coordinates])
     new = [at_impact(c, AFTER) for c in coordinates]
     lines = []
-    for k, momentum in enumerate(mode.kept_momentum * old):
+    for k, momentum in enumerate(mode.impact.kept_momentum * old):
         row = [mode.mass_matrix[k, j] * new[i] for j, i in enumerate(mode.independent)]
         left = notation.sum([notation.write(e) for e in row if e != 0])
         lines.append(f"{left} = {notation.write(momentum)}")
     for d in mode.dependent:
         tied = [mode.motions[d, j] * new[i] for j, i in enumerate(mode.independent)]
-        total = sp.expand(sum(tied, (mode.rebound[d, :] * old)[0]))
+        total = sp.expand(sum(tied, (mode.impact.rebound[d, :] * old)[0]))
         lines.append(f"{notation.plain(new[d])} = {notation.write(total)}")
     return [
         Heading(3, "Impact"),

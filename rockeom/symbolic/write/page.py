@@ -183,6 +183,7 @@ _PREAMBLE = (
     r"\documentclass[11pt,a4paper]{article}",
     r"\usepackage[margin=25mm]{geometry}",
     r"\usepackage{amsmath}",
+    r"\emergencystretch=6em",  # for lists of names, which no hyphen breaks
     r"\setlength{\parindent}{0pt}\setlength{\parskip}{6pt}\allowdisplaybreaks",
 )
 _ESCAPED = {c: rf"\{c}" for c in "{}#$%&_"} | {

@@ -99,7 +99,7 @@ def content(declaration: Lowers, form: str) -> list[Block]:
     _check(form)
     model = declaration.hybrid
     polar = form == "polar" and any(has_polar_form(mode) for mode in model.modes)
-    signs = () if model.search is None else signs_of_search(model.search)
+    signs = signs_of_modes(model) if model.search is None else signs_of_search(model.search)
     blocks: list[Block] = [Heading(1, model.title)]
     blocks += [f"Reference: {model.reference}."] if model.reference else []
     blocks += symbols_of(model, polar, signs)
@@ -112,14 +112,30 @@ def content(declaration: Lowers, form: str) -> list[Block]:
     return [*blocks, *_transitions(shown), *_pushover(shown)]
 
 
+def signs_of_modes(model: HybridModel) -> list[tuple[sp.Symbol, str]]:
+    """The states of elements that equations contain, with meanings."""
+    return [(s.symbol, f"1 {s.meaning}, else 0") for s in model.modes[0].switches]
+
+
 def _sides(mode: Mode) -> str:
     return ", ".join(f"$s = {side:+d}$ in `{name}`" for name, side in mode.sides.items())
 
 
+def _served(mode: Mode) -> str:
+    """The modes that one form serves, in words."""
+    if not mode.switches:
+        return f"both sides: {_sides(mode)}"
+    symbols = " and ".join(f"${sp.latex(switch.symbol)}$" for switch in mode.switches)
+    sides = ", and for both sides, by $s$" if mode.has_side else ""
+    return f"all states, by {symbols}{sides}: {listed(mode.sides)}"
+
+
 def _mode(model: HybridModel, mode: Mode) -> list[Block]:
     notation, equations = Notation(mode, model), mode.equations
-    blocks: list[Block] = [Heading(2, f"Contact {listed(mode.sides)}")]
-    blocks += [f"One form for both sides: {_sides(mode)}."] if mode.has_side else []
+    of_sides = {side: name for name, side in reversed(mode.sides.items())}  # the first of each
+    named = sorted(of_sides.values()) if mode.switches else mode.sides
+    blocks: list[Block] = [Heading(2, f"Contact {listed(named)}")]
+    blocks += [f"One form for {_served(mode)}."] if mode.has_side or mode.switches else []
     if mode.small:
         small = ", ".join(f"${notation.plain(x)}$" for x in mode.small)
         blocks.append(f"Energies are expanded to second order in the small quantities {small}.")
@@ -164,7 +180,8 @@ def _transitions(model: HybridModel) -> list[Block]:
     order = {name: i for i, mode in enumerate(model.modes) for name in mode.sides}
     groups: dict[tuple, list[Transition]] = {}
     for t in model.transitions:
-        key = (t.kind, order[t.source], order[t.target], order.get(t.fallback or "", -1))
+        alike = t.guard if model.switches else None  # of many modes in one
+        key = (t.kind, order[t.source], order[t.target], order.get(t.fallback or "", -1), alike)
         groups.setdefault(key, []).append(t)
     blocks: list[Block] = [Heading(2, "Transitions")]
     for group in groups.values():
@@ -185,8 +202,10 @@ def _transitions(model: HybridModel) -> list[Block]:
 
 def _common_guard(model: HybridModel, group: list[Transition]) -> sp.Expr | None:
     """The guard written once with s for the transitions of both sides; 0 if they have none."""
-    if all(t.guard is None for t in group):
-        return sp.Integer(0)
+    guards = {t.guard for t in group}
+    if len(guards) == 1:
+        (guard,) = guards
+        return sp.Integer(0) if guard is None else guard
     q = model.rotation
     for t in group:
         if model.mode(t.source).side_of(t.source) == 1 and t.guard is not None:
@@ -201,8 +220,10 @@ def _common_guard(model: HybridModel, group: list[Transition]) -> sp.Expr | None
 def _transition(model: HybridModel, alike: list[Transition], guard: sp.Expr | None) -> list[Block]:
     first = alike[0]
     notation = Notation(model.mode(first.source), model)
-    pairs = ", ".join(f"`{t.source}` to `{t.target}`" for t in alike)
-    blocks: list[Block] = [Heading(3, f"{first.kind.capitalize()}: {pairs}")]
+    pairs = [f"`{t.source}` to `{t.target}`" for t in alike]
+    shown = 2 if model.switches else len(pairs)  # of many modes in one
+    blocks: list[Block] = [Heading(3, f"{first.kind.capitalize()}: {', '.join(pairs[:shown])}")]
+    blocks += [f"Likewise {', '.join(pairs[shown:])}."] if pairs[shown:] else []
     theta, rate, acceleration = (
         notation.plain(x)
         for x in (model.rotation.position, model.rotation.velocity, model.rotation.acceleration)
@@ -220,9 +241,13 @@ def _transition(model: HybridModel, alike: list[Transition], guard: sp.Expr | No
     stays = "" if first.kind == "impact" else "; velocities stay as they are"
     blocks.append(f"{ends} when ${short}$ falls through zero{stays}{':' if lines else '.'}")
     blocks += [Display(tuple(lines))] if lines else []
-    for t in alike if first.sets else ():
+    setting: dict[tuple[str, ...], list[str]] = {}
+    for t, pair in zip(alike, pairs, strict=True) if first.sets else ():
         put = tuple(f"{notation.plain(x)} = {notation.plain(e)}" for x, e in t.sets.items())
-        blocks += [f"From `{t.source}` to `{t.target}` this is put to a new value:", Display(put)]
+        setting.setdefault(put, []).append(pair)
+    for put, ways in setting.items():
+        whence = "This" if len(ways) > 1 else f"From {ways[0]} this"
+        blocks += [f"{whence} is put to a new value:", Display(put)]
     if first.kind != "impact":
         return blocks
     if model.rigid_velocity_ratio is not None:
