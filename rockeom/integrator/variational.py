@@ -161,9 +161,9 @@ def propagate_tangents(
     """
     scratch = Scratch(
         rate=floats[0], y_later=floats[1], rate_later=floats[2],
-        stages=np.empty(N_ALL_STAGES * (N_STATES + 2)), y_new=np.empty(N_STATES),
-        y_before=np.empty(N_STATES), y_after=np.empty(N_STATES), y_moving=np.empty(N_STATES),
-        guards=np.empty(N_GUARDS + N_PARTS), points=np.empty(N_KNOWN),
+        stages=np.zeros(N_ALL_STAGES * (N_STATES + 2)), y_new=np.zeros(N_STATES),
+        y_before=np.zeros(N_STATES), y_after=np.zeros(N_STATES), y_moving=np.zeros(N_STATES),
+        guards=np.zeros(N_GUARDS + N_PARTS), points=np.zeros(N_KNOWN),
     )  # fmt: skip
     setup = Setup(recorder, case, varied, out, scratch)
     segments = first_segments(case, varied)
@@ -233,7 +233,11 @@ def first_segments(case, varied):
 
 @inlined
 def segments_at(t, mode, segments, setup):
-    """The segments that hold at t and after it; the state crosses corners at their beginnings."""
+    """The segments that hold at t and after it; the state crosses corners at their beginnings.
+
+    Written for each direction by itself: a record with derivatives is long, and each step would
+    copy it once more.
+    """
     n_x, x, varied_x = segments.ground.n_x, segments.ground.x, segments.varied.x
     n_y, y, varied_y = segments.ground.n_y, segments.ground.y, segments.varied.y
     tau_x, tau_y, corners = segments.tau_x, segments.tau_y, setup.varied.corners
