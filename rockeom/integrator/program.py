@@ -325,8 +325,8 @@ def _transitions(generated: GeneratedModule, read: Callable[[str], Text]) -> lis
     bounces = getattr(generated, "N_POINTS", 0) > 0  # and does not move through elements alone
     which = [read(f"{_HERE}.transitions.{n}") for n in (_SEARCHED if bounces else _DECLARED)]
     if not has_points(generated):
-        return [Text("what follows from a structure", "N_POINTS = N_KNOWN = 0\n"), *which]
-    facts = f"from {_HERE}.transitions.points import N_KNOWN\nANGLES = {angles(generated)!r}\n"
+        return [Text("what follows from a structure", "N_POINTS = CONTACT_SIZE = 0\n"), *which]
+    facts = f"from {_HERE}.transitions.points import CONTACT_SIZE\nANGLES = {angles(generated)!r}\n"
     law = "newton" if impact_law(generated) == NEWTON else "impacts"
     which.append(read(f"{_HERE}.transitions.{law}"))
     return [Text("what follows from a structure", facts), *which]

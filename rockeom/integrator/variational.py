@@ -24,9 +24,9 @@ from rockeom.compiler.decorators import Duals, Duals2, Duals3, Floats, Floats2, 
 from rockeom.integrator.full_contact import cannot_move
 from rockeom.integrator.ground import ground_accelerations, segment_at, segment_of
 from rockeom.integrator.provided import (
+    CONTACT_SIZE,
     N_ALL_STAGES,
     N_GUARDS,
-    N_KNOWN,
     N_PARTS,
     N_POINTS,
     N_STATES,
@@ -89,7 +89,7 @@ class Scratch(NamedTuple):
     rate : before an event, or at the start of a step. y_later, rate_later : a little later. stages
     : rates at the stages of a step. y_new : the state at its end. y_before, y_after : on both sides
     of an event, which moves. y_moving : along a direction. guards : all of a mode. points : see
-    `all_known`.
+    `contact_data`.
     """
 
     rate: Floats
@@ -163,7 +163,7 @@ def propagate_tangents(
         rate=floats[0], y_later=floats[1], rate_later=floats[2],
         stages=np.zeros(N_ALL_STAGES * (N_STATES + 2)), y_new=np.zeros(N_STATES),
         y_before=np.zeros(N_STATES), y_after=np.zeros(N_STATES), y_moving=np.zeros(N_STATES),
-        guards=np.zeros(N_GUARDS + N_PARTS), points=np.zeros(N_KNOWN),
+        guards=np.zeros(N_GUARDS + N_PARTS), points=np.zeros(CONTACT_SIZE),
     )  # fmt: skip
     setup = Setup(recorder, case, varied, out, scratch)
     segments = first_segments(case, varied)

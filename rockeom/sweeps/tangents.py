@@ -111,9 +111,9 @@ class Tangents:
         if instants.size and not (instants.min() >= 0.0 and instants.max() <= end):
             raise ValueError(f"Tangents.at: times are from 0 to {end:.6g} s, where the motion ends")
         order = np.argsort(instants, kind="stable")
-        found = np.empty((len(instants), *self.end.shape))
-        found[order] = self.motion.carried(instants[order]).found
-        return found
+        derivatives = np.empty((len(instants), *self.end.shape))
+        derivatives[order] = self.motion.carried(instants[order]).at_times
+        return derivatives
 
 
 @explained.calls()
@@ -164,9 +164,9 @@ def states_at(
     """
     motion = _motion(case, *_with_duals(case), SolverOptions.of(options))
     inside = times <= motion.last_time
-    found = np.zeros((len(times), len(motion.problem.y0), motion.directions))
-    found[inside] = motion.carried(times[inside]).found
-    return motion.response, found
+    derivatives = np.zeros((len(times), len(motion.problem.y0), motion.directions))
+    derivatives[inside] = motion.carried(times[inside]).at_times
+    return motion.response, derivatives
 
 
 def _with_duals(case: Case) -> tuple[Problem, ProblemTangents]:
@@ -184,12 +184,12 @@ def of_problem(
 ) -> Tangents:
     """The same of a case in numbers: for whoever runs it again from another state."""
     motion = _motion(case, problem, along, options)
-    found = motion.carried(np.empty(0))
-    end, end_time = _end(case, motion, found.end)
-    before, after = found.event_states[:, 0], found.event_states[:, 1]
+    carried = motion.carried(np.empty(0))
+    end, end_time = _end(case, motion, carried.end)
+    before, after = carried.event_states[:, 0], carried.event_states[:, 1]
     return Tangents(
-        motion.response, along.y0, found.event_times, before, after,
-        end, end_time, motion.said_of(found), motion,
+        motion.response, along.y0, carried.event_times, before, after,
+        end, end_time, motion.said_of(carried), motion,
     )  # fmt: skip
 
 
@@ -209,7 +209,7 @@ class _Carried(NamedTuple):
     """
 
     end: np.ndarray
-    found: np.ndarray
+    at_times: np.ndarray
     event_states: np.ndarray
     event_times: np.ndarray
     stopped: int
@@ -285,8 +285,8 @@ class Motion:
         parts = list(self._parts(times))
         if not parts:
             k, n = len(self.response.events.columns[0]), len(self.problem.y0)
-            ends, found = np.empty((n, 0)), np.empty((len(times), n, 0))
-            return _Carried(ends, found, np.empty((k, 2, n, 0)), np.empty((k, 0)), 0, 0)
+            ends, at_times = np.empty((n, 0)), np.empty((len(times), n, 0))
+            return _Carried(ends, at_times, np.empty((k, 2, n, 0)), np.empty((k, 0)), 0, 0)
         back = np.argsort(self.order)
         whole = [
             np.concatenate(some, axis=-1)[..., back]
@@ -319,29 +319,29 @@ class Motion:
             ]
             corners = any(x[:, :2, j].any() for x in self.grounds for j in shaken)
             y, told = _dual(q.y0, along.y0, some), np.zeros(1, np.int64)
-            found, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
+            at_times, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
             event_y = np.full((k, 2, n, size), np.nan)
             stopped = program.propagate_tangents(
                 steps.span, steps.mode, steps.powers, t, kinds, states, np.empty((0, n)), *case,
                 *rows, corners, _dual(p, along.p, some), _dual(q.ratio, along.ratio, some)[None],
-                self.longest_step, times, y, found, event_y, event_t, told, np.zeros((3, n)),
+                self.longest_step, times, y, at_times, event_y, event_t, told, np.zeros((3, n)),
             )  # fmt: skip
             if stopped:
                 y[:] = np.nan
             told_of = slice(1, 1 + len(some))
             yield _Carried(
-                y[..., told_of], found[..., told_of], event_y[..., told_of],
+                y[..., told_of], at_times[..., told_of], event_y[..., told_of],
                 event_t[..., told_of], stopped, int(told[0]),
             )  # fmt: skip
 
-    def said_of(self, found: _Carried) -> str:
+    def said_of(self, carried: _Carried) -> str:
         """Why derivatives end before the motion does, or nothing."""
-        lost = ~np.isfinite(found.event_states).all(axis=(1, 2, 3))
-        if not (found.stopped or lost.any()):
+        lost = ~np.isfinite(carried.event_states).all(axis=(1, 2, 3))
+        if not (carried.stopped or lost.any()):
             return ""
-        event = self.response.events[found.at if found.stopped else int(np.argmax(lost))]
+        event = self.response.events[carried.at if carried.stopped else int(np.argmax(lost))]
         what = f"the {event.kind} at {event.time:.6g} s, {event.mode_before} to {event.mode_after}"
-        return f"{what}, {_WHY[found.stopped]}"
+        return f"{what}, {_WHY[carried.stopped]}"
 
 
 _RADIANS = {"DOP853": 0.6, "RK45": 0.2}

@@ -292,7 +292,7 @@ def test_argument_of_another_kind_is_named(ask, argument):
         (lambda: simulated(mode=1), ("is 1", "left, both, right")),
         (
             lambda: rk.RigidBlock(0.1, 0.4),
-            ("RigidBlock takes its parameters by name, and 0.1", "half_width (half of the"),
+            ("RigidBlock takes its parameters by name, and 0.1", "half_width (Half of the"),
         ),
         (lambda: rk.RigidBlock.from_frequency("2", 0.3), ("RigidBlock: p is '2'", "give a number")),
         (lambda: rk.EnergyRatio("0.9"), ("energy ratio r is '0.9'", "give a number")),

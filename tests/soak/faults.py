@@ -155,7 +155,7 @@ FAULTS = {
     "names": Fault(
         "names of users are written as they are",
         "rockeom/codegen/names.py",
-        (("while is_own(name) or name in self.given:", "while name in self.given:"),),
+        (("while is_own(name) or name in self.taken:", "while name in self.taken:"),),
         ("rigid_block",),
         ("names",),
         check="names",

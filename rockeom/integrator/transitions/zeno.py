@@ -53,7 +53,7 @@ from rockeom.integrator.transitions.points import (
     POINT,
     ROWS,
     acceleration_of,
-    all_known,
+    contact_data,
     gap_rounding,
     put_on,
     rate_of,
@@ -130,7 +130,7 @@ class Period(NamedTuple):
     remaining: float
 
 
-def time_of_bounces(state, tolerance, rtol, known, out):
+def time_of_bounces(state, tolerance, rtol, contact, out):
     """(time, mode): when the infinitely many impacts to come will all have happened.
 
     From a landing after which points leave what they touched. out (N,) : the state after that time,
@@ -144,43 +144,43 @@ def time_of_bounces(state, tolerance, rtol, known, out):
     bouncing, near = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS, np.int64)
     bounces = Bounces(bouncing, np.zeros(N_POINTS), near)
     rates(mode, y, state.p, state.ax, state.ay, dy)
-    start, limit, lost = slow_bounces(state, tolerance, known, dy, bounces.points)
+    start, limit, lost = slow_bounces(state, tolerance, contact, dy, bounces.points)
     if start == 0.0:
         return np.inf, mode
     total, follows = np.inf, mode
     if limit > 0.0:
         w[:N_STATES] = y
-        beside_bounces(mode, limit, known, dy, bounces)
+        beside_bounces(mode, limit, contact, dy, bounces)
         flying = state._replace(y=w)
-        total, follows = sum_of_flights(flying, start, limit, rtol, known, dy, bounces, out)
+        total, follows = sum_of_flights(flying, start, limit, rtol, contact, dy, bounces, out)
     if follows < 0:
         total, follows = np.inf, mode
     if lost and not total < np.inf:
         total = 0.0
         bounces.points[:N_POINTS] = 0
-        follows = all_closed(state, bounces, 0.0, 0.0, rtol, known, out)
+        follows = all_closed(state, bounces, 0.0, 0.0, rtol, contact, out)
     for _ in range(N_POINTS):
         after = state._replace(mode=follows, y=out)
-        if not (total < np.inf and follows >= 0 and any_lost(after, known, dy)):
+        if not (total < np.inf and follows >= 0 and any_lost(after, contact, dy)):
             break
         # what follows may bring back a point that left: it has no time to
         w[:N_STATES] = out
         bounces.points[:N_POINTS] = 0
-        follows = all_closed(after._replace(y=w), bounces, 0.0, 0.0, rtol, known, out)
+        follows = all_closed(after._replace(y=w), bounces, 0.0, 0.0, rtol, contact, out)
     return (total, follows) if follows >= 0 else (np.inf, follows)
 
 
-def any_lost(state, known, dy):
+def any_lost(state, contact, dy):
     """Whether a flight that begins in a state is lost. known, dy : scratch."""
     lost = False
     rates(state.mode, state.y, state.p, state.ax, state.ay, dy)
-    points(state.y, state.p, known)
+    points(state.y, state.p, contact)
     for i in range(N_POINTS):
-        lost = lost or hop_of(i, state.mode, state.y, known, dy).lost
+        lost = lost or hop_of(i, state.mode, state.y, contact, dy).lost
     return lost
 
 
-def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
+def sum_of_flights(state, start, limit, rtol, contact, dy, bounces, out):
     """(time, mode) of bounces from a state, whose y (N,) moves on to their end.
 
     Close to the end flights are parabolas, each from the rates of the state in which it begins, and
@@ -195,12 +195,12 @@ def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
     for number in range(MOST_FLIGHTS + 1):
         if number > 0:
             rates(mode, w, state.p, state.ax, state.ay, dy)
-        if have_ended(mode, bounces, start, known, w, dy):
+        if have_ended(mode, bounces, start, contact, w, dy):
             break
-        flight = next_flight(mode, bounces, w, known, dy)
+        flight = next_flight(mode, bounces, w, contact, dy)
         # too many, or too long: it is the end only where all that still flies is no bounce
         if number == MOST_FLIGHTS:
-            if fast_fly_on(mode, bounces, start, known, dy):
+            if fast_fly_on(mode, bounces, start, contact, dy):
                 return np.inf, IMPOSSIBLE
             break
         if not total + flight.time <= limit:
@@ -209,7 +209,7 @@ def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
                 return np.inf, IMPOSSIBLE
             break
         if flight.point >= 0:
-            rate, last = known[flight.point * POINT + 1], flight.time
+            rate, last = contact[flight.point * POINT + 1], flight.time
             period = period_since(reference, rate, total)
             repeats = flight.point == reference.point and mode == reference.mode
             if repeats and total + period.remaining > limit:
@@ -227,13 +227,13 @@ def sum_of_flights(state, start, limit, rtol, known, dy, bounces, out):
                 landed[:N_POINTS] = 0
             reference = reference._replace(flights=reference.flights + 1)
         total += flight.time
-        fly(mode, flight, known, dy, bounces, w)
+        fly(mode, flight, contact, dy, bounces, w)
         for i in range(N_POINTS):
             landed[i] = max(landed[i], bounces.near[i])
-        mode = mode_after_flight(state._replace(mode=mode), flight, rtol, known, bounces, out)
+        mode = mode_after_flight(state._replace(mode=mode), flight, rtol, contact, bounces, out)
         if mode < 0:
             return np.inf, mode
-    return total, all_closed(state._replace(mode=mode), bounces, start, limit, rtol, known, out)
+    return total, all_closed(state._replace(mode=mode), bounces, start, limit, rtol, contact, out)
 
 
 def period_since(reference, rate, time):
@@ -261,7 +261,7 @@ def all_landed(landed, bouncing):
     return every
 
 
-def mode_after_flight(state, flight, rtol, known, bounces, out):
+def mode_after_flight(state, flight, rtol, contact, bounces, out):
     """The mode after the landing, or the end of a slip, that a flight ends with; y moves there.
 
     Points that leave by it bounce, too.
@@ -270,25 +270,25 @@ def mode_after_flight(state, flight, rtol, known, bounces, out):
     touched, ground = np.zeros(N_POINTS, np.int64), np.empty(5)
     touched[:N_POINTS] = bounces.near
     out[:N_STATES] = w
-    points(w, p, known)
+    points(w, p, contact)
     same_ground(state.ax, state.ay, SOON_IN_FLIGHT * flight.time, ground)
-    follows, _ = meet(state.mode, flight.guard, bounces.near, w, p, ground, rtol, known, out)
+    follows, _ = meet(state.mode, flight.guard, bounces.near, w, p, ground, rtol, contact, out)
     if follows < 0:
         return follows
     w[N_COORDINATES:N_STATES] = out[N_COORDINATES:N_STATES]
-    points(w, p, known)
+    points(w, p, contact)
     for i in range(N_POINTS):
-        if touched[i] == 1 and POINT_STATES[follows][i] == OPEN and known[i * POINT + 1] > 0.0:
+        if touched[i] == 1 and POINT_STATES[follows][i] == OPEN and contact[i * POINT + 1] > 0.0:
             bounces.points[i] = 1
     return follows
 
 
-def hop_of(point, mode, y, known, dy):
+def hop_of(point, mode, y, contact, dy):
     """The flight of a point that begins in a state. dy (N,) : rates of the state."""
-    gap, rate = known[point * POINT], known[point * POINT + 1]
-    _, size = rate_of(known, 2 * point, y, 0)
-    radius = radius_of(known, point)
-    a = -acceleration_of(known, 2 * point, dy)
+    gap, rate = contact[point * POINT], contact[point * POINT + 1]
+    _, size = rate_of(contact, 2 * point, y, 0)
+    radius = radius_of(contact, point)
+    a = -acceleration_of(contact, 2 * point, dy)
     if POINT_STATES[mode][point] != OPEN or gap > GRAIN * size:
         return Hop(0.0, a, radius, False)
     height = 0.5 * rate * rate
@@ -296,7 +296,7 @@ def hop_of(point, mode, y, known, dy):
     return Hop(height, a, radius, lost)
 
 
-def slow_bounces(state, tolerance, known, dy, bouncing):
+def slow_bounces(state, tolerance, contact, dy, bouncing):
     """(start, limit, lost): the fastest rate of points that leave, or land, and the longest time.
 
     bouncing (N_POINTS,) : set to 1 for these points. lost : whether a flight of theirs is. Zeros
@@ -305,7 +305,7 @@ def slow_bounces(state, tolerance, known, dy, bouncing):
     mode, y, start = state.mode, state.y, 0.0
     all_lost, any_is_lost, returns, fast = True, False, False, False
     for i in range(N_POINTS):
-        hop, rate = hop_of(i, mode, y, known, dy), known[i * POINT + 1]
+        hop, rate = hop_of(i, mode, y, contact, dy), contact[i * POINT + 1]
         if hop.height == 0.0:
             continue
         bouncing[i] = 1
@@ -319,43 +319,43 @@ def slow_bounces(state, tolerance, known, dy, bouncing):
     if fast:
         return start, 0.0, any_is_lost
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
-    without_forces(y, state.p, state.ax, state.ay, mode, known, wanted, sizes)
+    without_forces(y, state.p, state.ax, state.ay, mode, contact, wanted, sizes)
     most, limit = max(tolerance, LONGEST_LOST) if all_lost else tolerance, np.inf
     for i in range(N_POINTS):
         if bouncing[i] == 1:
-            limit = min(limit, most * math.sqrt(radius_of(known, i) / sizes[2 * i]))
+            limit = min(limit, most * math.sqrt(radius_of(contact, i) / sizes[2 * i]))
     for i in range(N_POINTS):
-        a, rate = -acceleration_of(known, 2 * i, dy), known[i * POINT + 1]
+        a, rate = -acceleration_of(contact, 2 * i, dy), contact[i * POINT + 1]
         fastest = limit * sizes[2 * i]
         if bouncing[i] == 1 and (rate < -fastest or (a <= 0.0 and rate > fastest)):
             return start, 0.0, any_is_lost  # it lands at once, or leaves for good
     return start, limit, any_is_lost
 
 
-def beside_bounces(mode, limit, known, dy, bounces):
+def beside_bounces(mode, limit, contact, dy, bounces):
     """Let points in flight bounce, too, that land within the time of the bounces, and as slowly.
 
     A gap that closes much faster than accelerations close it in that time ends by its own impact.
     """
     for i in range(N_POINTS):
-        gap, rate = known[i * POINT], known[i * POINT + 1]
+        gap, rate = contact[i * POINT], contact[i * POINT + 1]
         if POINT_STATES[mode][i] == OPEN and bounces.points[i] == 0:
-            a = -acceleration_of(known, 2 * i, dy)
+            a = -acceleration_of(contact, 2 * i, dy)
             slow = a > 0.0 and -rate <= FAST * limit * a
             if slow and rate + math.sqrt(rate * rate + 2.0 * a * gap) <= limit * a:
                 bounces.points[i], bounces.heights[i] = 1, gap
 
 
-def next_flight(mode, bounces, w, known, dy):
+def next_flight(mode, bounces, w, contact, dy):
     """The flight of all points from a state w to the first landing, or end of a slip."""
-    landing, point = next_landing(mode, bounces, w, known, dy)
-    stop, guard = next_stop(mode, w, known, dy)
+    landing, point = next_landing(mode, bounces, w, contact, dy)
+    stop, guard = next_stop(mode, w, contact, dy)
     if stop < landing:
         return Flight(stop, -1, guard)
     return Flight(landing, point, landing_of(mode, point))
 
 
-def next_landing(mode, bounces, w, known, dy):
+def next_landing(mode, bounces, w, contact, dy):
     """(time, point) of the next landing of those that bounce: (inf, -1) where none lands by itself.
 
     A gap that opens faster and faster waits for the landing of another.
@@ -364,8 +364,8 @@ def next_landing(mode, bounces, w, known, dy):
     for i in range(N_POINTS):
         if bounces.points[i] == 0 or POINT_STATES[mode][i] != OPEN:
             continue
-        height, a = bounces.heights[i], -acceleration_of(known, 2 * i, dy)
-        rate, size = rate_of(known, 2 * i, w, N_COORDINATES)
+        height, a = bounces.heights[i], -acceleration_of(contact, 2 * i, dy)
+        rate, size = rate_of(contact, 2 * i, w, N_COORDINATES)
         if height == 0.0 and -FITS * size <= rate < 0.0:
             rate = 0.0  # it would land again and again, and nothing would change
         square = rate * rate + 2.0 * a * height
@@ -379,7 +379,7 @@ def next_landing(mode, bounces, w, known, dy):
     return first, point
 
 
-def next_stop(mode, w, known, dy):
+def next_stop(mode, w, contact, dy):
     """(time, guard) of the next end of a slip, as friction and what else acts now slow it."""
     time, guard = np.inf, -1
     for i in range(GUARDS[mode]):
@@ -387,8 +387,8 @@ def next_stop(mode, w, known, dy):
             continue
         point = SUBJECTS[mode][i]
         sign = SIGN_OF[POINT_STATES[mode][point]]
-        slip, _ = rate_of(known, 2 * point + 1, w, N_COORDINATES)
-        slows = -sign * acceleration_of(known, 2 * point + 1, dy)
+        slip, _ = rate_of(contact, 2 * point + 1, w, N_COORDINATES)
+        slows = -sign * acceleration_of(contact, 2 * point + 1, dy)
         lasts = max(sign * slip, 0.0) / slows if slows > 0.0 else np.inf
         if lasts < time:
             time, guard = lasts, i
@@ -404,24 +404,24 @@ def landing_of(mode, point):
     return guard
 
 
-def speed_of(point, heights, known, dy):
+def speed_of(point, heights, contact, dy):
     """The rate at which a point lands that bounces."""
-    rate, a = known[point * POINT + 1], -acceleration_of(known, 2 * point, dy)
+    rate, a = contact[point * POINT + 1], -acceleration_of(contact, 2 * point, dy)
     return math.sqrt(rate * rate + 2.0 * max(a, 0.0) * heights[point])
 
 
-def have_ended(mode, bounces, start, known, w, dy):
+def have_ended(mode, bounces, start, contact, w, dy):
     """Whether nothing but the digits of other velocities is left of those of the bounces."""
     fastest = whole = 0.0
     for i in range(N_POINTS):
         if bounces.points[i] == 1 and POINT_STATES[mode][i] == OPEN:
-            fastest = max(fastest, speed_of(i, bounces.heights, known, dy))
-        _, speed = rate_of(known, 2 * i, w, N_COORDINATES)
+            fastest = max(fastest, speed_of(i, bounces.heights, contact, dy))
+        _, speed = rate_of(contact, 2 * i, w, N_COORDINATES)
         whole = max(whole, speed)
     return fastest <= max(ENDED * start, ENDED_OF_ALL * whole)
 
 
-def fast_fly_on(mode, bounces, start, known, dy):
+def fast_fly_on(mode, bounces, start, contact, dy):
     """Take the bounces back of points that are as fast as at the start: whether all are.
 
     start : the rate of the fastest then.
@@ -429,7 +429,7 @@ def fast_fly_on(mode, bounces, start, known, dy):
     every, bouncing = True, bounces.points
     for i in range(N_POINTS):
         if bouncing[i] == 1 and POINT_STATES[mode][i] == OPEN:
-            bouncing[i] = 0 if speed_of(i, bounces.heights, known, dy) > start else 1
+            bouncing[i] = 0 if speed_of(i, bounces.heights, contact, dy) > start else 1
         every = every and bouncing[i] == 0
     return every
 
@@ -445,14 +445,14 @@ def some_ended(mode, bouncing):
     return ended
 
 
-def fly(mode, flight, known, dy, bounces, w):
+def fly(mode, flight, contact, dy, bounces, w):
     """Move a state w to the next landing, and say which points touch there, in `bounces.near`."""
     n, heights, near, time = N_COORDINATES, bounces.heights, bounces.near, flight.time
     for i in range(N_POINTS):
         near[i] = 1 if POINT_STATES[mode][i] != OPEN else 0
         if bounces.points[i] == 1 and near[i] == 0:
-            rise = known[i * POINT + 1] * time
-            drop = -0.5 * acceleration_of(known, 2 * i, dy) * time * time
+            rise = contact[i * POINT + 1] * time
+            drop = -0.5 * acceleration_of(contact, 2 * i, dy) * time * time
             heights[i] += rise - drop
             if i == flight.point or heights[i] <= NO_DROP * drop:
                 heights[i], near[i] = 0.0, 1
@@ -475,47 +475,47 @@ def sum_series(period, w_before, w):
         w[i] += left * along_ + left_of_squares * (w[i] - w_before[i] - along_)
 
 
-def all_closed(state, bounces, start, time, rtol, known, out):
+def all_closed(state, bounces, start, time, rtol, contact, out):
     """The mode that follows once all points that bounce are closed, or a negative number.
 
     So are others whose flights are lost. state : until then; out : its y with them closed, and with
-    slips ended, see `close_and_end_slips`. known : scratch.
+    slips ended, see `close_and_end_slips`. contact : scratch.
     """
     here, w, p, ax, ay = state.mode, state.y, state.p, state.ax, state.ay
     n, near = N_COORDINATES, bounces.near
     sizes, dy = np.empty(ROWS + N_POINTS), np.empty(N_STATES)
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     out[:N_STATES] = w
-    all_known(out, p, here, known)
+    contact_data(out, p, here, contact)
     rates(here, w, p, ax, ay, dy)
-    without_forces(out, p, ax, ay, here, known, wanted, sizes)
+    without_forces(out, p, ax, ay, here, contact, wanted, sizes)
     for i in range(N_POINTS):
-        lost = hop_of(i, here, w, known, dy).lost
+        lost = hop_of(i, here, w, contact, dy).lost
         closed = lost or bounces.points[i] == 1 or POINT_STATES[here][i] != OPEN
         near[i] = 1 if closed else 0
         if closed:
-            rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
-    put_on(rows, wanted, 0, known, out)
-    points(out, p, known)
-    rounding = gap_rounding(known, out)
+            rows[2 * i], wanted[2 * i] = 1, -contact[i * POINT]
+    put_on(rows, wanted, 0, contact, out)
+    points(out, p, contact)
+    rounding = gap_rounding(contact, out)
     for i in range(N_POINTS):
-        gap, rate = known[i * POINT], known[i * POINT + 1]
+        gap, rate = contact[i * POINT], contact[i * POINT + 1]
         if near[i] == 0 and (gap <= 0.0 >= rate or (gap <= rounding and rate < 0.0)):
             return IMPOSSIBLE  # it landed before
         if near[i] == 0:
             continue
-        wanted[2 * i] = -known[i * POINT + 1]
+        wanted[2 * i] = -contact[i * POINT + 1]
         if POINT_STATES[here][i] == STICK:
-            slip, _ = rate_of(known, 2 * i + 1, out, n)
+            slip, _ = rate_of(contact, 2 * i + 1, out, n)
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
-    close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out)
-    points(out, p, known)
+    close_and_end_slips(here, near, start, time, contact, sizes, rows, wanted, sliding, out)
+    points(out, p, contact)
     ground = np.empty(5)
     same_ground(ax, ay, SOON_AT_REST, ground)
-    return select_by_forces(here, False, near, sliding, out, p, ground, rtol, known, sizes)
+    return select_by_forces(here, False, near, sliding, out, p, ground, rtol, contact, sizes)
 
 
-def close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sliding, out):
+def close_and_end_slips(here, near, start, time, contact, sizes, rows, wanted, sliding, out):
     """Close points, and end slips that are slower than `start`, or that friction stops in `time`.
 
     rows, wanted : what closes the points, and is changed. sliding : set for the slips that go on;
@@ -526,26 +526,26 @@ def close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sli
     for i in range(N_POINTS):
         if near[i] == 0 or is_smooth(i) or POINT_STATES[here][i] == STICK:
             continue
-        slip, size = rate_of(known, 2 * i + 1, out, n)
-        friction = known[LAWS + 2 * i + 1]
+        slip, size = rate_of(contact, 2 * i + 1, out, n)
+        friction = contact[LAWS + 2 * i + 1]
         slows = min(friction, 1.0) * sizes[2 * i] if friction < NEVER_SLIPS else 0.0
         sliding[i] = 1.0 if slip > 0.0 else -1.0
         ends[i] = 1 if abs(slip) <= max(start, time * slows) + FITS * size else 0
-    put_on(rows, wanted, n, known, out)
+    put_on(rows, wanted, n, contact, out)
     by_itself = 0.0
     for i in range(N_POINTS):
         wanted[2 * i] = wanted[2 * i + 1] = 0.0
         if ends[i] == 1:
             row = 2 * i + 1
-            slip, size = rate_of(known, row, out, n)
+            slip, size = rate_of(contact, row, out, n)
             rows[row], wanted[row] = 1, -slip
             least = max(abs(slip), FITS * size)
-            by_itself += least * least / known[COUPLING + row * ROWS + row]
+            by_itself += least * least / contact[COUPLING + row * ROWS + row]
     held[:n] = out[n:N_STATES]
-    put_on(rows, wanted, n, known, out)
+    put_on(rows, wanted, n, contact, out)
     for i in range(n):
         held[i] -= out[n + i]
-    together = squared(known, held) > SLOWEST * SLOWEST * by_itself
+    together = squared(contact, held) > SLOWEST * SLOWEST * by_itself
     for i in range(n):
         if together:
             out[n + i] += held[i]
@@ -554,7 +554,7 @@ def close_and_end_slips(here, near, start, time, known, sizes, rows, wanted, sli
             sliding[i] = 0.0
 
 
-def step_over(state, tolerance, longest, fits, rtol, known, out):
+def step_over(state, tolerance, longest, fits, rtol, contact, out):
     """(time, mode): a step over events without end, or over one that nothing may follow.
 
     In `tolerance` times sqrt(l/a), see `time_of_bounces`, but no more than `longest`, and in a
@@ -565,20 +565,20 @@ def step_over(state, tolerance, longest, fits, rtol, known, out):
     """
     wanted, sizes = np.empty(ROWS), np.empty(ROWS + N_POINTS)
     mode, y, p = state.mode, state.y, state.p
-    all_known(y, p, mode, known)
-    whole = without_forces(y, p, state.ax, state.ay, mode, known, wanted, sizes)
+    contact_data(y, p, mode, contact)
+    whole = without_forces(y, p, state.ax, state.ay, mode, contact, wanted, sizes)
     time, taken, follows = np.inf, np.inf, IMPOSSIBLE
     for i in range(N_POINTS):
-        time = min(time, math.sqrt(radius_of(known, i) / sizes[2 * i]))
+        time = min(time, math.sqrt(radius_of(contact, i) / sizes[2 * i]))
     time = min(tolerance * time, longest)
     for _ in range(SHORTER):
         if not taken < np.inf:
-            taken, follows = step_of_moreau(state, time, whole, sizes, fits, rtol, known, out)
+            taken, follows = step_of_moreau(state, time, whole, sizes, fits, rtol, contact, out)
             time *= 0.1
     return taken, follows
 
 
-def step_of_moreau(state, time, whole, sizes, fits, rtol, known, out):
+def step_of_moreau(state, time, whole, sizes, fits, rtol, contact, out):
     """(time, mode) of a time step of Moreau, or inf, see `step_over`.
 
     Velocities change by what moves the structure freely, and by impulses at the points that touch,
@@ -587,34 +587,34 @@ def step_of_moreau(state, time, whole, sizes, fits, rtol, known, out):
     mode, y, p, ax, ay = state.mode, state.y, state.p, state.ax, state.ay
     n, w, dy = N_COORDINATES, np.empty(N_STATES), np.empty(N_STATES)
     forces, near = np.empty(N_COORDINATES), np.zeros(N_POINTS, np.int64)
-    all_known(y, p, mode, known)
+    contact_data(y, p, mode, contact)
     rates(mode, y, p, ax, ay, dy)
-    free_motion(y, p, ax, ay, mode, known[MATRIX:], forces)
-    through_mass(known[MATRIX:], forces, 1)
+    free_motion(y, p, ax, ay, mode, contact[MATRIX:], forces)
+    through_mass(contact[MATRIX:], forces, 1)
     for i in range(n):
-        massless = known[MATRIX + i * n + i] == 0.0
+        massless = contact[MATRIX + i * n + i] == 0.0
         w[n + i] = y[n + i] + time * (dy[n + i] if massless else forces[i])
     alike = np.inf
     for i in range(N_POINTS):
-        gap, rate = known[i * POINT], known[i * POINT + 1]
-        falls, _ = rate_of(known, 2 * i, w, n)
+        gap, rate = contact[i * POINT], contact[i * POINT + 1]
+        falls, _ = rate_of(contact, 2 * i, w, n)
         least = gap + time * min(rate, min(falls, 0.0)) - time * time * sizes[2 * i]
-        _, size = rate_of(known, 2 * i, y, 0)
+        _, size = rate_of(contact, 2 * i, y, 0)
         near[i] = 1 if POINT_STATES[mode][i] != OPEN or least <= GRAIN * size else 0
         if near[i] == 1:
             alike = min(alike, time * time * sizes[ROWS + i] * sizes[2 * i])
-        known[LAWS + 2 * i] = 0.0  # restitution
-    as_said = collide(mode, near, alike, known, w)
+        contact[LAWS + 2 * i] = 0.0  # restitution
+    as_said = collide(mode, near, alike, contact, w)
     if as_said < 0:
         return np.inf, as_said
     for i in range(n):
         forces[i] = w[n + i] - y[n + i]
         w[i] = y[i] + time * w[n + i]
-    if squared(known, forces) > SLOWEST * SLOWEST * time * time * whole:
+    if squared(contact, forces) > SLOWEST * SLOWEST * time * time * whole:
         return np.inf, IMPOSSIBLE
     none = Bounces(np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS), near)
     after = state._replace(mode=as_said, y=w)
-    follows = all_closed(after, none, 0.0, time, rtol, known, out)
+    follows = all_closed(after, none, 0.0, time, rtol, contact, out)
     if follows < 0 and fits:
         return np.inf, follows
     return time, follows if follows >= 0 else as_said

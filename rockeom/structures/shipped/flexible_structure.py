@@ -54,8 +54,8 @@ class FlexibleStructure(SupportedStructure, declared.FlexibleStructure):
         array([0.5...])
         """
         name = f"{cls.__name__}.from_period"
-        given = {"period": period, "damping_ratio": damping_ratio, "mass": mass}
-        check_values(name, given, frozenset({"damping_ratio"}))
+        values = {"period": period, "damping_ratio": damping_ratio, "mass": mass}
+        check_values(name, values, frozenset({"damping_ratio"}))
         if damping_ratio >= 1:
             raise ValueError(
                 f"{name}: damping_ratio is {damping_ratio}: give a part of critical damping, such "
