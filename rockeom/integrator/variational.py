@@ -56,7 +56,7 @@ class Varied(NamedTuple):
 
     horizontal, vertical : tables of the ground motion, empty where nothing in them varies; corners
     : whether the ends of their segments do. p, ratio (1,) : as of `Case`. longest : of the steps in
-    which derivatives are propagated, see `advance`.
+    which derivatives are propagated, see `take_parts`.
     """
 
     horizontal: Duals2
@@ -161,9 +161,9 @@ def propagate_tangents(
     """
     scratch = Scratch(
         rate=floats[0], y_later=floats[1], rate_later=floats[2],
-        stages=np.empty(N_ALL_STAGES * (N_STATES + 2)), y_new=np.empty(N_STATES),
-        y_before=np.empty(N_STATES), y_after=np.empty(N_STATES), y_moving=np.empty(N_STATES),
-        guards=np.empty(N_GUARDS + N_PARTS), points=np.empty(CONTACT_SIZE),
+        stages=np.zeros(N_ALL_STAGES * (N_STATES + 2)), y_new=np.zeros(N_STATES),
+        y_before=np.zeros(N_STATES), y_after=np.zeros(N_STATES), y_moving=np.zeros(N_STATES),
+        guards=np.zeros(N_GUARDS + N_PARTS), points=np.zeros(CONTACT_SIZE),
     )  # fmt: skip
     setup = Setup(recorder, case, varied, out, scratch)
     segments = first_segments(case, varied)
@@ -198,6 +198,7 @@ def is_impact(event):
     return event.kind in (IMPACT, LANDING)
 
 
+@inlined
 def event_is_next(progress, recorder):
     """Whether an event comes before the next step, or at its start."""
     i, step = progress.event, progress.step
@@ -230,21 +231,28 @@ def first_segments(case, varied):
     )
 
 
+@inlined
 def segments_at(t, mode, segments, setup):
-    """The segments that hold at t and after it; the state crosses corners at their beginnings."""
-    case, varied = setup.case, setup.varied
-    ground, along, tau_x, tau_y = segments.ground, segments.varied, segments.tau_x, segments.tau_y
-    if t >= ground.x[1]:
-        tau_x = along.x[1] - value(along.x[1])
-        n, row, varied_row = varied_segment(case.horizontal, varied.horizontal, ground.n_x, t)
-        cross_corner(t, mode, ground, ground._replace(n_x=n, x=row), tau_x, setup)
-        ground, along = ground._replace(n_x=n, x=row), along._replace(n_x=n, x=varied_row)
-    if t >= ground.y[1]:
-        tau_y = along.y[1] - value(along.y[1])
-        n, row, varied_row = varied_segment(case.vertical, varied.vertical, ground.n_y, t)
-        cross_corner(t, mode, ground, ground._replace(n_y=n, y=row), tau_y, setup)
-        ground, along = ground._replace(n_y=n, y=row), along._replace(n_y=n, y=varied_row)
-    return Segments(ground, along, tau_x, tau_y)
+    """The segments that hold at t and after it; the state crosses corners at their beginnings.
+
+    Written for each direction by itself: a record with derivatives is long, and each step would
+    copy it once more.
+    """
+    n_x, x, varied_x = segments.ground.n_x, segments.ground.x, segments.varied.x
+    n_y, y, varied_y = segments.ground.n_y, segments.ground.y, segments.varied.y
+    tau_x, tau_y, corners = segments.tau_x, segments.tau_y, setup.varied.corners
+    if t >= x[1]:
+        tau_x = varied_x[1] - value(varied_x[1])
+        n_x, x, varied_x = varied_segment(setup.case.horizontal, setup.varied.horizontal, n_x, t)
+        if corners:
+            cross_corner(t, mode, segments.ground, Ground(n_x, x, n_y, y), tau_x, setup)
+    if t >= y[1]:
+        tau_y = varied_y[1] - value(varied_y[1])
+        before = Ground(n_x, x, n_y, y)
+        n_y, y, varied_y = varied_segment(setup.case.vertical, setup.varied.vertical, n_y, t)
+        if corners:
+            cross_corner(t, mode, before, Ground(n_x, x, n_y, y), tau_y, setup)
+    return Segments(Ground(n_x, x, n_y, y), Ground(n_x, varied_x, n_y, varied_y), tau_x, tau_y)
 
 
 def varied_segment(table, varied_table, n, t):
@@ -261,8 +269,6 @@ def varied_segment(table, varied_table, n, t):
 def cross_corner(t, mode, before, after, tau, setup):
     """The state where one segment of the ground ends and another begins, at a time that varies."""
     y, p, scratch = setup.out.y, setup.case.p, setup.scratch
-    if not setup.varied.corners:
-        return
     for j in range(N_STATES):
         scratch.y_later[j] = value(y[j])
     rates_at(mode, t, scratch.y_later, before, p, scratch.rate)
@@ -274,6 +280,7 @@ def cross_corner(t, mode, before, after, tau, setup):
 # -- steps -----------------------------------------------------------------------------------------
 
 
+@inlined
 def cross_step(progress, segments, setup):
     """Behind a recorded step; the states at the times within it are written."""
     recorder, out, y_new = setup.recorder, setup.out, setup.scratch.y_new
@@ -300,27 +307,31 @@ def stands_still(mode, t, y, ground, setup):
     return cannot_move(mode, setup.scratch.rate, y, setup.case.p)
 
 
+@inlined
 def advance(mode, t, h, still, ground, setup):
-    """The state a time h after t with its derivatives, into `scratch.y_new`, in parts of a step.
+    """The state a time h after t with its derivatives, into `scratch.y_new`."""
+    y, scratch = setup.out.y, setup.scratch
+    if still or not h > 0.0:
+        scratch.y_new[:N_STATES] = y
+    else:
+        parts = 1 + int(h / setup.varied.longest)
+        take_parts(mode, t, h / parts, parts, y, scratch.y_before, scratch.y_new, ground, setup)
+
+
+def take_parts(mode, t, part, parts, start, y, y_new, ground, setup):
+    """Equal parts of a step from a state, with derivatives, to y_new; y : scratch.
 
     A state that does not vibrate has no error in a step, however long it is; its derivatives would
     grow there by as much as the step is longer than stability allows. So parts are at most
-    `varied.longest`.
+    `varied.longest`. Arrays that are arguments do not overlap, which the compiler uses.
     """
-    case, varied, stages = setup.case, setup.varied, setup.scratch.stages
-    y, y_new = setup.scratch.y_before, setup.scratch.y_new
-    y_new[:N_STATES] = setup.out.y
-    if still or not h > 0.0:
-        return
-    parts = 1 + int(h / varied.longest)
-    part = h / parts
+    p, stages, rtol, atol = setup.varied.p, setup.scratch.stages, setup.case.rtol, setup.case.atol
+    y_new[:N_STATES] = start
     for i in range(parts):
         y[:N_STATES] = y_new
         now = t + i * part
-        rates_at(mode, now, y, ground, varied.p, stages)
-        take_step(
-            mode, now, part, y, varied.p, ground.x, ground.y, case.rtol, case.atol, stages, y_new
-        )
+        rates_at(mode, now, y, ground, p, stages)
+        take_step(mode, now, part, y, p, ground.x, ground.y, rtol, atol, stages, y_new)
 
 
 # -- events ----------------------------------------------------------------------------------------
@@ -476,8 +487,7 @@ def mode_after_event(event, now, length, impacts, ground, setup):
     mode, guard, case, p = event.mode_before, event.guard, setup.case, setup.varied.p
     y, out = setup.scratch.y_before, setup.scratch.y_after
     if N_POINTS == 0:
-        ratio = setup.varied.ratio[0]
-        ratio = velocity_ratio_at(case.law, ratio, impacts, y[ROTATION_RATE], p)
+        ratio = velocity_ratio_at(case.law, setup.varied.ratio[0], impacts, y[ROTATION_RATE], p)
         return jump(mode, guard, case.law, ratio, y, p, out)
     else:
         ahead = SOON_IN_STEP * length

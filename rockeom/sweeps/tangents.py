@@ -324,7 +324,7 @@ class Motion:
             stopped = program.propagate_tangents(
                 steps.span, steps.mode, steps.powers, t, kinds, states, np.empty((0, n)), *case,
                 *rows, corners, _dual(p, along.p, some), _dual(q.ratio, along.ratio, some)[None],
-                self.longest_step, times, y, at_times, event_y, event_t, told, np.empty((3, n)),
+                self.longest_step, times, y, at_times, event_y, event_t, told, np.zeros((3, n)),
             )  # fmt: skip
             if stopped:
                 y[:] = np.nan
