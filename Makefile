@@ -52,7 +52,7 @@ clean: ## remove .venv, out/ and every cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Stamps: an extra is installed once, and again when pyproject.toml changes.
-$(VENV)/.test $(VENV)/.dev $(VENV)/.crosscheck $(VENV)/.docs: $(VENV)/.%: pyproject.toml | $(BIN)/python
+$(VENV)/.test $(VENV)/.dev $(VENV)/.opensees $(VENV)/.crosscheck $(VENV)/.docs: $(VENV)/.%: pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --editable ".[$*]"
 	@touch $@
 

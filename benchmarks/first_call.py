@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 
 from rockeom.simulation.options import METHODS
 from rockeom.structures.classes import SHIPPED
-from tests.readme.blocks import declaration
+from tests.pages import declaration
 from tests.shipped import plain
 
 _TWO_MASSES = (

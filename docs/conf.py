@@ -15,11 +15,12 @@ ROOT = HERE.parent
 sys.path[:0] = [str(ROOT), str(HERE)]
 
 import catalogue  # noqa: E402
-import docstrings  # noqa: E402
 import explorers  # noqa: E402
 import gallery  # noqa: E402
 import notebooks  # noqa: E402
 from docutils import nodes  # noqa: E402
+from numpydoc.xref import DEFAULT_LINKS  # noqa: E402
+from sphinx.util.nodes import make_refnode  # noqa: E402
 
 import rockeom  # noqa: E402
 
@@ -30,6 +31,7 @@ version = release = rockeom.__version__
 
 extensions = [
     "sphinx.ext.autodoc",
+    "numpydoc",
     "sphinx.ext.mathjax",
     "sphinx-mathjax-offline",
     "myst_nb",
@@ -37,7 +39,7 @@ extensions = [
 ]
 exclude_patterns = ["_build", "*.py"]
 nitpicky = True
-nitpick_ignore = [("py:class", "rockeom.motion.floor.Shaking")]  # a motion, or a recording
+nitpick_ignore = [("py:class", "collections.abc.Callable")]  # an alias shows what it stands for
 suppress_warnings = ["myst.header"]  # benchmarks.md is written by a program, one level deep
 
 # --- Markdown and notebooks
@@ -65,7 +67,7 @@ nb_execution_cache_path = str(HERE / "_build" / "executed" / CODE)
 # --- docstrings
 
 default_role = "py:obj"
-autodoc_typehints = "signature"
+autodoc_typehints = "none"  # the sections of numpydoc have them
 autodoc_member_order = "bysource"
 autodoc_inherit_docstrings = False  # what a class overrides is described once, by its base
 autodoc_default_options = {"members": True, "inherited-members": False}
@@ -73,6 +75,10 @@ autodoc_preserve_defaults = True
 python_use_unqualified_type_names = True
 add_module_names = False
 maximum_signature_line_length = 88
+numpydoc_show_class_members = False  # autodoc shows them
+numpydoc_xref_param_type = True
+numpydoc_xref_aliases = {name: name for name in DEFAULT_LINKS}  # the pages need no network
+numpydoc_xref_ignore = {"of", "to", "optional"}
 
 # --- HTML
 
@@ -120,6 +126,41 @@ def write_explorers(app, error) -> None:
         explorers.write(Path(app.outdir))
 
 
+INTERNAL = {
+    # of a structure
+    "of_each", "pulled", "parameter_at", "module", "vector", "module_for", "jumps_between_events",
+    "rocks_on_rigid_ground", "has_landings", "fastest_damping", "small_motion", "state",
+    "mode_number", "law", "describe_impact", "speed_height", "impact_table", "defaults",
+    "complete", "held", "not_numbers", "load", "sizes_checked", "may_vanish", "of_base",
+    # of a support, an impact law, a case, a response
+    "kind", "resolve", "table", "of_foot", "code", "problem", "spans",
+}  # fmt: skip
+"""Members that the package itself calls."""
+
+INTERNAL_HOMES = ("rockeom.symbolic.elements",)
+"""Modules whose classes are declared by their arguments; their methods serve the derivation."""
+
+
+def leave_out_member(app, what, name, obj, skipped, options) -> bool | None:
+    """Leave out the package's own members, and fields of a named tuple: its docstring has them."""
+    home = getattr(getattr(obj, "fget", obj), "__module__", "")
+    internal = what == "class" and (name in INTERNAL or home in INTERNAL_HOMES)
+    field = (getattr(obj, "__doc__", "") or "").startswith("Alias for field")
+    return True if internal or field else None
+
+
+def resolve_short_name(app, env, node, contnode):
+    """A name without its module, where one thing alone has it; an argument stays as it is."""
+    if node.get("refdomain") != "py":
+        return None
+    named = env.get_domain("py").find_obj(env, None, None, node["reftarget"], None, 1)
+    places = {(entry.docname, entry.node_id): name for name, entry in named}
+    if len(places) == 1:
+        ((docname, node_id), name) = places.popitem()
+        return make_refnode(app.builder, node["refdoc"], docname, node_id, contnode, name)
+    return contnode if node["reftype"] == "obj" else None
+
+
 def setup(app) -> None:
     notebooks.copy()
     app.add_config_value("code", CODE, "env")  # where the code changed, every page is read again
@@ -128,7 +169,5 @@ def setup(app) -> None:
     app.connect("doctree-read", let_tags_stand)
     app.connect("doctree-resolved", write_thumbnail)
     app.connect("build-finished", write_explorers)
-    app.connect("autodoc-process-signature", docstrings.shorten)
-    app.connect("autodoc-process-docstring", docstrings.process)
-    app.connect("autodoc-skip-member", docstrings.skip)
-    app.connect("missing-reference", docstrings.resolve)
+    app.connect("autodoc-skip-member", leave_out_member)
+    app.connect("missing-reference", resolve_short_name)

@@ -1,7 +1,7 @@
 """The numbers that stand for words wherever parts of a program meet, each in its only home.
 
 A generated module, the step of a method, the loop, lanes and Python take them from here.
-`rockeom/integrator/interface.pyi` declares the functions that the parts call in one another.
+`rockeom/integrator/provided.py` declares the functions that differ from program to program.
 """
 
 import numpy as np

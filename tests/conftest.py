@@ -8,24 +8,14 @@ import pytest
 from hypothesis import settings
 
 LONGEST = (
-    "soak/test_soak.py",
     "derivations/test_derivations.py",
-    "thesis/test_checks_notice.py",
     "symbolic/test_typeset.py",
     "thesis/test_equations.py",
-    "codegen/test_generated_functions.py",
-    "integrator/test_compiled_programs.py",
-    "codegen/test_generated_text.py",
+    "analysis/test_bayes.py",
+    "analysis/test_unfinished_work.py",
     "thesis/test_statements.py",
-    "readme/test_names.py",
-    "integrator/test_lanes.py",
-    "sweeps/test_ensembles.py",
-    "sweeps/test_dask_sweeps.py",
-    "compiler/test_printer.py",
-    "oracle/test_oracle.py",
-    "symbolic/test_declarations.py",
-    "cli/test_simulate.py",
     "thesis/test_mutations.py",
+    "soak/test_soak.py",
 )
 """Begun first, so that no worker is left with one of them at the end. Others may come in any
 order."""

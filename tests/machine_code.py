@@ -41,14 +41,17 @@ def functions(
     return Loaded(compiled(printed.ir()), printed.entries, bounds=bounds).functions
 
 
-def importing(text: str, texts: Iterable[Text]) -> str:
-    """Statements that import all that a text uses of other texts."""
+def importing(text: str, texts: Iterable[Text], written: str = PROVIDED) -> str:
+    """Statements that import all that a text uses of other texts.
+
+    written : the module that stands for texts which are those of no module.
+    """
     used = {node.id for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name)}
     lines = ""
     for other in texts:
         parts = parsed(other.source, other.name)
         path = other.name.removesuffix(".py").replace("/", ".")
-        module = f"rockeom.{path}" if other.alone else PROVIDED
+        module = f"rockeom.{path}" if other.alone else written
         for name in sorted(used & (parts.functions.keys() | parts.constants.keys())):
             lines += f"from {module} import {name}\n"
     return lines

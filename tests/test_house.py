@@ -48,16 +48,15 @@ def names_for_type_checkers() -> dict[str, str]:
 def test_import_is_fast_and_loads_no_heavy_library():
     code = """
 import time
-start = time.perf_counter()
+start = time.process_time()
 import rockeom
-seconds = time.perf_counter() - start
+seconds = time.process_time() - start
 import sys
 heavy = {"sympy", "llvmlite", "matplotlib", "scipy"} & set(sys.modules)
 assert not heavy, f"import rockeom loads {sorted(heavy)}"
 print(seconds)
 """
-    # The best of three: a busy machine delays one run, a heavy import slows them all.
-    assert min(float(run_python("-c", code)) for _ in range(3)) < 0.2
+    assert float(run_python("-c", code)) < 0.2
 
 
 def test_formulas_simulations_and_plots_load_what_they_need():
@@ -354,7 +353,7 @@ def test_extras_are_one_table_of_the_readme_and_all_has_them():
     ]
     (all_of,) = extras["all"]
     of_users = all_of.removeprefix("rockeom[").removesuffix("]").split(",")
-    of_developers = {"test", "crosscheck", "dev", "docs"}
+    of_developers = {"test", "opensees", "crosscheck", "dev", "docs"}
     assert {*of_users, "notebooks", "all"} == extras.keys() - of_developers
     install = (ROOT / "README.md").read_text().split("## Install")[1].split("\n## ")[0]
     assert re.findall(r"^\| `(\w+)` \|", install, re.MULTILINE) == [

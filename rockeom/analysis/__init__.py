@@ -1,5 +1,7 @@
 """Formulas and procedures of the field on arrays, responses and sweeps; never SymPy.
 
+::
+
     from rockeom import analysis
 
     analysis.response_spectrum(motion, periods=[0.2, 0.5, 1.0])

@@ -58,11 +58,11 @@ class RandomParameters:
 
     def values(self, u: np.ndarray) -> dict[str, float]:
         """Values by name, of deviates u (k,)."""
-        found = (
+        values = (
             of.isf(ndtr(-x)) if x > 0 else of.ppf(ndtr(x))
             for of, x in zip(self.marginals, u, strict=True)
         )
-        return dict(zip(self.names, map(float, found), strict=True))
+        return dict(zip(self.names, map(float, values), strict=True))
 
     def duals(self, u: np.ndarray) -> dict[str, Dual]:
         """Values by name with their derivatives by u, of deviates u (k,)."""

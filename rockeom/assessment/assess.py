@@ -131,15 +131,15 @@ def assess(
     if friction is not None:
         not_negative("assess", friction=friction)
     statics = statics_of(structure)
-    given = by_recording(_given(records))
+    motions = by_recording(_given(records))
     both_ways = not is_symmetric(structure)
     conditions = Conditions(
-        *_in_plane(given, both_ways),
+        *_in_plane(motions, both_ways),
         _levels(pga, statics.uplift_acceleration),
         friction,
         impact,
         both_ways,
-        tuple(one.name for one in given if isinstance(one, GroundMotion)),
+        tuple(one.name for one in motions if isinstance(one, GroundMotion)),
         pga,
     )
     recorded = as_recorded(structure, conditions)
@@ -174,7 +174,7 @@ def _given(records: Any) -> tuple[GroundMotion | Recording, ...]:
 
 
 def by_recording(
-    given: Iterable[GroundMotion | Recording],
+    motions: Iterable[GroundMotion | Recording],
 ) -> tuple[GroundMotion | Recording, ...]:
     """Recordings, of horizontal motions also those whose names are those of one recording.
 
@@ -182,7 +182,7 @@ def by_recording(
     """
     members: dict[str | int, list[GroundMotion]] = {}
     whole: list[GroundMotion | Recording] = []
-    for i, one in enumerate(given):
+    for i, one in enumerate(motions):
         if isinstance(one, Recording) or one.is_vertical:
             whole.append(one)
             continue
@@ -202,7 +202,7 @@ def _whole(alike: list[GroundMotion]) -> tuple[Recording, ...]:
 
 
 def _in_plane(
-    given: Sequence[GroundMotion | Recording], both_ways: bool
+    records: Sequence[GroundMotion | Recording], both_ways: bool
 ) -> tuple[tuple[Recording, ...], np.ndarray]:
     """Recordings of one horizontal component, and the number of the recording of each (n,).
 
@@ -211,7 +211,7 @@ def _in_plane(
     """
     motions: dict[bytes, Recording] = {}
     numbers = []
-    for number, one in enumerate(given):
+    for number, one in enumerate(records):
         for pair in one.in_plane() if isinstance(one, Recording) else ():
             table = pair.horizontal[0].segments.tobytes()
             if table in motions:
@@ -235,8 +235,8 @@ def _levels(pga: Any, threshold: float) -> np.ndarray:
     if pga is None:
         return threshold * np.array(MULTIPLES)
     one = isinstance(pga, str) or np.ndim(pga) == 0
-    given = [acceleration("pga", value) for value in ([pga] if one else pga)]
-    (levels,) = positive("assess", pga=given)
+    peaks = [acceleration("pga", value) for value in ([pga] if one else pga)]
+    (levels,) = positive("assess", pga=peaks)
     if not levels.size:
         raise InputError("pga", of="assess").wrong("is empty: give one intensity or more")
     return np.unique(levels)

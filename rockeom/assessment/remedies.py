@@ -21,10 +21,19 @@ LOWER = 0.1
 
 
 class Remedy(NamedTuple):
-    """A changed structure under the same conditions.
+    """Changed structure under the same conditions.
 
-    gain : decrease of the part of the motions that overturn, averaged over all intensities; None
-    for less than two recordings.
+    Parameters
+    ----------
+    change : str
+        Change in words.
+    statics : Statics
+        Uplift, sliding and restraint of the changed structure at rest.
+    trials : Trials
+        Outcomes of the changed structure at each intensity.
+    gain : Estimate
+        Decrease of the part of the motions that overturn, averaged over all intensities; None for
+        less than two recordings.
     """
 
     change: str
@@ -37,12 +46,12 @@ def remedies(
     structure: Structure, conditions: Conditions, before: Trials, level: float
 ) -> tuple[Remedy, ...]:
     """A wider base and a lower centroid, where the structure has such numbers."""
-    found = []
+    changes = []
     for change, changed in _changed(structure):
         after = scaled(changed, conditions, level)
         gain = paired_gain(before, after, conditions.recordings, level)
-        found.append(Remedy(change, statics_of(changed), after, gain))
-    return tuple(found)
+        changes.append(Remedy(change, statics_of(changed), after, gain))
+    return tuple(changes)
 
 
 def paired_gain(

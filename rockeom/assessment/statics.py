@@ -30,10 +30,17 @@ _SAME = 1e-9
 
 
 class Load(NamedTuple):
-    """The load of a restraint.
+    """Load of a restraint.
 
-    acceleration : horizontal, either way; vertical : the largest [m/s2]. friction : coefficient
-    below the feet; None where it is not known, and lifting alone is prevented.
+    Parameters
+    ----------
+    acceleration : float
+        Horizontal acceleration, either way [m/s2].
+    vertical : float, optional
+        Largest vertical acceleration [m/s2].
+    friction : float, optional
+        Coefficient of friction below the feet; None where it is unknown, and lifting alone is
+        prevented.
     """
 
     acceleration: float
@@ -42,13 +49,27 @@ class Load(NamedTuple):
 
 
 class Statics(NamedTuple):
-    """A structure at rest, and what changes it.
+    """Structure at rest, and whatever changes it.
 
-    uplift_accelerations : (left, right), at which it starts to lean there [m/s2]. weight : vertical
-    force of the ground, of tendons too [N]. mass : of all that the ground accelerates [kg].
-    arms : (left, right) horizontal distances b of the centroid from the edge about which it leans
-    there, centroid_height : h, of all that the ground accelerates [m]. base_width : distance of the
-    edges [m]. lifts : what lifts first, in words. one_body : whether a strap holds all of it.
+    Parameters
+    ----------
+    uplift_accelerations : tuple of (float, float)
+        Accelerations (left, right) at which it starts to lean there [m/s2].
+    weight : float
+        Vertical force of the ground, of tendons too [N].
+    mass : float
+        Mass of all that the ground accelerates [kg].
+    arms : tuple of (float, float)
+        Horizontal distances b (left, right) of the centroid from the edge about which it leans
+        there [m].
+    centroid_height : float
+        Height h of the centroid of all that the ground accelerates [m].
+    base_width : float
+        Distance of the edges [m].
+    lifts : str, optional
+        Part that lifts first, in words.
+    one_body : bool, optional
+        Whether a strap holds all of it.
     """
 
     uplift_accelerations: tuple[float, float]
@@ -72,7 +93,18 @@ class Statics(NamedTuple):
         return left, right
 
     def slides_first(self, friction: float) -> tuple[bool | None, bool | None]:
-        """(left, right) whether it slides before it lifts; None at the limit."""
+        """Whether the structure slides before it lifts.
+
+        Parameters
+        ----------
+        friction : float
+            Coefficient of friction.
+
+        Returns
+        -------
+        tuple of (bool, bool)
+            Verdicts (left, right); None at the limit.
+        """
         left, right = (
             None if math.isclose(friction, least, rel_tol=_SAME) else friction < least
             for least in self.frictions_to_rock
@@ -80,9 +112,19 @@ class Statics(NamedTuple):
         return left, right
 
     def strap(self, load: Load, height: float) -> float:
-        """Strength of a strap at a height [m] that holds it still [N]; 0 where it stays by itself.
+        """Strength of a strap that holds the structure still.
 
-        nan where no force does.
+        Parameters
+        ----------
+        load : Load
+            Load of the strap.
+        height : float
+            Height of the strap [m].
+
+        Returns
+        -------
+        float
+            Force [N]; 0 where the structure stays by itself, NaN where no force holds it.
         """
         pushed, grip, overturning, restoring = self._at_rest(load)
         force = max(0.0, (overturning - restoring) / height, pushed - grip)
@@ -90,13 +132,35 @@ class Statics(NamedTuple):
         return force if restoring > 0.0 and force <= most * (1.0 + _SAME) else math.nan
 
     def highest_strap(self, load: Load) -> float:
-        """Height [m] above which a strap pushes the base out; inf where none does."""
+        """Height above which a strap pushes the base out.
+
+        Parameters
+        ----------
+        load : Load
+            Load of the strap.
+
+        Returns
+        -------
+        float
+            Height [m]; inf where none does.
+        """
         pushed, grip, overturning, restoring = self._at_rest(load)
         pulled_out = pushed > grip and restoring > 0.0
         return (overturning + restoring) / (pushed - grip) if pulled_out else math.inf
 
     def hold_down(self, load: Load) -> float:
-        """Force at the edge that would lift [N]; 0 where it stays, inf where none holds it."""
+        """Force at the edge that would lift.
+
+        Parameters
+        ----------
+        load : Load
+            Load of the restraint.
+
+        Returns
+        -------
+        float
+            Force [N]; 0 where it stays, inf where none holds it.
+        """
         pushed, grip, overturning, restoring = self._at_rest(load)
         if restoring <= 0.0 or (grip == 0.0 and pushed > 0.0):
             return math.inf

@@ -38,15 +38,27 @@ _LIFTED = 1e-9  # rad; less is rounding
 
 
 class Conditions(NamedTuple):
-    """The conditions under which structures are compared.
+    """Conditions under which structures are compared.
 
-    motions (n) : one horizontal component each, with the vertical one if it was given.
-    recordings (n,) : a number for each, the same for all motions of one event at one station.
-    levels (m,) : PGA that each is scaled to [m/s2].
-    friction : below the feet [-]; None where it is not known.
-    impact : law of impact; None for the default.
-    both_ways : whether each record is among the motions twice, the second time reversed.
-    left_out : names of vertical components, which were not used. pga_given : as the user gave it.
+    Parameters
+    ----------
+    motions : tuple of Recording
+        Motions (n), one horizontal component each, with the vertical one if there is one.
+    recordings : ndarray
+        Number of the recording of each motion (n,), the same for all motions of one event at one
+        station.
+    levels : ndarray
+        PGA that each is scaled to (m,) [m/s2].
+    friction : float
+        Coefficient of friction below the feet; None where it is unknown.
+    impact : ImpactLaw
+        Impact law; None for the default.
+    both_ways : bool, optional
+        Whether each record is among the motions twice, the second time reversed.
+    left_out : tuple of str, optional
+        Names of vertical components, which were not used.
+    pga_given : object, optional
+        PGA as the user wrote it.
     """
 
     motions: tuple[Recording, ...]
@@ -66,12 +78,27 @@ class Conditions(NamedTuple):
 
 
 class UnderRecord(NamedTuple):
-    """The effect of a record, as it was recorded or scaled, by a sweep that was finished.
+    """Effect of a record, as it was recorded or scaled, by a sweep that was finished.
 
-    peak : PGA [m/s2]. rotation : the largest of any body [rad]. part : of the overturning angle,
-    nan where it is not known. room : outside the place before that its base, sliding, and its top,
-    leaning, take up at most; displacement : from that place, in the end [m]; nan where it
-    overturned or feet do not slide. body : that turned furthest in the end.
+    Parameters
+    ----------
+    name : str
+        Name of the record.
+    peak : float
+        Peak ground acceleration [m/s2].
+    outcome : str
+        Outcome of the motion.
+    rotation : float
+        Largest rotation of any body [rad].
+    part : float
+        Rotation over the overturning angle, NaN where that is unknown.
+    room : float
+        Room outside the place before that its base, sliding, and its top, leaning, take up at most
+        [m]; NaN where it overturned or feet do not slide.
+    displacement : float
+        Displacement from that place, in the end [m]; NaN likewise.
+    body : str
+        Body that turned furthest in the end.
     """
 
     name: str
@@ -97,11 +124,24 @@ class UnderRecord(NamedTuple):
 
 
 class AtIntensity(NamedTuple):
-    """Number of motions, scaled to a PGA [m/s2], that lift a foot and that overturn.
+    """Number of motions, scaled to a PGA, that lift a foot and that overturn.
 
-    number : of motions with an answer. lower, upper : interval of confidence of the probability of
-    overturning, Clopper and Pearson's by recording. room : at most, of those that stand [m]; nan
-    where there are none or feet do not slide.
+    Parameters
+    ----------
+    pga : float
+        Peak ground acceleration [m/s2].
+    lifted : int
+        Number of motions that lift a foot.
+    overturned : int
+        Number of motions that overturn.
+    number : int
+        Number of motions with an answer.
+    lower : float
+        Lower bound of the probability of overturning, Clopper and Pearson's by recording.
+    upper : float
+        Upper bound.
+    room : float
+        Largest room of those that stand [m]; NaN where there are none or feet do not slide.
     """
 
     pga: float
@@ -116,8 +156,22 @@ class AtIntensity(NamedTuple):
 class Trials(NamedTuple):
     """Motions (n, m) at each intensity, and the curve or the reason why there is none.
 
-    fell, answered (n, m) : of each motion. bodies : falls by what fell. without_answer : other
-    outcomes and their numbers.
+    Parameters
+    ----------
+    fell : ndarray
+        Whether each motion overturned (n, m).
+    answered : ndarray
+        Whether each motion has an answer (n, m).
+    intensities : tuple of AtIntensity
+        Counts at each intensity.
+    fragility : Fragility
+        Fragility curve; None without one.
+    no_curve : str
+        Reason why there is none.
+    bodies : dict of str to int
+        Number of falls by the body that fell.
+    without_answer : dict of str to int
+        Number of other outcomes by their names.
     """
 
     fell: np.ndarray
@@ -131,8 +185,8 @@ class Trials(NamedTuple):
 
 def can_slide(structure: Structure, conditions: Conditions) -> bool:
     """Whether sliding is simulated: that of a rigid block with the default law of impact."""
-    known = conditions.friction is not None and conditions.impact is None
-    return known and type(structure) is RigidBlock
+    slides = conditions.friction is not None and conditions.impact is None
+    return slides and type(structure) is RigidBlock
 
 
 def simulated(structure: Structure, conditions: Conditions) -> Structure:

@@ -47,8 +47,8 @@ def _of_function(case: Callable[..., Case], controls: Controls) -> str:
     name = getattr(case, "__name__", "case")
     if not source.startswith("def ") or case.__code__.co_freevars:  # it would not run elsewhere
         source, name = "function = ...  # that of the page", "function"
-    given = [f"{n}={_chosen(control, k)}" for k, (n, control) in enumerate(controls.of.items())]
-    made = f"case = {name}({', '.join(given)})\n"
+    arguments = [f"{n}={_chosen(control, k)}" for k, (n, control) in enumerate(controls.of.items())]
+    made = f"case = {name}({', '.join(arguments)})\n"
     parts = ("impact", "initial", "duration", "vertical", "mode")
     rest = "".join(f", {part}=case.{part}" for part in parts)
     called = _TAIL.format(call=f"case.structure, case.motion{rest}")
@@ -59,12 +59,12 @@ def _of_case(other: OtherCase, controls: Controls) -> str:
     place = {name: k for k, name in enumerate(controls.of)}
     factors = {name: n.path[0] for name, n in other.numbers.items() if _is_factor(n)}
     unscaled = OtherCase(other.case, tuple(name for name in other.names if name not in factors))
-    given = controls.traced(Tape(), controls.start)
-    given = {name: x for name, x in given.items() if name not in factors}
-    parts = _parts(unscaled(**given))
+    arguments = controls.traced(Tape(), controls.start)
+    arguments = {name: x for name, x in arguments.items() if name not in factors}
+    parts = _parts(unscaled(**arguments))
     for name, control in controls.of.items():
         if isinstance(control, Menu):
-            chosen = {label: _parts(unscaled(**{**given, name: x})).get(name, "None")
+            chosen = {label: _parts(unscaled(**{**arguments, name: x})).get(name, "None")
                       for label, x in control.options.items()}  # fmt: skip
             parts[name] = _choice(chosen, place[name])
     for name, factor in factors.items():
@@ -121,13 +121,13 @@ def code_of(x: Any) -> str:
 
 def _arguments(x: Any) -> str:
     if isinstance(x, DeclaredStructure):
-        defaults, given = type(x).defaults(), x.parameters()
+        defaults, values = type(x).defaults(), x.parameters()
     else:
         defaults = {f.name: f.default for f in fields(x)}
-        given = {f.name: getattr(x, f.name) for f in fields(x) if f.init}
+        values = {f.name: getattr(x, f.name) for f in fields(x) if f.init}
     return ", ".join(
         f"{name}={code_of(value)}"
-        for name, value in given.items()
+        for name, value in values.items()
         if _is_traced(value) or (value is not defaults.get(name) and value != defaults.get(name))
     )
 
@@ -141,10 +141,10 @@ def _motion(motion: GroundMotion) -> str:
     formula = formula_of(motion)
     if formula is None:
         return _record(motion)
-    given = ", ".join(
+    arguments = ", ".join(
         f"{name}={code_of(x)}" for name, x in formula.arguments.items() if x is not None
     )
-    return f"rk.GroundMotion.{formula.make.__name__}({given})"
+    return f"rk.GroundMotion.{formula.make.__name__}({arguments})"
 
 
 def _record(motion: GroundMotion) -> str:

@@ -42,11 +42,6 @@ class Slider(NamedTuple):
     words : str, optional
         Words in place of its name.
 
-    Raises
-    ------
-    ValueError
-        For a range that is none.
-
     Examples
     --------
     >>> import rockeom as rk
@@ -119,7 +114,7 @@ class Controls:
         return {name: control.labels[0] if isinstance(control, Menu) else control.start
                 for name, control in self.of.items()}  # fmt: skip
 
-    def given(self, values: Mapping[str, Any]) -> dict[str, Any]:
+    def arguments(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Arguments of the case at values by name, those of menus by their labels."""
         places = self.places("values", values)
         return self.named(np.array([places[k] for k in range(len(self.of))]))
@@ -127,13 +122,13 @@ class Controls:
     def traced(self, tape: Tape, place: np.ndarray) -> dict[str, Any]:
         """The same, the numbers traced, and the option that was chosen a condition."""
         numbers = tape.sliders(dict(zip(self.of, place.tolist(), strict=True)))
-        given = self.named(place)
+        arguments = self.named(place)
         for name, control in self.of.items():
             if isinstance(control, Menu):
                 tape.condition("eq", numbers[name], numbers[name].present)
             else:
-                given[name] = numbers[name]
-        return given
+                arguments[name] = numbers[name]
+        return arguments
 
     def combinations(self) -> Iterator[np.ndarray]:
         """The first values, with each combination of the options of all menus."""
@@ -257,7 +252,7 @@ def controls_of(
 
     Raises ValueError for too many controls, and for a name that two of them have.
     """
-    menu_of = {name: _menu(name, given) for name, given in menus.items()}
+    menu_of = {name: _menu(name, value) for name, value in menus.items()}
     if not sliders or len(sliders) + len(menus) > MOST_CONTROLS:
         raise InputError("sliders").says(
             f"{len(sliders)} sliders and {len(menus)} menus: give a slider or more, and at most "
@@ -273,5 +268,5 @@ def controls_of(
         )
     function = function_of(case, (*sliders, *menus))
     numbers = function.numbers if isinstance(function, OtherCase) else {}
-    slider_of = {name: slider(name, given, numbers.get(name)) for name, given in sliders.items()}
+    slider_of = {name: slider(name, value, numbers.get(name)) for name, value in sliders.items()}
     return function, Controls({**slider_of, **menu_of})

@@ -420,7 +420,7 @@ class Explorer:
     def _choices(self) -> dict[str, Any]:
         """Menus, presets and questions, and code that simulates the same."""
         controls = self.controls
-        found: dict[str, Any] = {
+        choices: dict[str, Any] = {
             "menus": [
                 {"name": name, "options": one.labels}
                 for name, one in controls.of.items()
@@ -436,7 +436,7 @@ class Explorer:
             ],
             "code": script(self.case, controls),
         }
-        return found if self._sized is None else {**found, "size": len(controls.of)}
+        return choices if self._sized is None else {**choices, "size": len(controls.of)}
 
     # --- the comparison of motions
 

@@ -174,8 +174,8 @@ def sample_ground(table, between, out):
     """Ground accelerations by a table at equal times."""
     row = 0
     for i in range(len(out)):
-        row, found = segment_for(table, row, i * between)
-        out[i] = ground_acceleration(found, i * between)
+        row, segment = segment_for(table, row, i * between)
+        out[i] = ground_acceleration(segment, i * between)
 
 
 def state_at(step_states, step, j, x):
@@ -256,13 +256,13 @@ def balance(p: Floats, numbers: Floats, angles: Floats, separatrix: Floats2):
 
 def only_mode(side):
     """The mode on a side, -1 where there is none or elements make several of it."""
-    found = -1
+    only = -1
     for mode in range(len(SIDES)):
         if SIDES[mode] == side:
-            if found >= 0:
+            if only >= 0:
                 return -1
-            found = mode
-    return found
+            only = mode
+    return only
 
 
 def potential(mode, rotation, rate, y, p):
@@ -277,14 +277,14 @@ def overturning_angle(mode, side, fallen, y, p):
     """The rotation at which nothing drives the structure back, 0 if it is not below `fallen`."""
     for i in range(N_STATES):
         y[i] = 0.0
-    low, high, found = 0.0, 0.0, False
+    low, high, falls = 0.0, 0.0, False
     for i in range(1, 65):
         high = fallen * i / 64
         if side * held_back(mode, side * high, y, p) <= 0.0:
-            found = True
+            falls = True
             break
         low = high
-    if not found:
+    if not falls:
         return 0.0
     for _ in range(40):
         middle = 0.5 * (low + high)

@@ -160,12 +160,12 @@ def setup_of(case: Callable[..., Case], controls: Controls) -> Setup:
     """
     first = case(**controls.named(controls.start))
     first.problem()  # a first case that cannot be is for the caller to mend
-    found = Setup(case, controls, first.structure.module)
+    setup = Setup(case, controls, first.structure.module)
     for place in controls.combinations():
-        _go(found, place)
+        _go(setup, place)
     for place in (*controls.special(), *controls.spread(PLACES)):
-        _compare(found, place)
-    return found
+        _compare(setup, place)
+    return setup
 
 
 def _go(setup: Setup, place: np.ndarray) -> bool:

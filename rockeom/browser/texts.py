@@ -13,7 +13,7 @@ from rockeom.numbers.checks import InputError, near
 _TABLE = re.compile(r"(?<=^const TEXTS = )\{.*?^\}(?=;)", re.DOTALL | re.MULTILINE)
 
 
-def with_texts(script: str, given: Mapping[str, Any], names: Mapping[str, str]) -> str:
+def with_texts(script: str, others: Mapping[str, Any], names: Mapping[str, str]) -> str:
     """The script of the texts without comments and indents, with others in its table.
 
     names : words of the names of sliders, menus, states and presets. Raises ValueError for a text
@@ -22,15 +22,15 @@ def with_texts(script: str, given: Mapping[str, Any], names: Mapping[str, str]) 
     source = _TABLE.findall(script)[0]
     table = re.sub(r"(^|[{,] )(\w+):", r'\1"\2":', source, flags=re.MULTILINE)
     own = {**json.loads(re.sub(r",(?=\n\})", "", table)), "names": dict(names)}
-    text = json.dumps(_changed("texts", own, given)).replace("<", "\\u003c")
+    text = json.dumps(_changed("texts", own, others)).replace("<", "\\u003c")
     return script.replace(source, text)
 
 
-def _changed(where: str, own: Mapping[str, Any], given: Any) -> dict[str, Any]:
+def _changed(where: str, own: Mapping[str, Any], others: Any) -> dict[str, Any]:
     """A table with other texts in their places."""
-    check_mapping(where, given)
+    check_mapping(where, others)
     table = dict(own)
-    for name, text in given.items():
+    for name, text in others.items():
         if name not in own:
             raise InputError("texts", name, where).says(f"a page has no {name!r}{near(name, own)}")
         if isinstance(own[name], dict):

@@ -35,7 +35,7 @@ _MOST = 9
 
 
 class UntracedError(TypeError):
-    """A calculation with a slider that a page cannot repeat, with the line of it."""
+    """Calculation with a slider that a page cannot repeat, with the line of it."""
 
 
 class Node:
@@ -85,8 +85,8 @@ class Tape:
     def condition(self, comparison: str, left: Any, right: Any) -> bool:
         """The truth at the present values, which is recorded."""
         holds = bool(getattr(operator, comparison)(plain(left), plain(right)))
-        found = Condition(comparison, node_of(left), node_of(right), holds)
-        self.conditions[found] = None
+        condition = Condition(comparison, node_of(left), node_of(right), holds)
+        self.conditions[condition] = None
         return holds
 
 
@@ -138,38 +138,38 @@ class Traced(Compound):
         return format(self.present, how)
 
     @classmethod
-    def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
+    def of_function(cls, name: str, arguments: tuple[Any, ...]) -> Any:
         """A function of `math` by its name; raises UntracedError for one that a page has not."""
-        (tape,) = {id(x.tape): x.tape for x in given if isinstance(x, cls)}.values()
+        (tape,) = {id(x.tape): x.tape for x in arguments if isinstance(x, cls)}.values()
         if name in ("fabs", "absolute"):
-            return abs(given[0])
+            return abs(arguments[0])
         if name == "hypot":
-            return np.sqrt(given[0] * given[0] + given[1] * given[1])
-        if name in ("atan2", "arctan2") and given[1] > 0.0:  # the angle of a block
-            return np.arctan(given[0] / given[1])
+            return np.sqrt(arguments[0] * arguments[0] + arguments[1] * arguments[1])
+        if name in ("atan2", "arctan2") and arguments[1] > 0.0:  # the angle of a block
+            return np.arctan(arguments[0] / arguments[1])
         if name == "isfinite":
-            return abs(given[0]) < math.inf
+            return abs(arguments[0]) < math.inf
         if name not in _FUNCTIONS:
             _refuse(f"{name} of a slider", "a page has no such function")
         function = _FUNCTIONS[name]
-        node = tape.node(name, *map(node_of, given))
-        return cls(tape, node, float(function(*map(plain, given))))
+        node = tape.node(name, *map(node_of, arguments))
+        return cls(tape, node, float(function(*map(plain, arguments))))
 
-    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *given: Any, **how: Any) -> Any:
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *arguments: Any, **how: Any) -> Any:
         """NumPy's functions of numbers one by one, operators among them."""
         if method != "__call__" or ufunc.signature is not None:
             _refuse(f"numpy.{ufunc.__name__}.{method} of a slider", "take numbers one by one")
-        if any(isinstance(x, np.ndarray) for x in given):
-            return ufunc(*(boxed(x) if type(x) is Traced else x for x in given), **how)
+        if any(isinstance(x, np.ndarray) for x in arguments):
+            return ufunc(*(boxed(x) if type(x) is Traced else x for x in arguments), **how)
         if how:
             _refuse(f"numpy.{ufunc.__name__} of a slider with {', '.join(how)}", "leave them out")
         if ufunc in _EXTREMES:
-            return self.of_function(_EXTREMES[ufunc], given)
+            return self.of_function(_EXTREMES[ufunc], arguments)
         if ufunc is np.sign:
             return 1.0 if self > 0.0 else -1.0 if self < 0.0 else 0.0
         if ufunc in OPERATORS:
-            return OPERATORS[ufunc](*(x if isinstance(x, Traced) else float(x) for x in given))
-        return self.of_function(IN_MATH.get(ufunc.__name__, ufunc.__name__), given)
+            return OPERATORS[ufunc](*(x if isinstance(x, Traced) else float(x) for x in arguments))
+        return self.of_function(IN_MATH.get(ufunc.__name__, ufunc.__name__), arguments)
 
     def _with(self, name: str, left: Any, right: Any) -> Traced:
         present = getattr(operator, name)(plain(left), plain(right))
@@ -198,10 +198,10 @@ class Traced(Compound):
             if not isinstance(exponent, Traced) and exponent == 0.5:
                 return np.sqrt(self)
             return self.of_function("pow", (self, exponent))
-        found = self
+        power = self
         for _ in range(int(exponent) - 1):
-            found = found * self
-        return found
+            power = power * self
+        return power
 
     def __rpow__(self, base: Any) -> Any:
         return self.of_function("pow", (base, self))
@@ -265,15 +265,15 @@ class Lines:
             return f"sliders[{node.of[0]}]"
         return self.expression(node.operation, [self.name(x) for x in node.of])
 
-    def expression(self, operation: str, given: list[str]) -> str:
+    def expression(self, operation: str, operands: list[str]) -> str:
         """An operation of things that have names."""
         if operation in SIGNS:
-            return f"{given[0]} {SIGNS[operation]} {given[1]}"
+            return f"{operands[0]} {SIGNS[operation]} {operands[1]}"
         if operation == "neg":
-            return f"-{given[0]}"
+            return f"-{operands[0]}"
         called = f"own_{operation}" if operation in OWN else operation
         called = "math.sqrt" if operation == "sqrt" else called
-        return f"{called}({', '.join(given)})"
+        return f"{called}({', '.join(operands)})"
 
 
 def number_text(x: float) -> str:

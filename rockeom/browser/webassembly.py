@@ -39,14 +39,14 @@ def module(ir: str, exported: Collection[str]) -> Module:
     Raises ValueError if it asks for functions that nobody has.
     """
     code = _object(ir)
-    found = list(_sections(code))
-    linking = next(b for k, b in found if k == _CUSTOM and _Reader(b).text() == "linking")
-    missing = [name for kind, body in found if kind == _IMPORT for name in _imports(body)]
+    sections = list(_sections(code))
+    linking = next(b for k, b in sections if k == _CUSTOM and _Reader(b).text() == "linking")
+    missing = [name for kind, body in sections if kind == _IMPORT for name in _imports(body)]
     if missing:
         raise ValueError(f"the program calls {', '.join(missing)}, which a browser does not have")
     places = dict(_defined(linking))
     entries = [_text(name) + b"\0" + _number(places[name]) for name in exported]
-    kept = {kind: body for kind, body in found if kind != _CUSTOM}
+    kept = {kind: body for kind, body in sections if kind != _CUSTOM}
     kept[_EXPORT] = _number(len(entries)) + b"".join(entries)
     parts = [bytes([k]) + _number(len(kept[k])) + kept[k] for k in _ORDER if k in kept]
     return Module(_MAGIC + b"".join(parts), _data_end(kept.get(_DATA, b"\0")))
@@ -74,12 +74,12 @@ def _object(ir: str) -> bytes:
 
 def _number(n: int) -> bytes:
     """A whole number in LEB128."""
-    found = bytearray()
+    coded = bytearray()
     while True:
         n, low = n >> 7, n & 127
-        found.append(low | (128 if n else 0))
+        coded.append(low | (128 if n else 0))
         if not n:
-            return bytes(found)
+            return bytes(coded)
 
 
 def _text(text: str) -> bytes:

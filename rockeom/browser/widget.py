@@ -41,6 +41,6 @@ def widget_of(title: str, html: str, controls: Controls, function: Callable[...,
         @property
         def case(self) -> Case:
             """The case at the present values."""
-            return function(**controls.given(self.values))
+            return function(**controls.arguments(self.values))
 
     return PageWidget(title=title, page=html, values=controls.labelled())

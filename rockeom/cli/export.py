@@ -102,14 +102,14 @@ def _path(out: Path | None, name: str, language: str) -> Path:
 
 def _code(args: argparse.Namespace) -> tuple[str, str]:
     """The text of c or matlab, and the name of its file."""
-    given = [
+    options = [
         option
         for option in ("set", "initial", "duration", "motion", "pulse", "record", "vertical")
         if getattr(args, option)
     ]
-    if given or args.free:
+    if options or args.free:
         raise UsageError(
-            f"--{(given or ['free'])[0]} is for opensees: {args.language} holds functions of any "
+            f"--{(options or ['free'])[0]} is for opensees: {args.language} holds functions of any "
             "parameters; a family's own follow the name, as storeys=3"
         )
     arguments = details(args.arguments)

@@ -96,10 +96,10 @@ def run(args: argparse.Namespace) -> int:
         raise UsageError("--demand and --limit belong together, as in --demand theta --limit 0.05")
     if args.limit is not None and not args.limit > 0.0:
         raise UsageError(f"--limit {args.limit:g}: give a positive number, a largest size")
-    known = {**main_units(structure.module)}
-    if args.demand not in (None, *known):
-        meant = near(args.demand, known)
-        raise UsageError(f"--demand {args.demand}{meant}: there are {', '.join(known)}")
+    units = {**main_units(structure.module)}
+    if args.demand not in (None, *units):
+        meant = near(args.demand, units)
+        raise UsageError(f"--demand {args.demand}{meant}: there are {', '.join(units)}")
     quantities = () if args.demand in (None, *structure.states) else (args.demand,)
     if args.out is not None:
         check_folder(args.out)
@@ -130,10 +130,10 @@ def _intensity(args: argparse.Namespace) -> Intensity:
     if (args.sa is None) != (args.period is None):
         raise UsageError("--sa and --period belong together, as in --sa 0.2g 0.4g --period 1.0")
     name = "pga" if args.sa is None else "sa"
-    given, option = getattr(args, name), f"--{name}"
-    values = [x / STANDARD_GRAVITY for x in accelerations(given, option)]
+    levels, option = getattr(args, name), f"--{name}"
+    values = [x / STANDARD_GRAVITY for x in accelerations(levels, option)]
     if not 1 < len({*values}) == len(values):
-        raise UsageError(f"{option} {' '.join(given)}: give two values or more, each once")
+        raise UsageError(f"{option} {' '.join(levels)}: give two values or more, each once")
     if name == "pga":
         return Intensity(name, "peak ground acceleration", values)
     return Intensity(name, f"spectral acceleration at {args.period:g} s", values)
@@ -145,9 +145,9 @@ def _fit(sweep: xr.Dataset, args: argparse.Namespace, intensity: Intensity) -> F
         return fragility_of(sweep, intensity=intensity.name, demand=args.demand, limit=args.limit)
     except ValueError as error:
         said = str(error).removeprefix("fit_fragility: ").replace("intensities", "values")
-        given = " ".join(getattr(args, intensity.name))
+        levels = " ".join(getattr(args, intensity.name))
         raise UsageError(
-            f"no curve fits these observations: {said} (--{intensity.name} {given})"
+            f"no curve fits these observations: {said} (--{intensity.name} {levels})"
         ) from None
 
 

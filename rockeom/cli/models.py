@@ -85,8 +85,8 @@ def add_details(parser: argparse.ArgumentParser) -> None:
 
 def details(pairs: list[str]) -> dict[str, int | str]:
     """Arguments such as "storeys=3" and "support=winkler"."""
-    given = words(pairs, "", "storeys=3")
-    return {name: int(text) if text.isdecimal() else text for name, text in given.items()}
+    arguments = words(pairs, "", "storeys=3")
+    return {name: int(text) if text.isdecimal() else text for name, text in arguments.items()}
 
 
 def made(args: argparse.Namespace, **others: Any) -> Structure:
@@ -155,14 +155,14 @@ def _list() -> str:
 
 def _supports() -> list[tuple[str, str]]:
     """Each support and its parameters, those in brackets that may be left out."""
-    found = []
+    supports = []
     for support in SUPPORTS:
         names = [
             f"{name}=" if default is dataclasses.MISSING else f"[{name}={default}]"
             for name, default in parameters_of(support).items()
         ]
-        found.append((f"support={support}", " ".join(names) or "(if not given)"))
-    return found
+        supports.append((f"support={support}", " ".join(names) or "(if not given)"))
+    return supports
 
 
 def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
@@ -226,19 +226,19 @@ def _of_support(
 def _parameters(of: type[Structure], module: GeneratedModule) -> list[tuple[str, str, str, str]]:
     """A table of the names that --set takes."""
     words = zip(module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True)
-    known = dict(zip(module.PARAMETERS, words, strict=True))
+    meanings = dict(zip(module.PARAMETERS, words, strict=True))
     rows = [("PARAMETER", "UNIT", "IF NOT SET", "MEANING")]
-    for name, given in of.defaults().items():
-        called = name if name in known else _NAME_IN_MODEL.get(name)
+    for name, default_value in of.defaults().items():
+        called = name if name in meanings else _NAME_IN_MODEL.get(name)
         if name in of.of_each:
             called = f"{of.of_each[name]}_1"
         if called is None:  # no number, such as what the base stands on
             continue
-        unit, meaning = known[called]
+        unit, meaning = meanings[called]
         if name in of.of_each:
             meaning = f"{meaning}, 2, ...: a list"
-        default = "required" if given is dataclasses.MISSING else str(given)
-        if given is None:
+        default = "required" if default_value is dataclasses.MISSING else str(default_value)
+        if default_value is None:
             default = "zero" if name in of.of_each else "as a homogeneous block"
         rows.append((name, unit, default, meaning))
     return rows

@@ -181,14 +181,14 @@ def acceleration(text: str, option: str) -> float:
     return positive_number(option, value)
 
 
-def accelerations(given: Sequence[str], option: str) -> list[float]:
+def accelerations(texts: Sequence[str], option: str) -> list[float]:
     """Accelerations [m/s2], such as "0.2g", "0.4g", or "0.1g:1.0g:10", ten of them.
 
     Raises InputError as `acceleration`.
     """
     read = partial(acceleration, option=option)
     example = f"{option} 0.1g:1.0g:10 or {option} 0.2g 0.4g 0.8g"
-    return [x for one in given for x in spread(one, f"{option} {one}", example, read)]
+    return [x for one in texts for x in spread(one, f"{option} {one}", example, read)]
 
 
 def records(args: argparse.Namespace) -> MotionSet:

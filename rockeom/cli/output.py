@@ -57,8 +57,8 @@ def _lengths(run: Response) -> list[str]:
 
 def peak(run: Response, name: str) -> tuple[float, float]:
     """The value of largest size with its sign, and its time [s]."""
-    found = run.extremes(name)
-    return found.peak, found.peak_time
+    extremes = run.extremes(name)
+    return extremes.peak, extremes.peak_time
 
 
 def write_csv(run: Response, path: Path) -> None:
@@ -141,8 +141,8 @@ def _summary(run: Response, law: ImpactLaw | None, initial: Mapping[str, float])
 def _reserve(run: Response) -> dict[str, Any] | None:
     """The largest theta/alpha, its side, and the part of the overturning angle that was left."""
     rotation = run.extremes(run.states[run.structure.module.ROTATION])
-    found = reserve_of(run.structure, rotation)
-    return None if found is None else {**found._asdict(), "reserve": found.reserve}
+    reserve = reserve_of(run.structure, rotation)
+    return None if reserve is None else {**reserve._asdict(), "reserve": reserve.reserve}
 
 
 def _motion(motion: GroundMotion) -> dict[str, Any]:

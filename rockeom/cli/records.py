@@ -36,16 +36,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     words = " ".join(args.words)
-    found = (words,) if words in library.records() else library.names(words)
+    names = (words,) if words in library.records() else library.names(words)
     if args.out is not None:
-        if len(found) > 1:
-            raise UsageError(f"--out {args.out}: {len(found)} records have these words: add some")
+        if len(names) > 1:
+            raise UsageError(f"--out {args.out}: {len(names)} records have these words: add some")
         check_picture(args.out)
-    if len(found) > 1:
-        print(_list(found))
+    if len(names) > 1:
+        print(_list(names))
         return 0
-    motion = GroundMotion.from_library(found[0])
-    print(_shown(found[0], motion))
+    motion = GroundMotion.from_library(names[0])
+    print(_shown(names[0], motion))
     if args.out is not None:
         save_figure(motion.plot(), args.out)
         print(f"wrote {args.out}")

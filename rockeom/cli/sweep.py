@@ -103,11 +103,11 @@ def _over(pairs: list[str]) -> dict[str, list[float]]:
 def _counted(sweep: xr.Dataset, one: Case) -> str:
     """How many of the motions ended in which way."""
     labels, counts = np.unique(sweep["outcome"].values, return_counts=True)
-    found = ", ".join(f"{n} {label}" for label, n in zip(labels, counts, strict=True))
+    counted = ", ".join(f"{n} {label}" for label, n in zip(labels, counts, strict=True))
     varied = " and ".join(str(name) for name in sweep["outcome"].dims)
     return (
         f"{sweep['outcome'].size} motions of {one.structure.model} over {varied}, "
-        f"ground motion {one.motion.name}: {found}."
+        f"ground motion {one.motion.name}: {counted}."
     )
 
 

@@ -66,7 +66,7 @@ _PARAMETERS = "Parameters\n----------\n"
 
 
 class _Field(NamedTuple):
-    """An argument of a class: its annotation and default, and its description."""
+    """An argument of a class: its annotation and default, and its lines of the docstring."""
 
     name: str
     annotation: str
@@ -123,8 +123,7 @@ def _import(home: str, name: str) -> str:
 def _class(name: str, model: Any, described: str, arguments: Arguments) -> str:
     fields = _fields(model.parameters, arguments)
     prose, _, others = described.partition(_PARAMETERS)  # arguments of subclasses, examples
-    listed = [line for field in fields for line in _described(field)]
-    section = _PARAMETERS + "\n".join([*listed, others]).rstrip()
+    section = _PARAMETERS + "\n".join([*(field.described for field in fields), others]).rstrip()
     doc = "\n\n".join(filter(None, [f'"""{model.title}.', prose.rstrip(), section])).splitlines()
     signed = [p.name for p in model.parameters if not p.symbol.is_nonnegative]
     whole = [p.name for p in model.parameters if p.symbol.is_integer]
@@ -146,14 +145,6 @@ def _class(name: str, model: Any, described: str, arguments: Arguments) -> str:
         *(f"    {f.name}: {f.annotation}{f.default}" for f in fields),
     ]
     return "\n\n" + "\n".join(lines) + "\n"
-
-
-def _described(field: _Field) -> list[str]:
-    kind = "object" if field.annotation == "Any" else "float"
-    optional = ", optional" if field.default else ""
-    text = f"{field.described[:1].upper()}{field.described[1:]}."
-    lines = textwrap.wrap(text, 92, initial_indent="    ", subsequent_indent="    ")
-    return [f"{field.name} : {kind}{optional}", *lines]
 
 
 def _sizes_open(model: Any, arguments: Arguments) -> bool:
@@ -186,12 +177,15 @@ def _fields(parameters: tuple[Parameter, ...], arguments: Arguments) -> list[_Fi
         default = arguments.defaults.get(
             parameter.name, "STANDARD_GRAVITY" if parameter.name == "gravity" else None
         )
-        described = parameter.meaning + (f" [{parameter.unit}]" if parameter.unit != "-" else "")
+        unit = f" [{parameter.unit}]" if parameter.unit != "-" else ""
+        described = f"    {parameter.meaning[:1].upper()}{parameter.meaning[1:]}{unit}"
         annotation, text = "Any" if parts else "float", ""
         if default == "STANDARD_GRAVITY" or isinstance(default, float):
             text = f" = {default}"
         elif default is not None:
             annotation, text = "float | None", " = None"
             described += f"; {default} if not given"
-        fields.append(_Field(name, annotation, text, described))
+        first = f"{name} : {'object' if parts else 'float'}{', optional' if text else ''}"
+        lines = textwrap.wrap(f"{described}.", 92, subsequent_indent="    ")
+        fields.append(_Field(name, annotation, text, "\n".join([first, *lines])))
     return sorted(fields, key=lambda field: bool(field.default))

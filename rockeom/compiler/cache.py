@@ -52,12 +52,12 @@ def kept(name: str, digest: str, make: Callable[[], bytes]) -> bytes:
         return make()
     # ASCII: not every system takes every letter in the name of a file, or so many bytes of them
     path = os.path.join(folder, key.encode("ascii", "ignore").decode() + ".compiled")
-    found = _read(path, key)
-    if found is None:
-        found = make()
+    code = _read(path, key)
+    if code is None:
+        code = make()
         remove_leftovers(folder, "rockeom_*.compiled.*.tmp")
-        _write(path, _head(key, found), found)
-    return found
+        _write(path, _head(key, code), code)
+    return code
 
 
 def _folder() -> Path | None:

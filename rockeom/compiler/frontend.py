@@ -110,7 +110,7 @@ class Function:
         self.typed: dict[ast.expr, Type] = {}  # expressions that are no variables
         self.names = program.names_in(definition.text)
         constants = Constants(self.names, self.locals)
-        self._known, self._maybe, self._whole = constants.known, constants.maybe, constants.whole
+        self._constant, self._maybe, self._whole = constants.value, constants.maybe, constants.whole
         while True:
             self._start()
             self._block(tree.body)
@@ -149,19 +149,19 @@ class Function:
             return Value(FLOAT, (literal(float(value)),))
         if isinstance(value, tuple):
             return a_tuple([self._literal(item, node) for item in value])
-        found = self.program.constant(value) if isinstance(value, np.ndarray) else None
-        if found is None:
+        table = self.program.constant(value) if isinstance(value, np.ndarray) else None
+        if table is None:
             self.refuse(node, f"{type(value).__name__} is no number and no table of numbers")
-        return found
+        return table
 
     # -- expressions --------------------------------------------------------------------------
 
     def _value(self, node: ast.expr) -> Value:
         if isinstance(node, ast.Name) and node.id in self.locals:  # most are
             return self._name(node)
-        known = self._known(node)
-        if known is not UNKNOWN:
-            value = self._literal(known, node)
+        constant = self._constant(node)
+        if constant is not UNKNOWN:
+            value = self._literal(constant, node)
             self.typed[node] = value.type
             return value
         print_it = getattr(self, f"_{type(node).__name__.lower()}", None)
@@ -227,11 +227,11 @@ class Function:
                 self.refuse(node, "an exponent has no derivatives here")
             return self._through("pow", "llvm.pow.f64", node, base, exponent)
         left, right = self._value(node.left), self._value(node.right)
-        found = self.ir.arithmetic(type(node.op).__name__, left, right)
+        result = self.ir.arithmetic(type(node.op).__name__, left, right)
         divides = isinstance(node.op, ast.FloorDiv | ast.Mod)
         if divides and not (self._is_natural(node.left) and self._is_natural(node.right)):
             self.refuse(node, _NO_REMAINDER)
-        return found
+        return result
 
     def _compare(self, node: ast.Compare) -> Value:
         """All comparisons of a chain; the values in it have no side effects."""
@@ -249,11 +249,11 @@ class Function:
     def _among(self, left: Value, op: ast.cmpop, items: ast.expr) -> str:
         if not isinstance(items, ast.Tuple):
             self.refuse(items, "`in` takes a tuple that is written out")
-        found = "false"
+        equal = "false"
         for item in items.elts:
             one = self.ir.compared("Eq", left, self._value(item))
-            found = self.ir.new(f"or i1 {found}, {one}")
-        return found if isinstance(op, ast.In) else self.ir.new(f"xor i1 {found}, true")
+            equal = self.ir.new(f"or i1 {equal}, {one}")
+        return equal if isinstance(op, ast.In) else self.ir.new(f"xor i1 {equal}, true")
 
     def _boolop(self, node: ast.BoolOp) -> Value:
         yes, no, end = self.ir.label(), self.ir.label(), self.ir.label()
@@ -266,9 +266,9 @@ class Function:
 
     def _branch(self, test: ast.expr, yes: str, no: str) -> None:
         """Jump to one of two labels, looking at no more of a test than decides it."""
-        known = self._maybe(test)
-        if known is not None:
-            self.ir.jump(yes if known else no)
+        constant = self._maybe(test)
+        if constant is not None:
+            self.ir.jump(yes if constant else no)
         elif isinstance(test, ast.BoolOp):
             for part in test.values[:-1]:
                 go_on = self.ir.label()
@@ -282,9 +282,9 @@ class Function:
             self.ir.branch(value.operand, yes, no)
 
     def _ifexp(self, node: ast.IfExp) -> Value:
-        known = self._maybe(node.test)
-        if known is not None:
-            return self._value(node.body if known else node.orelse)
+        constant = self._maybe(node.test)
+        if constant is not None:
+            return self._value(node.body if constant else node.orelse)
         yes, no, end = self.ir.label(), self.ir.label(), self.ir.label()
         self._branch(node.test, yes, no)
         self.ir.begin(yes)
@@ -310,9 +310,9 @@ class Function:
 
     def _is_natural(self, node: ast.expr) -> bool:
         """Whether a whole number clearly cannot be negative, by what it is made of."""
-        known = self._maybe(node)
-        if known is not None:
-            return known >= 0
+        constant = self._maybe(node)
+        if constant is not None:
+            return constant >= 0
         match node:
             case ast.Name():
                 return node.id in self.natural
@@ -336,8 +336,8 @@ class Function:
         while value is None and isinstance(base, ast.Subscript) and not _is_slice(base):
             indices[:0] = base.slice.elts if isinstance(base.slice, ast.Tuple) else [base.slice]
             base = base.value
-            known = self._maybe(base)
-            value = None if known is None else self.program.constant(known)
+            constant = self._maybe(base)
+            value = None if constant is None else self.program.constant(constant)
         value = value or self._value(base)
         while indices and isinstance(value.type, Tuple):
             number, length = self._whole(indices[0]), len(value.type.items)
@@ -359,8 +359,8 @@ class Function:
     def _subscript(self, node: ast.Subscript) -> Value:
         if isinstance(node.slice, ast.Slice):
             return self._slice(node, node.slice)
-        found = self._part(node)
-        return self.ir.read(found) if _is_place(found) else found
+        part = self._part(node)
+        return self.ir.read(part) if _is_place(part) else part
 
     def _slice(self, node: ast.Subscript, part: ast.Slice) -> Value:
         """A slice of the first dimension; its ends are not cut to the length."""
@@ -410,19 +410,19 @@ class Function:
             return _BUILT_IN[name](self.ir, *map(self._value, node.args))
         if called is None:
             self.refuse(node, f"no function {name} is known")
-        given = [self._value(a) for a in node.args]
-        types = tuple(value.type for value in given)
+        values = [self._value(a) for a in node.args]
+        types = tuple(value.type for value in values)
         symbol, returns = self.program.function(called, types, node, self.definition)
         how = ""
         if self._written_out(symbol, node):
             self.size += self.program.sizes[symbol]
             how = " alwaysinline"
         else:  # a record that no call sees in its place can be kept in registers
-            given = [
+            values = [
                 self.ir.in_place(value) if self._is_record(a, value.type) else value
-                for a, value in zip(node.args, given, strict=True)
+                for a, value in zip(node.args, values, strict=True)
             ]
-        operands = [operand for value in given for operand in self.ir.given(value)]
+        operands = [operand for value in values for operand in self.ir.operands_of(value)]
         return self.ir.call(symbol, returns, operands, how, self._destination(node, returns))
 
     def _destination(self, node: ast.Call, returns: Type) -> str:
@@ -453,9 +453,9 @@ class Function:
         }
         return a_tuple([parts[field] for field in fields], tuple(fields))
 
-    def _field(self, node: ast.AST, name: str, wanted: Type | None, given: ast.expr) -> Value:
+    def _field(self, node: ast.AST, name: str, wanted: Type | None, item: ast.expr) -> Value:
         """The value of a field: a number is widened to the type of its annotation."""
-        value = self._value(given)
+        value = self._value(item)
         if wanted is None or wanted in (value.type, _without_derivatives(value.type)):
             return value
         if wanted in (value.type, joined(wanted, value.type)):
@@ -507,15 +507,15 @@ class Function:
 
     def _through(self, name: str, symbol: str, node: ast.AST, number: Value, *more: Value) -> Value:
         """A function of another library; of a number with derivatives, by the text of its slope."""
-        given = [self.ir.value(x) for x in (number, *more)]
-        found = self.ir.external(symbol, *(x.operand for x in given))
+        numbers = [self.ir.value(x) for x in (number, *more)]
+        value = self.ir.external(symbol, *(x.operand for x in numbers))
         if number.type != DUAL:
-            return found
+            return value
         if (rule := self.program.rules.get(f"math.{name}")) is None:
             self.refuse(node, f"no slope of math.{name} is known")
-        slope, returns = self.program.function(rule, (FLOAT,) * len(given), node, self.definition)
-        operands = [operand for x in given for operand in self.ir.given(x)]
-        return self.ir.through(number, found, self.ir.call(slope, returns, operands))
+        slope, returns = self.program.function(rule, (FLOAT,) * len(numbers), node, self.definition)
+        operands = [operand for x in numbers for operand in self.ir.operands_of(x)]
+        return self.ir.through(number, value, self.ir.call(slope, returns, operands))
 
     # -- statements ---------------------------------------------------------------------------
 
@@ -616,9 +616,9 @@ class Function:
         self.ir.give_back(self.ir.widened(value, type_))
 
     def _do_if(self, statement: ast.If) -> None:
-        known = self._maybe(statement.test)
-        if known is not None:
-            self._block(statement.body if known else statement.orelse)
+        constant = self._maybe(statement.test)
+        if constant is not None:
+            self._block(statement.body if constant else statement.orelse)
             return
         yes, no, end = self.ir.label(), self.ir.label(), self.ir.label()
         self._branch(statement.test, yes, no)
@@ -729,15 +729,15 @@ def _stores(statement: ast.stmt) -> Mapping[str, int]:
             targets = [target]
         case _:
             targets = []
-    found: dict[str, int] = {}
+    stores: dict[str, int] = {}
     for target in targets:
         for node in (target,) if isinstance(target, ast.Name) else ast.walk(target):
             if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-                found[node.id] = found.get(node.id, 0) + 1
+                stores[node.id] = stores.get(node.id, 0) + 1
     for inner in (*getattr(statement, "body", ()), *getattr(statement, "orelse", ())):
         for name, count in _stores(inner).items():
-            found[name] = found.get(name, 0) + count
-    return found
+            stores[name] = stores.get(name, 0) + count
+    return stores
 
 
 _BUILT_IN: dict[str, Callable[..., Value]] = {

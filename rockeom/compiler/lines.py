@@ -82,10 +82,10 @@ def joined(a: Type, b: Type) -> Type | None:
         if None in items or a.fields != b.fields:
             return None
         return Tuple(tuple(items), a.fields)  # type: ignore[arg-type]
-    found = {a, b}
-    if DUAL in found and found <= {DUAL, FLOAT, INT}:
+    types = {a, b}
+    if DUAL in types and types <= {DUAL, FLOAT, INT}:
         return DUAL
-    return FLOAT if found == {FLOAT, INT} else None
+    return FLOAT if types == {FLOAT, INT} else None
 
 
 def described(type_: Type) -> str:
@@ -309,15 +309,15 @@ class Lines:
         type_, start = value.type.items[i], start_of(value.type, i)
         if isinstance(type_, Tuple):
             return Value(type_, (self.inside(value.operand, start),))
-        found = []
+        parts = []
         for part in parts_of(type_):
             at = self.inside(value.operand, start)
             if part == BOOL:
-                found.append(self.new(f"trunc i64 {self._from(INT, at)} to i1"))
+                parts.append(self.new(f"trunc i64 {self._from(INT, at)} to i1"))
             else:
-                found.append(self._from(part, at))
+                parts.append(self._from(part, at))
             start += words(part)
-        return Value(type_, tuple(found))
+        return Value(type_, tuple(parts))
 
     def put(self, value: Value, place: str) -> None:
         """Write a value to a place in a tuple."""
@@ -371,7 +371,7 @@ class Lines:
 
     # -- functions
 
-    def given(self, value: Value) -> list[str]:
+    def operands_of(self, value: Value) -> list[str]:
         """The operands of an argument of a call; a tuple is passed by its place."""
         if isinstance(value.type, Tuple):
             value = self.in_place(value) if value.items or not value.parts else value
@@ -396,14 +396,14 @@ class Lines:
         result = self.new(call)
         if count == 1:
             return tuple_of(returns, iter([result]))
-        found = (self.new(f"extractvalue {type_} {result}, {i}") for i in range(count))
-        return tuple_of(returns, found)
+        parts = (self.new(f"extractvalue {type_} {result}, {i}") for i in range(count))
+        return tuple_of(returns, parts)
 
     def external(self, name: str, *operands: str) -> Value:
         """A function of floats of another library."""
         self.declared[name] = f"double @{name}({', '.join(['double'] * len(operands))})"
-        given = ", ".join(f"double {operand}" for operand in operands)
-        return self.number(FLOAT, f"call {self.fast}double @{name}({given})")
+        arguments = ", ".join(f"double {operand}" for operand in operands)
+        return self.number(FLOAT, f"call {self.fast}double @{name}({arguments})")
 
     def give_back(self, value: Value) -> None:
         type_, parts = returned(value.type), parts_of(value.type)
@@ -611,23 +611,23 @@ class Lines:
             raise Unfit(f"{operation} of {described(DUAL)} is not among the operations")
         a, b = self.value(left), self.value(right)
         da, db = (x.parts[1] if x.type == DUAL else "" for x in (left, right))
-        found = self.arithmetic(operation, a, b)
+        result = self.arithmetic(operation, a, b)
         if operation in ("Add", "Sub"):
             how = OF_FLOATS[operation]
             if not db:
-                return self.dual(found.operand, da)
+                return self.dual(result.operand, da)
             if not da:
-                return self.dual(found.operand, db if how == "fadd" else self.opposite(db))
-            return self.dual(found.operand, self.vectors(how, da, db))
+                return self.dual(result.operand, db if how == "fadd" else self.opposite(db))
+            return self.dual(result.operand, self.vectors(how, da, db))
         if operation == "Mult":
             terms = [self.times(x, y.operand) for x, y in ((da, b), (db, a)) if x]
             rates = terms[0] if len(terms) == 1 else self.vectors("fadd", *terms)
-            return self.dual(found.operand, rates)
+            return self.dual(result.operand, rates)
         inverse = self.arithmetic("Div", Value(FLOAT, (literal(1.0),)), b)
         if db:
-            lost = self.times(db, found.operand)
+            lost = self.times(db, result.operand)
             da = self.vectors("fsub", da, lost) if da else self.opposite(lost)
-        return self.dual(found.operand, self.times(da, inverse.operand))
+        return self.dual(result.operand, self.times(da, inverse.operand))
 
     # -- arrays
 
@@ -691,8 +691,8 @@ class Lines:
         for length in array.parts[2:]:
             at = self.new(f"mul nsw i64 {at}, {length}")
         count = self.new(f"sub nsw i64 {last}, {first}")
-        found = Value(array.type, (self.address(array, at), count, *array.parts[2:]))
-        return self.guarded(found, inside)
+        slice_ = Value(array.type, (self.address(array, at), count, *array.parts[2:]))
+        return self.guarded(slice_, inside)
 
     def read(self, place: Value) -> Value:
         """The number in a place: an array without dimensions."""

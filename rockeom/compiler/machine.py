@@ -106,8 +106,8 @@ def _library() -> dict[str, int]:
     """Where the functions of mathematics are, on whatever system."""
     # None: what this process has loaded, and Python needs the library of mathematics itself
     library = ctypes.CDLL("ucrtbase" if sys.platform == "win32" else None)
-    found = {f: getattr(library, f) for f in LIBRARY if hasattr(library, f)}
-    return {f: ctypes.cast(at, ctypes.c_void_p).value or 0 for f, at in found.items()}
+    functions = {f: getattr(library, f) for f in LIBRARY if hasattr(library, f)}
+    return {f: ctypes.cast(at, ctypes.c_void_p).value or 0 for f, at in functions.items()}
 
 
 class OutOfBoundsError(IndexError):
@@ -193,14 +193,14 @@ class Function:
         self.integers, self.floats = ctypes.c_int64 * (n + 1), ctypes.c_double * (n + 1)
         self.convert = _CONVERTED.get(entry.returns)
 
-    def __call__(self, *given: Any) -> Any:
+    def __call__(self, *arguments: Any) -> Any:
         """Raises TypeError for an array that the machine code would misread."""
-        return self.bound(*given)()
+        return self.bound(*arguments)()
 
-    def bound(self, *given: Any) -> Bound:
+    def bound(self, *arguments: Any) -> Bound:
         """The function with its arguments, to be called again and again; raises as a call does."""
         bound = Bound(self)
-        for name, value in zip(self.places, given, strict=True):
+        for name, value in zip(self.places, arguments, strict=True):
             bound[name] = value
         return bound
 
@@ -217,7 +217,7 @@ class Bound:
         self._integers = function.integers()
         self._floats = function.floats.from_buffer(self._integers)
         self._row, self._call = ctypes.addressof(self._integers), function.call
-        self._found: Any = self._floats if function.entry.returns == FLOAT else self._integers
+        self._results: Any = self._floats if function.entry.returns == FLOAT else self._integers
 
     def __setitem__(self, name: str, value: Any) -> None:
         """Raises TypeError for an array that the machine code would misread."""
@@ -245,8 +245,8 @@ class Bound:
 
     def __call__(self) -> Any:
         self._call(self._row)
-        found, convert = self._found[-1], self.function.convert
-        return convert(found) if convert else found
+        result, convert = self._results[-1], self.function.convert
+        return convert(result) if convert else result
 
 
 def _address(array: np.ndarray) -> int:

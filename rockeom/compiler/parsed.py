@@ -169,7 +169,7 @@ class Constants:
         self.names, self.variables = names, variables
         self.unknown: set[ast.expr] = set()  # those that were looked at before
 
-    def known(self, node: ast.expr) -> Any:
+    def value(self, node: ast.expr) -> Any:
         """The value of an expression, or UNKNOWN."""
         if node in self.unknown:
             return UNKNOWN
@@ -195,7 +195,7 @@ class Constants:
             case ast.Compare(ops=[op]) if type(op) in _OPERATORS:
                 return self._of_known(_OPERATORS[type(op)], node.left, *node.comparators)
             case ast.BoolOp(op=ast.And()):
-                if any(self.known(part) is False for part in node.values):
+                if any(self.value(part) is False for part in node.values):
                     return False
             case ast.Attribute(value=ast.Name(id="math" | "np" as library)):
                 value = getattr(self.names.get(library), node.attr, None)
@@ -211,7 +211,7 @@ class Constants:
         """The result of an operation in Python, if all values are known."""
         values = []
         for node in nodes:
-            value = self.known(node)
+            value = self.value(node)
             if value is UNKNOWN:
                 return UNKNOWN
             values.append(value)
@@ -219,7 +219,7 @@ class Constants:
 
     def maybe(self, node: ast.expr) -> Any:
         """The value of an expression, or None."""
-        value = self.known(node)
+        value = self.value(node)
         return None if value is UNKNOWN else value
 
     def whole(self, node: ast.expr) -> int | None:

@@ -260,9 +260,9 @@ class Program(Texts):
         declared += [d for name, d in sorted(self.declared.items()) if f"@{name}(" in text]
         tables = dict(zip(self.constants.values(), self.constants, strict=True))
         used = {name: f"@table_{i}" for i, name in enumerate(dict.fromkeys(_TABLE.findall(text)))}
-        renamed = {tables[name]: new for name, new in used.items()}
+        tables_of_half = {tables[name]: new for name, new in used.items()}
         text = _TABLE.sub(lambda name: used[name[0]], text)
-        return _joined(renamed, declared, [text, *self._checks(text)])
+        return _joined(tables_of_half, declared, [text, *self._checks(text)])
 
 
 def _callers_first(symbols: Iterable[str], calls: Mapping[str, Iterable[str]]) -> list[str]:

@@ -57,7 +57,7 @@ def plot_comparison(
     >>> import rockeom as rk
     >>> from rockeom import plots
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> runs = [rk.simulate(block, pulse, impact=rk.EnergyRatio(r)) for r in (0.8, 0.95)]
     >>> figure = plots.plot_comparison(runs, ["r = 0.8", "r = 0.95"])
     """

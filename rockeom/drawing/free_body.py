@@ -2,7 +2,7 @@
 
 Each function draws one piece in the axes it is given. Points are (x, y) in the units of the axes,
 angles of rotation are clockwise [rad], and an offset of a label is in points of type (1/72 in),
-so that it does not depend on the scale of the drawing.
+so that it does not depend on the scale of the drawing::
 
     figure, ax = plt.subplots()
     free_body.bare(ax)
@@ -34,13 +34,34 @@ FORCE, MOTION = LINES[1], LINES[2]
 
 
 def bare(ax: Axes) -> None:
-    """Equal scales in both directions, and no frame: axes for a drawing."""
+    """Give axes for a drawing equal scales in both directions, and no frame.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    """
     ax.set_aspect("equal")
     ax.axis("off")
 
 
 def turned(points: ArrayLike, about: Point, angle: float) -> np.ndarray:
-    """(n, 2) points turned clockwise through `angle` about a point."""
+    """Points turned clockwise about a point.
+
+    Parameters
+    ----------
+    points : array_like
+        Points (n, 2).
+    about : Point
+        Pivot (x, y).
+    angle : float
+        Angle [rad].
+
+    Returns
+    -------
+    ndarray
+        Points (n, 2).
+    """
     cos, sin = np.cos(angle), np.sin(angle)
     away = np.atleast_2d(np.asarray(points, float)) - np.asarray(about, float)
     return np.asarray(about) + away @ np.array([[cos, -sin], [sin, cos]])
@@ -50,7 +71,17 @@ def turned(points: ArrayLike, about: Point, angle: float) -> np.ndarray:
 
 
 def body(ax: Axes, corners: ArrayLike, *, faint: bool = False) -> None:
-    """A rigid body with these corners (n, 2); a faint one is where the body was before."""
+    """Draw a rigid body.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    corners : array_like
+        Corners (n, 2).
+    faint : bool, optional
+        Whether it is faint, as where the body was before.
+    """
     x, y = np.asarray(corners, float).T
     if faint:
         ax.fill(x, y, facecolor="none", edgecolor="0.6", lw=0.9, ls=(0, (5, 3)))
@@ -61,7 +92,21 @@ def body(ax: Axes, corners: ArrayLike, *, faint: bool = False) -> None:
 def ground(
     ax: Axes, left: float, right: float, level: float = 0.0, depth: float | None = None
 ) -> None:
-    """The ground from `left` to `right`, hatched below; `depth` is 1/15 of its width by default."""
+    """Draw the ground, hatched below.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    left : float
+        Left end.
+    right : float
+        Right end.
+    level : float, optional
+        Height of the surface.
+    depth : float, optional
+        Depth of the hatched part; 1/15 of its width if not given.
+    """
     depth = (right - left) / 15 if depth is None else depth
     ax.fill_between(
         [left, right], level - depth, level, facecolor="0.92", hatch="////", ec="0.7", lw=0
@@ -70,7 +115,26 @@ def ground(
 
 
 def spring(ax: Axes, start: Point, end: Point, width: float, *, coils: int = 4) -> None:
-    """A zigzag from one point to another, `width` across. Raises ValueError if they coincide."""
+    """Draw a zigzag from one point to another.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    start : Point
+        Start (x, y).
+    end : Point
+        End (x, y).
+    width : float
+        Width across.
+    coils : int, optional
+        Number of coils.
+
+    Raises
+    ------
+    ValueError
+        If the points coincide.
+    """
     along = np.concatenate([[0.0], np.linspace(0.15, 0.85, 2 * coils + 1), [1.0]])
     across = np.zeros_like(along)
     across[2:-2] = width / 2 * (-1.0) ** np.arange(2 * coils - 1)
@@ -78,7 +142,24 @@ def spring(ax: Axes, start: Point, end: Point, width: float, *, coils: int = 4) 
 
 
 def damper(ax: Axes, start: Point, end: Point, width: float) -> None:
-    """A dashpot from one point to another, `width` across. Raises ValueError if they coincide."""
+    """Draw a dashpot.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    start : Point
+        Start (x, y).
+    end : Point
+        End (x, y).
+    width : float
+        Width across.
+
+    Raises
+    ------
+    ValueError
+        If the points coincide.
+    """
     half = width / 2
     cup = ([0.0, 0.35, 0.35, 0.7, 0.35, 0.35, 0.7], [0.0, 0.0, half, half, half, -half, -half])
     piston = ([0.55, 0.55, 0.55, 1.0], [0.7 * half, -0.7 * half, 0.0, 0.0])
@@ -87,25 +168,77 @@ def damper(ax: Axes, start: Point, end: Point, width: float) -> None:
 
 
 def wall(ax: Axes, low: float, high: float, at: float, depth: float) -> None:
-    """A wall from `low` to `high` at the place `at`, hatched behind; to the left if depth < 0."""
+    """Draw a vertical wall, hatched behind.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    low : float
+        Lower end.
+    high : float
+        Upper end.
+    at : float
+        Place on the horizontal axis.
+    depth : float
+        Depth of the hatched part; to the left if negative.
+    """
     ax.fill_betweenx([low, high], at, at + depth, facecolor="0.92", hatch="////", ec="0.7", lw=0)
     ax.plot([at, at], [low, high], color=INK, lw=1.2)
 
 
 def pivot(ax: Axes, at: Point, label: str = "", offset: Point = (0, -11)) -> None:
-    """A point about which the body turns."""
+    """Draw a point about which the body turns.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    at : Point
+        Place (x, y).
+    label : str, optional
+        Text.
+    offset : Point, optional
+        Distance (x, y) of the label's centre from there.
+    """
     ax.plot(*at, "o", color="white", mec=INK, mew=1.2, ms=5.5, zorder=6)
     _text(ax, at, label, offset)
 
 
 def mass(ax: Axes, at: Point, label: str = "", offset: Point = (10, 0), size: float = 10.0) -> None:
-    """A lumped mass; `size` is its diameter in points."""
+    """Draw a lumped mass.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    at : Point
+        Place (x, y).
+    label : str, optional
+        Text.
+    offset : Point, optional
+        Distance (x, y) of the label's centre from there.
+    size : float, optional
+        Diameter in points.
+    """
     ax.plot(*at, "o", color=LINES[1], mec=INK, mew=0.7, ms=size, zorder=5)
     _text(ax, at, label, offset, ha="left")
 
 
 def centroid(ax: Axes, at: Point, label: str = "", offset: Point = (9, 6)) -> None:
-    """A centre of mass: a disc with two black quarters."""
+    """Draw a centre of mass: a disc with two black quarters.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    at : Point
+        Place (x, y).
+    label : str, optional
+        Text.
+    offset : Point, optional
+        Distance (x, y) of the label's centre from there.
+    """
     ax.plot(*at, "o", color="white", mec=INK, mew=0.8, ms=8, zorder=6)
     for start in (0, 180):
         quarter = Path.wedge(start, start + 90)
@@ -126,10 +259,29 @@ def arrow(
     label_at: str = "tip",
     offset: Point = (0, 8),
 ) -> None:
-    """A force, or with `color=MOTION` a velocity or an acceleration, from `tail` to `tip`.
+    """Draw a force, or with ``color=MOTION`` a velocity or an acceleration.
 
-    label_at : "tip", "tail" or "middle"; the label's centre is `offset` away from there.
-    Raises ValueError for any other place.
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    tail : Point
+        Start (x, y).
+    tip : Point
+        End (x, y).
+    label : str, optional
+        Text.
+    color : str, optional
+        Colour.
+    label_at : str, optional
+        Place of the label, "tip", "tail" or "middle".
+    offset : Point, optional
+        Distance (x, y) of the label's centre from there.
+
+    Raises
+    ------
+    ValueError
+        For any other place.
     """
     style = _arrow("-|>,head_width=0.22,head_length=0.5", color, 1.5)
     ax.annotate("", _xy(tip), _xy(tail), arrowprops=style, zorder=8)
@@ -153,10 +305,29 @@ def angle(
     color: str = INK,
     label_radius: float = 1.3,
 ) -> None:
-    """The angle at `vertex` from the direction of one point to that of another, the smaller one.
+    """Draw the angle at a vertex from the direction of one point to that of another, the smaller
+    one.
 
-    sense : end in an arrow at `second`, as for a rotation or a couple.
-    label_radius : where the label stands on the bisector, as a multiple of `radius`.
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    vertex : Point
+        Vertex (x, y).
+    first : Point
+        First point (x, y).
+    second : Point
+        Second point (x, y).
+    radius : float
+        Radius of the arc.
+    label : str, optional
+        Text.
+    sense : bool, optional
+        Whether the arc ends in an arrow at `second`, as for a rotation or a couple.
+    color : str, optional
+        Colour.
+    label_radius : float, optional
+        Place of the label on the bisector, as a multiple of `radius`.
     """
     origin = np.asarray(vertex, float)
     a, b = (np.arctan2(*(np.asarray(p, float) - origin)[::-1]) for p in (first, second))
@@ -175,9 +346,27 @@ def angle(
 def dimension(
     ax: Axes, start: Point, end: Point, label: str, shift: float = 0.0, offset: Point = (0, 7)
 ) -> None:
-    """A dimension line between two points, moved by `shift` to the left of its direction.
+    """Draw a dimension line between two points.
 
-    Raises ValueError if they coincide.
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    start : Point
+        Start (x, y).
+    end : Point
+        End (x, y).
+    label : str
+        Text.
+    shift : float, optional
+        Distance of the line to the left of its direction.
+    offset : Point, optional
+        Distance (x, y) of the label's centre from its place.
+
+    Raises
+    ------
+    ValueError
+        If the points coincide.
     """
     ends = _along(start, end, np.array([0.0, 1.0]), np.array([shift, shift]))
     for point, moved in zip((start, end), ends, strict=True):
@@ -188,7 +377,17 @@ def dimension(
 
 
 def line(ax: Axes, start: Point, end: Point) -> None:
-    """A thin dashed line of reference, such as the vertical through a pivot."""
+    """Draw a thin dashed line of reference, such as the vertical through a pivot.
+
+    Parameters
+    ----------
+    ax : matplotlib.axes.Axes
+        Axes.
+    start : Point
+        Start (x, y).
+    end : Point
+        End (x, y).
+    """
     ax.plot(*np.transpose([start, end]), color="0.45", lw=0.8, ls=(0, (6, 3)))
 
 

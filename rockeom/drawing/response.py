@@ -70,7 +70,7 @@ def plot_response(
     >>> import rockeom as rk
     >>> from rockeom import plots
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> run = rk.simulate(block, pulse)
     >>> figure = plots.plot_response(run)
     >>> figure = plots.plot_response(run, "theta", "left_uplift")

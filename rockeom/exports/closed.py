@@ -185,7 +185,7 @@ class Functions:
         if isinstance(node, ast.Name) and node.id in function.own:
             return function.types[node.id]
         if node not in function.typed:  # a part of an expression that is constant as a whole
-            value = self.values.known(node)
+            value = self.values.value(node)
             return BOOL if isinstance(value, bool) else INT if isinstance(value, int) else FLOAT
         return function.typed[node]
 
@@ -200,7 +200,7 @@ class Functions:
 
     def constant(self, node: ast.expr) -> Any:
         """The value of an expression of constants; raises LookupError for any other."""
-        value = self.values.known(node)
+        value = self.values.value(node)
         if value is UNKNOWN:
             raise LookupError(ast.unparse(node))
         return value
@@ -242,7 +242,7 @@ def _pruned(body: Sequence[ast.stmt], constants: Constants) -> list[ast.stmt]:
     for statement in body:
         match statement:
             case ast.If(test=test, body=yes, orelse=no):
-                value = constants.known(test)
+                value = constants.value(test)
                 if value is not UNKNOWN:
                     left += _pruned(yes if value else no, constants)
                     continue

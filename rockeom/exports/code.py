@@ -58,7 +58,7 @@ _LEFT_OUT = ("shapes", "sizes", "full_contact_guards", "opening_acceleration")
 
 _OF_POINTS = '''import numpy as np
 from rockeom.integrator.transitions.candidates import pass_on, same_ground
-from rockeom.integrator.transitions.points import N_KNOWN
+from rockeom.integrator.transitions.points import CONTACT_SIZE
 
 
 def impact(mode, guard, y, p, ax, ay, out):
@@ -68,9 +68,9 @@ def impact(mode, guard, y, p, ax, ay, out):
     that follows is that whose impulses, and then forces, fit. Returns its number, -1 where
     none fits, -2 where several do that move differently.
     """
-    known, ground = np.empty(N_KNOWN), np.empty(5)
+    contact, ground = np.empty(CONTACT_SIZE), np.empty(5)
     same_ground(ax, ay, 1e-9, ground)
-    follows, _ = pass_on(mode, guard, 1e-3, y, p, ground, 0.0, known, out)
+    follows, _ = pass_on(mode, guard, 1e-3, y, p, ground, 0.0, contact, out)
     return follows
 '''
 
@@ -208,7 +208,20 @@ class Described:
 
 
 def code_of_model(model: Any, language: str) -> str:
-    """A RockingModel or Model as the text of one file, see `code`."""
+    """Text of one file with the code of a RockingModel or Model, see `code`.
+
+    Parameters
+    ----------
+    model : RockingModel or Model
+        Model.
+    language : str
+        Language, as for `code`.
+
+    Returns
+    -------
+    str
+        Text of the file.
+    """
     return code(class_of_model(model).module, language)
 
 

@@ -131,23 +131,46 @@ def script(
     step: float = 1e-4,
     out: str = "",
 ) -> str:
-    """The text of a stand-alone script for OpenSeesPy 3.7 that simulates a structure.
+    """Text of a stand-alone script for OpenSeesPy 3.7 that simulates a structure.
 
-    structure : a `TwoSpringStructure`, or a `FlexibleStructure` on `TwoSprings`. motion : its
-    horizontal ground motion; a record is written as it is, a pulse by samples `step` apart.
-    initial : rotation, heave and, of a flexible one, u at the start; rates are zero. duration : of
-    the motion if not given [s]. step : of Newmark's method [s]. out : the file of comma-separated
-    values that the script writes, the structure's name and `_opensees.csv` if not given.
+    Parameters
+    ----------
+    structure : Structure
+        A `TwoSpringStructure`, or a `FlexibleStructure` on `TwoSprings`.
+    motion : GroundMotion
+        Horizontal ground motion; a record is written as it is, a pulse by samples `step` apart.
+    initial : dict of str to float, optional
+        Rotation, heave and, for a flexible one, u at the start [rad, m]; rates are zero.
+    duration : float, optional
+        Duration [s]; that of the motion if not given.
+    step : float, optional
+        Step of Newmark's method [s].
+    out : str, optional
+        File of comma-separated values that the script writes; the structure's name and
+        ``_opensees.csv`` if not given.
 
+    Returns
+    -------
+    str
+        Text of the script.
+
+    Raises
+    ------
+    ValueError
+        For another structure, for feet with dampers, for states that it does not take and for
+        numbers that are not positive.
+
+    Notes
+    -----
     The error of a rigid structure is of the second order in the step. The column of the flexible
     one is an elastic beam there, whose end moves on an arc, which rockeom's does not: upright the
     stiffness that this costs is added, and away from it the two differ by the order of u/height.
     Its damping is proportional to its stiffness.
 
-    Raises ValueError for another structure, for feet with dampers, for states that it does not take
-    and for numbers that are not positive.
-
+    Examples
+    --------
     >>> import rockeom as rk
+    >>> from rockeom.exports.opensees import script
     >>> structure = rk.TwoSpringStructure(
     ...     mass=122.6, height=1.05, inertia=44.8, base_mass=45.6, base_height=0.1,
     ...     base_inertia=1.37, half_width=0.285, foundation_stiffness=5e5, foundation_damping=0.0,

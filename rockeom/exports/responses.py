@@ -299,11 +299,11 @@ def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
             f"{path} cannot be loaded: it is a folder, a pipe or a device, not a file"
         )
     try:
-        with xr.open_dataset(path, engine="h5netcdf", decode_cf=False) as dataset:
+        with xr.open_dataset(path, engine="h5netcdf", decode_cf=False, phony_dims="sort") as data:
             size = path.stat().st_size
-            if dataset.nbytes > _MOST_COMPRESSED * size:
-                raise ValueError(f"{dataset.nbytes} bytes of arrays cannot lie in {size} bytes")
-            return dict(dataset.attrs), {str(n): v.values for n, v in dataset.variables.items()}
+            if data.nbytes > _MOST_COMPRESSED * size:
+                raise ValueError(f"{data.nbytes} bytes of arrays cannot lie in {size} bytes")
+            return dict(data.attrs), {str(n): v.values for n, v in data.variables.items()}
     except (FileNotFoundError, PermissionError, MemoryError):
         raise
     except Exception as error:

@@ -18,9 +18,9 @@ from rockeom.codes import (
     STEPS_KEPT,
 )
 from rockeom.compiler.decorators import Floats, Floats2, Ints, entry, inlined
+from rockeom.integrator.extremes import leans_most, own_time
 from rockeom.integrator.ground import ground_acceleration, segment_for
 from rockeom.integrator.loop import _GUARDS, _POWERS, SCRATCH, TURN, integrate
-from rockeom.integrator.overturning import leans_most, own_time
 from rockeom.integrator.provided import (
     KINDS,
     N_STATES,

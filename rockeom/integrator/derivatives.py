@@ -25,8 +25,8 @@ def sine_cosine_of_duals(x):
 @inlined
 @rule_of(sine)
 def sine_of_duals(x):
-    found = sine(value(x))
-    return found + sine(value(x) + 0.5 * math.pi) * (x - value(x))
+    value_there = sine(value(x))
+    return value_there + sine(value(x) + 0.5 * math.pi) * (x - value(x))
 
 
 @inlined

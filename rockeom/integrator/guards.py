@@ -46,9 +46,10 @@ from rockeom.integrator.provided import (
     full_contact_guards,
     grain_of,
     guards,
-    is_known,
+    just_closed,
     rates,
 )
+from rockeom.integrator.records import Fall
 from rockeom.integrator.rounding import rounding
 from rockeom.integrator.tolerances import (
     CLEAR,
@@ -75,30 +76,36 @@ def stays_open(gap, closed):
 
     gap : as of `gap_at_ends`. Where all coefficients are positive by a margin far above its error,
     there is no root; what leaves from rest is zero for long, but for rounding, see `rounding`.
+    closed : at the start. Without branches, so that lanes ask it of vectors.
     """
     b0, b1, b2, b3, b4, b5 = gap
     least, grain = CLEAR * max(b0, b5), GAP_AT_REST * b5
-    leaves = b1 > least and b2 > least and (b0 > least or closed == 0)
-    leaves = leaves or (closed == 0 and abs(b1) <= grain and b2 >= -grain)
-    return leaves and b3 > least and b4 > least and b5 > least
+    leaves = (b1 > least) & (b2 > least) & ((b0 > least) | closed)
+    leaves |= closed & (abs(b1) <= grain) & (b2 >= -grain)
+    return leaves & (b3 > least) & (b4 > least) & (b5 > least)
 
 
-def closes_once(gap, closed):
-    """Place in a step at which the gap of a rocking mode clearly closes, once, or NEVER.
+@inlined
+def changes_sign_once(gap, closed, least):
+    """Whether a gap clearly closes once in a step: its coefficients are positive, then negative.
 
-    Where the coefficients change their sign once, by a margin as in `stays_open`, there is one
-    root.
+    By a margin as in `stays_open`. Behind the first that is not clearly positive none is, and
+    behind a negative one all are: then there is one root. least : of what the gap is at the start,
+    or of how it opens there from closed, in units of the margin.
     """
     b0, b1, b2, b3, b4, b5 = gap
     doubt = CLEAR * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
-    if (closed != 0 and b0 <= doubt) or (closed == 0 and b1 <= doubt) or b5 >= -doubt:
+    once = ((b0 > least * doubt) | (closed & (b1 > least * doubt))) & (b5 < -doubt)
+    once &= ((b2 > doubt) | (b3 <= doubt)) & ((b3 > doubt) | (b4 <= doubt))
+    once &= ((b2 >= -doubt) | (b3 < -doubt)) & ((b3 >= -doubt) | (b4 < -doubt))
+    return once & ((b2 > doubt) | (b4 <= doubt)) & ((b1 > doubt) | ((b2 < -doubt) & (b3 < -doubt)))
+
+
+def closes_once(gap, closed):
+    """Place in a step at which the gap of a rocking mode clearly closes, once, or NEVER."""
+    if not changes_sign_once(gap, closed, 1.0):
         return NEVER
-    # behind the first that is not clearly positive, none is; behind a negative one, all are
-    falls = (b2 > doubt or b3 <= doubt) and (b3 > doubt or b4 <= doubt)
-    falls = falls and (b2 >= -doubt or b3 < -doubt) and (b3 >= -doubt or b4 < -doubt)
-    falls = falls and (b2 > doubt or b4 <= doubt)
-    if not (falls and (b1 > doubt or (b2 < -doubt and b3 < -doubt))):
-        return NEVER
+    b0, b1, b2, b3, b4, b5 = gap
     # Newton's method within a bracket, from the parabola with the same ends and slope
     low, high = 0.0, 1.0
     rise = 5.0 * (b1 - b0)
@@ -247,55 +254,68 @@ def guard_polynomials(mode, t, h, ground, case, a):
 
 
 def first_event(mode, t, h, instant, landed, closed, ground, case, a):
-    """Where in a step a guard first falls through zero, which, and what is known of it there.
+    """The first guard that falls through zero in a step, see `Fall`; NEVER where none does.
 
-    Returns (place, guard, slope, from_closed, unclear): the place in the step, NEVER if no guard
-    falls, the slope of its polynomial in time; whether it was closed at the start, and whether
-    nothing but rounding errors says that it falls. b : the polynomials of all guards. landed : the
-    guard that ends the step already, or -1.
+    a.b : the polynomials of all guards. instant : events in a shorter time are at the start.
+    landed : the guard that ends the step already, or -1. closed : those known to be so at the
+    start: an event was just there.
     """
-    place, target, slope = NEVER, -1, 0.0
-    from_closed = unclear = False
-    rocks = rocking(mode)
+    first = Fall(NEVER, -1, 0.0, False, False)
     b = a.b
     ax, ay = ground_accelerations(ground, t)
     for i in range(GUARDS[mode]):
-        known = is_known(closed, i)
-        if i == landed or (landed >= 0 and known):
+        at_event = just_closed(closed, i)
+        if i == landed or (landed >= 0 and at_event):
             continue
-        starts_closed = known
-        whole = N_PARTS == 0 or PARTS[mode][i] < 0
-        if b[8 * i] < 0.0 and whole and not rocks and not starts_closed:
-            # beside zero but for rounding, by an event before this one, is closed, too
-            near = grain_of(mode, i, ax, ay, h, b, 8, case, a)
-            if KINDS[mode][i] == IMPACT:
-                near = GAP_ON_LANDING * case.fallen
-            starts_closed = b[8 * i] >= -near
+        starts_closed = at_event or closed_but_for_rounding(mode, i, ax, ay, h, case, a)
         noise = 0.0
         if starts_closed:
             noise = rounding(mode, i, h, a.y, case.p, ax, ay, b)
             noise = max(noise, grain_of(mode, i, ax, ay, h, b, 8, case, a))
-        row = i
-        if not whole:
-            x, row = larger_falls(b, PARTS[mode][i], starts_closed, noise, a.stack)
-        else:
-            grain = EXACT if KINDS[mode][i] == IMPACT else SAMPLED
-            x = first_fall(b, 8 * i, grain, starts_closed, noise, a.stack)
-        doubtful = known and abs(b[8 * row + 1]) <= noise
-        beside = starts_closed and not known and x * h <= instant
-        if beside and rises_first(b, 8 * row, noise):
+        place, row = fall_of_guard(mode, i, starts_closed, noise, a)
+        # a guard that is closed by the same event, and opens, falls later if at all
+        beside = starts_closed and not at_event and place * h <= instant
+        if not place < first.place or (beside and rises_first(b, 8 * row, noise)):
             continue
-        if x < place:
-            hover = size(b, 8 * row)
-            if hover <= grain_of(mode, i, ax, ay, h, b, 8, case, a):
-                continue  # nothing but rounding errors
-            place = x
-            target = i
-            unclear = doubtful
-            from_closed = starts_closed or (not rocks and abs(b[8 * row]) <= SAMPLED * hover)
-            from_closed &= not beside  # else it is known to fall
-            slope = bernstein_at(b, 8 * row, x)[1] / h
-    return place, target, slope, from_closed, unclear
+        largest = size(b, 8 * row)
+        if largest <= grain_of(mode, i, ax, ay, h, b, 8, case, a):
+            continue  # it hovers: nothing but rounding errors
+        touches = not rocking(mode) and abs(b[8 * row]) <= SAMPLED * largest
+        first = Fall(
+            place,
+            guard=i,
+            slope=bernstein_at(b, 8 * row, place)[1] / h,
+            from_closed=(starts_closed or touches) and not beside,
+            unclear=at_event and abs(b[8 * row + 1]) <= noise,
+        )
+    return first
+
+
+@inlined
+def is_whole(mode, guard):
+    """Whether a guard has one polynomial, and not the larger of two parts."""
+    return N_PARTS == 0 or PARTS[mode][guard] < 0
+
+
+@inlined
+def closed_but_for_rounding(mode, guard, ax, ay, h, case, a):
+    """Whether a guard is below zero at the start by rounding: an event before closed it, too."""
+    start = a.b[8 * guard]
+    if not start < 0.0 or not is_whole(mode, guard) or rocking(mode):
+        return False
+    near = grain_of(mode, guard, ax, ay, h, a.b, 8, case, a)
+    if KINDS[mode][guard] == IMPACT:
+        near = GAP_ON_LANDING * case.fallen
+    return start >= -near
+
+
+@inlined
+def fall_of_guard(mode, guard, starts_closed, noise, a):
+    """(place, row): where in a step a guard first falls, and the row of its polynomial in a.b."""
+    if not is_whole(mode, guard):
+        return larger_falls(a.b, PARTS[mode][guard], starts_closed, noise, a.stack)
+    grain = EXACT if KINDS[mode][guard] == IMPACT else SAMPLED
+    return first_fall(a.b, 8 * guard, grain, starts_closed, noise, a.stack), guard
 
 
 def settle(mode, t, h, closed, ground, case, a):
@@ -313,9 +333,9 @@ def settle(mode, t, h, closed, ground, case, a):
     ax, ay = ground_accelerations(ground, t)
     guards(mode, a.y, case.p, ax, ay, g)
     for i in range(GUARDS[mode]):
-        known = is_known(closed, i)
+        at_event = just_closed(closed, i)
         kind = KINDS[mode][i]
-        if known or kind in (IMPACT, LANDING) or not g[i] < 0.0:
+        if at_event or kind in (IMPACT, LANDING) or not g[i] < 0.0:
             continue
         if not moved:
             # look ahead, by some of the errors that the time of an event may have
@@ -371,7 +391,7 @@ def fell_before(mode, target, closed, h, y, g, b):
         if KINDS[mode][i] == IMPACT:
             fell = -g[i] > PASSED * h * abs(y[ROTATION_RATE])
         else:
-            fell = -g[i] > PASSED * size(b, 8 * i) and b[8 * i] > 0.0 and not is_known(closed, i)
+            fell = -g[i] > PASSED * size(b, 8 * i) and b[8 * i] > 0.0 and not just_closed(closed, i)
         if fell:
             return True
     return False

@@ -48,7 +48,7 @@ from rockeom.codes import (
 )
 from rockeom.compiler.decorators import Floats, Ints, entry, inlined
 from rockeom.integrator.bernstein import NEVER
-from rockeom.integrator.extremes import widen, widen_within, widens
+from rockeom.integrator.extremes import falls_at, may_fall, widen, widen_within, widens
 from rockeom.integrator.full_contact import cannot_move, stands_until
 from rockeom.integrator.ground import (
     ground_acceleration,
@@ -71,7 +71,6 @@ from rockeom.integrator.guards import (
     stays_on_both_feet,
     stays_open,
 )
-from rockeom.integrator.overturning import falls_at, may_fall
 from rockeom.integrator.polynomials import (
     dense_at,
     extrapolate,
@@ -80,13 +79,13 @@ from rockeom.integrator.polynomials import (
     shorten,
 )
 from rockeom.integrator.provided import (
+    CONTACT_SIZE,
     ERROR_EXPONENT,
     EXTRAPOLATES,
     FULL_CONTACT,
     KINDS,
     N_ALL_STAGES,
     N_GUARDS,
-    N_KNOWN,
     N_PARTS,
     N_STAGES,
     N_STATES,
@@ -144,8 +143,8 @@ _GUARDS = _POWERS + 8 * N_STATES
 _BERNSTEIN = _GUARDS + N_GUARDS + N_PARTS
 _STACK = _BERNSTEIN + 8 * (N_GUARDS + N_PARTS + 1)
 _NOISE = _STACK + 640
-_KNOWN = _NOISE + (len(SIDES) + 1) * (N_GUARDS + N_PARTS)
-SCRATCH = _KNOWN + N_KNOWN
+_CONTACT = _NOISE + (len(SIDES) + 1) * (N_GUARDS + N_PARTS)
+SCRATCH = _CONTACT + CONTACT_SIZE
 
 END = N_STAGES * N_STATES  # where the rates at the end of a step begin in those of its stages
 
@@ -223,7 +222,7 @@ def arrays_of(y, rate, scratch):
     """The arrays of the loop, in one that lasts from call to call."""
     for i in range(N_STATES):
         scratch[_K + i] = rate[i]
-    for i in range(_NOISE, _KNOWN):
+    for i in range(_NOISE, _CONTACT):
         scratch[i] = -1.0
     return Arrays(
         y,
@@ -235,8 +234,8 @@ def arrays_of(y, rate, scratch):
         g=scratch[_GUARDS:_BERNSTEIN],
         b=scratch[_BERNSTEIN:_STACK],
         stack=scratch[_STACK:_NOISE],
-        noises=scratch[_NOISE:_KNOWN],
-        known=scratch[_KNOWN:SCRATCH],
+        noises=scratch[_NOISE:_CONTACT],
+        contact=scratch[_CONTACT:SCRATCH],
     )
 
 
@@ -340,7 +339,7 @@ def quiet_steps(motion, ground, turn, case, a, recorder):
         taken += 1
         error = take_step(mode, t, h, y, p, now.x, now.y, case.rtol, case.atol, k, y_new)
         gap = gap_at_ends(SIDES[mode], h, y, y_new, k)
-        open_ = stays_open(gap, -1)
+        open_ = stays_open(gap, False)
         if FULL_CONTACT >= 0 and mode == FULL_CONTACT:
             open_ = stays_on_both_feet(t, h, y, y_new, k, p, now.x)
         ordinary = error <= (most_error(case.rtol) if equal else 1.0) and finite_end(k) and open_
@@ -600,27 +599,27 @@ def first_event_within(motion, ground, step, case, a):
     mode, t = motion.mode, motion.t
     instant = 4.0 * EPS * max(t, step.h)
     guard_polynomials(mode, t, step.h, ground, case, a)
-    place, target, slope, from_closed, unclear = first_event(
-        mode, t, step.h, instant, step.landed, motion.closed, ground, case, a
-    )
-    if place == NEVER:
-        return DONE, step._replace(target=target, slope=slope)
+    fall = first_event(mode, t, step.h, instant, step.landed, motion.closed, ground, case, a)
+    seen = step._replace(target=fall.guard, slope=fall.slope)
+    if fall.place == NEVER:
+        return DONE, seen
     h = step.h
-    if place * h <= instant:
+    if fall.place * h <= instant:
         if rocking(mode):
             # it does not fall where both its rate and its acceleration open it
             slow = a.y[ROTATION_RATE] == 0.0 or SIDES[mode] * a.k[ROTATION_RATE] > 0.0
         else:
-            noise = noise_of(mode, target, case.p, case.fallen, a.noises, a.w, a.g)
-            slow = unclear or opens_soon(mode, target, t, h, ground, case, a, noise)
-        if from_closed and slow and h > max(SHORTEST_PART * step.longest, SAME_INSTANT * t):
+            noise = noise_of(mode, fall.guard, case.p, case.fallen, a.noises, a.w, a.g)
+            slow = fall.unclear or opens_soon(mode, fall.guard, t, h, ground, case, a, noise)
+        shortest = max(SHORTEST_PART * step.longest, SAME_INSTANT * t)
+        if fall.from_closed and slow and h > shortest:
             # an opening so short that rounding, or the error of a dense output of low order,
             # hides it in a step of this length
-            return AGAIN, step._replace(h=h * 0.1, cut=False, target=-1, slope=slope, landed=-1)
+            return AGAIN, seen._replace(h=h * 0.1, cut=False, target=-1, landed=-1)
         h = 0.0  # it falls here and now
-    if place >= 1.0 or h == 0.0:
-        return DONE, step._replace(h=h, target=target, slope=slope, landed=target)
-    return AGAIN, step._replace(h=h * place, cut=False, target=target, slope=slope, landed=-1)
+    if fall.place >= 1.0 or h == 0.0:
+        return DONE, seen._replace(h=h, landed=fall.guard)
+    return AGAIN, seen._replace(h=h * fall.place, cut=False, landed=-1)
 
 
 @inlined
@@ -703,8 +702,8 @@ def leave_mode(motion, ground, guard, h, case, a, recorder):
 def come_to_rest(motion, ground, rest, end, case, a, recorder):
     """Record the rest of infinitely many impacts, and go on in the mode that follows them."""
     t = motion.t
-    mode, known = through_rest(motion, ground, rest, case, a, recorder)
-    if not known:
+    mode, rests = through_rest(motion, ground, rest, case, a, recorder)
+    if not rests:
         return motion
     rested = motion
     if records_steps(recorder) and t + rest.time > t:

@@ -1,5 +1,9 @@
 """The state within a step: quintics through both ends, and the dense output of the method."""
 
+from __future__ import annotations
+
+from typing import NamedTuple
+
 from rockeom.compiler.decorators import inlined
 from rockeom.integrator.provided import N_STAGES, N_STATES, POWERS_TO_BERNSTEIN, ROTATION
 
@@ -48,16 +52,32 @@ def polynomial_of(state, side, coefficients, b, at):
             b[at + i] += POWERS_TO_BERNSTEIN[i, j] * power
 
 
+class Ends(NamedTuple):
+    """A coordinate, its rate and its acceleration at both ends of a step."""
+
+    q0: float
+    v0: float
+    a0: float
+    q1: float
+    v1: float
+    a1: float
+
+
+@inlined
+def quintic_through(side, h, ends):
+    """Bernstein coefficients of a coordinate to a side, by the quintic through both ends."""
+    fifth, part = 0.2 * side * h, 0.05 * side * h * h
+    q0, v0, a0 = side * ends.q0, fifth * ends.v0, part * ends.a0
+    q1, v1, a1 = side * ends.q1, fifth * ends.v1, part * ends.a1
+    return q0, q0 + v0, q0 + 2.0 * v0 + a0, q1 - 2.0 * v1 + a1, q1 - v1, q1
+
+
 @inlined
 def quintic_of(i, side, h, y, y_new, k):
-    """Bernstein coefficients of coordinate i to a side, by place, rate and acceleration at both
-    ends."""
-    n = N_STATES // 2
-    fifth, part = 0.2 * side * h, 0.05 * side * h * h
-    q0, q1 = side * y[i], side * y_new[i]
-    v0, v1 = fifth * y[n + i], fifth * y_new[n + i]
-    a0, a1 = part * k[n + i], part * k[N_STAGES * N_STATES + n + i]
-    return q0, q0 + v0, q0 + 2.0 * v0 + a0, q1 - 2.0 * v1 + a1, q1 - v1, q1
+    """The same of coordinate i of a state y (N,) and of that at the end, with the rates k."""
+    n, end = N_STATES // 2, N_STAGES * N_STATES
+    ends = Ends(y[i], y[n + i], k[n + i], y_new[i], y_new[n + i], k[end + n + i])
+    return quintic_through(side, h, ends)
 
 
 @inlined

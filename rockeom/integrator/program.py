@@ -42,15 +42,15 @@ if TYPE_CHECKING:
     from rockeom.compiler.printer import Program as Printed
 
 _HERE = "rockeom.integrator"
-_SIZES = ("SCRATCH", "Z_SIZE", "W_SIZE", "FLOATS_SIZE", "DUALS_SIZE")
+_SIZES = ("SCRATCH", "Z_SIZE", "W_SIZE")
 
 
 class Program:
     """The functions of a structure with a method in machine code, and the tables of its module.
 
     integrate, integrate_many, falls, at_rest, evaluate, and integrate_lanes in one with lanes, as
-    in loop.py and lanes/loop.py; carry, as in variational.py, in one that carries derivatives; the
-    sizes of the arrays that they want as scratch; all else is that of the generated module.
+    in loop.py and lanes/loop.py; propagate_tangents, as in variational.py, in one for derivatives;
+    the sizes of the arrays that they want as scratch; all else is that of the generated module.
 
     codes : of the loop, and of lanes, which call it. bounds : they check indices.
     """
@@ -58,8 +58,6 @@ class Program:
     SCRATCH: int
     Z_SIZE: int
     W_SIZE: int
-    FLOATS_SIZE: int
-    DUALS_SIZE: int
 
     integrate: Function
     integrate_many: Function
@@ -67,7 +65,7 @@ class Program:
     falls: Function
     at_rest: Function
     evaluate: Function
-    carry: Function
+    propagate_tangents: Function
 
     def __init__(
         self, name: str, module: GeneratedModule, *codes: bytes, bounds: bool = False
@@ -110,8 +108,8 @@ def program(generated: GeneratedModule, method: str, lanes: bool = False) -> Pro
         return _of_parts(generated, method, parts, checks_bounds())
 
 
-def carrying(generated: GeneratedModule, method: str) -> Program:
-    """The program that carries derivatives along the motions of a generated module."""
+def tangent_program(generated: GeneratedModule, method: str) -> Program:
+    """The program that propagates derivatives along the motions of a generated module."""
     with _LOCK:
         return _of_parts(generated, method, (TANGENTS,), checks_bounds())
 
@@ -327,8 +325,8 @@ def _transitions(generated: GeneratedModule, read: Callable[[str], Text]) -> lis
     bounces = getattr(generated, "N_POINTS", 0) > 0  # and does not move through elements alone
     which = [read(f"{_HERE}.transitions.{n}") for n in (_SEARCHED if bounces else _DECLARED)]
     if not has_points(generated):
-        return [Text("what follows from a structure", "N_POINTS = N_KNOWN = 0\n"), *which]
-    facts = f"from {_HERE}.transitions.points import N_KNOWN\nANGLES = {angles(generated)!r}\n"
+        return [Text("what follows from a structure", "N_POINTS = CONTACT_SIZE = 0\n"), *which]
+    facts = f"from {_HERE}.transitions.points import CONTACT_SIZE\nANGLES = {angles(generated)!r}\n"
     law = "newton" if impact_law(generated) == NEWTON else "impacts"
     which.append(read(f"{_HERE}.transitions.{law}"))
     return [Text("what follows from a structure", facts), *which]

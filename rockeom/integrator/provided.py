@@ -20,7 +20,7 @@ N_STATES: int
 N_GUARDS: int
 N_PARTS: int
 N_POINTS: int
-N_KNOWN: int
+CONTACT_SIZE: int
 N_ELEMENTS: int
 ROTATION: int
 ROTATION_RATE: int
@@ -87,7 +87,7 @@ ANGLES: tuple[float, ...]
 
 
 def landed(
-    mode: Int, near: Floats, y: Floats, p: Floats, ground: Floats, known: Floats, out: Floats
+    mode: Int, near: Floats, y: Floats, p: Floats, ground: Floats, contact: Floats, out: Floats
 ) -> int: ...
 
 
@@ -99,7 +99,7 @@ EXTRAPOLATES: bool
 
 def initial_mode_is_one(mode: Int, y: Floats, p: Floats, ax: Float, ay: Float) -> bool: ...
 def longest_turn(y: Floats) -> float: ...
-def is_known(closed: Int, i: Int) -> bool: ...
+def just_closed(closed: Int, i: Int) -> bool: ...
 def grain_of(
     mode: Int, index: Int, ax: Float, ay: Float, h: Float, b: Floats, stride: Int, case: Case,
     a: Arrays,

@@ -90,7 +90,7 @@ class Arrays(NamedTuple):
     k : rates at the stages of a step, from the start on; those at its end begin at END. y_new : the
     state at the end of a step. coefficients : its dense output. b : the polynomials of guards, and
     g values of them. noises : their rounding errors, see `noise_of`. after : the state after an
-    event. known : of points, see `all_known`. w, stack : scratch.
+    event. contact : of points, see `contact_data`. w, stack : scratch.
     """
 
     y: Floats
@@ -103,7 +103,7 @@ class Arrays(NamedTuple):
     b: Floats
     stack: Floats
     noises: Floats
-    known: Floats
+    contact: Floats
 
 
 class Recorder(NamedTuple):
@@ -191,6 +191,20 @@ class Step(NamedTuple):
     refined: int
     taken: int
     outcome: int
+
+
+class Fall(NamedTuple):
+    """The first fall of a guard through zero in a step.
+
+    place : in the step, NEVER if no guard falls. slope : of its polynomial in time. from_closed :
+    it was closed at the start. unclear : nothing but rounding errors says that it falls.
+    """
+
+    place: float
+    guard: int
+    slope: float
+    from_closed: bool
+    unclear: bool
 
 
 class State(NamedTuple):

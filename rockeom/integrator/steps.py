@@ -5,9 +5,9 @@ import math
 import numpy as np
 
 from rockeom.compiler.decorators import inlined
+from rockeom.integrator.extremes import own_time
 from rockeom.integrator.ground import ground_acceleration
 from rockeom.integrator.guards import rocking
-from rockeom.integrator.overturning import own_time
 from rockeom.integrator.provided import (
     COARSE,
     ERROR_EXPONENT,

@@ -1,16 +1,16 @@
-"""Derivatives carried along a motion: one text for every structure and method.
+"""Tangents: derivatives propagated along a motion, by one text for every structure and method.
 
-Joined behind the loop, see `rockeom.integrator.program`, and printed for numbers with derivatives:
-the steps that a motion was made of are repeated with all derivatives in them. The motion is
-known by then, so that it is the same to the last bit, with derivatives or without.
+The text is printed for numbers with derivatives, see `rockeom.integrator.program`: the steps that a
+motion was made of are repeated with all derivatives in them. The motion is known by then, so that
+it is the same to the last bit, with derivatives or without.
 
-Derivatives are those at a fixed time, but beside an event: it moves with the numbers that the
+Derivatives are those at a fixed time, except at an event: its time varies with the numbers that the
 motion depends on, by
 
     tau = -dg / (dg/dt along the motion)
 
-of the guard g that falls there; the states on both sides are followed as they move with it, through
-the same transition as in the loop, and back to the fixed time by the rates on either side.
+of the guard g that falls there. The states on both sides of it follow the event, through the same
+transition as in the loop, and return to the fixed time by the rates on either side.
 """
 
 from __future__ import annotations
@@ -20,18 +20,13 @@ from typing import NamedTuple
 import numpy as np
 
 from rockeom.codes import GRAZES, IMPACT, LANDING, OTHER_WAY, REST, STEPPED_OVER
-from rockeom.compiler.decorators import Duals, Duals2, Duals3, Floats, Ints, entry, inlined
+from rockeom.compiler.decorators import Duals, Duals2, Duals3, Floats, Floats2, Ints, entry, inlined
 from rockeom.integrator.full_contact import cannot_move
-from rockeom.integrator.ground import (
-    ground_acceleration,
-    ground_accelerations,
-    segment_at,
-    segment_of,
-)
+from rockeom.integrator.ground import ground_accelerations, segment_at, segment_of
 from rockeom.integrator.provided import (
+    CONTACT_SIZE,
     N_ALL_STAGES,
     N_GUARDS,
-    N_KNOWN,
     N_PARTS,
     N_POINTS,
     N_STATES,
@@ -55,24 +50,13 @@ DIGITS = 10_000.0
 """How many times the tolerance a guard must have sunk below zero, had nothing happened there:
 below, less than two digits of its derivatives are known."""
 
-# Places in the scratch array of duals, and in that of floats
-_STAGES = 0
-_NEW = _STAGES + N_ALL_STAGES * (N_STATES + 2)
-_MOVED = _NEW + N_STATES
-_BEHIND = _MOVED + N_STATES
-_STATE = _BEHIND + N_STATES
-_GUARD = _STATE + N_STATES
-_KNOWN_POINTS = _GUARD + N_GUARDS + N_PARTS
-DUALS_SIZE = _KNOWN_POINTS + N_KNOWN
-FLOATS_SIZE = 4 * N_STATES
-
 
 class Varied(NamedTuple):
     """The numbers of a motion with their derivatives.
 
     horizontal, vertical : tables of the ground motion, empty where nothing in them varies; corners
     : whether the ends of their segments do. p, ratio (1,) : as of `Case`. longest : of the steps in
-    which derivatives are carried, see `go_on`.
+    which derivatives are propagated, see `advance`.
     """
 
     horizontal: Duals2
@@ -99,7 +83,38 @@ class Tangents(NamedTuple):
     reached: Ints
 
 
-class Shaken(NamedTuple):
+class Scratch(NamedTuple):
+    """Arrays to work in; states and rates are (N,).
+
+    rate : before an event, or at the start of a step. y_later, rate_later : a little later. stages
+    : rates at the stages of a step. y_new : the state at its end. y_before, y_after : on both sides
+    of an event, which moves. y_moving : along a direction. guards : all of a mode. points : see
+    `contact_data`.
+    """
+
+    rate: Floats
+    y_later: Floats
+    rate_later: Floats
+    stages: Duals
+    y_new: Duals
+    y_before: Duals
+    y_after: Duals
+    y_moving: Duals
+    guards: Duals
+    points: Duals
+
+
+class Setup(NamedTuple):
+    """Data that stay the same while derivatives are propagated, and the arrays that they fill."""
+
+    recorder: Recorder
+    case: Case
+    varied: Varied
+    out: Tangents
+    scratch: Scratch
+
+
+class Segments(NamedTuple):
     """The segments of the ground that hold, without and with derivatives, and how they begin.
 
     tau_x, tau_y : derivatives of the times at which they begin; their values are zero.
@@ -111,145 +126,128 @@ class Shaken(NamedTuple):
     tau_y: float
 
 
-@entry
-def carry(
-    recorder: Recorder, case: Case, varied: Varied, out: Tangents, floats: Floats, duals: Duals
-) -> int:
-    """Carry the state at the start with its derivatives to the end of a recorded motion.
+class Progress(NamedTuple):
+    """How far derivatives are propagated.
 
-    recorder : steps, with their dense output, and events of the motion. floats, duals : scratch.
+    event, step, query : numbers of the next event, step and time that is asked for. impacts : so
+    far. length : of the last step, zero after an event.
+    """
+
+    event: int
+    step: int
+    query: int
+    impacts: int
+    length: float
+
+
+class RecordedEvent(NamedTuple):
+    """An event of a motion; guard : that fell, or STEPPED_OVER."""
+
+    time: float
+    kind: int
+    mode_before: int
+    mode_after: int
+    guard: int
+
+
+@entry
+def propagate_tangents(
+    recorder: Recorder, case: Case, varied: Varied, out: Tangents, floats: Floats2
+) -> int:
+    """Propagate the state at the start with its derivatives to the end of a recorded motion.
+
+    recorder : steps, with their dense output, and events of the motion. floats (3, N) : scratch.
     Returns 0, GRAZES, or OTHER_WAY where a transition is not found again.
     """
-    y, start = out.y, floats[:N_STATES]
-    shaken = shaken_at_the_start(case, varied)
-    e = q = impacts = i = 0
-    length = 0.0
-    while i <= len(recorder.steps):
-        last = i == len(recorder.steps)
-        t = recorder.steps[i, 0] if not last else np.inf
-        # -- what has happened at its start; a segment of the ground may begin there, too
-        due = recorder.events.shape[0] > e and recorder.events[e] <= t
-        lands = due and recorder.event_kinds[e, 0] in (IMPACT, LANDING)
-        if not (lands or (last and not due)):
-            mode = recorder.event_kinds[e, 1] if due else recorder.step_modes[i]
-            t_event = recorder.events[e] if due else t
-            shaken = next_shaken(mode, t_event, shaken, case, varied, y, floats)
-        if due:
-            out.reached[0] = e
-            code, e, impacts, rested = pass_through(
-                e, impacts, length, recorder, shaken, case, varied, out, floats, duals
-            )
+    scratch = Scratch(
+        rate=floats[0], y_later=floats[1], rate_later=floats[2],
+        stages=np.empty(N_ALL_STAGES * (N_STATES + 2)), y_new=np.empty(N_STATES),
+        y_before=np.empty(N_STATES), y_after=np.empty(N_STATES), y_moving=np.empty(N_STATES),
+        guards=np.empty(N_GUARDS + N_PARTS), points=np.empty(CONTACT_SIZE),
+    )  # fmt: skip
+    setup = Setup(recorder, case, varied, out, scratch)
+    segments = first_segments(case, varied)
+    progress = Progress(event=0, step=0, query=0, impacts=0, length=0.0)
+    while progress.step < len(recorder.steps) or progress.event < len(recorder.events):
+        if event_is_next(progress, recorder):
+            event = event_at(progress.event, recorder)
+            # an impact moves by its guard, also where a segment begins at the same instant
+            if not is_impact(event):
+                segments = segments_at(event.time, event.mode_before, segments, setup)
+            out.reached[0] = progress.event
+            code, progress = cross_events(progress, segments, setup)
             if code != 0:
                 return code
-            if rested and not last and recorder.events[e - 1] > t:
-                i += 1  # what was recorded of the time of the rest
-            length = 0.0
-            continue
-        if last:
-            break
-        # -- the step itself, and parts of it up to the times that are asked for
-        mode, length = recorder.step_modes[i], recorder.steps[i, 1]
-        for j in range(N_STATES):
-            start[j] = recorder.step_states[i, 0, j]
-        put(y, start)
-        still = stands_still(mode, t, shaken.ground, case.p, floats)
-        q = states_within(mode, t, length, still, q, shaken.varied, case, varied, out, duals)
-        if not still:
-            go_on(mode, t, length, y, shaken.varied, case, varied, duals)
-            for j in range(N_STATES):
-                y[j] = duals[_NEW + j]
-        i += 1
-    while q < len(out.times):
-        for j in range(N_STATES):
-            out.states[q, j] = y[j]
-        q += 1
-    out.reached[0] = e
+        else:
+            t, mode = recorder.steps[progress.step, 0], recorder.step_modes[progress.step]
+            segments = segments_at(t, mode, segments, setup)
+            progress = cross_step(progress, segments, setup)
+    for i in range(progress.query, len(out.times)):
+        out.states[i][:N_STATES] = out.y
+    out.reached[0] = progress.event
     return 0
 
 
 @inlined
-def shaken_at_the_start(case, varied):
-    n_x, x, varied_x = row_behind(case.horizontal, varied.horizontal, 0, 0.0)
-    n_y, y, varied_y = row_behind(case.vertical, varied.vertical, 0, 0.0)
-    begins = moving(0.0, 0.0)
-    return Shaken(
-        Ground(n_x, x, n_y, y), Ground(n_x, varied_x, n_y, varied_y), tau_x=begins, tau_y=begins
-    )
+def event_at(i, recorder):
+    kinds = recorder.event_kinds[i]
+    return RecordedEvent(recorder.events[i], kinds[0], kinds[1], kinds[2], kinds[3])
+
+
+def is_impact(event):
+    return event.kind in (IMPACT, LANDING)
+
+
+def event_is_next(progress, recorder):
+    """Whether an event comes before the next step, or at its start."""
+    i, step = progress.event, progress.step
+    steps_left, events_left = step < len(recorder.steps), i < len(recorder.events)
+    return events_left and (not steps_left or recorder.events[i] <= recorder.steps[step, 0])
 
 
 @inlined
-def next_shaken(mode, t, shaken, case, varied, y, floats):
-    """The segments that hold at t and after it; y where their beginnings vary."""
-    n_x, x, varied_x, tau_x = shaken.ground.n_x, shaken.ground.x, shaken.varied.x, shaken.tau_x
-    n_y, row_y, varied_y, tau_y = shaken.ground.n_y, shaken.ground.y, shaken.varied.y, shaken.tau_y
-    if t >= x[1]:
-        tau_x = varied_x[1] - value(varied_x[1])
-        n_x, row, varied_x = row_behind(case.horizontal, varied.horizontal, n_x, t)
-        if varied.corners:
-            turn_corner(mode, t, x, row_y, row, row_y, tau_x, case.p, y, floats)
-        x = row
-    if t >= row_y[1]:
-        tau_y = varied_y[1] - value(varied_y[1])
-        n_y, row, varied_y = row_behind(case.vertical, varied.vertical, n_y, t)
-        if varied.corners:
-            turn_corner(mode, t, x, row_y, x, row, tau_y, case.p, y, floats)
-        row_y = row
-    return Shaken(
-        Ground(n_x, x, n_y, row_y), Ground(n_x, varied_x, n_y, varied_y), tau_x=tau_x, tau_y=tau_y
+def rates_at(mode, t, y, ground, p, out):
+    ax, ay = ground_accelerations(ground, t)
+    rates(mode, y, p, ax, ay, out)
+
+
+@inlined
+def set_values(y, values):
+    """Give numbers other values, and leave their derivatives."""
+    for j in range(N_STATES):
+        y[j] = values[j] + (y[j] - value(y[j]))
+
+
+# -- the ground ------------------------------------------------------------------------------------
+
+
+def first_segments(case, varied):
+    n_x, x, varied_x = varied_segment(case.horizontal, varied.horizontal, 0, 0.0)
+    n_y, y, varied_y = varied_segment(case.vertical, varied.vertical, 0, 0.0)
+    tau = moving(0.0, 0.0)
+    return Segments(
+        Ground(n_x, x, n_y, y), Ground(n_x, varied_x, n_y, varied_y), tau_x=tau, tau_y=tau
     )
 
 
-def states_within(mode, t, h, still, q, ground, case, varied, out, duals):
-    """Write the states at the times within a step; returns the number of the next time."""
-    y_new = duals[_NEW:_MOVED]
-    while q < len(out.times) and out.times[q] < t + h:
-        part = out.times[q] - t
-        if part > 0.0 and not still:
-            go_on(mode, t, part, out.y, ground, case, varied, duals)
-        else:
-            for j in range(N_STATES):
-                y_new[j] = out.y[j]
-        for j in range(N_STATES):
-            out.states[q, j] = y_new[j]
-        q += 1
-    return q
+def segments_at(t, mode, segments, setup):
+    """The segments that hold at t and after it; the state crosses corners at their beginnings."""
+    case, varied = setup.case, setup.varied
+    ground, along, tau_x, tau_y = segments.ground, segments.varied, segments.tau_x, segments.tau_y
+    if t >= ground.x[1]:
+        tau_x = along.x[1] - value(along.x[1])
+        n, row, varied_row = varied_segment(case.horizontal, varied.horizontal, ground.n_x, t)
+        cross_corner(t, mode, ground, ground._replace(n_x=n, x=row), tau_x, setup)
+        ground, along = ground._replace(n_x=n, x=row), along._replace(n_x=n, x=varied_row)
+    if t >= ground.y[1]:
+        tau_y = along.y[1] - value(along.y[1])
+        n, row, varied_row = varied_segment(case.vertical, varied.vertical, ground.n_y, t)
+        cross_corner(t, mode, ground, ground._replace(n_y=n, y=row), tau_y, setup)
+        ground, along = ground._replace(n_y=n, y=row), along._replace(n_y=n, y=varied_row)
+    return Segments(ground, along, tau_x, tau_y)
 
 
-def go_on(mode, t, h, y, ground, case, varied, duals):
-    """A step of the motion with its derivatives, from y into duals[_NEW:], in parts.
-
-    A state that does not vibrate has no error in a step, however long it is; its derivatives would
-    grow there by as much as the step is longer than stability allows. So parts are at most
-    `varied.longest`.
-    """
-    k, here, y_new = duals[_STAGES:_NEW], duals[_MOVED:_BEHIND], duals[_NEW:_MOVED]
-    parts = 1 + int(h / varied.longest)
-    part = h / parts
-    for j in range(N_STATES):
-        y_new[j] = y[j]
-    for i in range(parts):
-        for j in range(N_STATES):
-            here[j] = y_new[j]
-        now = t + i * part
-        ax, ay = ground_accelerations(ground, now)
-        rates(mode, here, varied.p, ax, ay, k)
-        take_step(
-            mode, now, part, here, varied.p, ground.x, ground.y, case.rtol, case.atol, k, y_new
-        )
-
-
-def stands_still(mode, t, ground, p, floats):
-    """Whether nothing can move in a step from the state floats[:N], nor its derivatives."""
-    start, rate_there = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
-    for j in range(N_STATES // 2, N_STATES):
-        if start[j] != 0.0:
-            return False
-    ax, ay = ground_accelerations(ground, t)
-    rates(mode, start, p, ax, ay, rate_there)
-    return cannot_move(mode, rate_there, start, p)
-
-
-def row_behind(table, varied_table, n, t):
+def varied_segment(table, varied_table, n, t):
     """(n, row, row with its derivatives) of the segment that holds at t and after it.
 
     A table with derivatives that is empty changes nothing.
@@ -260,200 +258,257 @@ def row_behind(table, varied_table, n, t):
     return n, row, row
 
 
-def pass_through(e, impacts, length, recorder, shaken, case, varied, out, floats, duals):
-    """(code, event, impacts, rested): pass through event e and those that follow at its instant.
-
-    Returns the event that is next, and whether infinitely many impacts were the last.
-    """
-    y, ground = out.y, shaken.ground
-    before, rate_there = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
-    moved, behind = duals[_MOVED:_BEHIND], duals[_BEHIND:_STATE]
-    t, mode = recorder.events[e], recorder.event_kinds[e, 1]
-    if recorder.event_kinds[e, 3] == STEPPED_OVER:
-        return GRAZES, e, impacts, False
+def cross_corner(t, mode, before, after, tau, setup):
+    """The state where one segment of the ground ends and another begins, at a time that varies."""
+    y, p, scratch = setup.out.y, setup.case.p, setup.scratch
+    if not setup.varied.corners:
+        return
     for j in range(N_STATES):
-        before[j] = recorder.event_states[e, 0, j]
-    put(y, before)
-    ax, ay = ground_accelerations(ground, t)
-    rates(mode, before, case.p, ax, ay, rate_there)
-    code, tau = moves_by(e, length, recorder, shaken, case, varied, y, floats, duals)
+        scratch.y_later[j] = value(y[j])
+    rates_at(mode, t, scratch.y_later, before, p, scratch.rate)
+    rates_at(mode, t, scratch.y_later, after, p, scratch.rate_later)
+    for j in range(N_STATES):
+        y[j] += (scratch.rate[j] - scratch.rate_later[j]) * tau
+
+
+# -- steps -----------------------------------------------------------------------------------------
+
+
+def cross_step(progress, segments, setup):
+    """Behind a recorded step; the states at the times within it are written."""
+    recorder, out, y_new = setup.recorder, setup.out, setup.scratch.y_new
+    i, query, along = progress.step, progress.query, segments.varied
+    mode, t, length = recorder.step_modes[i], recorder.steps[i, 0], recorder.steps[i, 1]
+    start = recorder.step_states[i, 0]
+    set_values(out.y, start)
+    still = stands_still(mode, t, start, segments.ground, setup)
+    while query < len(out.times) and out.times[query] < t + length:
+        advance(mode, t, out.times[query] - t, still, along, setup)
+        out.states[query][:N_STATES] = y_new
+        query += 1
+    advance(mode, t, length, still, along, setup)
+    out.y[:N_STATES] = y_new
+    return progress._replace(step=i + 1, query=query, length=length)
+
+
+def stands_still(mode, t, y, ground, setup):
+    """Whether nothing can move in a step from a state y, nor its derivatives."""
+    for j in range(N_STATES // 2, N_STATES):
+        if y[j] != 0.0:
+            return False
+    rates_at(mode, t, y, ground, setup.case.p, setup.scratch.rate)
+    return cannot_move(mode, setup.scratch.rate, y, setup.case.p)
+
+
+def advance(mode, t, h, still, ground, setup):
+    """The state a time h after t with its derivatives, into `scratch.y_new`, in parts of a step.
+
+    A state that does not vibrate has no error in a step, however long it is; its derivatives would
+    grow there by as much as the step is longer than stability allows. So parts are at most
+    `varied.longest`.
+    """
+    case, varied, stages = setup.case, setup.varied, setup.scratch.stages
+    y, y_new = setup.scratch.y_before, setup.scratch.y_new
+    y_new[:N_STATES] = setup.out.y
+    if still or not h > 0.0:
+        return
+    parts = 1 + int(h / varied.longest)
+    part = h / parts
+    for i in range(parts):
+        y[:N_STATES] = y_new
+        now = t + i * part
+        rates_at(mode, now, y, ground, varied.p, stages)
+        take_step(
+            mode, now, part, y, varied.p, ground.x, ground.y, case.rtol, case.atol, stages, y_new
+        )
+
+
+# -- events ----------------------------------------------------------------------------------------
+
+
+def cross_events(progress, segments, setup):
+    """(code, progress) behind the next event and those that follow at its instant.
+
+    An event moves by tau with the numbers that vary. With the rates f before and after it, the
+    state at the fixed time becomes
+
+        y_after = transition(y_before + f_before tau) - f_after tau
+
+    which is called saltation.
+    """
+    recorder, y, scratch = setup.recorder, setup.out.y, setup.scratch
+    i, impacts, step = progress.event, progress.impacts, progress.step
+    event, y_recorded = event_at(i, recorder), recorder.event_states[i, 0]
+    t, ground, p = event.time, segments.ground, setup.case.p
+    set_values(y, y_recorded)
+    rates_at(event.mode_before, t, y_recorded, ground, p, scratch.rate)
+    code, tau = event_time_sensitivity(progress, segments, setup)
     if code != 0:
-        return code, e, impacts, False
+        return code, progress
     for j in range(N_STATES):
-        moved[j] = y[j] + rate_there[j] * tau
-    rested = False
+        scratch.y_before[j] = y[j] + scratch.rate[j] * tau
     while True:
-        kind = recorder.event_kinds[e, 0]
-        rested = kind == REST
-        if recorder.event_kinds[e, 3] == STEPPED_OVER:
-            return GRAZES, e, impacts, False
-        if rested:  # after the last impact, at t
-            rests, follows = comes_to_rest(
-                e, t + tau, impacts, recorder, shaken.varied, case, varied, duals
-            )
-            tau += rests - value(rests)
-            t = recorder.events[e]
+        event = event_at(i, recorder)
+        if event.guard == STEPPED_OVER:
+            return GRAZES, progress
+        if event.kind == REST:  # as long after the last impact, at t, as those to come take
+            duration, mode = rest_after_impacts(event, t + tau, impacts, segments.varied, setup)
+            tau += duration - value(duration)
+            t = event.time
         else:
-            follows = passed(
-                e, t + tau, length, impacts, recorder, shaken.varied, case, varied, duals
+            mode = mode_after_event(
+                event, t + tau, progress.length, impacts, segments.varied, setup
             )
-        if follows != recorder.event_kinds[e, 2]:
-            return OTHER_WAY, e, impacts, rested
-        out.event_times[e] = t + tau
-        for j in range(N_STATES):
-            out.event_states[e, 0, j] = moved[j]
-            before[j] = recorder.event_states[e, 1, j]
-        put(behind, before)
-        for j in range(N_STATES):
-            out.event_states[e, 1, j] = moved[j] = behind[j]
-        if kind in (IMPACT, LANDING):
-            impacts += 1
-        e += 1
-        more = e < recorder.events.shape[0]
-        if not (more and (recorder.events[e] == t or recorder.event_kinds[e, 0] == REST)):
+        if mode != event.mode_after:
+            return OTHER_WAY, progress
+        write_event(i, t + tau, setup)
+        impacts += int(is_impact(event))
+        i += 1
+        if not follows_at_once(i, t, recorder):
             break
-    ax, ay = ground_accelerations(ground, t)
-    rates(follows, before, case.p, ax, ay, rate_there)
+    rates_at(mode, t, recorder.event_states[i - 1, 1], ground, p, scratch.rate)
     for j in range(N_STATES):
-        y[j] = moved[j] - rate_there[j] * tau
-    return 0, e, impacts, rested
+        y[j] = scratch.y_before[j] - scratch.rate[j] * tau
+    if event.kind == REST and step < len(recorder.steps) and t > recorder.steps[step, 0]:
+        step += 1  # it was recorded for the time of the rest
+    return 0, progress._replace(event=i, impacts=impacts, step=step, length=0.0)
 
 
-def moves_by(e, length, recorder, shaken, case, varied, y, floats, duals):
-    """(code, tau): the derivatives of the time of an event.
+def follows_at_once(i, t, recorder):
+    """Whether event i belongs to those at t; a rest belongs to its last impact."""
+    more = i < len(recorder.events)
+    return more and (recorder.events[i] == t or recorder.event_kinds[i, 0] == REST)
 
-    It is a segment of the ground that begins, the start of the motion, or a guard that falls.
+
+def write_event(i, t, setup):
+    """Write both sides of an event; that after it is that before the next one at its instant."""
+    out, before, after = setup.out, setup.scratch.y_before, setup.scratch.y_after
+    set_values(after, setup.recorder.event_states[i, 1])
+    out.event_times[i] = t
+    out.event_states[i, 0][:N_STATES] = before
+    out.event_states[i, 1][:N_STATES] = after
+    before[:N_STATES] = after
+
+
+def event_time_sensitivity(progress, segments, setup):
+    """(code, tau): the derivatives of the time of the next event.
+
+    It is a segment of the ground that begins, the start of the motion, or a guard that falls. The
+    rates before it are in `scratch.rate`.
     """
-    t, mode, guard = recorder.events[e], recorder.event_kinds[e, 1], recorder.event_kinds[e, 3]
-    ground, p = shaken.ground, case.p
-    begins = recorder.event_kinds[e, 0] not in (IMPACT, LANDING)
-    if begins and t == ground.x[0]:
-        return 0, shaken.tau_x
-    if begins and t == ground.y[0]:
-        return 0, shaken.tau_y
-    still = moving(0.0, 0.0)
+    event, y = event_at(progress.event, setup.recorder), setup.out.y
+    t, ground, along, g = event.time, segments.ground, segments.varied, setup.scratch.guards
+    fixed = moving(0.0, 0.0)
+    if event.guard == STEPPED_OVER:
+        return GRAZES, fixed
+    if not is_impact(event) and t == ground.x[0]:
+        return 0, segments.tau_x
+    if not is_impact(event) and t == ground.y[0]:
+        return 0, segments.tau_y
     if t == 0.0:
-        return 0, still
-    g, state = duals[_GUARD:_KNOWN_POINTS], duals[_STATE:_GUARD]
-    before, rate_there = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
-    later, rate_soon = floats[2 * N_STATES : 3 * N_STATES], floats[3 * N_STATES :]
-    # how fast the guard falls, and how fast that changes
-    falls = rate_along_motion(mode, guard, t, before, rate_there, ground, p, state, g)
+        return 0, fixed
+    y_recorded = setup.recorder.event_states[progress.event, 0]
+    slope = guard_rate(event, t, y_recorded, setup.scratch.rate, ground, setup)
+    if not falls_clearly(slope, event, y_recorded, progress.length, ground, setup):
+        # its time is not known; where nothing changes there, none is asked for
+        return (0 if nothing_changes(progress.event, ground, setup) else GRAZES), fixed
+    ax, ay = ground_accelerations(along, t)
+    guards(event.mode_before, y, setup.varied.p, ax, ay, g)
+    return 0, (value(g[event.guard]) - g[event.guard]) / slope
+
+
+def falls_clearly(slope, event, y, length, ground, setup):
+    """Whether a guard falls so fast through zero that its time is known, see `DIGITS`.
+
+    With the slope s at zero, and a bend b that slows its fall, it would sink by s**2 / (2 b) below
+    zero: by many times as much as the tolerance of the state changes it.
+    """
+    case, t, scratch = setup.case, event.time, setup.scratch
+    later, rate_later = scratch.y_later, scratch.rate_later
     ahead = BEND_OF_GUARD * length
     for j in range(N_STATES):
-        later[j] = before[j] + ahead * rate_there[j]
-    soon = t + ahead
-    ax, ay = ground_accelerations(ground, soon)
-    rates(mode, later, p, ax, ay, rate_soon)
-    after = rate_along_motion(mode, guard, soon, later, rate_soon, ground, p, state, g)
+        later[j] = y[j] + ahead * scratch.rate[j]
+    rates_at(event.mode_before, t + ahead, later, ground, case.p, rate_later)
+    slope_later = guard_rate(event, t + ahead, later, rate_later, ground, setup)
     for j in range(N_STATES):
-        later[j] = case.atol[j] + case.rtol * abs(before[j])
+        later[j] = case.atol[j] + case.rtol * abs(y[j])
     ax, ay = ground_accelerations(ground, t)
-    grain = abs(guard_along(mode, guard, before, later, ax, ay, p, state, g))
+    error = abs(guard_derivative(event, y, later, ax, ay, setup))
     # where it falls faster and faster it comes from where it was open: a short hop is no graze
-    bends = max(after - falls, 0.0) / ahead if ahead > 0.0 else 0.0
-    if not falls < 0.0 or falls * falls <= DIGITS * grain * bends:
-        # its time is not known; where nothing changes there, none is asked for
-        return (0 if goes_on(e, t, ground, p, recorder, floats) else GRAZES), still
-    now = shaken.varied
-    guards(mode, y, varied.p, ground_acceleration(now.x, t), ground_acceleration(now.y, t), g)
-    return 0, (value(g[guard]) - g[guard]) / falls
+    bend = max(slope_later - slope, 0.0) / ahead if ahead > 0.0 else 0.0
+    return slope < 0.0 and not slope * slope <= DIGITS * error * bend
 
 
-def rate_along_motion(mode, guard, t, y, dy, ground, p, state, g):
-    """How fast a guard changes along the motion."""
-    now = moving(t, 1.0)
-    ax, ay = ground_accelerations(ground, now)
-    return guard_along(mode, guard, y, dy, ax, ay, p, state, g)
+def guard_rate(event, t, y, dy, ground, setup):
+    """How fast the guard of an event changes along the motion."""
+    ax, ay = ground_accelerations(ground, moving(t, 1.0))
+    return guard_derivative(event, y, dy, ax, ay, setup)
 
 
-def guard_along(mode, guard, y, dy, ax, ay, p, state, g):
-    """How fast a guard changes where the state does so by dy."""
+def guard_derivative(event, y, dy, ax, ay, setup):
+    """How fast the guard of an event changes where the state does so by dy."""
+    state, g = setup.scratch.y_moving, setup.scratch.guards
     for j in range(N_STATES):
         state[j] = moving(y[j], dy[j])
-    guards(mode, state, p, ax, ay, g)
-    return rate(g[guard])
+    guards(event.mode_before, state, setup.case.p, ax, ay, g)
+    return rate(g[event.guard])
 
 
-def goes_on(e, t, ground, p, recorder, floats):
-    """Whether neither the state nor its rates change at an event."""
-    y, rate_there = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
-    rate_behind = floats[2 * N_STATES : 3 * N_STATES]
-    for j in range(N_STATES):
-        y[j] = recorder.event_states[e, 1, j]
-    ax, ay = ground_accelerations(ground, t)
-    rates(recorder.event_kinds[e, 2], y, p, ax, ay, rate_behind)
+def nothing_changes(i, ground, setup):
+    """Whether neither the state nor its rates change at event i."""
+    event, before = event_at(i, setup.recorder), setup.recorder.event_states[i, 0]
+    after, scratch = setup.recorder.event_states[i, 1], setup.scratch
+    rates_at(event.mode_after, event.time, after, ground, setup.case.p, scratch.rate_later)
     same = True
     for j in range(N_STATES):
-        y[j] = recorder.event_states[e, 0, j]
-        same = same and recorder.event_states[e, 1, j] == y[j]
-        size = abs(rate_there[j]) + abs(rate_behind[j])
-        same = same and abs(rate_behind[j] - rate_there[j]) <= SAME_RATES * size
+        rate_before, rate_after = scratch.rate[j], scratch.rate_later[j]
+        size = abs(rate_before) + abs(rate_after)
+        same = same and after[j] == before[j] and abs(rate_after - rate_before) <= SAME_RATES * size
     return same
 
 
 @inlined
-def passed(e, now, length, impacts, recorder, ground, case, varied, duals):
-    """The mode after an event, as in the loop; the state there into duals[_BEHIND:].
+def mode_after_event(event, now, length, impacts, ground, setup):
+    """The mode after an event, as in the loop; the state from `scratch.y_before` to `y_after`.
 
-    now : the time of the event, with its derivatives. The state before is in duals[_MOVED:].
+    now : the time of the event, with its derivatives.
     """
-    mode, guard = recorder.event_kinds[e, 1], recorder.event_kinds[e, 3]
-    y, out, p = duals[_MOVED:_BEHIND], duals[_BEHIND:_STATE], varied.p
+    mode, guard, case, p = event.mode_before, event.guard, setup.case, setup.varied.p
+    y, out = setup.scratch.y_before, setup.scratch.y_after
     if N_POINTS == 0:
-        ratio = velocity_ratio_at(case.law, varied.ratio[0], impacts, y[ROTATION_RATE], p)
-        follows = jump(mode, guard, case.law, ratio, y, p, out)
+        ratio = setup.varied.ratio[0]
+        ratio = velocity_ratio_at(case.law, ratio, impacts, y[ROTATION_RATE], p)
+        return jump(mode, guard, case.law, ratio, y, p, out)
     else:
-        ahead, known = SOON_IN_STEP * length, duals[_KNOWN_POINTS:]
+        ahead = SOON_IN_STEP * length
         ax, ay = ground_accelerations(ground, now)
         later_ax, later_ay = ground_accelerations(ground, value(now) + ahead)
         accelerations = np.empty(5)
         ground_now_and_later(ax, ay, later_ax, later_ay, ahead, accelerations)
-        follows, _ = pass_on(mode, guard, length, y, p, accelerations, case.rtol, known, out)
-    return follows
+        points = setup.scratch.points
+        follows, _ = pass_on(mode, guard, length, y, p, accelerations, case.rtol, points, out)
+        return follows
 
 
 @inlined
-def comes_to_rest(e, now, impacts, recorder, ground, case, varied, duals):
-    """(time, mode) of infinitely many impacts, as in the loop; the state there in duals[_BEHIND:].
+def rest_after_impacts(event, now, impacts, ground, setup):
+    """(time, mode) of infinitely many impacts, as in the loop; the state goes to `scratch.y_after`.
 
-    duals[_MOVED:] : the state at the last recorded impact, on return that before they have ended.
+    scratch.y_before : the state at the last recorded impact, on return that before they have ended.
     now : the time of that impact, with its derivatives.
     """
-    mode, tolerance, p = recorder.event_kinds[e, 1], case.rest_tolerance, varied.p
-    y, out, stands = duals[_MOVED:_BEHIND], duals[_BEHIND:_STATE], duals[_NEW:_MOVED]
+    case, varied, scratch = setup.case, setup.varied, setup.scratch
+    mode, tolerance, p = event.mode_before, case.rest_tolerance, varied.p
+    y, out, stands = scratch.y_before, scratch.y_after, scratch.y_new
     ax, ay = ground_accelerations(ground, now)
     if N_POINTS > 0:
-        known = duals[_KNOWN_POINTS:]
-        rests, follows = time_of_bounces(
-            State(mode, y, p, ax, ay), tolerance, case.rtol, known, out
-        )
+        state = State(mode, y, p, ax, ay)
+        return time_of_bounces(state, tolerance, case.rtol, scratch.points, out)
     else:
         rests, follows = time_to_rest(
             mode, y, p, case.law, varied.ratio[0], impacts, ax, ay, tolerance, stands
         )
-        stand(
-            follows, now, rests, stands, p, ground, case.rtol, case.atol, duals[_STAGES:_NEW], out
-        )
+        stand(follows, now, rests, stands, p, ground, case.rtol, case.atol, scratch.stages, out)
         for j in range(N_STATES):
             y[j] += out[j] - stands[j]  # there, had the impacts not faded yet
-    return rests, follows
-
-
-def turn_corner(mode, t, gx, gy, new_x, new_y, tau, p, y, floats):
-    """The state where one segment of the ground ends and another begins, at a time that varies."""
-    here, before = floats[:N_STATES], floats[N_STATES : 2 * N_STATES]
-    behind = floats[2 * N_STATES : 3 * N_STATES]
-    for j in range(N_STATES):
-        here[j] = value(y[j])
-    rates(mode, here, p, ground_acceleration(gx, t), ground_acceleration(gy, t), before)
-    rates(mode, here, p, ground_acceleration(new_x, t), ground_acceleration(new_y, t), behind)
-    for j in range(N_STATES):
-        y[j] += (before[j] - behind[j]) * tau
-
-
-@inlined
-def put(y, values):
-    """Give numbers other values, and leave their derivatives."""
-    for j in range(N_STATES):
-        y[j] = values[j] + (y[j] - value(y[j]))
+        return rests, follows

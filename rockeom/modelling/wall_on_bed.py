@@ -35,12 +35,22 @@ _SOFTEST, _STIFFEST = 1e6, 1e15
 
 @dataclass(frozen=True, eq=False)
 class WallPath:
-    """A quasi-static path of a wall, straight between its points, the events; (n,) each.
+    """Quasi-static path of a wall, straight between its points, the events; (n,) each.
 
-    displacement : at the height of the loads [m]. force : the horizontal one there [N]. heave :
-    rise of the base's middle above the unloaded bed [m]. reaction : sum of the springs' forces [N].
-    elastic_energy : of the springs [J]. plastic_work : energy that crushing has taken since the
-    start [J].
+    Parameters
+    ----------
+    displacement : ndarray
+        Displacement at the height of the loads [m].
+    force : ndarray
+        Horizontal force there [N].
+    heave : ndarray
+        Rise of the base's middle above the unloaded bed [m].
+    reaction : ndarray
+        Sum of the springs' forces [N].
+    elastic_energy : ndarray
+        Energy of the springs [J].
+    plastic_work : ndarray
+        Energy that crushing has taken since the start [J].
     """
 
     displacement: np.ndarray
@@ -230,7 +240,7 @@ class WallOnBed:
         >>> import rockeom as rk
         >>> from rockeom import analysis
         >>> walls = rk.WallOnBed.of_tests(analysis.identification.wall_tests())
-        >>> walls["WS2.100"].bed_modulus == walls["WS1.100"].bed_modulus  # the first one's
+        >>> walls["WS2.100"].bed_modulus == walls["WS1.100"].bed_modulus  # those of one level
         True
         """
         of_level: dict[tuple[float, ...], WallOnBed] = {}

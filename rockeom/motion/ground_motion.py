@@ -133,7 +133,7 @@ class GroundMotion(metaclass=explained.Constructors):
     Examples
     --------
     >>> import rockeom as rk
-    >>> pulse = rk.GroundMotion.single_sine(amplitude="0.3 g", period=0.5, duration=5.0)  # s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude="0.3 g", period=0.5, duration=5.0)  # s
     >>> round(pulse.peak, 3), pulse.duration  # m/s2, s
     (2.943, 5.0)
     >>> round(float(pulse.velocity(0.25)), 4)  # m/s
@@ -221,7 +221,7 @@ class GroundMotion(metaclass=explained.Constructors):
         --------
         >>> import rockeom as rk
         >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-        >>> push = rk.GroundMotion.constant(1.0, duration=5.0)  # m/s2, s; too weak
+        >>> push = rk.GroundMotion.constant(1.0, duration=5.0)  # m/s2, s; lifts no foot
         >>> float(rk.simulate(block, push)["theta"].max())
         0.0
         """

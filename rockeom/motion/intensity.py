@@ -34,18 +34,32 @@ _ANALYTIC_STEP = 1 / 400  # s, of the samples of a motion that has none
 
 @dataclass(frozen=True)
 class Measures:
-    """The intensity measures of a ground motion. `print` shows them with their units.
+    """Intensity measures of a ground motion. `print` shows them with their units.
 
-    pga [m/s2], pgv [m/s], pgd [m] : largest absolute acceleration, velocity and displacement.
-    arias_intensity [m/s] : pi/(2 g) times the integral of the acceleration's square (Arias 1970).
-    cav [m/s] : cumulative absolute velocity, the integral of the acceleration's size.
-    significant_duration_5_75, significant_duration_5_95 [s] : in which Arias intensity grows from
-    5 to 75 or 95 percent (Trifunac and Brady 1975).
-    bracketed_duration [s] : between the first and the last time that 0.05 g are reached.
-    mean_period [s] : of the Fourier spectrum from 0.25 to 20 Hz, sum(C**2/f)/sum(C**2) with the
-    amplitudes C at frequencies f (Rathje et al. 1998).
-    predominant_period [s] : at which the pseudo-acceleration of an oscillator with 5 % damping is
-    largest, among 100 periods from 0.02 to 10 s.
+    Parameters
+    ----------
+    pga : float
+        Largest absolute acceleration [m/s2].
+    pgv : float
+        Largest absolute velocity [m/s].
+    pgd : float
+        Largest absolute displacement [m].
+    arias_intensity : float
+        pi/(2 g) times the integral of the acceleration's square (Arias 1970) [m/s].
+    cav : float
+        Cumulative absolute velocity, the integral of the acceleration's size [m/s].
+    significant_duration_5_75 : float
+        Time in which Arias intensity grows from 5 to 75 percent (Trifunac and Brady 1975) [s].
+    significant_duration_5_95 : float
+        Time in which it grows from 5 to 95 percent [s].
+    bracketed_duration : float
+        Time between the first and the last that 0.05 g are reached [s].
+    mean_period : float
+        Mean period of the Fourier spectrum from 0.25 to 20 Hz, ``sum(C**2/f)/sum(C**2)`` with the
+        amplitudes C at frequencies f (Rathje et al. 1998) [s].
+    predominant_period : float
+        Period at which the pseudo-acceleration of an oscillator with 5 % damping is largest, among
+        100 periods from 0.02 to 10 s [s].
     """
 
     pga: float
@@ -72,7 +86,18 @@ class Measures:
 
 
 def measures(motion: Motion) -> Measures:
-    """All intensity measures of a motion; nan for what a motion without shaking does not have."""
+    """All intensity measures of a motion.
+
+    Parameters
+    ----------
+    motion : GroundMotion
+        Ground motion.
+
+    Returns
+    -------
+    Measures
+        Measures; NaN for those that a motion without shaking does not have.
+    """
     parts = _Parts(motion)
 
     def duration(upper: float) -> float:
@@ -96,32 +121,96 @@ def measures(motion: Motion) -> Measures:
 
 
 def peak_velocity(motion: Motion) -> float:
-    """Largest absolute velocity of the ground [m/s], within the motion's duration."""
+    """Largest absolute velocity of the ground, within the motion's duration.
+
+    Parameters
+    ----------
+    motion : GroundMotion
+        Ground motion.
+
+    Returns
+    -------
+    float
+        Velocity [m/s].
+    """
     return _Parts(motion).peak_velocity
 
 
 def peak_displacement(motion: Motion) -> float:
-    """Largest absolute displacement of the ground [m], within the motion's duration."""
+    """Largest absolute displacement of the ground, within the motion's duration.
+
+    Parameters
+    ----------
+    motion : GroundMotion
+        Ground motion.
+
+    Returns
+    -------
+    float
+        Displacement [m].
+    """
     return _Parts(motion).peak_displacement
 
 
 def arias_intensity(motion: Motion, gravity: float = STANDARD_GRAVITY) -> float:
-    """Arias intensity [m/s], with 1 g as so many m/s2."""
+    """Arias intensity.
+
+    Parameters
+    ----------
+    motion : GroundMotion
+        Ground motion.
+    gravity : float, optional
+        Value of 1 g [m/s2].
+
+    Returns
+    -------
+    float
+        Intensity [m/s].
+    """
     return _Parts(motion).arias_intensity(positive_number("gravity", gravity))
 
 
 def cumulative_absolute_velocity(motion: Motion) -> float:
-    """Cumulative absolute velocity [m/s]."""
+    """Cumulative absolute velocity.
+
+    Parameters
+    ----------
+    motion : GroundMotion
+        Ground motion.
+
+    Returns
+    -------
+    float
+        Velocity [m/s].
+    """
     return _Parts(motion).cumulative_absolute_velocity
 
 
 def significant_interval(
     motion: Motion, lower: float = 0.05, upper: float = 0.95
 ) -> tuple[float, float]:
-    """Times [s] at which Arias intensity has reached two parts of its whole.
+    """Times at which Arias intensity has reached two parts of its whole.
 
-    lower, upper : such as 0.05 and 0.75; between 0 and 1.
-    Raises InputError for other parts and for a motion that does not shake.
+    Parameters
+    ----------
+    motion : GroundMotion
+        Ground motion.
+    lower : float, optional
+        Part at the first time, such as 0.05.
+    upper : float, optional
+        Part at the second time, such as 0.75; between 0 and 1.
+
+    Returns
+    -------
+    start : float
+        First time [s].
+    end : float
+        Second time [s].
+
+    Raises
+    ------
+    InputError
+        For other parts and for a motion that does not shake.
     """
     parts = finite_number("lower", lower), finite_number("upper", upper)
     if not 0.0 <= parts[0] < parts[1] <= 1.0:
@@ -135,27 +224,67 @@ def significant_interval(
 
 
 def significant_duration(motion: Motion, lower: float = 0.05, upper: float = 0.95) -> float:
-    """The time between those of `significant_interval` [s]."""
+    """Time between those of `significant_interval`.
+
+    Parameters
+    ----------
+    motion : GroundMotion
+        Ground motion.
+    lower : float, optional
+        Part of Arias intensity at the first time.
+    upper : float, optional
+        Part of Arias intensity at the second time.
+
+    Returns
+    -------
+    float
+        Time [s].
+    """
     start, end = significant_interval(motion, lower, upper)
     return end - start
 
 
 def bracketed_duration(motion: Motion, threshold: float = BRACKET) -> float:
-    """Time [s] from the first to the last that the acceleration reaches a threshold [m/s2].
+    """Time from the first to the last that the acceleration reaches a threshold.
 
-    0.0 if it never does; 0.05 g if no threshold is given.
+    Parameters
+    ----------
+    motion : GroundMotion
+        Ground motion.
+    threshold : float, optional
+        Threshold [m/s2]; 0.05 g if not given.
+
+    Returns
+    -------
+    float
+        Time [s]; 0.0 if it never does.
     """
     return _Parts(motion).bracketed_duration(positive_number("threshold", threshold))
 
 
 def mean_period(motion: Motion) -> float:
-    """Mean period of the Fourier spectrum [s]: sum(C**2/f)/sum(C**2) from 0.25 to 20 Hz.
+    """Mean period of the Fourier spectrum: ``sum(C**2/f)/sum(C**2)`` from 0.25 to 20 Hz.
 
-    C : Fourier amplitudes of the samples, at frequencies f no more than 0.05 Hz apart, for which a
-        record of less than 20 s is followed by zeros. A motion without samples is sampled 400 times
-        a second.
-    Source: Rathje, Abrahamson and Bray, Journal of Geotechnical and Geoenvironmental Engineering
-    124 (1998) 150-159. nan for a motion that does not shake in that band.
+    Parameters
+    ----------
+    motion : GroundMotion
+        Ground motion.
+
+    Returns
+    -------
+    float
+        Period [s]; NaN for a motion that does not shake in that band.
+
+    Notes
+    -----
+    C are the Fourier amplitudes of the samples, at frequencies f no more than 0.05 Hz apart, for
+    which a record of less than 20 s is followed by zeros. A motion without samples is sampled 400
+    times a second.
+
+    References
+    ----------
+    Rathje, Abrahamson and Bray, Journal of Geotechnical and Geoenvironmental Engineering 124 (1998)
+    150-159.
     """
     dt = motion.dt or _ANALYTIC_STEP
     samples = motion.sampled(dt)[1] if motion.samples is None else motion.samples
@@ -168,9 +297,17 @@ def mean_period(motion: Motion) -> float:
 
 
 def predominant_period(motion: Motion) -> float:
-    """Period [s] at which the pseudo-acceleration of an oscillator with 5 % damping is largest.
+    """Period at which the pseudo-acceleration of an oscillator with 5 % damping is largest.
 
-    Among 100 periods from 0.02 to 10 s, each 6 % above the one before; nan for no shaking.
+    Parameters
+    ----------
+    motion : GroundMotion
+        Ground motion.
+
+    Returns
+    -------
+    float
+        Period [s], among 100 from 0.02 to 10 s, each 6 % above the one before; NaN for no shaking.
     """
     if motion.peak == 0.0:
         return math.nan

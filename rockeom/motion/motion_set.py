@@ -117,8 +117,8 @@ class MotionSet(Sequence[GroundMotion]):
         path : path_like
             Folder. Folders within it are not looked into.
         pattern : str, optional
-            Pattern of the files' names, small and capital letters alike, such as "*.txt" or
-            "RSN*_H1.at2".
+            Pattern of the files' names, small and capital letters alike, such as ``*.txt`` or
+            ``RSN*_H1.at2``.
         units : str, optional
             Unit of the accelerations of all files, where these do not state it.
         gravity : float, optional

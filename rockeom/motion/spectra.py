@@ -152,7 +152,7 @@ def response_spectrum(
     --------
     >>> import rockeom as rk
     >>> from rockeom import analysis
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> spectrum = analysis.response_spectrum(pulse, periods=[0.2, 0.5, 1.0])  # s
     >>> spectrum.acceleration.round(2)  # m/s2
     array([5.68, 7.89, 2.74])

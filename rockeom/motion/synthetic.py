@@ -18,11 +18,25 @@ Filter = tuple[float, float]
 
 @dataclass(frozen=True)
 class JenningsEnvelope:
-    """Rises with the square of time, holds, and decays: (t/rise)**2, 1, exp(-decay (t - until)).
+    """Envelope ``(t/rise)**2``, then 1, then ``exp(-decay (t - until))``.
 
-    rise : end of the rise [s]; until : end of the strong part [s]; decay [1/s].
-    Source: Jennings, Housner and Tsai, Simulated earthquake motions (1968).
-    Raises InputError for values that are not positive, and for `until` before `rise`.
+    Parameters
+    ----------
+    rise : float
+        End of the rise [s].
+    until : float
+        End of the strong part [s].
+    decay : float
+        Decay [1/s].
+
+    Raises
+    ------
+    InputError
+        For values that are not positive, and for `until` before `rise`.
+
+    References
+    ----------
+    Jennings, Housner and Tsai, Simulated earthquake motions (1968).
     """
 
     rise: float
@@ -46,11 +60,23 @@ class JenningsEnvelope:
 
 @dataclass(frozen=True)
 class ShinozukaSatoEnvelope:
-    """The difference of two decays, exp(-decay t) - exp(-rise t), divided by its largest value.
+    """Envelope exp(-decay t) - exp(-rise t), divided by its largest value.
 
-    decay, rise : [1/s], the second one larger.
-    Source: Shinozuka and Sato, Journal of the Engineering Mechanics Division 93 (1967) 11-40.
-    Raises InputError for values that are not positive, and for a rise not above the decay.
+    Parameters
+    ----------
+    decay : float
+        Decay [1/s].
+    rise : float
+        Rise [1/s], larger than the decay.
+
+    Raises
+    ------
+    InputError
+        For values that are not positive, and for a rise not above the decay.
+
+    References
+    ----------
+    Shinozuka and Sato, Journal of the Engineering Mechanics Division 93 (1967) 11-40.
     """
 
     decay: float

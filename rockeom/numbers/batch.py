@@ -44,12 +44,12 @@ class Many(NDArrayOperatorsMixin, Compound):
         self.values = values
 
     @classmethod
-    def of(cls, found: list[Any]) -> Many:
+    def of(cls, numbers: list[Any]) -> Many:
         """The numbers of one case after the other."""
-        if {*map(type, found)} <= {float, np.float64}:
-            return cls(np.array(found))
-        values = np.empty(len(found), dtype=object)
-        values[:] = found
+        if {*map(type, numbers)} <= {float, np.float64}:
+            return cls(np.array(numbers))
+        values = np.empty(len(numbers), dtype=object)
+        values[:] = numbers
         return cls(values)
 
     def floats(self) -> Many:
@@ -57,8 +57,8 @@ class Many(NDArrayOperatorsMixin, Compound):
         return self if self.values.dtype == float else Many(self.values.astype(float))
 
     @classmethod
-    def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
-        return one_by_one(getattr(math, name))(*given)
+    def of_function(cls, name: str, arguments: tuple[Any, ...]) -> Any:
+        return one_by_one(getattr(math, name))(*arguments)
 
     def one(self) -> Any:
         """The number that all cases have; raises Differs where they have several."""
@@ -79,28 +79,28 @@ class Many(NDArrayOperatorsMixin, Compound):
             return False
         raise Differs([np.flatnonzero(true), np.flatnonzero(~true)])
 
-    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *given: Any, **how: Any) -> Any:
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *arguments: Any, **how: Any) -> Any:
         """NumPy's functions of numbers one by one, operators among them."""
         if method != "__call__" or ufunc.signature is not None:
             return NotImplemented
-        if any(isinstance(x, np.ndarray) for x in given):  # of objects, many among them
-            return ufunc(*(boxed(x) if type(x) is Many else x for x in given), **how)
+        if any(isinstance(x, np.ndarray) for x in arguments):  # of objects, many among them
+            return ufunc(*(boxed(x) if type(x) is Many else x for x in arguments), **how)
         out = how.pop("out", ())  # x += y: a number is not changed in its place, x is another then
         if how or not all(type(x) is Many for x in out):
             return NotImplemented
-        numbers = [values(x) for x in given]
+        numbers = [values(x) for x in arguments]
         kinds = {x.dtype.kind for x in numbers if isinstance(x, np.ndarray)}
         if kinds == {"b"} and ufunc not in _OF_TRUTHS:  # Python's and NumPy's differ
-            raise _apart(given)
+            raise _apart(arguments)
         if "O" in kinds or ufunc in _DIVISIONS:
-            return one_by_one(OPERATORS.get(ufunc, ufunc))(*given)
+            return one_by_one(OPERATORS.get(ufunc, ufunc))(*arguments)
         if ufunc is np.power:
             ufunc = np.float_power  # C's, as Python's: NumPy's square of an array is a product
         try:
-            found = ufunc(*numbers)
+            result = ufunc(*numbers)
         except FloatingPointError:  # which number by itself may be without
-            raise _apart(given) from None
-        return NotImplemented if isinstance(found, tuple) else Many(found)
+            raise _apart(arguments) from None
+        return NotImplemented if isinstance(result, tuple) else Many(result)
 
     def __repr__(self) -> str:
         return f"<numbers of {len(self.values)} cases>"
@@ -147,21 +147,21 @@ Real.register(Many)
 def one_by_one(function: Callable[..., Any]) -> Callable[..., Any]:
     """A function of numbers, of many as well: the bits are those of each number by itself."""
 
-    def of_each(*given: Any) -> Any:
-        if Many in map(type, given):
-            numbers = (x.values.tolist() if type(x) is Many else repeat(x) for x in given)
+    def of_each(*arguments: Any) -> Any:
+        if Many in map(type, arguments):
+            numbers = (x.values.tolist() if type(x) is Many else repeat(x) for x in arguments)
             try:
                 return Many.of(list(map(function, *numbers)))
             except Exception:  # of one of them
-                raise _apart(given) from None
-        return function(*given)
+                raise _apart(arguments) from None
+        return function(*arguments)
 
     return of_each
 
 
-def _apart(given: tuple[Any, ...]) -> Differs:
+def _apart(arguments: tuple[Any, ...]) -> Differs:
     """Each case by itself."""
-    n = next(len(x.values) for x in given if type(x) is Many)
+    n = next(len(x.values) for x in arguments if type(x) is Many)
     return Differs([np.array([i]) for i in range(n)])
 
 

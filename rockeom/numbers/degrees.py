@@ -57,10 +57,10 @@ def accepts_degrees(*angles: str) -> Callable[[F], F]:
 
     def decorate(function: F) -> F:
         @wraps(function)
-        def call(*given: Any, **named: Any) -> Any:
+        def call(*arguments: Any, **named: Any) -> Any:
             if named_in_degrees(named):
                 named = in_radians(function.__qualname__, named, units)
-            return function(*given, **named)
+            return function(*arguments, **named)
 
         return call  # type: ignore[return-value]
 

@@ -26,33 +26,33 @@ Slope = Callable[..., Any]
 
 
 def _through(
-    function: Callable[..., Any], slopes: tuple[Slope, ...], given: tuple[Any, ...]
+    function: Callable[..., Any], slopes: tuple[Slope, ...], arguments: tuple[Any, ...]
 ) -> Dual:
     """A function of numbers and duals, by its derivatives with respect to each."""
-    plain = [x.value if type(x) is Dual else x for x in given]
-    found = function(*plain)
+    plain = [x.value if type(x) is Dual else x for x in arguments]
+    value = function(*plain)
     parts = [
-        _moved(slope(*plain, found), x.tangent)
-        for x, slope in zip(given, slopes, strict=True)
+        _moved(slope(*plain, value), x.tangent)
+        for x, slope in zip(arguments, slopes, strict=True)
         if type(x) is Dual
     ]
     if len(parts) == 1:
-        return _dual(np.float64(found), parts[0])
+        return _dual(np.float64(value), parts[0])
     if len(parts[0]) != len(parts[1]):
         raise InputError("duals").says(
             f"duals of {len(parts[0])} and of {len(parts[1])} directions meet in one calculation: "
             "make all of them by one call of `rk.duals`"
         )
-    return _dual(np.float64(found), parts[0] + parts[1])
+    return _dual(np.float64(value), parts[0] + parts[1])
 
 
-def _through_array(ufunc: np.ufunc, given: tuple[Any, ...]) -> np.ndarray:
+def _through_array(ufunc: np.ufunc, terms: tuple[Any, ...]) -> np.ndarray:
     """The same of a dual and an array (n,) of floats, as of one after the other."""
-    plain = [x.value if type(x) is Dual else x for x in given]
-    found = ufunc(*plain)
-    ((x, slope),) = (of for of in zip(given, _OF_ARRAYS[ufunc], strict=True) if type(of[0]) is Dual)
-    slopes = np.broadcast_to(slope(*plain, found), found.shape)
-    return with_tangent(found, np.multiply.outer(slopes, x.tangent))
+    plain = [x.value if type(x) is Dual else x for x in terms]
+    values = ufunc(*plain)
+    ((x, slope),) = (of for of in zip(terms, _OF_ARRAYS[ufunc], strict=True) if type(of[0]) is Dual)
+    slopes = np.broadcast_to(slope(*plain, values), values.shape)
+    return with_tangent(values, np.multiply.outer(slopes, x.tangent))
 
 
 def _moved(slope: Any, tangent: np.ndarray) -> np.ndarray:
@@ -92,9 +92,9 @@ _OF_ARRAYS: dict[Any, tuple[Slope, ...]] = {
 """Operations on a whole array of floats: thousands of samples of a record."""
 
 
-def _are_floats(given: tuple[Any, ...]) -> bool:
+def _are_floats(arguments: tuple[Any, ...]) -> bool:
     """Whether an array (n,) of floats meets one dual."""
-    return any(isinstance(x, np.ndarray) and x.dtype == float and x.ndim == 1 for x in given)
+    return any(isinstance(x, np.ndarray) and x.dtype == float and x.ndim == 1 for x in arguments)
 
 
 def _slopes(name: str) -> tuple[Slope, ...]:
@@ -201,8 +201,8 @@ class Dual(Compound):
         )
 
     @classmethod
-    def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
-        return _through(getattr(math, name), _slopes(name), given)
+    def of_function(cls, name: str, arguments: tuple[Any, ...]) -> Any:
+        return _through(getattr(math, name), _slopes(name), arguments)
 
     __add__, __radd__ = _binary("add")
     __sub__, __rsub__ = _binary("sub")
@@ -214,22 +214,22 @@ class Dual(Compound):
     __eq__, __ne__ = _compared("eq"), _compared("ne")
     __hash__ = None  # type: ignore[assignment]
 
-    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *given: Any, **how: Any) -> Any:
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *arguments: Any, **how: Any) -> Any:
         """NumPy's functions of numbers one by one, operators among them."""
         if method != "__call__" or ufunc.signature is not None:
             return NotImplemented
-        if ufunc in _OF_ARRAYS and not how and _are_floats(given):
-            return _through_array(ufunc, given)
-        if any(isinstance(x, np.ndarray) for x in given):
-            return ufunc(*(boxed(x) if type(x) is Dual else x for x in given), **how)
+        if ufunc in _OF_ARRAYS and not how and _are_floats(arguments):
+            return _through_array(ufunc, arguments)
+        if any(isinstance(x, np.ndarray) for x in arguments):
+            return ufunc(*(boxed(x) if type(x) is Dual else x for x in arguments), **how)
         if how:
             return NotImplemented
         if ufunc in (np.sign, np.isfinite):
             return ufunc(self.value)
         if ufunc in OPERATORS:
-            plain = (x if isinstance(x, Dual) else float(x) for x in given)
+            plain = (x if isinstance(x, Dual) else float(x) for x in arguments)
             return OPERATORS[ufunc](*plain)
-        return _through(ufunc, _slopes(IN_MATH.get(ufunc.__name__, ufunc.__name__)), given)
+        return _through(ufunc, _slopes(IN_MATH.get(ufunc.__name__, ufunc.__name__)), arguments)
 
     def __neg__(self) -> Dual:
         return _dual(-self.value, -self.tangent)
@@ -243,9 +243,9 @@ class Dual(Compound):
 
 def _dual(value: np.float64, tangent: np.ndarray) -> Dual:
     """A dual of values that need no check."""
-    found = object.__new__(Dual)
-    found.value, found.tangent = value, tangent
-    return found
+    dual = object.__new__(Dual)
+    dual.value, dual.tangent = value, tangent
+    return dual
 
 
 Real.register(Dual)
@@ -289,9 +289,9 @@ def value_of(x: Any) -> Any:
         if x.dtype != object or not all(map(_is_number, {*map(type, x.flat)})):
             return x  # of many cases
         plain = [element.value if type(element) is Dual else element for element in x.flat]
-        found = np.array(plain, dtype=float).reshape(x.shape)
-        found.flags.writeable = x.flags.writeable
-        return found
+        plain_array = np.array(plain, dtype=float).reshape(x.shape)
+        plain_array.flags.writeable = x.flags.writeable
+        return plain_array
     return float(x.value) if isinstance(x, Dual) else x
 
 
@@ -312,9 +312,9 @@ def nominal(x: Any) -> Any:
     changed = {name: new for name, old in vars(x).items() if (new := nominal(old)) is not old}
     if not changed:
         return x
-    found = object.__new__(type(x))  # it was checked when it was made
-    vars(found).update(vars(x) | changed)
-    return found
+    copy = object.__new__(type(x))  # it was checked when it was made
+    vars(copy).update(vars(x) | changed)
+    return copy
 
 
 def _unless_same(old: Any, new: Any) -> Any:
@@ -325,31 +325,31 @@ def _unless_same(old: Any, new: Any) -> Any:
 
 def with_tangent(values: np.ndarray, tangent: np.ndarray) -> np.ndarray:
     """An array of duals, of values (n,) and their tangents (n, m)."""
-    found = np.empty(len(values), dtype=object)
-    found[:] = list(map(_dual, values, tangent))
-    return found
+    duals = np.empty(len(values), dtype=object)
+    duals[:] = list(map(_dual, values, tangent))
+    return duals
 
 
 def tangent_of(x: Any, m: int) -> np.ndarray:
     """(..., m) derivatives of a number or an array (...), zero of those that have none."""
     if isinstance(x, np.ndarray) and x.dtype != object:
         return np.broadcast_to(0.0, (*x.shape, m))  # a single zero: records are long
-    found = np.zeros((*np.shape(x), m))
+    tangent = np.zeros((*np.shape(x), m))
     if isinstance(x, Dual):
-        found[:] = x.tangent
+        tangent[:] = x.tangent
     elif isinstance(x, np.ndarray):
-        for row, element in zip(found.reshape(-1, m), x.flat, strict=True):
+        for row, element in zip(tangent.reshape(-1, m), x.flat, strict=True):
             if type(element) is Dual:
                 row[:] = element.tangent
-    return found
+    return tangent
 
 
-def directions(*given: Any) -> int:
+def directions(*values: Any) -> int:
     """Along how many directions numbers, arrays and lists have derivatives; 0 if none has."""
-    for x in given:
+    for x in values:
         if isinstance(x, Dual):
             return len(x.tangent)
         several = isinstance(x, list) or (isinstance(x, np.ndarray) and x.dtype == object)
-        if several and (found := directions(*np.ravel(x))):
-            return found
+        if several and (number := directions(*np.ravel(x))):
+            return number
     return 0

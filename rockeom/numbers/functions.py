@@ -70,19 +70,19 @@ class _Mathematics:
     """The functions of `math`, of compounds as well."""
 
     def __getattr__(self, name: str) -> Any:
-        found = getattr(math, name)
-        if callable(found):
-            found = _of_compounds(name, found)
-        setattr(self, name, found)
-        return found
+        function = getattr(math, name)
+        if callable(function):
+            function = _of_compounds(name, function)
+        setattr(self, name, function)
+        return function
 
 
 def _of_compounds(name: str, plain: Callable[..., Any]) -> Callable[..., Any]:
-    def function(*given: Any) -> Any:
-        for x in given:
+    def function(*arguments: Any) -> Any:
+        for x in arguments:
             if isinstance(x, Compound):
-                return type(x).of_function(name, given)
-        return plain(*given)
+                return type(x).of_function(name, arguments)
+        return plain(*arguments)
 
     return function
 

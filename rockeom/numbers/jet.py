@@ -29,8 +29,8 @@ class Jet(Compound):
         self.value, self.first, self.second = value, first, second
 
     @classmethod
-    def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
-        of, (jet,) = FUNCTIONS[name], given
+    def of_function(cls, name: str, arguments: tuple[Any, ...]) -> Any:
+        of, (jet,) = FUNCTIONS[name], arguments
         return jet.through(*(derivative(jet.value) for derivative in of))
 
     def __add__(self, other: Any) -> Jet:

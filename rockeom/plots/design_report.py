@@ -47,7 +47,15 @@ Row = tuple[str, ...]
 
 @dataclass(frozen=True, eq=False)
 class UnderRecord:
-    """Effects of one record on the structure, rocking and, if it has one, on a fixed base."""
+    """Effects of one record on the structure, rocking and, if it has one, on a fixed base.
+
+    Parameters
+    ----------
+    run : Response
+        Response of the structure that rocks.
+    fixed_run : Response
+        Response on a fixed base; None without one.
+    """
 
     run: Response
     fixed_run: Response | None

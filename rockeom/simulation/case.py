@@ -242,7 +242,7 @@ class Case:
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> case = rk.Case(block, pulse, impact=rk.EnergyRatio(0.8), initial={"theta": 0.02})  # rad
     >>> print(rk.simulate(case).outcome)
     completed
@@ -267,9 +267,9 @@ class Case:
                 "a structure, such as rk.RigidBlock(half_width=0.1, half_height=0.4) or "
                 "rk.structure(model, ...)"
             )
-        given: object = self.motion
-        if isinstance(given, Recording):
-            self._take_components(given)
+        motion: object = self.motion
+        if isinstance(motion, Recording):
+            self._take_components(motion)
         _check_motion("motion", self.motion)
         if self.vertical is not None:
             _check_motion("vertical", self.vertical)

@@ -82,7 +82,18 @@ class EventColumns(NamedTuple):
 class Events(Sequence[Event]):
     """Events in the order of time: a sequence of `Event`, and the same in `columns`.
 
-    run.events[0].kind, run.events.times, run.events.rest_time
+    Parameters
+    ----------
+    structure : Structure
+        Structure.
+    columns : EventColumns
+        Events by columns.
+
+    Examples
+    --------
+    With a response `run`::
+
+        run.events[0].kind, run.events.times, run.events.rest_time
     """
 
     structure: Structure
@@ -161,18 +172,27 @@ class Events(Sequence[Event]):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Impacts(Events):
-    """The impacts of a motion in the order of time, with their speeds, impulses and energies.
+    """Impacts of a motion in the order of time, with their speeds, impulses and energies.
+
+    Parameters
+    ----------
+    structure : Structure
+        Structure.
+    columns : EventColumns
+        Events by columns.
+
+    Examples
+    --------
+    With a response `run`::
 
         run.impacts[0].time, run.impacts.impulses(), run.impacts.energy_loss
-
-    measurable : the rate above which `describe` counts an impact by itself.
     """
 
     measurable: ClassVar[float] = MEASURABLE
 
     @cached_property
     def speeds(self) -> np.ndarray:
-        """(k,) sizes of the angular velocities just before [rad/s, or the rotation's unit/s].
+        """Sizes of the angular velocities just before (k,) [rad/s, or the rotation's unit/s].
 
         Where points land, the speed of the fastest [m/s].
         """
@@ -183,19 +203,32 @@ class Impacts(Events):
         return np.abs(before[:, module.ROTATION_RATE])
 
     def above(self, rate: float = MEASURABLE) -> tuple[Event, ...]:
-        """The impacts before which the structure turned faster than `rate`.
+        """Impacts before which the structure turned faster than a rate.
 
-        rate : [rad/s], or the unit of the rotation over that of time; 0.001 rad/s is 1 mm/s at a
-        metre from the foot. Before it comes to rest a structure has endlessly many smaller ones,
-        whose number depends on the last digit of everything.
+        Before it comes to rest a structure has endlessly many smaller ones, whose number depends on
+        the last digit of everything.
+
+        Parameters
+        ----------
+        rate : float, optional
+            Angular velocity [rad/s], or the unit of the rotation over that of time; 0.001 rad/s is
+            1 mm/s at a metre from the foot.
+
+        Returns
+        -------
+        tuple of Event
+            Impacts.
         """
         rates = self.columns.states[:, 0, self.structure.module.ROTATION_RATE]
         return tuple(self[i] for i in np.flatnonzero(np.abs(rates) > rate).tolist())
 
     def impulses(self) -> np.ndarray:
-        """(k, 2) horizontal and vertical impulse of the ground [N s].
+        """Horizontal and vertical impulse of the ground, on all feet together.
 
-        On all feet together: the gain of momentum of all bodies.
+        Returns
+        -------
+        ndarray
+            Impulses (k, 2) [N s], the gain of momentum of all bodies.
         """
         before, after = self.momenta
         return (after - before).T
@@ -207,7 +240,7 @@ class Impacts(Events):
 
     @property
     def energy_gains(self) -> np.ndarray:
-        """(g,) kinetic energy gained at each impact that gained some [J]; of most motions empty.
+        """Kinetic energy gained at each impact that gained some (g,) [J]; empty for most motions.
 
         An impact gains energy where the kinetic energy grows by more than 1e-9 of itself. On a
         structure that bends every impact law but `Impulsive` can do so; on feet that slide, with
@@ -241,7 +274,13 @@ class Impacts(Events):
         )
 
     def describe(self) -> str:
-        """How many impacts there were, and how many of them were faster than MEASURABLE."""
+        """Number of impacts, and of those faster than ``MEASURABLE``, in words.
+
+        Returns
+        -------
+        str
+            Text.
+        """
         unit = self.structure.module.STATE_UNITS[self.structure.module.ROTATION_RATE]
         faster = f", {len(self.above())} of them faster than {MEASURABLE:g} {unit}"
         return f"{len(self)} impacts{faster if len(self) else ''}"

@@ -157,9 +157,9 @@ class Running:
             if sum(len(held.steps) for held, _ in self.pieces) > MOST_HELD:
                 self._settle()
 
-    def _hold(self, search: Search, found: tuple[np.ndarray, ...]) -> None:
+    def _hold(self, search: Search, block: tuple[np.ndarray, ...]) -> None:
         """Hold the steps of candidates, if they still are."""
-        step, *others, side, column, bound = found
+        step, *others, side, column, bound = block
         assert self.best is not None
         worth = bound > self.best[side, column]
         if worth.any():
@@ -169,10 +169,10 @@ class Running:
 
     def _join(self) -> None:
         """Make one piece of those that are held, without steps that are no candidates any more."""
-        searches, found = zip(*self.pieces, strict=True)
+        searches, blocks = zip(*self.pieces, strict=True)
         first = np.cumsum([0, *(len(search.steps) for search in searches)])
-        steps = [step + offset for (step, *_), offset in zip(found, first, strict=False)]
-        columns = zip(*(others for _, *others in found), strict=True)
+        steps = [step + offset for (step, *_), offset in zip(blocks, first, strict=False)]
+        columns = zip(*(others for _, *others in blocks), strict=True)
         joined = (np.concatenate(steps), *map(np.concatenate, columns))
         self.pieces = []
         self._hold(searches[0].joined(*searches[1:]), joined)

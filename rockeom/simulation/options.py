@@ -83,7 +83,7 @@ class SolverOptions:
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> coarse = rk.SolverOptions(rtol=1e-6, atol=1e-8)
     >>> print(rk.simulate(block, pulse, options=coarse).outcome)
     completed

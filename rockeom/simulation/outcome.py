@@ -16,7 +16,7 @@ class Outcome(StrEnum):
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> run = rk.simulate(block, pulse)
     >>> run.outcome is rk.Outcome.COMPLETED
     True

@@ -71,10 +71,10 @@ def families(module: GeneratedModule) -> dict[str, dict[str, str]]:
 
 def units_of(module: GeneratedModule) -> dict[str, str]:
     """Unit of each quantity of a response, by name; "-" where it has none."""
-    found = main_units(module)
+    units_by_name = main_units(module)
     for units in families(module).values():
-        found |= units
-    return found
+        units_by_name |= units
+    return units_by_name
 
 
 def _word(place: str) -> str:
@@ -217,8 +217,8 @@ class Quantities:
         for family, some in missing.items():
             together = some if family else self.main_names  # all of them in no more time
             steps = self.steps(f"what {', '.join(some)} was at most")
-            found = extremes(steps, self.columns(together))
-            self.extremes.update(zip(together, found, strict=True))
+            largest = extremes(steps, self.columns(together))
+            self.extremes.update(zip(together, largest, strict=True))
         return {name: self.extremes[name] for name in names}
 
     @cached_property
@@ -257,7 +257,16 @@ def _at_rest(structure: Structure) -> np.ndarray:
 class Places:
     """Places of bodies, feet and the load point at each sample, by name.
 
-    In the axes of `Structure.positions`, which move with the ground.
+    They are in the axes of `Structure.positions`, which move with the ground.
+
+    Parameters
+    ----------
+    structure : Structure
+        Structure.
+    ground : Ground
+        Motion of the ground.
+    rows : Rows
+        Samples.
     """
 
     def __init__(self, structure: Structure, ground: Ground, rows: Rows) -> None:
@@ -269,20 +278,44 @@ class Places:
         return places(structure.module, mode, y, structure.vector)
 
     def positions(self) -> dict[str, np.ndarray]:
-        """Positions (n, 2) [m]."""
+        """Positions.
+
+        Returns
+        -------
+        dict of str to ndarray
+            Positions (n, 2) by name [m].
+        """
         return positions_of(self._structure.module, self._found)
 
     def rotations(self) -> dict[str, np.ndarray]:
-        """Angles (n,) through which the bodies have turned, clockwise [rad]."""
+        """Angles through which the bodies have turned, clockwise.
+
+        Returns
+        -------
+        dict of str to ndarray
+            Angles (n,) by name [rad].
+        """
         return rotations_of(self._structure.module, self._found)
 
     def velocities(self) -> dict[str, np.ndarray]:
-        """Velocities (n, 2) [m/s]."""
+        """Velocities.
+
+        Returns
+        -------
+        dict of str to ndarray
+            Velocities (n, 2) by name [m/s].
+        """
         _, y, mode = self._rows
         return evaluation.velocities(self._structure.module, self._structure.vector, mode, y)
 
     def accelerations(self) -> dict[str, np.ndarray]:
-        """Absolute accelerations (n, 2), with those of the ground [m/s2]."""
+        """Absolute accelerations, with those of the ground.
+
+        Returns
+        -------
+        dict of str to ndarray
+            Accelerations (n, 2) by name [m/s2].
+        """
         t, y, mode = self._rows
         return evaluation.accelerations(
             self._structure.module, self._structure.vector, mode, y, *self._ground(t)

@@ -71,7 +71,7 @@ class SampleRecorder:
         self.spacing = min(spacing, 1e300)  # infinite: the start, the events and the end
         self.names, self.running = names, Running(evaluate)
         self.held: Steps | None = None  # the last step: up to where it counts the next one tells
-        self.found: list[Rows] = []
+        self.rows: list[Rows] = []
 
     def __len__(self) -> int:
         return self.n
@@ -97,7 +97,7 @@ class SampleRecorder:
         t = self.spacing * numbers
         t = t[t < end]
         self.taken += len(t)
-        self.found.append(Rows(t, *steps.at(t, "right")))
+        self.rows.append(Rows(t, *steps.at(t, "right")))
 
     def record(self, events: EventColumns) -> Samples:
         """The samples, with the end and both sides of every event; the extremes."""
@@ -105,8 +105,8 @@ class SampleRecorder:
         end = float(self.held.span[0].sum())
         self.running.add(self.held)
         self._sample(self.held, end)
-        self.found.append(Rows(np.array([end]), *self.held.at(np.array([end]), "right")))
-        t, y, mode = map(np.concatenate, zip(*self.found, strict=True))
+        self.rows.append(Rows(np.array([end]), *self.held.at(np.array([end]), "right")))
+        t, y, mode = map(np.concatenate, zip(*self.rows, strict=True))
         times, kinds, states = events
         plain = ~np.isin(t, times)
         t = np.concatenate([t[plain], np.repeat(times, 2)])

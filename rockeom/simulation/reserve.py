@@ -16,10 +16,18 @@ RATIO = "rotation_ratio"
 
 
 class Reserve(NamedTuple):
-    """The largest theta/alpha of a motion.
+    """Largest theta/alpha of a motion.
 
-    ratio : theta/alpha. side : "left" or "right". time [s]. angle : overturning angle of that side,
-    in the unit of the rotation.
+    Parameters
+    ----------
+    ratio : float
+        Ratio theta/alpha.
+    side : str
+        "left" or "right".
+    time : float
+        Time [s].
+    angle : float
+        Overturning angle of that side, in the unit of the rotation.
     """
 
     ratio: float
@@ -33,7 +41,18 @@ class Reserve(NamedTuple):
         return max(1.0 - self.ratio, 0.0)
 
     def describe(self, unit: str) -> str:
-        """A sentence; unit : of the rotation."""
+        """Reserve in a sentence.
+
+        Parameters
+        ----------
+        unit : str
+            Unit of the rotation.
+
+        Returns
+        -------
+        str
+            Sentence.
+        """
         angle = f"the overturning angle to the {self.side} is {with_degrees(self.angle, unit)}"
         left = f"{100 * self.reserve:.3g} %" if self.ratio < 1.0 else "none"
         return f"Largest theta/alpha: {self.ratio:.3g}; {angle}. Reserve: {left}."

@@ -190,7 +190,7 @@ def save(path: str | os.PathLike[str], made: Mapping[str, Any]) -> None:
     write(path, _netcdf(file, arrays))
 
 
-def _netcdf(found: xr.Dataset, arrays: Mapping[str, np.ndarray]) -> bytes:
+def _netcdf(dataset: xr.Dataset, arrays: Mapping[str, np.ndarray]) -> bytes:
     """The bytes of a file, made in memory: HDF5 ends the process where a disk is full."""
     import h5netcdf
     from xarray.backends import H5NetCDFStore
@@ -199,7 +199,7 @@ def _netcdf(found: xr.Dataset, arrays: Mapping[str, np.ndarray]) -> bytes:
     encoding = {name: {"_FillValue": None} for name in arrays}
     made = io.BytesIO()
     with h5netcdf.File(made, "w") as file:
-        found.dump_to_store(H5NetCDFStore(file), encoding=encoding)
+        dataset.dump_to_store(H5NetCDFStore(file), encoding=encoding)
     return made.getvalue()
 
 

@@ -25,7 +25,17 @@ Evaluate = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]
 
 @dataclass(frozen=True, eq=False)
 class Steps:
-    """The dense record: steps (n, 2) start and length [s], mode (n,), powers (n, 8, N)."""
+    """Dense record of a motion.
+
+    Parameters
+    ----------
+    span : ndarray
+        Start and length of each step (n, 2) [s].
+    mode : ndarray
+        Number of the mode of each step (n,).
+    powers : ndarray
+        Polynomial coefficients of the states in each step (n, 8, N).
+    """
 
     span: np.ndarray
     mode: np.ndarray

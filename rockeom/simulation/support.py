@@ -21,8 +21,17 @@ from rockeom.structures.searched_modes import Points, friction_of
 class Support:
     """Forces and impulses of the ground, and whether friction and contact could bear them.
 
-    rows : the samples of the motion. overturned : the last fall of such a motion counts for none of
-    them, from its highest point on, since nothing could stop it then.
+    Parameters
+    ----------
+    quantities : Quantities
+        Quantities of the motion.
+    events : Events
+        Events of the motion.
+    rows : Rows
+        Samples of the motion.
+    overturned : bool
+        Whether the motion ends in overturning: the last fall then counts for none of them, from its
+        highest point on, since nothing could stop it.
     """
 
     def __init__(
@@ -63,8 +72,8 @@ class Support:
     def base_moment(self) -> Extremes | None:
         """Extremes of the moment of the ground's forces about the middle of the base [N m].
 
-        The force on the right less that on the left, times the distance at which they act: half
-        the distance of the feet, or that of a rotation centre that moves. None unless the structure
+        The force on the right less that on the left, times the distance at which they act: half the
+        distance of the feet, or that of a rotation centre that moves. None unless the structure
         stands on rigid ground and has a `half_width`.
         """
         arm = self._structure.parameters().get("half_width")
@@ -93,10 +102,10 @@ class Support:
 
     @cached_property
     def friction_demand(self) -> float:
-        """Largest |horizontal|/vertical force that not sliding needed, found within the steps.
+        """Largest ``|horizontal|/vertical`` force that not sliding needed, within the steps too.
 
         The vertical force is that on both feet together. inf where there was none, but a horizontal
-        one: then no friction suffices. nan without feet. Impulses are in `impact_friction_demand`.
+        one: then no friction suffices. NaN without feet. Impulses are in `impact_friction_demand`.
         """
         if self._extremes is None:
             return math.nan
@@ -113,10 +122,10 @@ class Support:
 
     @cached_property
     def impact_friction_demand(self) -> float:
-        """Largest |horizontal|/vertical impulse of the ground at an impact.
+        """Largest ``|horizontal|/vertical`` impulse of the ground at an impact.
 
         The impulse on both feet together: the gain of momentum of all masses. inf where the ground
-        had to pull; 0 without impacts; nan where no foot meets rigid ground in an impact.
+        had to pull; 0 without impacts; NaN where no foot meets rigid ground in an impact.
         """
         if not meets_ground(self._structure.module):
             return math.nan
@@ -130,8 +139,9 @@ class Support:
     def friction_demands(self) -> dict[str, tuple[float, float]]:
         """`friction_demand` and `impact_friction_demand` of each of several surfaces.
 
-        By the names of the points that rub on it, such as "upper_left+upper_right": of forces, and
-        of impulses at landings. Empty for structures whose contacts cannot open and slide.
+        The names are those of the points that rub on it, such as "upper_left+upper_right": of
+        forces, and of impulses at landings. Empty for structures whose contacts cannot open and
+        slide.
         """
         groups = surfaces(self._structure.module)
         if len(groups) == 1 and self._extremes is not None:
@@ -161,7 +171,7 @@ class Support:
 
     @cached_property
     def sliding(self) -> np.ndarray:
-        """(k, 2) starts and ends of the spans of time in which a point slides [s].
+        """Starts and ends of the spans of time in which a point slides (k, 2) [s].
 
         Empty where contacts cannot slide.
         """
@@ -190,7 +200,13 @@ class Support:
     # -- in words
 
     def describe(self) -> str:
-        """How far the assumptions of no sliding and no lost contact held, in words."""
+        """How far the assumptions of no sliding and no lost contact held, in words.
+
+        Returns
+        -------
+        str
+            Text.
+        """
         if not isinstance(self._quantities.record, Steps):
             return (
                 "Only samples were kept: the forces that friction and contact had to bear, which "

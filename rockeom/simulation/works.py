@@ -27,15 +27,27 @@ _CHUNK = 2048  # steps at once, so that memory is bounded
 
 
 class EnergyBalance(NamedTuple):
-    """Where the energy of a response came from and went, in joules.
+    """Origin and whereabouts of the energy of a response.
 
-    input : work of the shaking on the masses, seen from the ground that moves. damping : lost in
-    dampers and by yielding, less the work of forces that are declared by themselves (`Force`).
-    impacts : lost at impacts, and in springs that are let go while they are drawn. gained : energy
-    at the end less that at the start. friction : lost where points slide. impact_gains : what
-    impacts gained that gained energy, which `impacts` has less; see `run.impacts.energy_gains`.
-    error : the rest input - damping - friction - impacts - gained, over the largest of them and of
-    the kinetic, gravitational (of the height above the ground) and elastic energies on the way.
+    Parameters
+    ----------
+    input : float
+        Work of the shaking on the masses, seen from the ground that moves [J].
+    damping : float
+        Energy lost in dampers and by yielding, less the work of forces that are declared by
+        themselves (`Force`) [J].
+    impacts : float
+        Energy lost at impacts, and in springs that are let go while they are drawn [J].
+    gained : float
+        Energy at the end less that at the start [J].
+    error : float
+        The rest input - damping - friction - impacts - gained, over the largest of them and of the
+        kinetic, gravitational (of the height above the ground) and elastic energies on the way.
+    friction : float, optional
+        Energy lost where points slide [J].
+    impact_gains : float, optional
+        Energy of the impacts that gained some, which `impacts` has less [J]; see
+        ``run.impacts.energy_gains``.
     """
 
     input: float

@@ -897,8 +897,8 @@ def missing(structure: Structure, name: str) -> Any:
 
 def _synonyms(structure: Structure) -> dict[str, str]:
     """Synonyms that lead to an attribute of this structure."""
-    known = {*dir(structure)}
-    return {name: meant for name, meant in SYNONYMS.items() if meant.split(" ")[-1] in known}
+    attributes = {*dir(structure)}
+    return {name: meant for name, meant in SYNONYMS.items() if meant.split(" ")[-1] in attributes}
 
 
 class _States(NamedTuple):
@@ -919,13 +919,20 @@ class _States(NamedTuple):
 
 @dataclass(frozen=True)
 class FixedBase(Structure):
-    """The structure that `structure.fixed_base()` makes: `rocking` with feet that cannot lift.
+    """Structure with feet that cannot lift; `Structure.fixed_base` makes it.
 
-    Its forces on the feet may pull: `run.extremes("left_reaction").minimum` is what the ground has
-    to hold. There are no impacts, and no rotation.
+    Its forces on the feet may pull: ``run.extremes("left_reaction").minimum`` is the force by which
+    the ground has to hold. There are no impacts, and no rotation.
 
-    Raises ValueError for a structure without full contact on rigid ground, and for one that cannot
-    move in it.
+    Parameters
+    ----------
+    rocking : Structure
+        Structure that rocks.
+
+    Raises
+    ------
+    ValueError
+        For a structure without full contact on rigid ground, and for one that cannot move in it.
     """
 
     pulled: ClassVar[str] = "it has to be held down"
@@ -953,7 +960,13 @@ class FixedBase(Structure):
         return self.module.NAME
 
     def parameters(self) -> dict[str, float]:
-        """The parameters of the structure that rocks."""
+        """Parameters of the structure that rocks.
+
+        Returns
+        -------
+        dict of str to float
+            Values by name.
+        """
         return self.rocking.parameters()
 
     def parameter_at(self, path: tuple[Any, ...]) -> str:
@@ -972,7 +985,13 @@ class FixedBase(Structure):
         return self.rocking.hints()
 
     def fixed_base(self) -> FixedBase:
-        """Itself."""
+        """Structure itself.
+
+        Returns
+        -------
+        FixedBase
+            Structure itself.
+        """
         return self
 
     def mode_number(
@@ -998,7 +1017,23 @@ class FixedBase(Structure):
         return False
 
     def pushover(self, rotations) -> np.ndarray:
-        """Raises ValueError: it has no rotation by which it could be pushed."""
+        """Refuse: the structure has no rotation by which it could be pushed.
+
+        Parameters
+        ----------
+        rotations : array_like
+            Rotations.
+
+        Returns
+        -------
+        ndarray
+            Nothing.
+
+        Raises
+        ------
+        ValueError
+            Always.
+        """
         raise ValueError(f"{self.model} does not turn: ask the pushover of the one that rocks")
 
     @functools.cached_property
@@ -1017,20 +1052,20 @@ class FixedBase(Structure):
 
     @property
     def mode_shapes(self) -> dict[str, np.ndarray]:
-        """(n,) by coordinate: what it moves in each undamped mode, in the order of `periods`.
+        """Displacement of each coordinate in each undamped mode (n,), in the order of `periods`.
 
-        The largest of a mode is 1. `rockeom models NAME` explains the coordinates: u_i of a
-        frame is what floor i has moved relative to the base.
+        The largest of a mode is 1. ``rockeom models NAME`` explains the coordinates: u_i of a frame
+        is the displacement of floor i relative to the base.
         """
         return self._modal.shapes_by_name
 
     @property
     def effective_masses(self) -> np.ndarray:
-        """(n,) mass that the ground shakes in each mode [kg], in the order of `periods`.
+        """Mass that the ground shakes in each mode (n,) [kg], in the order of `periods`.
 
-        (phi' M r)**2/(phi' M phi), of a horizontal acceleration of the ground. Their sum is the
-        mass of all that moves relative to a fixed base.
-        Source: A. K. Chopra, Dynamics of Structures, section 13.2.
+        ``(phi' M r)**2/(phi' M phi)``, of a horizontal acceleration of the ground. Their sum is the
+        mass of all that moves relative to a fixed base. Source: A. K. Chopra, Dynamics of
+        Structures, section 13.2.
         """
         return self._modal.effective_masses
 

@@ -17,34 +17,34 @@ OF_ELEMENT = {"deformation": "m", "force": "N", "energy": "J"}
 
 
 def at_states(
-    m: GeneratedModule, p: np.ndarray, function: str, modes: np.ndarray, y: np.ndarray, *given: Any
+    m: GeneratedModule, p: np.ndarray, function: str, modes: np.ndarray, y: np.ndarray, *more: Any
 ) -> dict[str, np.ndarray]:
     """The values of a function of a generated module in each of n states, by name, (n,) each.
 
     p : parameters and constants. function : "energies", "reactions", "kinematics", or "statics",
     whose names are those of the coordinates. modes (n,) : number of the mode of each state; y
-    (n, N). given : further arguments behind the parameters, each a number, or (n,) of them.
+    (n, N). more : further arguments behind the parameters, each a number, or (n,) of them.
     """
     names = m.STATES[: m.N_STATES // 2] if function == "statics" else getattr(m, function.upper())
-    values = filled(m, p, function, len(names), modes, y, *given)
+    values = filled(m, p, function, len(names), modes, y, *more)
     return dict(zip(names, values, strict=True))
 
 
 def filled(
     m: GeneratedModule, p: np.ndarray, function: str, size: int, modes: np.ndarray, y: np.ndarray,
-    *given: Any,
+    *more: Any,
 ) -> np.ndarray:  # fmt: skip
     """(size, n) that a function of a generated module fills `out` with; as `at_states`."""
     result = np.empty((size, len(y)))
 
     def fill(number: int, rows: np.ndarray) -> None:
         if len(rows) == 1:  # the same bits, sooner
-            alone = (float(_of(x, rows)) for x in given)
+            alone = (float(_of(x, rows)) for x in more)
             getattr(m, function)(number, y[rows[0]], p, *alone, result[:, rows[0]])
             return
         states = np.array([Many(column) for column in y[rows].T], dtype=object)
         out = np.empty(size, dtype=object)
-        many = (x if np.ndim(x) == 0 else Many(x[rows]) for x in given)
+        many = (x if np.ndim(x) == 0 else Many(x[rows]) for x in more)
         getattr(of_compounds(m), function)(number, states, p, *many, out)
         for row, value in zip(result, out, strict=True):
             row[rows] = values(value)
@@ -53,8 +53,8 @@ def filled(
     return result
 
 
-def _of(given: Any, rows: np.ndarray) -> Any:
-    return given if np.ndim(given) == 0 else given[rows[0]]
+def _of(values: Any, rows: np.ndarray) -> Any:
+    return values if np.ndim(values) == 0 else values[rows[0]]
 
 
 def jets(

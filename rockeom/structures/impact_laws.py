@@ -124,6 +124,24 @@ class TabulatedLaw:
     code = UNEVEN
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
+        """Code and ratio of the law for the compiled functions.
+
+        Parameters
+        ----------
+        velocity_ratio : float
+            Ratio of the angular velocities by the angular momentum of the rigid structure.
+        has_impulsive : bool
+            Whether the structure has the impulsive form.
+        name : str
+            Name of the structure.
+
+        Returns
+        -------
+        code : int
+            Code of the law.
+        ratio : float
+            Ratio of the angular velocities, NaN where the table has it.
+        """
         return (self.code, math.nan) if self.table_needed else (RATIO, self.only_velocity_ratio)
 
     @property
@@ -186,7 +204,7 @@ class EnergyRatio(TabulatedLaw):
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> run = rk.simulate(block, pulse, impact=rk.EnergyRatio(0.81))  # r, of kinetic energies
     >>> of_each_foot = rk.EnergyRatio(left=0.83, right=0.93)
     """
@@ -262,7 +280,7 @@ class VelocityRatio:
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> run = rk.simulate(block, pulse, impact=rk.VelocityRatio(0.9))  # e, of angular velocities
     """
 
@@ -272,6 +290,24 @@ class VelocityRatio:
         check_ratio("e", self.e, "VelocityRatio")
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
+        """Code and ratio of the law for the compiled functions.
+
+        Parameters
+        ----------
+        velocity_ratio : float
+            Ratio of the angular velocities by the angular momentum of the rigid structure.
+        has_impulsive : bool
+            Whether the structure has the impulsive form.
+        name : str
+            Name of the structure.
+
+        Returns
+        -------
+        code : int
+            Code of the law.
+        ratio : float
+            Ratio of the angular velocities after and before an impact.
+        """
         return RATIO, self.e
 
 
@@ -297,13 +333,31 @@ class AngularMomentum:
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> run = rk.simulate(block, pulse, impact=rk.AngularMomentum())
     >>> round(block.velocity_ratio, 4)  # its ratio e
     0.9118
     """
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
+        """Code and ratio of the law for the compiled functions.
+
+        Parameters
+        ----------
+        velocity_ratio : float
+            Ratio of the angular velocities by the angular momentum of the rigid structure.
+        has_impulsive : bool
+            Whether the structure has the impulsive form.
+        name : str
+            Name of the structure.
+
+        Returns
+        -------
+        code : int
+            Code of the law.
+        ratio : float
+            Ratio of the angular velocities after and before an impact.
+        """
         if not isfinite(velocity_ratio):  # each foot has its own
             return IMPULSIVE, math.nan
         return RATIO, velocity_ratio
@@ -321,11 +375,34 @@ class Impulsive:
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> run = rk.simulate(block, pulse, impact=rk.Impulsive())  # for a rigid block AngularMomentum
     """
 
     def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
+        """Code and ratio of the law for the compiled functions.
+
+        Parameters
+        ----------
+        velocity_ratio : float
+            Ratio of the angular velocities by the angular momentum of the rigid structure.
+        has_impulsive : bool
+            Whether the structure has the impulsive form.
+        name : str
+            Name of the structure.
+
+        Returns
+        -------
+        code : int
+            Code of the law.
+        ratio : float
+            Ratio of the angular velocities, of no use here.
+
+        Raises
+        ------
+        ValueError
+            Where the structure has no impulsive form.
+        """
         if not has_impulsive:
             raise InputError(name).wrong(
                 "has no impulsive law: its masses do not tell the impulses; use "
@@ -737,7 +814,7 @@ class RandomEnergyRatio(TabulatedLaw):
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> law = rk.RandomEnergyRatio([0.76, 0.95, 0.77, 0.92], seed=1)  # r, drawn at each impact
     >>> run = rk.simulate(block, pulse, impact=law)
     >>> of_each_foot = rk.RandomEnergyRatio(left=[0.763, 0.769], right=[0.948, 0.922], seed=1)
@@ -873,7 +950,7 @@ class EnergyRatioByImpact(TabulatedLaw):
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> law = rk.EnergyRatioByImpact([0.76, 0.95, 0.77])  # r of the first three impacts, and again
     >>> run = rk.simulate(block, pulse, impact=law)
     """

@@ -121,13 +121,32 @@ class Modal:
 
 
 class RayleighDamping(NamedTuple):
-    """Damping alpha M + beta K: alpha [1/s] of the masses, beta [s] of the stiffnesses."""
+    """Damping alpha M + beta K.
+
+    Parameters
+    ----------
+    alpha : float
+        Factor of the masses [1/s].
+    beta : float
+        Factor of the stiffnesses [s].
+    """
 
     alpha: float
     beta: float
 
     def ratio(self, period: ArrayLike) -> np.ndarray:
-        """Parts of critical damping of modes of these undamped periods [s], of their shape."""
+        """Parts of critical damping of modes.
+
+        Parameters
+        ----------
+        period : array_like
+            Undamped periods [s], any shape.
+
+        Returns
+        -------
+        ndarray
+            Parts, in the shape of the periods.
+        """
         omega = 2.0 * np.pi / array_of("period", period, "RayleighDamping.ratio")
         return 0.5 * (self.alpha / omega + self.beta * omega)
 

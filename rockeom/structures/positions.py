@@ -30,9 +30,14 @@ class Member(NamedTuple):
 
 
 class Copies(NamedTuple):
-    """How a body that stands for several is drawn.
+    """How a body that represents several is drawn.
 
-    number : how many, side by side. apart : distance between them in the sketch [m].
+    Parameters
+    ----------
+    number : int
+        Number of bodies, side by side.
+    apart : float
+        Distance between them in the sketch [m].
     """
 
     number: int
@@ -42,8 +47,15 @@ class Copies(NamedTuple):
 class Shapes(NamedTuple):
     """Outlines and members of a structure, as it was declared, for sketches.
 
-    outlines : corners (k, 2) of each body that has a size, by name, from its centre in axes that
-    turn with it [m]. members : what joins them. copies : of bodies that stand for several.
+    Parameters
+    ----------
+    outlines : dict of str to ndarray
+        Corners (k, 2) of each body that has a size, by name, from its centre in axes that turn with
+        it [m].
+    members : tuple of Member
+        Lines that join bodies.
+    copies : dict of str to Copies
+        Copies of bodies that represent several.
     """
 
     outlines: dict[str, np.ndarray]
@@ -59,15 +71,15 @@ def places(module: Any, modes: np.ndarray, states: np.ndarray, p: np.ndarray) ->
     return out.reshape(len(states), -1, 3)
 
 
-def positions_of(module: Any, found: np.ndarray) -> dict[str, np.ndarray]:
+def positions_of(module: Any, poses: np.ndarray) -> dict[str, np.ndarray]:
     """Places (..., 2) by name, of the values (..., m, 3) of `places`."""
-    return {name: found[..., i, :2] for i, name in enumerate(module.POSITIONS)}
+    return {name: poses[..., i, :2] for i, name in enumerate(module.POSITIONS)}
 
 
-def rotations_of(module: Any, found: np.ndarray) -> dict[str, np.ndarray]:
+def rotations_of(module: Any, poses: np.ndarray) -> dict[str, np.ndarray]:
     """Rotations of the bodies, by name, (...)."""
     kinds = zip(module.POSITIONS, module.POSITION_KINDS, strict=True)
-    return {name: found[..., i, 2] for i, (name, kind) in enumerate(kinds) if kind in BODIES}
+    return {name: poses[..., i, 2] for i, (name, kind) in enumerate(kinds) if kind in BODIES}
 
 
 def legs(structure: Any, mode: int, y: np.ndarray) -> list[tuple[int, int]]:

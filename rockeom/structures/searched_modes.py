@@ -79,11 +79,11 @@ class Points:
         contacts = Contacts(np.zeros(m, np.int64), np.zeros(m), np.zeros(m, kind))
         if m:
             search = _searching(self.module, kind.hasobject)
-            y, p, known = self.y.astype(kind), self.p, np.zeros(search["N_KNOWN"], kind)
-            search["all_known"](y, p, 0, known)  # its mode matters to forces alone
-            search["closed_points"](y, p, 0, known, contacts.closed, contacts.slides)
+            y, p, of_contacts = self.y.astype(kind), self.p, np.zeros(search["CONTACT_SIZE"], kind)
+            search["contact_data"](y, p, 0, of_contacts)  # its mode matters to forces alone
+            search["closed_points"](y, p, 0, of_contacts, contacts.closed, contacts.slides)
             for i, size in enumerate(self.size):
-                radius = search["radius_of"](known, i)
+                radius = search["radius_of"](of_contacts, i)
                 contacts.least_gap[i] = -search["GIVEN"] * np.maximum(size, radius)
         return contacts
 
@@ -264,14 +264,14 @@ def _least_of_compounds(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 def _orthonormal(rows: np.ndarray) -> np.ndarray:
     """(r, n) directions of rows (k, n), by Gram and Schmidt; not of those that others span."""
-    found: list[np.ndarray] = []
+    basis: list[np.ndarray] = []
     for row in rows:
         left = row
-        for other in (*found, *found):  # the second time removes what rounding left
+        for other in (*basis, *basis):  # the second time removes what rounding left
             left = left - (other @ left) * other
         if left @ left > _CLOSED**2 * (row @ row):
-            found.append(left / np.sqrt(left @ left))
-    return np.array(found, dtype=object).reshape(-1, rows.shape[1])
+            basis.append(left / np.sqrt(left @ left))
+    return np.array(basis, dtype=object).reshape(-1, rows.shape[1])
 
 
 def drawn_out(

@@ -115,22 +115,22 @@ def _short(name: str) -> str:
     return name if name in _IN_FULL else name.partition(".")[2] or name
 
 
-def _meant(name: str, known: Mapping[str, str], structure: Structure) -> str:
+def _meant(name: str, names: Mapping[str, str], structure: Structure) -> str:
     if name.isidentifier() and is_number(getattr(structure, name, None)):
         return " (it follows from others: name those, or let a function make the case of it)"
-    if f"initial {name}" in known:
+    if f"initial {name}" in names:
         return f" (did you mean 'initial {name}'?)"
     if name in ("r", "e"):
         return (
             " (name 'restitution', which is the ratio e of the angular velocities, or give the "
             "case a law that has it, such as impact=rk.EnergyRatio(r=0.8))"
         )
-    if name in UNITS and not known.keys() & {"amplitude", "acceleration", "velocity"}:
+    if name in UNITS and not names.keys() & {"amplitude", "acceleration", "velocity"}:
         return (
             " (pulses have it, such as GroundMotion.single_sine; of others, and of those that were "
             "changed after they were made, pga is the peak, scale and time_scale are factors)"
         )
-    return near(name, known)
+    return near(name, names)
 
 
 def with_numbers(case: Case, values: Iterable[tuple[Number, Any]]) -> Case:
@@ -184,8 +184,8 @@ class OtherCase:
         if isinstance(parts.get("motion"), Recording):  # which is both motions
             parts.setdefault("vertical", None)
         case = replace(self.case, **parts) if parts else self.case
-        given = ((n, values[name], name.endswith(SUFFIX)) for name, n in self.numbers.items())
-        return with_numbers(case, [(n, x * RADIANS if degrees else x) for n, x, degrees in given])
+        changes = ((n, values[name], name.endswith(SUFFIX)) for name, n in self.numbers.items())
+        return with_numbers(case, [(n, x * RADIANS if degrees else x) for n, x, degrees in changes])
 
 
 def function_of(case: Case | Callable[..., Case], names: Sequence[str]) -> Callable[..., Case]:
@@ -201,17 +201,17 @@ def of_structure(structure: Structure) -> dict[str, Number]:
     module = structure.module
     signs = dict(zip(module.PARAMETERS, module.PARAMETER_SIGNS, strict=True))
     units = dict(zip(module.PARAMETERS, module.PARAMETER_UNITS, strict=True))
-    made, found = _made_of(structure), {}
+    made, of_name = _made_of(structure), {}
     for name, path, value in _numbers(made):
         parameter, smooth = structure.parameter_at(path), signs.get(name) != "n"
         if not parameter and len(path) == 1:
             continue  # such as `full_height` of a block, which no equation has
         unit = units.get(parameter, "")
-        found[f"structure.{name}"] = Number("structure", path, value, unit, smooth)
+        of_name[f"structure.{name}"] = Number("structure", path, value, unit, smooth)
     for name in (name for name, value in made.items() if value is None):
         if parameter := structure.parameter_at((name,)):  # which follows from others
-            found[f"structure.{name}"] = Number("structure", (name,), None, units[parameter])
-    return found
+            of_name[f"structure.{name}"] = Number("structure", (name,), None, units[parameter])
+    return of_name
 
 
 def _of_motion(part: str, case: Case) -> dict[str, Number]:
@@ -227,19 +227,19 @@ def _of_motion(part: str, case: Case) -> dict[str, Number]:
 
 def _of_law(case: Case) -> dict[str, Number]:
     law: Any = case.impact
-    found = {}
+    of_name = {}
     for name, path, value in _numbers(_made_of(law)) if is_dataclass(law) else ():
         if name != "seed":
             unit = "-" if len(path) == 1 and name != "height" else ""
-            found[f"impact.{name}"] = Number("impact", path, value, unit)
+            of_name[f"impact.{name}"] = Number("impact", path, value, unit)
     if not case.structure.has_impacts:
-        return found
+        return of_name
     ratio = law.e if isinstance(law, VelocityRatio) else None
     if isinstance(law, EnergyRatio) and law.r is not None:
         ratio = float(mathematics.sqrt(law.r))
     if ratio is not None or law is None or isinstance(law, AngularMomentum | Impulsive):
-        found["impact.restitution"] = Number("impact", ("restitution",), ratio, "-")
-    return found
+        of_name["impact.restitution"] = Number("impact", ("restitution",), ratio, "-")
+    return of_name
 
 
 def _of_start(case: Case) -> dict[str, Number]:

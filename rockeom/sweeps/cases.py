@@ -246,15 +246,15 @@ def _name(value: Any) -> str:
 
 def _told_apart(names: list[str]) -> list[str]:
     repeated = {name for name, times in Counter(names).items() if times > 1}
-    taken, numbers, found = {*names}, Counter[str](), []
+    taken, numbers, labels = {*names}, Counter[str](), []
     for name in names:
         label = name
         while name in repeated and label in taken:
             numbers[name] += 1
             label = f"{name} ({numbers[name]})"
         taken.add(label)
-        found.append(label)
-    return found
+        labels.append(label)
+    return labels
 
 
 def sweep_of(case: Case, cases: Cases) -> tuple[OtherCase, Cases]:

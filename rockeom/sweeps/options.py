@@ -36,7 +36,7 @@ class SweepOptions:
         Folder, such as "map.zarr", that keeps each chunk when it is done, of the package zarr (the
         extra `store`). The same call reads there what is done and does the rest; the result is that
         of a call that was never stopped, to the last bit.
-    executor : object, optional
+    executor : concurrent.futures.Executor, optional
         Executor that does the work instead of threads: anything whose `submit` returns futures,
         such as ProcessPoolExecutor() or ``client.get_executor(pure=False)`` of a dask cluster.
 

@@ -76,10 +76,10 @@ class Results:
         """The arrays by name."""
         return vars(self)
 
-    def put(self, rows: np.ndarray | slice, found: Mapping[str, np.ndarray]) -> None:
+    def put(self, rows: np.ndarray | slice, values: Mapping[str, np.ndarray]) -> None:
         """Write results of some rows that another process found."""
         for name, array in self.arrays().items():
-            array[rows] = found[name]
+            array[rows] = values[name]
 
     def run(self, batch: Batch, compiled: Program, task: Task, stop: threading.Event) -> None:
         """Run a batch and write its rows, whole responses first: the outcome tells that all is."""

@@ -60,7 +60,7 @@ def simulate_many(
     case : Case or callable
         A case, some of whose numbers `over` names; or a function that makes one case from one value
         of each name, where cases depend on them in another way.
-    over : object
+    over : dict or list of dict or pandas.DataFrame
         A mapping of names to lists of values is a grid: the dataset is over its names. A table has
         a case in each row and is a DataFrame, a structured array, a list of dicts or a dataset over
         one dimension: the dataset is over "case", with the columns as coordinates.

@@ -158,19 +158,19 @@ def sensitivity(
     --------
     >>> import rockeom as rk
     >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
-    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s, s
+    >>> pulse = rk.GroundMotion.single_sine(amplitude=3.5, period=0.4, duration=4.0)  # m/s2, s
     >>> case = rk.Case(block, pulse, impact=rk.VelocityRatio(0.9))
     >>> slopes = rk.sensitivity(case, of=["peak theta"], to=["half_width", "restitution"])
     >>> slopes.derivatives.shape
     (1, 2)
     """
     _check_plain(case)
-    wanted, given = _names("of", of), _names("to", to)
-    numbers = _numbers(case, given)
+    wanted, varied = _names("of", of), _names("to", to)
+    numbers = _numbers(case, varied)
     seeds = duals(**{f"x{i}": number.value or 0.0 for i, number in enumerate(numbers)})
     pairs = list(zip(numbers, seeds.values(), strict=True))
     seeded = with_numbers(case, [(n, seed) for n, seed in pairs if not n.factor])
-    problem, along = parted(seeded.problem(), len(given))
+    problem, along = parted(seeded.problem(), len(varied))
     for part, of_part in (("motion", "horizontal"), ("vertical", "vertical")):
         factors = {
             j: number.factor
@@ -178,13 +178,13 @@ def sensitivity(
             if number.factor and number.part in ("case", part)
         }
         if factors:
-            of_factors = _of_ground(getattr(case, part), factors, len(given))
+            of_factors = _of_ground(getattr(case, part), factors, len(varied))
             along = along._replace(**{of_part: getattr(along, of_part) + of_factors})
     motion = of_problem(seeded, problem, along, SolverOptions.of(options))
     answers = [answer(name, motion) for name in wanted]
     return Sensitivity(
         wanted,
-        given,
+        varied,
         np.array([float(answer.value) for answer in answers]),
         np.array([float(seed.value) for seed in seeds.values()]),
         np.array([answer.tangent for answer in answers]) + 0.0,  # none is -0.0
@@ -210,8 +210,8 @@ def _names(what: str, names: Sequence[str]) -> tuple[str, ...]:
 
 def _numbers(case: Case, names: Sequence[str]) -> list[Number]:
     """The numbers of these names, of those that have a value and a derivative."""
-    known = {name: n for name, n in numbers_of(case).items() if n.smooth and n.value is not None}
-    return numbers_named("to", names, known, case.structure)
+    smooth = {name: n for name, n in numbers_of(case).items() if n.smooth and n.value is not None}
+    return numbers_named("to", names, smooth, case.structure)
 
 
 _TINY = 1e-100
@@ -233,9 +233,9 @@ def _of_ground(motion: GroundMotion | None, factors: Mapping[int, str], m: int) 
 # -- quantities by name
 
 
-def answer(name: str, found: Tangents) -> Dual:
+def answer(name: str, tangents: Tangents) -> Dual:
     """An answer with its derivatives; its name as of `sensitivity`, which says what is raised."""
-    motion = _Moving(found)
+    motion = _Moving(tangents)
     for pattern, asked in _ANSWERS.items():
         if match := re.fullmatch(pattern, name):
             return asked(motion, *match.groups())
@@ -250,12 +250,12 @@ def answer(name: str, found: Tangents) -> Dual:
 class _Moving:
     """A motion with its derivatives, asked for quantities at places of it."""
 
-    def __init__(self, found: Tangents) -> None:
-        self.found, self.path = found, found.motion
-        self.run, self.along = found.response, found.along
-        self.p = with_tangent(self.run.structure.vector, found.parameters)
+    def __init__(self, tangents: Tangents) -> None:
+        self.found, self.path = tangents, tangents.motion
+        self.run, self.along = tangents.response, tangents.along
+        self.p = with_tangent(self.run.structure.vector, tangents.parameters)
         self.module = self.run.structure.module
-        self.m = found.end.shape[-1]
+        self.m = tangents.end.shape[-1]
 
     def of(self, name: str, mode: int, y: np.ndarray, along: np.ndarray) -> Dual:
         """A quantity of a state (N,) with derivatives (N, m)."""

@@ -311,12 +311,12 @@ def _of_values(values: Sequence[Any] | np.ndarray) -> np.ndarray | str:
 def _sample(cases: Cases) -> np.ndarray:
     """Rows: some from the first to the last, and the first of each object."""
     spread = np.linspace(0, cases.total - 1, SPREAD).astype(int)
-    found = [spread]
+    places_in = [spread]
     every = cases.places(np.arange(cases.total))
     for values, places in zip(cases.values.values(), every, strict=True):
         if not all(isinstance(value, str) or is_number(value) for value in values):
-            found.append(np.unique(places, return_index=True)[1])
-    return np.unique(np.concatenate(found))
+            places_in.append(np.unique(places, return_index=True)[1])
+    return np.unique(np.concatenate(places_in))
 
 
 def _problems(source: Source, rows: np.ndarray) -> Iterator[np.ndarray]:
@@ -327,13 +327,13 @@ def _problems(source: Source, rows: np.ndarray) -> Iterator[np.ndarray]:
 
 
 def _hash(*parts: np.ndarray | str) -> str:
-    found = hashlib.sha256()
+    digest = hashlib.sha256()
     for part in parts:
         if isinstance(part, str):
             part = np.frombuffer(part.encode(), dtype=np.uint8)
-        found.update(f"{part.dtype.str} {part.shape} ".encode())
-        found.update(np.ascontiguousarray(part).tobytes())
-    return found.hexdigest()[:20]
+        digest.update(f"{part.dtype.str} {part.shape} ".encode())
+        digest.update(np.ascontiguousarray(part).tobytes())
+    return digest.hexdigest()[:20]
 
 
 def _check_same(path: Path, there: Mapping[str, str], here: Mapping[str, str]) -> None:

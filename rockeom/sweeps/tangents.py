@@ -28,7 +28,7 @@ from numpy.typing import ArrayLike
 from rockeom.codes import GRAZES, OTHER_WAY
 from rockeom.compiler.types import WIDTH
 from rockeom.integrator import records
-from rockeom.integrator.program import carrying
+from rockeom.integrator.program import tangent_program
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, array_of
 from rockeom.numbers.dual import nominal, tangent_of, value_of
@@ -111,9 +111,9 @@ class Tangents:
         if instants.size and not (instants.min() >= 0.0 and instants.max() <= end):
             raise InputError("times", times, "Tangents.at").give(f"times from 0 to {end:.6g} s")
         order = np.argsort(instants, kind="stable")
-        found = np.empty((len(instants), *self.end.shape))
-        found[order] = self.motion.carried(instants[order]).found
-        return found
+        derivatives = np.empty((len(instants), *self.end.shape))
+        derivatives[order] = self.motion.carried(instants[order]).at_times
+        return derivatives
 
 
 @explained.calls()
@@ -164,9 +164,9 @@ def states_at(
     """
     motion = _motion(case, *_with_duals(case), SolverOptions.of(options))
     inside = times <= motion.last_time
-    found = np.zeros((len(times), len(motion.problem.y0), motion.directions))
-    found[inside] = motion.carried(times[inside]).found
-    return motion.response, found
+    derivatives = np.zeros((len(times), len(motion.problem.y0), motion.directions))
+    derivatives[inside] = motion.carried(times[inside]).at_times
+    return motion.response, derivatives
 
 
 def _with_duals(case: Case) -> tuple[Problem, ProblemTangents]:
@@ -184,12 +184,12 @@ def of_problem(
 ) -> Tangents:
     """The same of a case in numbers: for whoever runs it again from another state."""
     motion = _motion(case, problem, along, options)
-    found = motion.carried(np.empty(0))
-    end, end_time = _end(case, motion, found.end)
-    before, after = found.event_states[:, 0], found.event_states[:, 1]
+    carried = motion.carried(np.empty(0))
+    end, end_time = _end(case, motion, carried.end)
+    before, after = carried.event_states[:, 0], carried.event_states[:, 1]
     return Tangents(
-        motion.response, along.y0, found.event_times, before, after,
-        end, end_time, motion.said_of(found), motion,
+        motion.response, along.y0, carried.event_times, before, after,
+        end, end_time, motion.said_of(carried), motion,
     )  # fmt: skip
 
 
@@ -203,13 +203,13 @@ def _motion(case: Case, problem: Problem, along: ProblemTangents, options: Solve
 
 
 class _Carried(NamedTuple):
-    """Derivatives that `carry` propagates along m directions.
+    """Derivatives along m directions, as `propagate_tangents` leaves them.
 
     stopped : 0, or why it did not come to the end, at the event `at`.
     """
 
     end: np.ndarray
-    found: np.ndarray
+    at_times: np.ndarray
     event_states: np.ndarray
     event_times: np.ndarray
     stopped: int
@@ -285,8 +285,8 @@ class Motion:
         parts = list(self._parts(times))
         if not parts:
             k, n = len(self.response.events.columns[0]), len(self.problem.y0)
-            ends, found = np.empty((n, 0)), np.empty((len(times), n, 0))
-            return _Carried(ends, found, np.empty((k, 2, n, 0)), np.empty((k, 0)), 0, 0)
+            ends, at_times = np.empty((n, 0)), np.empty((len(times), n, 0))
+            return _Carried(ends, at_times, np.empty((k, 2, n, 0)), np.empty((k, 0)), 0, 0)
         back = np.argsort(self.order)
         whole = [
             np.concatenate(some, axis=-1)[..., back]
@@ -298,7 +298,7 @@ class Motion:
         """As many directions at a time as the program carries."""
         r, q, along = self.response, self.problem, self.along
         steps, (t, kinds, states) = r.steps, r.events.columns
-        program = carrying(r.structure.module, r.statistics["method"])
+        program = tangent_program(r.structure.module, r.statistics["method"])
         n, k, size = len(q.y0), len(t), 1 + WIDTH
         p, atol = q.p(), np.full(n, r.options.atol)
         case = records.Case(
@@ -307,7 +307,6 @@ class Motion:
             fallen=q.fallen, rest_tolerance=r.options.rest_tolerance,
             max_impacts=r.options.max_impacts, max_steps=r.options.max_steps,
         )  # fmt: skip
-        floats, duals = np.zeros(program.FLOATS_SIZE), np.zeros((program.DUALS_SIZE, size))
         for first in range(0, self.directions, WIDTH):
             some = self.order[first : first + WIDTH]
             shaken = some[self.shakes[some]]
@@ -320,29 +319,29 @@ class Motion:
             ]
             corners = any(x[:, :2, j].any() for x in self.grounds for j in shaken)
             y, told = _dual(q.y0, along.y0, some), np.zeros(1, np.int64)
-            found, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
+            at_times, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
             event_y = np.full((k, 2, n, size), np.nan)
-            stopped = program.carry(
+            stopped = program.propagate_tangents(
                 steps.span, steps.mode, steps.powers, t, kinds, states, np.empty((0, n)), *case,
                 *rows, corners, _dual(p, along.p, some), _dual(q.ratio, along.ratio, some)[None],
-                self.longest_step, times, y, found, event_y, event_t, told, floats, duals,
+                self.longest_step, times, y, at_times, event_y, event_t, told, np.empty((3, n)),
             )  # fmt: skip
             if stopped:
                 y[:] = np.nan
             told_of = slice(1, 1 + len(some))
             yield _Carried(
-                y[..., told_of], found[..., told_of], event_y[..., told_of],
+                y[..., told_of], at_times[..., told_of], event_y[..., told_of],
                 event_t[..., told_of], stopped, int(told[0]),
             )  # fmt: skip
 
-    def said_of(self, found: _Carried) -> str:
+    def said_of(self, carried: _Carried) -> str:
         """Why derivatives end before the motion does, or nothing."""
-        lost = ~np.isfinite(found.event_states).all(axis=(1, 2, 3))
-        if not (found.stopped or lost.any()):
+        lost = ~np.isfinite(carried.event_states).all(axis=(1, 2, 3))
+        if not (carried.stopped or lost.any()):
             return ""
-        event = self.response.events[found.at if found.stopped else int(np.argmax(lost))]
+        event = self.response.events[carried.at if carried.stopped else int(np.argmax(lost))]
         what = f"the {event.kind} at {event.time:.6g} s, {event.mode_before} to {event.mode_after}"
-        return f"{what}, {_WHY[found.stopped]}"
+        return f"{what}, {_WHY[carried.stopped]}"
 
 
 _RADIANS = {"DOP853": 0.6, "RK45": 0.2}

@@ -28,25 +28,57 @@ _LISTS = ("parameters", "coordinates", "bodies", "contacts", "elements", "forces
 @explained.calls()
 @dataclass(frozen=True, kw_only=True)
 class Model(Declared, ContactDeclaration):
-    """A structure that is free to move but for its contacts and elements.
-
-    contacts, elements : what touches, and what carries forces: a `Spring` always, others by their
-        states.
-    rotation : the coordinate that overturns, positive clockwise, at `overturning`.
-    falls : further coordinates that do, each with the size at which it has, {coordinate: size}.
-    elastic_energy, dissipation : of springs and dampers that always act and need no name; those of
-        each `Spring` are added.
-    forces : others that always act, each by its work along a displacement.
-    rates : of each internal variable z, dz/dt, a function of coordinates, velocities and internal
-        variables. Forces and the elastic energy may depend on these, whose slope by a coordinate
-        is a force; its slope by z is none. An impact leaves them as they are, and so does statics.
-        A response has its integral over time, too, `z_integral`, which acts on nothing.
-    load_point : place of a pushover's force, whose displacement a response has.
-    members : what a sketch shows between bodies.
+    """Structure that is free to move but for its contacts and elements.
 
     On a pair of `Pinned()` feet it is a rocking structure, see `reduced`.
 
-    Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
+    Parameters
+    ----------
+    name : str
+        Name of the model, in small letters, which its generated module has.
+    title : str
+        Title, in words.
+    parameters : tuple of Parameter
+        Constants of the model, made by `parameter`.
+    coordinates : tuple of Coordinate
+        Generalised coordinates, made by `coordinate`.
+    bodies : tuple of Body
+        Rigid bodies with mass.
+    gravity : sympy.Expr
+        Symbol or value of the acceleration of gravity.
+    rotation : Coordinate
+        Coordinate that overturns, positive clockwise, at `overturning`.
+    contacts : tuple of Contact, optional
+        Points that may touch.
+    elements : tuple of Spring, Unilateral or Yielding, optional
+        Elements that carry forces: a `Spring` always, others by their states.
+    elastic_energy : sympy.Expr, optional
+        Elastic energy of springs that always act and need no name; that of each `Spring` is added.
+    dissipation : sympy.Expr, optional
+        Rayleigh's function of dampers that always act and need no name; that of each `Spring` is
+        added.
+    forces : tuple of Force, optional
+        Other forces that always act, each by its work along a displacement.
+    rates : dict of InternalVariable to sympy.Expr, optional
+        Rate dz/dt of each internal variable z, a function of coordinates, velocities and internal
+        variables. Forces and the elastic energy may depend on these, whose slope by a coordinate is
+        a force; its slope by z is none. An impact leaves them as they are, and so does statics. A
+        response has its integral over time, too, `z_integral`, which acts on nothing.
+    overturning : sympy.Expr, optional
+        Size of the rotation at which the structure has overturned.
+    load_point : tuple of (sympy.Expr, sympy.Expr), optional
+        Place (x, y) of a pushover's force, whose displacement a response has.
+    reference : str, optional
+        Source of the equations.
+    members : tuple of Member, optional
+        Lines of a sketch.
+    falls : dict of Coordinate to sympy.Expr, optional
+        Further coordinates that overturn, each with the size at which it has, {coordinate: size}.
+
+    Raises
+    ------
+    ValueError
+        For a declaration that cannot be meant; the message names the item and the remedy.
     """
 
     @classmethod
@@ -64,30 +96,55 @@ class Model(Declared, ContactDeclaration):
         outlines: Mapping[Any, Outline] | None = None,
         **declared: Any,
     ) -> Model:
-        """A model of bodies of `sympy.physics.mechanics` that move in one plane.
+        """Model of bodies of `sympy.physics.mechanics` that move in one plane.
 
         Positions follow from the points, rotations from the orientation of the frames; velocities
         and generalised speeds that were set are not used.
 
-        bodies : each a RigidBody or a Particle, with mass, mass centre and central inertia about
+        Parameters
+        ----------
+        bodies : iterable of RigidBody or Particle
+            Bodies, each a RigidBody or a Particle, with mass, mass centre and central inertia about
             z. Their potential energy is that of springs; the weight follows from `gravity`.
-        coordinates : (name, unit, meaning) of each of the `dynamicsymbols` in which points and
-            frames are written, {theta: ("theta", "rad", "rotation, positive clockwise")}.
-        frame, origin : a ReferenceFrame and a Point that rest on the ground, x to the right and y
-            upwards. The ground's acceleration is given to `simulate`.
-        parameters : (name, unit, meaning) of each symbol, {m: ("mass", "kg", "mass")}.
-        gravity : its acceleration [m/s2], positive; it acts along -y.
-        rotation : the one of `coordinates` that overturns.
-        contacts : points above level ground, y = 0, with their laws, {"left": (Point, Rigid())};
-            or objects of `Contact`, such as those of `feet`.
-        outlines : what a sketch shows, {body: corners}, from the mass centre, in axes that are x
-            and y where all coordinates are zero.
-        declared : the other arguments of `Model`, of which `name` and `title` are needed. They may
-            contain the coordinates, as may `contacts`; a Point gives a place.
+        coordinates : dict
+            (name, unit, meaning) of each of the `dynamicsymbols` in which points and frames are
+            written, ``{theta: ("theta", "rad", "rotation, positive clockwise")}``.
+        frame : sympy.physics.mechanics.ReferenceFrame
+            Frame that rests on the ground, x to the right and y upwards. The ground's acceleration
+            is an argument of `simulate`.
+        origin : sympy.physics.mechanics.Point
+            Point that rests on the ground.
+        parameters : dict
+            (name, unit, meaning) of each symbol, ``{m: ("mass", "kg", "mass")}``.
+        gravity : sympy.Expr
+            Acceleration of gravity [m/s2], positive; it acts along -y.
+        rotation : sympy.Expr
+            The one of `coordinates` that overturns.
+        contacts : dict or iterable of Contact, optional
+            Points above level ground, y = 0, with their laws, ``{"left": (Point, Rigid())}``; or
+            objects of `Contact`, such as those of `feet`.
+        outlines : dict, optional
+            Corners in a sketch, {body: corners}, from the mass centre, in axes that are x and y
+            where all coordinates are zero.
+        **declared : object
+            Other arguments of `Model`, of which `name` and `title` are needed. They may contain the
+            coordinates, as may `contacts`; a Point gives a place.
 
-        Raises ValueError, naming the item and the remedy, for what moves out of the plane or from
-        a point that moves, for functions of time that are no coordinates, and for symbols that
-        `parameters` lacks.
+        Returns
+        -------
+        Model
+            Model.
+
+        Raises
+        ------
+        ValueError
+            For motions out of the plane or from a point that moves, for functions of time that are
+            no coordinates, and for symbols that `parameters` lacks; the message names the item and
+            the remedy.
+
+        Examples
+        --------
+        With bodies, points and frames of `sympy.physics.mechanics`::
 
             Model.from_mechanics(
                 [block], {x: ("x", "m", "place"), y: ("y", "m", "height"), theta: ...},
@@ -155,9 +212,22 @@ class Model(Declared, ContactDeclaration):
         return search.modes
 
     def mode(self, name: str) -> DerivedMode:
-        """The equations of a mode, such as "right_slides_left".
+        """Equations of a mode, such as "right_slides_left".
 
-        Raises ValueError, naming the modes, if there is none of that name.
+        Parameters
+        ----------
+        name : str
+            Name of the mode.
+
+        Returns
+        -------
+        DerivedMode
+            Equations.
+
+        Raises
+        ------
+        ValueError
+            If there is none of that name; the message names the modes.
         """
         require_word("mode", name, self.modes.names, self.name)
         return self.modes.mode_of(self.modes.states[self.modes.names.index(name)])

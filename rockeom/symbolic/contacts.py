@@ -27,42 +27,55 @@ from rockeom.symbolic.model import Body, Coordinate, InternalVariable, Member, P
 @explained.calls()
 @dataclass(frozen=True)
 class Rigid:
-    """A rigid contact: it opens, sticks or slips.
+    """Rigid contact: it opens, sticks or slips.
 
-    restitution : e, 0 to 1: the ratio of the rates of the gap after and before an impact of this
+    Parameters
+    ----------
+    restitution : sympy.Expr, optional
+        Restitution e, 0 to 1: the ratio of the rates of the gap after and before an impact of this
         point alone without friction. By "newton" that of any impact in which it presses, by
-        "poisson" of impulses, by "lzb" and "pairwise" e**2 is that of the energy given back.
-    friction : Coulomb's, the largest ratio of friction and normal force; None: it never slips;
+        "poisson" of impulses, by "lzb" and "pairwise" e^2 is that of the energy given back.
+    friction : sympy.Expr, optional
+        Coulomb's coefficient, the largest ratio of friction and normal force; None: it never slips;
         the number 0: a smooth contact, which is open or closed and never sticks.
-    law : of impacts, as below; one for all contacts of a structure.
-    stiffness : of "lzb" and "pairwise"; ratios of it count.
-    tangential : e_t of "moreau", 0 to 1; None: e.
+    law : str, optional
+        Impact law, "newton", "moreau", "poisson", "lzb" or "pairwise"; one for all contacts of a
+        structure.
+    stiffness : sympy.Expr, optional
+        Relative stiffness of "lzb" and "pairwise"; ratios of it count.
+    tangential : sympy.Expr, optional
+        Restitution e_t of "moreau", 0 to 1; None: e.
 
+    Raises
+    ------
+    ValueError
+        For a law of another name, numbers out of their ranges, and `stiffness` or `tangential` with
+        a law that has none.
+
+    Notes
+    -----
     At the points that touch v and w are the rates of gaps and slips, P and Q the impulses along
     them.
 
-    "newton": P >= 0, v after >= -e v before, one of them with equality; Q opposes the slip after
-    the impact, |Q| <= friction P. It gains no energy with e = 0, nor without friction; else it can.
+    * "newton": P >= 0, v after >= -e v before, one of them with equality; Q opposes the slip after
+      the impact, ``|Q| <= friction P``. It gains no energy with e = 0, nor without friction; else
+      it can.
+    * "moreau": the same, where Q opposes w after + e_t w before (Moreau 1988). It gains no energy
+      where all e and e_t are one number, nor without friction; else it can.
+    * "poisson": all gaps that close come to rest together; e times the impulses of that are given
+      back. Coulomb's law holds all through the impact, in which a slip may come to rest and turn
+      (Routh 1860). It gains no energy where one point meets, nor without friction; with friction at
+      several points it can.
+    * "lzb": impulses grow as those of linear springs of relative `stiffness` k, by the law of Liu,
+      Zhao and Brogliato (2008), dP_i/dP_j = sqrt(k_i E_i/(k_j E_j)), E the energy that a spring
+      holds, of which e^2 is given back; friction as by "poisson". It never gains energy. A friction
+      is needed, e is 0, or 0.001 and more, and one k at most 1e8 and (1e5 e)^2 times another.
+    * "pairwise": impacts of single points by "lzb", one after the other: of the points that close
+      the one of the greatest `stiffness`, of equal ones the fastest. It never gains energy.
 
-    "moreau": the same, where Q opposes w after + e_t w before (Moreau 1988). It gains no energy
-    where all e and e_t are one number, nor without friction; else it can.
-
-    "poisson": all gaps that close come to rest together; e times the impulses of that are given
-    back. Coulomb's law holds all through the impact, in which a slip may come to rest and turn
-    (Routh 1860). It gains no energy where one point meets, nor without friction; with friction at
-    several points it can.
-
-    "lzb": impulses grow as those of linear springs of relative `stiffness` k, by the law of Liu,
-    Zhao and Brogliato (2008), dP_i / dP_j = sqrt(k_i E_i / (k_j E_j)), E the energy that a spring
-    holds, of which e**2 is given back; friction as by "poisson". It never gains energy. A friction
-    is needed, e is 0, or 0.001 and more, and one k at most 1e8 and (1e5 e)**2 times another.
-
-    "pairwise": impacts of single points by "lzb", one after the other: of the points that close
-    the one of the greatest `stiffness`, of equal ones the fastest. It never gains energy.
-
-    Raises ValueError for a law of another name, numbers out of their ranges, and `stiffness` or
-    `tangential` with a law that has none.
-
+    Examples
+    --------
+    >>> from rockeom.symbolic import Rigid
     >>> Rigid(restitution=0.8, friction=0.4, law="lzb").law
     'lzb'
     """
@@ -110,11 +123,11 @@ class Rigid:
 @explained.calls()
 @dataclass(frozen=True)
 class Pinned(Rigid):
-    """The law of a pair of feet that open, and neither slip nor bounce at any force.
+    """Law of a pair of feet that open, and neither slip nor bounce at any force.
 
-    A model on them is a rocking structure: the place of its base is no state, its modes are
-    "left", "both" and "right", and impact laws are those by a ratio of rates, such as
-    `AngularMomentum`. See `Model.reduced`.
+    A model on them is a rocking structure: the place of its base is no state, its modes are "left",
+    "both" and "right", and impact laws are those by a ratio of rates, such as `AngularMomentum`.
+    See `Model.reduced`.
     """
 
     restitution: sp.Expr = field(default=sp.S.Zero, init=False, repr=False)
@@ -128,12 +141,23 @@ class Pinned(Rigid):
 @explained.calls()
 @dataclass(frozen=True)
 class Contact:
-    """A point that may close.
+    """Point that may close.
 
-    gap : its distance, not negative. slip : its tangential place, which grows to the right.
-    side : of a point of a mirrored pair, whose gap and slip contain s: -1 or 1; else 0.
-    place : where it is, (x, y), next to the ground at rest; (slip, gap) if not given, as of a point
-    above level ground. Sketches show it there.
+    Parameters
+    ----------
+    name : str
+        Name of the point, such as "left".
+    gap : sympy.Expr
+        Distance of the point from the surface, not negative.
+    slip : sympy.Expr
+        Tangential place, which grows to the right.
+    law : Rigid
+        Contact law.
+    side : int, optional
+        -1 or 1 for a point of a mirrored pair, whose gap and slip contain s; else 0.
+    place : tuple of (sympy.Expr, sympy.Expr), optional
+        Place (x, y), next to the ground at rest; (slip, gap) if not given, as for a point above
+        level ground. Sketches show it there.
     """
 
     name: str
@@ -156,7 +180,20 @@ class Contact:
             )
 
     def at(self, side: sp.Expr | int) -> tuple[sp.Expr, sp.Expr]:
-        """(gap, slip), the side put in."""
+        """Gap and slip, the side put in.
+
+        Parameters
+        ----------
+        side : sympy.Expr or int
+            Side, -1 or 1.
+
+        Returns
+        -------
+        gap : sympy.Expr
+            Gap.
+        slip : sympy.Expr
+            Slip.
+        """
         return at_side(self.gap, side), at_side(self.slip, side)
 
     @property
@@ -168,13 +205,22 @@ class Contact:
 
 @dataclass(frozen=True)
 class Force:
-    """A force that always acts, along a displacement: its work is that of value * d(displacement).
+    """Force that always acts, along a displacement: its work is that of value d(displacement).
 
-    value : a function of coordinates, velocities and internal variables, positive where it pushes
-        the displacement, a function of the coordinates, to grow. Or both are pairs: the components
-        (F_x, F_y) of a force in the plane, and the place (x, y) of the point at which it acts.
+    Parameters
+    ----------
+    name : str
+        Name of the element, by which a response has its quantities.
+    value : sympy.Expr or tuple
+        Function of coordinates, velocities and internal variables, positive where it pushes the
+        displacement to grow; or the components (F_x, F_y) of a force in the plane.
+    displacement : sympy.Expr or tuple
+        Function of the coordinates; or the place (x, y) of the point at which the force acts.
 
-    Raises ValueError for what is no expression, and where only one of both is a pair.
+    Raises
+    ------
+    ValueError
+        For anything but expressions, and where only one of both is a pair.
     """
 
     name: str
@@ -203,19 +249,43 @@ class Force:
 
 @explained.calls()
 def dead_load(name: str, force: sp.Expr, at: Point, turned: sp.Expr = sp.S.Zero) -> Force:
-    """A force of constant size that presses on a point, such as the axial load by an actuator.
+    """Force of constant size that presses on a point, such as the axial load by an actuator.
 
-    force : its size [N], positive where it presses down. at : the place (x, y) of the point.
-    turned : the angle through which its direction has turned clockwise from straight down. Zero
-        for a load that stays vertical, as of a weight on the point: its work is that of a
-        potential, force * y. The rotation of the body for one that follows it, as of a jack that
-        is fixed to it: in general its work depends on the path, and there is no potential.
+    Parameters
+    ----------
+    name : str
+        Name of the element, by which a response has its quantities.
+    force : sympy.Expr
+        Size of the force [N], positive where it presses down.
+    at : tuple of (sympy.Expr, sympy.Expr)
+        Place (x, y) of the point.
+    turned : sympy.Expr, optional
+        Angle through which its direction has turned clockwise from straight down. Zero for a load
+        that stays vertical, as of a weight on the point: its work is that of a potential, force
+        times y. The rotation of the body for one that follows it, as of a jack that is fixed to it:
+        in general its work depends on the path, and there is no potential.
 
+    Returns
+    -------
+    Force
+        Force.
+
+    Raises
+    ------
+    ValueError
+        For anything but expressions, and a point.
+
+    Notes
+    -----
     A force that points at an anchor is a `Spring` with an initial_force and no stiffness.
 
-        dead_load("jack", N, at=top, turned=theta)
-
-    Raises ValueError for what is no expression, and no point.
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> from rockeom.symbolic import dead_load
+    >>> N, h, theta = sp.symbols("N h theta")
+    >>> dead_load("jack", N, (h * sp.sin(theta), h * sp.cos(theta)), turned=theta).on(theta)
+    0
     """
     valid.expressions(f"force {name!r}", force=force, turned=turned)
     return Force(name, (-force * sp.sin(turned), -force * sp.cos(turned)), at)
@@ -230,7 +300,28 @@ def feet(
     names: tuple[str, str] = ("left", "right"),
     place: Callable[[sp.Expr], Point] | None = None,
 ) -> tuple[Contact, Contact]:
-    """A mirrored pair: gap and slip of the side s, which is -1 at the left foot, 1 at the right."""
+    """Mirrored pair of contacts.
+
+    Parameters
+    ----------
+    gap : callable
+        Function of the side s, -1 at the left foot and 1 at the right, that gives the gap.
+    slip : callable
+        Function of the side that gives the slip.
+    law : Rigid
+        Contact law of both.
+    names : tuple of (str, str), optional
+        Names of the left and the right foot.
+    place : callable, optional
+        Function of the side that gives the place (x, y).
+
+    Returns
+    -------
+    left : Contact
+        Left foot.
+    right : Contact
+        Right foot.
+    """
     left, right = names
     at = None if place is None else place(SIDE)
     return (

@@ -27,10 +27,16 @@ def switch_of(element: int) -> sp.Symbol:
 
 
 class Ending(NamedTuple):
-    """The end of a state of an element.
+    """End of a state of an element.
 
-    guard : positive inside the state; of two, the larger counts. target : the state that follows.
-    back : which of the target's endings has a guard that is zero then, if any has.
+    Parameters
+    ----------
+    guard : tuple of sympy.Expr
+        Guards, positive inside the state; of two, the larger counts.
+    target : int
+        Number of the state that follows.
+    back : int, optional
+        Number of the target's ending whose guard is zero then, if any.
     """
 
     guard: tuple[sp.Expr, ...]
@@ -42,13 +48,24 @@ class Ending(NamedTuple):
 @explained.calls()
 @dataclass(frozen=True)
 class Unilateral:
-    """A spring and a damper that press, k d + c d', while d and that sum are positive.
-
-    compression : d, a function of the coordinates; the force does work -(k d + c d') on its rise.
-    place : where it presses on the structure, (x, y); a sketch shows it there, above the ground.
+    """Spring and damper that press, k d + c d', while d and that sum are positive.
 
     It closes where both have become positive, and opens where the sum falls to zero: it never
     presses above its ground, however fast the structure comes down.
+
+    Parameters
+    ----------
+    name : str
+        Name of the element, by which a response has its quantities.
+    compression : sympy.Expr
+        Compression d, a function of the coordinates; the force does work -(k d + c d') on its rise.
+    stiffness : sympy.Expr
+        Stiffness k [N/m].
+    damping : sympy.Expr, optional
+        Coefficient c [N s/m].
+    place : tuple of (sympy.Expr, sympy.Expr), optional
+        Place (x, y) at which it presses on the structure; a sketch shows it there, above the
+        ground.
     """
 
     name: str
@@ -150,20 +167,32 @@ class Unilateral:
 @explained.calls()
 @dataclass(frozen=True)
 class Yielding:
-    """A bar or a tendon that is elastic up to a strength, and then yields.
+    """Bar or tendon that is elastic up to a strength, and then yields.
 
-    Its force is k (w - z), in tension positive: w the elongation, a function of the coordinates, on
-    whose rise the force does work -k (w - z); z the permanent extension, a state that the response
-    has as `NAME_extension`. It rests, z' = 0, while |k (w - z) - H z| < strength, and flows at
-    the strength, z' = w' k/(k + H), until w turns back.
+    Parameters
+    ----------
+    name : str
+        Name of the element, by which a response has its quantities.
+    elongation : sympy.Expr
+        Elongation w, a function of the coordinates.
+    stiffness : sympy.Expr
+        Stiffness k [N/m].
+    strength : sympy.Expr
+        Force at which it first yields [N].
+    hardening : sympy.Expr, optional
+        Force H by which it yields more, a permanent extension [N/m]: the stiffness is k H/(k + H)
+        while it flows; 0 for a force that stays.
+    slack : bool, optional
+        Whether it carries no compression, and is slack where w < z; else it yields in compression,
+        too (kinematic hardening).
 
-    stiffness : k [N/m]. strength : the force at which it first yields [N]. hardening : H [N/m], by
-    how much more force it yields, a permanent extension: the stiffness is k H/(k + H) while it
-    flows; 0 for a force that stays. slack : whether it carries no compression, and is slack where
-    w < z; else it yields in compression, too (kinematic hardening).
-
-    A state beyond the strength that names no permanent extension is one where it has been drawn
-    out.
+    Notes
+    -----
+    Its force is k (w - z), in tension positive, and does work -k (w - z) on the rise of w; z is the
+    permanent extension, a state that the response has as `NAME_extension`. It rests, z' = 0, while
+    ``|k (w - z) - H z| < strength``, and flows at the strength, z' = w' k/(k + H), until w turns
+    back. A state beyond the strength that names no permanent extension is one where it has been
+    drawn out.
     """
 
     name: str
@@ -319,20 +348,40 @@ class Yielding:
 @explained.calls()
 @dataclass(frozen=True)
 class Spring:
-    """A spring and a damper that always act: a storey's columns, a bearing, a tendon that is tight.
+    """Spring and damper that always act: a storey's columns, a bearing, a tendon that is tight.
 
-    Its force is P + k d + c d', positive where it resists that the deformation d grows: d, a
-    function of the coordinates, on whose rise the force does work -(P + k d + c d'). The elastic
+    The force is P + k d + c d', positive where it resists that the deformation d grows. The elastic
     energy and the dissipation of the structure follow from it, and a response has it by name:
     NAME_deformation, NAME_force, NAME_energy and NAME_loss.
 
-    stiffness : k [N/m]. damping : c [N s/m]. initial_force : P [N], of either sign, where d is
-    zero. Its energy is what it gives back when it is let loose. mirrored : in a mode that is
-    written with the side s, what it is called where s = -1, if not the same.
+    Parameters
+    ----------
+    name : str
+        Name of the element, by which a response has its quantities.
+    deformation : sympy.Expr
+        Deformation d, a function of the coordinates, on whose rise the force does work -(P + k d +
+        c d').
+    stiffness : sympy.Expr, optional
+        Stiffness k [N/m].
+    damping : sympy.Expr, optional
+        Coefficient c [N s/m].
+    initial_force : sympy.Expr, optional
+        Force P [N], of either sign, where d is zero. Its energy is the one that it gives back when
+        it is let loose.
+    mirrored : str, optional
+        Name where s = -1 in a mode that is written with the side s, if not the same.
 
-        Spring("storey_2", u_2 - u_1, stiffness=k_2, damping=c_2)
+    Raises
+    ------
+    ValueError
+        For anything but expressions, and for a negative stiffness or damping.
 
-    Raises ValueError for what is no expression, and for a negative stiffness or damping.
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> from rockeom.symbolic import Spring
+    >>> u_1, u_2, k_2, c_2 = sp.symbols("u_1 u_2 k_2 c_2")
+    >>> storey = Spring("storey_2", u_2 - u_1, stiffness=k_2, damping=c_2)
     """
 
     name: str

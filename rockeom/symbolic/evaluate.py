@@ -22,18 +22,26 @@ Table = tuple[tuple[str, ...], Function]
 class NumpyMode:
     """One mode of a model as functions of arrays.
 
+    Every method has the arguments ``y``, the states (N, ...) in the order of `states`, whose
+    trailing shape is free; ``parameters``, values by name, all of the model's and no other, each a
+    number or an array that broadcasts with a state: parameter studies need no loop; and ``ax`` and
+    ``ay``, accelerations of the ground [m/s2], numbers or arrays that broadcast with a state. It
+    raises ValueError for a wrong number of states and for missing or unknown parameters. Units are
+    those of the model, SI. `coordinates` are the d free ones; those held still do not move.
+
+    Parameters
+    ----------
+    model : HybridModel
+        Model.
+    name : str
+        Name of the mode.
+
+    Examples
+    --------
+    With states and parameters::
+
         mode = rk.derive("rigid_block").lambdify()["right"]
         mode.accelerations([theta, theta_dot], {"mass": 1.0, "half_width": 0.1, ...}, ax=1.2)
-
-    Every method takes
-
-    y : the states in the order of `states`, (N, ...); the trailing shape is free.
-    parameters : name -> value, all of the model's and no other. A value may be an array that
-        broadcasts with a state: parameter studies need no loop.
-    ax, ay : ground accelerations [m/s2], numbers or arrays that broadcast with a state.
-
-    and raises ValueError for a wrong number of states and for missing or unknown parameters.
-    Units are those of the model, SI. `coordinates` are the d free ones; held ones do not move.
     """
 
     def __init__(self, model: HybridModel, name: str) -> None:
@@ -120,22 +128,86 @@ class NumpyMode:
         }
 
     def mass_matrix(self, y, parameters: Mapping[str, float]) -> np.ndarray:
-        """M of M q'' = f, (d, d, ...)."""
+        """Mass matrix M of M q'' = f.
+
+        Parameters
+        ----------
+        y : array_like
+            States (N, ...).
+        parameters : dict of str to float
+            Values by name.
+
+        Returns
+        -------
+        ndarray
+            Matrix (d, d, ...).
+        """
         found = self._mass_matrix(self._values(y, parameters))
         d = len(self.coordinates)
         return found.reshape(d, d, *found.shape[1:])
 
     def forcing(self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0) -> np.ndarray:
-        """f of M q'' = f, (d, ...)."""
+        """Right side f of M q'' = f.
+
+        Parameters
+        ----------
+        y : array_like
+            States (N, ...).
+        parameters : dict of str to float
+            Values by name.
+        ax : array_like, optional
+            Horizontal acceleration of the ground [m/s2].
+        ay : array_like, optional
+            Vertical acceleration of the ground [m/s2].
+
+        Returns
+        -------
+        ndarray
+            Vector (d, ...).
+        """
         return self._forcing(self._values(y, parameters, ax, ay))
 
     def accelerations(self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0) -> np.ndarray:
-        """q'' of the free coordinates, (d, ...)."""
+        """Accelerations q'' of the free coordinates.
+
+        Parameters
+        ----------
+        y : array_like
+            States (N, ...).
+        parameters : dict of str to float
+            Values by name.
+        ax : array_like, optional
+            Horizontal acceleration of the ground [m/s2].
+        ay : array_like, optional
+            Vertical acceleration of the ground [m/s2].
+
+        Returns
+        -------
+        ndarray
+            Accelerations (d, ...).
+        """
         values = self._values(y, parameters, ax, ay)
         return _solved(self._mass_matrix(values), self._forcing(values))
 
     def rates(self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0) -> np.ndarray:
-        """Rates of all states, (N, ...), as an integrator wants them; held ones are zero."""
+        """Rates of all states, as an integrator wants them; those held still are zero.
+
+        Parameters
+        ----------
+        y : array_like
+            States (N, ...).
+        parameters : dict of str to float
+            Values by name.
+        ax : array_like, optional
+            Horizontal acceleration of the ground [m/s2].
+        ay : array_like, optional
+            Vertical acceleration of the ground [m/s2].
+
+        Returns
+        -------
+        ndarray
+            Rates (N, ...).
+        """
         y = np.asarray(y, dtype=float)
         found = self.accelerations(y, parameters, ax, ay)
         out = np.zeros((len(self.states), *found.shape[1:]))
@@ -146,25 +218,85 @@ class NumpyMode:
         return out
 
     def energies(self, y, parameters: Mapping[str, float]) -> dict[str, np.ndarray]:
-        """Kinetic, gravitational and elastic energy [J], each (...)."""
+        """Kinetic, gravitational and elastic energy.
+
+        Parameters
+        ----------
+        y : array_like
+            States (N, ...).
+        parameters : dict of str to float
+            Values by name.
+
+        Returns
+        -------
+        dict of str to ndarray
+            Energies (...) by name [J].
+        """
         return _named(self._energies, self._values(y, parameters))
 
     def reactions(
         self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0
     ) -> dict[str, np.ndarray]:
-        """Forces of the ground on the structure [N], each (...); as in `symbolic.reactions`."""
+        """Forces of the ground on the structure, as in ``symbolic.reactions``.
+
+        Parameters
+        ----------
+        y : array_like
+            States (N, ...).
+        parameters : dict of str to float
+            Values by name.
+        ax : array_like, optional
+            Horizontal acceleration of the ground [m/s2].
+        ay : array_like, optional
+            Vertical acceleration of the ground [m/s2].
+
+        Returns
+        -------
+        dict of str to ndarray
+            Forces (...) by name [N].
+        """
         values = self._values(y, parameters, ax, ay)
         found = _solved(self._mass_matrix(values), self._forcing(values))
         return _named(self._reactions, [*values, *found])
 
     def positions(self, y, parameters: Mapping[str, float]) -> dict[str, np.ndarray]:
-        """(x, y) of every body's centroid and of the left_foot and right_foot [m], (2, ...)."""
+        """Places of every body's centroid and of the left_foot and right_foot.
+
+        Parameters
+        ----------
+        y : array_like
+            States (N, ...).
+        parameters : dict of str to float
+            Values by name.
+
+        Returns
+        -------
+        dict of str to ndarray
+            Places (2, ...) by name [m].
+        """
         flat = _named(self._positions, self._values(y, parameters))
         names = dict.fromkeys(name.rpartition(".")[0] for name in flat)
         return {name: np.array([flat[f"{name}.0"], flat[f"{name}.1"]]) for name in names}
 
     def guards(self, y, parameters: Mapping[str, float], ax=0.0, ay=0.0) -> dict[str, np.ndarray]:
-        """Guard of each transition out of this mode by its target, (...), positive inside."""
+        """Guard of each transition out of this mode, positive inside.
+
+        Parameters
+        ----------
+        y : array_like
+            States (N, ...).
+        parameters : dict of str to float
+            Values by name.
+        ax : array_like, optional
+            Horizontal acceleration of the ground [m/s2].
+        ay : array_like, optional
+            Vertical acceleration of the ground [m/s2].
+
+        Returns
+        -------
+        dict of str to ndarray
+            Guards (...) by the name of the mode that follows.
+        """
         values = self._values(y, parameters, ax, ay)
         lifts = {target: -opening(values) for target, opening in self._uplifts.items()}
         return _named(self._switches, values) | lifts
@@ -221,9 +353,9 @@ def array_function(arguments: Iterable[sp.Symbol], expressions: Iterable[sp.Expr
     # renamed, so that no name of a symbol becomes a part of the function's text: all at once,
     # where `dummify` would go through the expressions for each symbol again
     names = {symbol: sp.Symbol(f"a{i:04}") for i, symbol in enumerate(arguments)}
-    renamed = [sp.sympify(e).xreplace(names) for e in expressions]
+    numbered = [sp.sympify(e).xreplace(names) for e in expressions]
     compiled = sp.lambdify(
-        list(names.values()), renamed, modules="numpy", cse=True, docstring_limit=0
+        list(names.values()), numbered, modules="numpy", cse=True, docstring_limit=0
     )
 
     def evaluate(values: Sequence) -> np.ndarray:

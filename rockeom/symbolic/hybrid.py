@@ -60,11 +60,39 @@ class Lowers(Protocol):
 
 @dataclass(frozen=True)
 class HybridModel:
-    """A structure: parameters, coordinates, modes and the transitions between them.
+    """Structure: parameters, coordinates, modes and the transitions between them.
 
-    modes : those declared; of a search, the structure without contacts. falls : further
-    coordinates, each with the size at which the structure has overturned, as it has where the
-    rotation reaches `overturning`. members : what a sketch shows between bodies.
+    Parameters
+    ----------
+    name : str
+        Name of the model, in small letters, which its generated module has.
+    title : str
+        Title, in words.
+    parameters : tuple of Parameter
+        Constants of the model, made by `parameter`.
+    coordinates : tuple of Coordinate
+        Generalised coordinates, made by `coordinate`.
+    modes : tuple of Mode
+        Declared modes; of a search, the structure without contacts.
+    transitions : tuple of Transition
+        Transitions between the modes.
+    rotation : Coordinate
+        Coordinate that overturns.
+    overturning : sympy.Expr, optional
+        Size of the rotation at which the structure has overturned.
+    definitions : tuple of Definition, optional
+        Symbols that stand for expressions of the parameters.
+    rigid_velocity_ratio : sympy.Expr, optional
+        Ratio of the angular velocities at an impact of the rigid structure; derived if not given.
+    reference : str, optional
+        Source of the equations.
+    functions : tuple of NamedFunction, optional
+        Named functions in the equations.
+    members : tuple of Member, optional
+        Lines of a sketch between bodies.
+    falls : dict of Coordinate to sympy.Expr, optional
+        Further coordinates, each with the size at which the structure has overturned, as it has
+        where the rotation reaches `overturning`.
     """
 
     name: str

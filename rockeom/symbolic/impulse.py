@@ -36,9 +36,18 @@ class OnSide(NamedTuple):
 
 @dataclass(frozen=True)
 class ImpulseMap:
-    """M+ q'+ = momentum(q, q'-), for the `coordinates` free after the change.
+    """Impulse map M+ q'+ = momentum(q, q'-), for the coordinates free after the change.
 
     The side s is that of the mode before the change.
+
+    Parameters
+    ----------
+    coordinates : tuple of Coordinate
+        Coordinates free after the change.
+    mass_matrix : sympy.Matrix
+        Matrix M+ (n, n).
+    momentum : sympy.Matrix
+        Momentum (n, 1).
     """
 
     coordinates: tuple[Coordinate, ...]
@@ -46,9 +55,17 @@ class ImpulseMap:
     momentum: sp.Matrix
 
     def velocities(self) -> sp.Matrix:
-        """Velocities after the change in closed form, (n, 1), by Cramer's rule.
+        """Velocities after the change in closed form, by Cramer's rule.
 
-        Raises ValueError if the mass matrix is singular: a direction without mass.
+        Returns
+        -------
+        sympy.Matrix
+            Velocities (n, 1).
+
+        Raises
+        ------
+        ValueError
+            If the mass matrix is singular: a direction without mass.
         """
 
         def of(column: int, by: sp.Matrix) -> sp.Expr:
@@ -62,7 +79,18 @@ class ImpulseMap:
         return sp.Matrix(n, 1, lambda i, _: sp.factor(of(i, self.momentum) / whole))
 
     def at_side(self, side: int) -> ImpulseMap:
-        """The same map, the side s put in as a number."""
+        """Same map, the side s put in as a number.
+
+        Parameters
+        ----------
+        side : int
+            Side, -1 or 1.
+
+        Returns
+        -------
+        ImpulseMap
+            Map.
+        """
 
         def put(m: sp.Matrix) -> sp.Matrix:
             return m.subs(SIDE, side)
@@ -70,7 +98,18 @@ class ImpulseMap:
         return ImpulseMap(self.coordinates, put(self.mass_matrix), put(self.momentum))
 
     def equals(self, other: ImpulseMap) -> bool:
-        """Whether both are the same for the same coordinates, term by term."""
+        """Whether both are the same for the same coordinates, term by term.
+
+        Parameters
+        ----------
+        other : ImpulseMap
+            Other map.
+
+        Returns
+        -------
+        bool
+            Whether they are.
+        """
         if self.coordinates != other.coordinates:
             return False
         differences = [*(self.mass_matrix - other.mass_matrix), *(self.momentum - other.momentum)]

@@ -37,10 +37,30 @@ class Moving(Protocol):
 
 @dataclass(frozen=True)
 class Equations:
-    """M q'' + velocity + gravity + stiffness + damping = excitation + force; vectors are (n, 1).
+    """Equations M q'' + velocity + gravity + stiffness + damping = excitation + force.
 
-    `kinetic_energy`, `gravitational_energy` and `elastic_energy` are those from which the
-    equations were derived.
+    Parameters
+    ----------
+    mass_matrix : sympy.Matrix
+        Mass matrix M (n, n).
+    velocity : sympy.Matrix
+        Terms of the velocities squared (n, 1).
+    gravity : sympy.Matrix
+        Terms of gravity (n, 1).
+    stiffness : sympy.Matrix
+        Terms of the elastic energy (n, 1).
+    damping : sympy.Matrix
+        Terms of the dissipation (n, 1).
+    excitation : sympy.Matrix
+        Terms of the ground's acceleration (n, 1).
+    force : sympy.Matrix
+        Generalised forces (n, 1).
+    kinetic_energy : sympy.Expr
+        Kinetic energy from which the equations were derived.
+    gravitational_energy : sympy.Expr
+        Gravitational energy.
+    elastic_energy : sympy.Expr
+        Elastic energy.
     """
 
     mass_matrix: sp.Matrix
@@ -61,7 +81,18 @@ class Equations:
         return forces - self.velocity - self.gravity - self.stiffness - self.damping
 
     def at_side(self, side: int) -> Equations:
-        """The same equations, the side s put in as a number."""
+        """Same equations, the side s put in as a number.
+
+        Parameters
+        ----------
+        side : int
+            Side, -1 or 1.
+
+        Returns
+        -------
+        Equations
+            Equations.
+        """
         return self.map(lambda expr: at_side(expr, side))
 
     def map(self, change) -> Equations:
@@ -75,7 +106,18 @@ class Equations:
         return Equations(**values)
 
     def residual(self, coordinates: tuple[Coordinate, ...]) -> sp.Matrix:
-        """Left minus right-hand side, (n, 1); zero along a motion."""
+        """Left minus right-hand side; zero along a motion.
+
+        Parameters
+        ----------
+        coordinates : tuple of Coordinate
+            Coordinates.
+
+        Returns
+        -------
+        sympy.Matrix
+            Residual (n, 1).
+        """
         n = len(coordinates)
         accelerations = sp.Matrix(n, 1, [c.acceleration for c in coordinates])
         return self.mass_matrix * accelerations - self.forcing

@@ -32,9 +32,9 @@ class Mode:
     coordinates : tuple of Coordinate
         Coordinates free to move; all others stay where they are.
     bodies : tuple of Body
-        Bodies.
+        Rigid bodies with mass.
     gravity : sympy.Expr
-        Acceleration of gravity.
+        Symbol or value of the acceleration of gravity.
     elastic_energy : sympy.Expr, optional
         Elastic energy besides that of the elements.
     dissipation : sympy.Expr, optional
@@ -172,15 +172,28 @@ def _are_springs(what: str, elements: tuple[Spring, ...]) -> None:
 
 @dataclass(frozen=True)
 class Transition:
-    """The end of a mode.
+    """End of a mode.
 
-    kind : "impact": the gap of `source` closes and velocities jump; "uplift": the acceleration
-        with which `target` would open turns positive; "switch": `guard` falls through zero and
-        the state stays as it is.
-    fallback : the mode after an impact whose target could not open (the old foot does not lift).
-    guard : positive inside `source`; smooth, or the Max of two that are.
-    sets : positions of coordinates that a switch puts to a new value, a function of the state.
-    reversible : whether the guard of the transition back is zero where this one happens.
+    Parameters
+    ----------
+    source : str
+        Name of the mode that ends.
+    target : str
+        Name of the mode that follows.
+    kind : str
+        "impact": the gap of `source` closes and velocities jump; "uplift": the acceleration with
+        which `target` would open turns positive; "switch": `guard` falls through zero and the state
+        stays as it is.
+    guard : sympy.Expr, optional
+        Guard, positive inside `source`; smooth, or the Max of two that are.
+    fallback : str, optional
+        Name of the mode after an impact whose target could not open (the old foot does not lift).
+    reference : str, optional
+        Source of the equations.
+    sets : dict of sympy.Symbol to sympy.Expr, optional
+        Positions of coordinates that a switch puts to a new value, a function of the state.
+    reversible : bool, optional
+        Whether the guard of the transition back is zero where this one happens.
     """
 
     source: str

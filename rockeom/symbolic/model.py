@@ -35,9 +35,9 @@ class Parameter:
     name : str
         Name of the argument.
     unit : str
-        Unit, "-" for a pure number.
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
     meaning : str
-        Meaning, in words.
+        Meaning in words, for tables and error messages.
     """
 
     symbol: sp.Symbol
@@ -53,7 +53,21 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Definition:
-    """A constant that follows from the parameters; equations are written with its symbol."""
+    """Constant that follows from the parameters; equations are written with its symbol.
+
+    Parameters
+    ----------
+    symbol : sympy.Symbol
+        Symbol.
+    name : str
+        Name.
+    unit : str
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
+    meaning : str
+        Meaning in words, for tables and error messages.
+    value : sympy.Expr
+        Expression of the parameters.
+    """
 
     symbol: sp.Symbol
     name: str
@@ -70,11 +84,22 @@ class Definition:
 
 @dataclass(frozen=True)
 class NamedFunction:
-    """A function of the coordinates that equations name instead of writing it out.
+    """Function of the coordinates that equations name instead of writing it out.
 
-    symbol : a function such as b(theta), whose derivatives are then those of `value`; or a plain
-        symbol, which Lagrange's equations take as a constant. `value` may contain the side, the
-        parameters, and named functions that stand before it.
+    Parameters
+    ----------
+    symbol : sympy.Expr
+        Function such as b(theta), whose derivatives are then those of `value`; or a plain symbol,
+        which is a constant for Lagrange's equations.
+    name : str
+        Name.
+    unit : str
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
+    meaning : str
+        Meaning in words, for tables and error messages.
+    value : sympy.Expr
+        Expression, which may contain the side, the parameters, and named functions that stand
+        before it.
     """
 
     symbol: sp.Expr
@@ -94,7 +119,23 @@ class NamedFunction:
 @explained.calls()
 @dataclass(frozen=True)
 class Coordinate:
-    """A generalised coordinate with its velocity and acceleration symbols."""
+    """Generalised coordinate with its velocity and acceleration symbols.
+
+    Parameters
+    ----------
+    position : sympy.Symbol
+        Symbol of the position.
+    velocity : sympy.Symbol
+        Symbol of the velocity.
+    acceleration : sympy.Symbol
+        Symbol of the acceleration.
+    name : str
+        Name of the state.
+    unit : str
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
+    meaning : str
+        Meaning in words, for tables and error messages.
+    """
 
     position: sp.Symbol
     velocity: sp.Symbol
@@ -113,9 +154,20 @@ class Coordinate:
 
 @dataclass(frozen=True)
 class InternalVariable:
-    """A state of first order, with no coordinate behind it: its rate is a function of the states.
+    """State of first order, with no coordinate behind it: its rate is a function of the states.
 
     Such as the force of a Maxwell element, or the place between its spring and its damper.
+
+    Parameters
+    ----------
+    symbol : sympy.Symbol
+        Symbol.
+    name : str
+        Name of the state.
+    unit : str
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
+    meaning : str
+        Meaning in words, for tables and error messages.
     """
 
     symbol: sp.Symbol
@@ -143,9 +195,9 @@ class Body:
     Parameters
     ----------
     name : str
-        Name.
+        Name of the body, by which positions and sketches have it.
     mass : sympy.Expr
-        Mass.
+        Mass of the body.
     position : tuple of (sympy.Expr, sympy.Expr)
         Place (x, y) of the centroid.
     inertia : sympy.Expr, optional
@@ -204,12 +256,22 @@ MEMBERS = ("column", "cantilever", "rod", "tendon", "spring", "damper")
 
 @dataclass(frozen=True)
 class Member:
-    """A line of a sketch between two bodies; it enters no equation.
+    """Line of a sketch between two bodies; it enters no equation.
 
-    kind : "column", which bends and whose ends turn with the bodies; "cantilever", the end of which
-    turns freely; "rod", "tendon", "spring" or "damper", which are straight.
-    start, end : names of the bodies, or "ground". start_at, end_at : where on them, from the centre
-    in axes that turn with the body; on the ground from the origin.
+    Parameters
+    ----------
+    kind : str
+        "column", which bends and whose ends turn with the bodies; "cantilever", the end of which
+        turns freely; "rod", "tendon", "spring" or "damper", which are straight.
+    start : str
+        Name of the body at the start, or "ground".
+    end : str
+        Name of the body at the end, or "ground".
+    start_at : tuple of (sympy.Expr, sympy.Expr), optional
+        Place on the first body, from the centre in axes that turn with it; on the ground from the
+        origin.
+    end_at : tuple of (sympy.Expr, sympy.Expr), optional
+        Place on the second body.
     """
 
     kind: str
@@ -226,11 +288,17 @@ class Member:
 
 @dataclass(frozen=True)
 class Foot:
-    """A point of the base that may touch the ground.
+    """Point of the base that may touch the ground.
 
-    `force` is the vertical force of the ground on the foot where a spring or damper gives it;
-    None where the ground is rigid and the force is a constraint's. `sprung` : whether a sketch
-    shows a spring and a damper under it.
+    Parameters
+    ----------
+    position : tuple of (sympy.Expr, sympy.Expr)
+        Place (x, y).
+    force : sympy.Expr, optional
+        Vertical force of the ground on the foot where a spring or damper gives it; None where the
+        ground is rigid and the force is a constraint's.
+    sprung : bool, optional
+        Whether a sketch shows a spring and a damper under it.
     """
 
     position: tuple[sp.Expr, sp.Expr]
@@ -245,7 +313,24 @@ class Foot:
 
 @explained.calls()
 def coordinate(symbol: str, name: str, unit: str, meaning: str) -> Coordinate:
-    """A coordinate; its velocity and acceleration are typeset with one and two dots."""
+    """Coordinate; its velocity and acceleration are typeset with one and two dots.
+
+    Parameters
+    ----------
+    symbol : str
+        Letter of the equations, as LaTeX sets it.
+    name : str
+        Name of the state.
+    unit : str
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
+    meaning : str
+        Meaning in words, for tables and error messages.
+
+    Returns
+    -------
+    Coordinate
+        Coordinate.
+    """
     return Coordinate(
         sp.Symbol(symbol, real=True),
         sp.Symbol(rf"\dot{{{_tex(symbol)}}}", real=True),
@@ -258,13 +343,47 @@ def coordinate(symbol: str, name: str, unit: str, meaning: str) -> Coordinate:
 
 @explained.calls()
 def internal_variable(symbol: str, name: str, unit: str, meaning: str) -> InternalVariable:
-    """An internal variable, of either sign."""
+    """Internal variable, of either sign.
+
+    Parameters
+    ----------
+    symbol : str
+        Letter of the equations, as LaTeX sets it.
+    name : str
+        Name of the state.
+    unit : str
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
+    meaning : str
+        Meaning in words, for tables and error messages.
+
+    Returns
+    -------
+    InternalVariable
+        Internal variable.
+    """
     return InternalVariable(sp.Symbol(symbol, real=True), name, unit, meaning)
 
 
 @explained.calls()
 def parameter(symbol: str, name: str, unit: str, meaning: str) -> Parameter:
-    """A positive parameter."""
+    """Positive parameter.
+
+    Parameters
+    ----------
+    symbol : str
+        Letter of the equations, as LaTeX sets it.
+    name : str
+        Name of the argument.
+    unit : str
+        SI unit as a text, such as "kg m2"; "-" for a pure number.
+    meaning : str
+        Meaning in words, for tables and error messages.
+
+    Returns
+    -------
+    Parameter
+        Parameter.
+    """
     return Parameter(sp.Symbol(symbol, positive=True), name, unit, meaning)
 
 
@@ -274,7 +393,22 @@ def _tex(symbol: str) -> str:
 
 @explained.calls()
 def rectangle(half_width: sp.Expr, below: sp.Expr, above: sp.Expr | None = None) -> Outline:
-    """The corners of a rectangle that reaches `below` and `above` a body's centre, or as far."""
+    """Corners of a rectangle about a body's centre.
+
+    Parameters
+    ----------
+    half_width : sympy.Expr
+        Half of the width.
+    below : sympy.Expr
+        Distance that it reaches below the centre.
+    above : sympy.Expr, optional
+        Distance that it reaches above the centre; as far as below if not given.
+
+    Returns
+    -------
+    tuple of (sympy.Expr, sympy.Expr)
+        Corners.
+    """
     low, high = -sp.sympify(below), sp.sympify(below if above is None else above)
     b = sp.sympify(half_width)
     return (-b, low), (b, low), (b, high), (-b, high)
@@ -282,7 +416,22 @@ def rectangle(half_width: sp.Expr, below: sp.Expr, above: sp.Expr | None = None)
 
 @explained.calls()
 def turned(point, about, angle) -> tuple[sp.Expr, sp.Expr]:
-    """`point` (x, y) turned clockwise through `angle` about the point `about`."""
+    """Point turned clockwise about another one.
+
+    Parameters
+    ----------
+    point : tuple of (sympy.Expr, sympy.Expr)
+        Point (x, y).
+    about : tuple of (sympy.Expr, sympy.Expr)
+        Pivot (x, y).
+    angle : sympy.Expr
+        Angle.
+
+    Returns
+    -------
+    tuple of (sympy.Expr, sympy.Expr)
+        Place (x, y).
+    """
     point = tuple(point)
     valid.points("turned", point=point, about=tuple(about))
     dx, dy = sp.sympify(point[0]) - about[0], sp.sympify(point[1]) - about[1]

@@ -92,13 +92,13 @@ class RockingModel(HybridModel, Declared):
     Parameters
     ----------
     name : str
-        Name.
+        Name of the model, in small letters, which its generated module has.
     title : str
-        Title.
+        Title, in words.
     parameters : tuple of Parameter
-        Parameters.
+        Constants of the model, made by `parameter`.
     coordinates : tuple of Coordinate
-        Coordinates.
+        Generalised coordinates, made by `coordinate`.
     modes : tuple of Mode
         Modes.
     transitions : tuple of Transition
@@ -184,20 +184,50 @@ def rocking_structure(
     load_on: str | None = None,
     **declared: Unpack[Rocking],
 ) -> RockingModel:
-    """A structure that rocks about the two edges of its base on rigid ground.
+    """Structure that rocks about the two edges of its base on rigid ground.
 
-    `bodies(pivot)` gives the bodies when the structure turns about `pivot`; the first
-    coordinate is the rotation, positive clockwise, about the right edge. Full contact is the
-    same structure with the rotation held at zero. `elastic_energy`, `dissipation`, `beside_feet`,
-    `small` and `elements` are as in `Mode`, `elements` also a function of the pivot, as `bodies`;
-    `overturning`, `reference`, `members` and `falls` as in `RockingModel`.
+    Parameters
+    ----------
+    name : str
+        Name of the model, in small letters, which its generated module has.
+    title : str
+        Title, in words.
+    parameters : iterable of Parameter
+        Constants of the model, made by `parameter`.
+    coordinates : iterable of Coordinate
+        Generalised coordinates; the first one is the rotation, positive clockwise, about the right
+        edge.
+    bodies : callable
+        Function that gives the bodies when the structure turns about a pivot (x, y).
+    half_width : sympy.Expr
+        Half of the distance of the edges.
+    gravity : sympy.Expr
+        Symbol or value of the acceleration of gravity.
+    rotation_angle : sympy.Expr, optional
+        Angle of the rotation; the first coordinate if not given.
+    load_on : str, optional
+        Name of the body that carries the load of a pushover.
+    **declared : object
+        `elastic_energy`, `dissipation`, `beside_feet`, `small` and `elements` as in `Mode`,
+        `elements` also a function of the pivot, as `bodies`; `overturning`, `reference`, `members`
+        and `falls` as in `RockingModel`.
 
+    Returns
+    -------
+    RockingModel
+        Model. Full contact is the same structure with the rotation held at zero.
+
+    Raises
+    ------
+    ValueError
+        For a declaration that cannot be meant; the message names the item and the remedy.
+
+    Notes
+    -----
     A `Model` on `Pinned()` feet becomes the same by `on_pinned_feet`. It cannot replace this one:
     bodies here depend on the foot, and may have places that no free coordinates give. Examples are
     a beam on the corners opposite the pressed feet, which changes them; a frame that the ground
     carries next to a wall, whose place no foot moves; and positions of first order.
-
-    Raises ValueError, naming the item and the remedy, for a declaration that cannot be meant.
     """
     coordinates = tuple(coordinates)
     if not coordinates:

@@ -32,10 +32,16 @@ class Kind(Enum):
 
 @dataclass(frozen=True)
 class Domain:
-    """Where a printed form is right that is not right in general.
+    """Domain in which a printed form is right that is not right in general.
 
-    words : for a reader.
-    inside, outside : assumptions on its symbols, such as Q.negative(theta), for each case.
+    Parameters
+    ----------
+    words : str
+        Domain in words.
+    inside : tuple of sympy.Boolean
+        Assumptions on its symbols, such as Q.negative(theta), for each case.
+    outside : tuple of sympy.Boolean
+        Assumptions on its symbols outside the domain.
     """
 
     words: str
@@ -45,22 +51,37 @@ class Domain:
 
 @dataclass(frozen=True)
 class Equation:
-    """An equation of the thesis, in its own symbols. Nothing here is derived.
+    """Equation of the thesis, in its own symbols. Nothing here is derived.
 
-    number : as in the thesis, with a letter where one number has several lines ("2-8a").
-    section : where it stands.
-    kind : what it is.
-    meaning : what it states, in words.
-    printed : one relation for each equals sign; empty where the page is not legible.
-    corrected : what should be printed; None where the printed form is right.
-    reason : why it is corrected; "" where it is not.
-    excess : of a wrong printed form, printed minus right for each component of each relation: of
-        the right sides where the left one is one symbol or function, else of left minus right side.
-    domain : where a wrong printed form is right all the same; None if nowhere in particular.
-    assumption : what the text chooses or assumes in it, which nothing else decides; "" if nothing.
-    remark : what a user should know that the equation does not say.
-    undetermined : what of it the text leaves open; "" if nothing.
-    sides : signs of theta for which it is meant.
+    Parameters
+    ----------
+    number : str
+        Number as in the thesis, with a letter where one number has several lines ("2-8a").
+    section : str
+        Section of the thesis.
+    kind : Kind
+        Kind of equation.
+    meaning : str
+        Statement of the equation, in words.
+    printed : Relations
+        One relation for each equals sign; empty where the page is not legible.
+    corrected : Relations, optional
+        Right form; None where the printed form is right.
+    reason : str, optional
+        Reason of the correction; "" where there is none.
+    excess : tuple of sympy.Expr or int, optional
+        For a wrong printed form, printed minus right for each component of each relation: of the
+        right sides where the left one is one symbol or function, else of left minus right side.
+    domain : Domain, optional
+        Domain in which a wrong printed form is right all the same; None if nowhere in particular.
+    assumption : str, optional
+        Choice or assumption of the text in it, which nothing else decides; "" if nothing.
+    remark : str, optional
+        Facts that a user should know and the equation does not say.
+    undetermined : str, optional
+        Parts of it that the text leaves open; "" if nothing.
+    sides : tuple of int, optional
+        Signs of theta for which it is meant.
     """
 
     number: str
@@ -109,9 +130,22 @@ class Equation:
         return tuple(sorted(union, key=lambda symbol: symbol.name))
 
     def lines(self, form: str = "right") -> list[str]:
-        """LaTeX, without delimiters, of each relation of the form "right", "printed", "corrected".
+        """LaTeX of each relation, without delimiters.
 
-        Raises ValueError for any other word, and for a form that there is none of.
+        Parameters
+        ----------
+        form : str, optional
+            "right", "printed" or "corrected".
+
+        Returns
+        -------
+        list of str
+            LaTeX of each relation.
+
+        Raises
+        ------
+        ValueError
+            For any other word, and for a form that there is none of.
         """
         forms = {"right": self.right, "printed": self.printed, "corrected": self.corrected}
         require_word("form", form, forms)
@@ -125,7 +159,18 @@ class Equation:
         return [written(component) for component in self.excess if component != 0]
 
     def latex(self, form: str = "right") -> str:
-        """The same in one piece, to stand between dollar signs."""
+        """Relations in one piece, to stand between dollar signs.
+
+        Parameters
+        ----------
+        form : str, optional
+            "right", "printed" or "corrected".
+
+        Returns
+        -------
+        str
+            LaTeX.
+        """
         lines = self.lines(form)
         if len(lines) == 1:
             return lines[0]

@@ -28,12 +28,23 @@ PEAKS = 13
 
 
 class ModelPeaks(NamedTuple):
-    """The peaks of one model, compared with those measured.
+    """Peaks of one model, compared with the measured ones.
 
-    model : name of the class. law : the restitution and what else was chosen.
-    time (13,) [s]. peak (13,) [m].
-    rms_time [s], rms_peak [m] : root mean squares, over the 13 peaks, of the differences from
-    those measured. The first peak is the start and adds nothing but its place among the 13.
+    Parameters
+    ----------
+    model : str
+        Name of the class.
+    law : str
+        Restitution and other choices.
+    time : ndarray
+        Times of the peaks (13,) [s].
+    peak : ndarray
+        Peaks (13,) [m].
+    rms_time : float
+        Root mean square, over the 13 peaks, of the differences from the measured times [s]. The
+        first peak is the start and adds nothing but its place among the 13.
+    rms_peak : float
+        Root mean square of the differences from the measured peaks [m].
     """
 
     model: str
@@ -45,8 +56,17 @@ class ModelPeaks(NamedTuple):
 
 
 def measured_peaks() -> tuple[np.ndarray, np.ndarray]:
-    """Times [s] and displacements [m] of the first 13 peaks of Table A-1, both (13,).
+    """First 13 peaks of Table A-1.
 
+    Returns
+    -------
+    time : ndarray
+        Times (13,) [s].
+    peak : ndarray
+        Displacements (13,) [m].
+
+    Notes
+    -----
     All 13 rows are legible as scanned. Six of the ten later peaks are in rows that are repaired or
     guessed (`FreeVibration.reading`); none of the ten counts.
     """
@@ -56,9 +76,14 @@ def measured_peaks() -> tuple[np.ndarray, np.ndarray]:
 
 
 def free_vibration_peaks() -> tuple[ModelPeaks, ...]:
-    """The first 13 peaks of each model and restitution law compared with Table A-1, by simulation.
+    """First 13 peaks of each model and restitution law compared with Table A-1, by simulation.
 
     The simulations take a second; before, each of the four structures is compiled once.
+
+    Returns
+    -------
+    tuple of ModelPeaks
+        Peaks of each model.
     """
     return tuple(_released(structure, law, says) for structure, law, says in _cases())
 

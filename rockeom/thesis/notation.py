@@ -17,8 +17,16 @@ from sympy import Function, MatrixSymbol, Symbol, sign
 class Entry:
     """Meaning of a symbol.
 
-    unit : SI, "1" for a pure number.
-    chapters : the chapters ("2", "D") in which it means this; empty for all others.
+    Parameters
+    ----------
+    symbol : sympy.Basic
+        Symbol.
+    unit : str
+        SI unit, "1" for a pure number.
+    meaning : str
+        Meaning in words.
+    chapters : tuple of str
+        Chapters ("2", "D") in which it means this; empty for all others.
     """
 
     symbol: sp.Basic
@@ -60,7 +68,25 @@ def _enter(symbol: Symbol, unit: str, meaning: str, chapters: tuple[str, ...]) -
 
 
 def entry(symbol: sp.Basic, chapter: str) -> Entry:
-    """Entry of a symbol in a chapter. Raises KeyError where there is none."""
+    """Entry of a symbol in a chapter.
+
+    Parameters
+    ----------
+    symbol : sympy.Basic
+        Symbol.
+    chapter : str
+        Chapter.
+
+    Returns
+    -------
+    Entry
+        Entry.
+
+    Raises
+    ------
+    KeyError
+        Where there is none.
+    """
     general = None
     for one in NOTATION:
         if one.symbol == symbol:

@@ -13,7 +13,15 @@ from rockeom.numbers.checks import InputError, numbers, positive
 
 
 class PointsOfInterest(NamedTuple):
-    """Samples of the peaks, and the times of the crossings between them [s]."""
+    """Peaks of a trace, and the crossings between them.
+
+    Parameters
+    ----------
+    peaks : ndarray
+        Numbers of the samples of the peaks.
+    crossings : ndarray
+        Times of the crossings between them [s].
+    """
 
     peaks: np.ndarray
     crossings: np.ndarray
@@ -22,10 +30,27 @@ class PointsOfInterest(NamedTuple):
 def importance_scores(values: ArrayLike, window: int) -> np.ndarray:
     """How often each sample is the largest or the smallest of a window that slides over a trace.
 
-    values (n,); window : samples in it. Returns (n,) whole numbers. On a slope the samples take
-    turns and have about one each; a peak is that of all windows that pass over it. Each window
-    gives one point to its largest sample and one to its smallest, to the first of equal ones.
-    Source: thesis section 3.2, Figure 3-4; there 500 samples, half a second.
+    Parameters
+    ----------
+    values : array_like
+        Trace (n,).
+    window : int
+        Number of samples in the window.
+
+    Returns
+    -------
+    ndarray
+        Whole numbers (n,).
+
+    Notes
+    -----
+    On a slope the samples take turns and have about one each; a peak is that of all windows that
+    pass over it. Each window gives one point to its largest sample and one to its smallest, to the
+    first of equal ones.
+
+    References
+    ----------
+    Thesis section 3.2, Figure 3-4; there 500 samples, half a second.
     """
     where = "importance_scores"
     (x,) = numbers(where, values=values)
@@ -42,9 +67,27 @@ def points_by_score(
 ) -> PointsOfInterest:
     """Peaks by `importance_scores`, as thesis section 3.2 finds them.
 
-    window [s]; threshold : the score from which a sample is a peak, as a part of the window: the
-    user's choice in the thesis. A half-cycle that is shorter than threshold times the window is
-    hidden by its higher neighbours: small rocking is fast, and ends unseen.
+    Parameters
+    ----------
+    record : MeasuredRecord
+        Record.
+    channel : str
+        Channel of the trace.
+    window : float, optional
+        Window [s].
+    threshold : float, optional
+        Score from which a sample is a peak, as a part of the window: the user's choice in the
+        thesis.
+
+    Returns
+    -------
+    PointsOfInterest
+        Peaks and crossings.
+
+    Notes
+    -----
+    A half-cycle that is shorter than threshold times the window is hidden by its higher neighbours:
+    small rocking is fast, and ends unseen.
     """
     (width,) = positive("points_by_score", window=window)
     (part,) = positive("points_by_score", threshold=threshold)
@@ -59,8 +102,23 @@ def points_by_prominence(
 ) -> PointsOfInterest:
     """Peaks of both sides by scipy.signal.find_peaks.
 
-    record and channel : the trace; prominence : how far it falls on both sides of a peak before it
-    rises above it, in the unit of the channel; ten standard deviations of its noise if not given.
+    Parameters
+    ----------
+    record : MeasuredRecord
+        Record.
+    channel : str
+        Channel of the trace.
+    prominence : float, optional
+        Height by which the trace falls on both sides of a peak before it rises above it, in the
+        unit of the channel; ten standard deviations of its noise if not given.
+
+    Returns
+    -------
+    PointsOfInterest
+        Peaks and crossings.
+
+    Notes
+    -----
     No window hides short half-cycles; a flat, noisy start is no peak.
     """
     from scipy.signal import find_peaks

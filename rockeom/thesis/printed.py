@@ -25,11 +25,21 @@ def number(cell: Cell) -> float:
 
 @dataclass(frozen=True)
 class PrintedTable:
-    """A table of the thesis, or a list of numbers under a figure.
+    """Table of the thesis, or a list of numbers under a figure.
 
-    number : "2-1", or "Figure 3-3" for a list. title : what it holds.
-    columns : name and unit of each column. rows : the cells as printed.
-    remarks : what is wrong with it, what of it the text leaves open, and of what it is computed.
+    Parameters
+    ----------
+    number : str
+        Number, "2-1", or "Figure 3-3" for a list.
+    title : str
+        Title.
+    columns : tuple of str
+        Name and unit of each column.
+    rows : tuple of Row
+        Cells as printed.
+    remarks : tuple of str, optional
+        Errors of the table, facts that the text leaves open, and the quantities from which it is
+        computed.
     """
 
     number: str
@@ -47,18 +57,68 @@ class PrintedTable:
                 )
 
     def column(self, name: str) -> tuple[Cell, ...]:
-        """The cells of a column, by its name without the unit; KeyError if there is none."""
+        """Cells of a column.
+
+        Parameters
+        ----------
+        name : str
+            Name of the column without the unit.
+
+        Returns
+        -------
+        tuple of Cell
+            Cells.
+
+        Raises
+        ------
+        KeyError
+            If there is none.
+        """
         names = [column.partition(" [")[0] for column in self.columns]
         if name not in names:
             raise KeyError(f"table {self.number} has no column {name!r}, but {', '.join(names)}")
         return tuple(row[names.index(name)] for row in self.rows)
 
     def numbers(self, name: str) -> tuple[float, ...]:
-        """The cells of a column of numbers; TypeError if one holds none."""
+        """Cells of a column of numbers.
+
+        Parameters
+        ----------
+        name : str
+            Name of the column without the unit.
+
+        Returns
+        -------
+        tuple of float
+            Numbers.
+
+        Raises
+        ------
+        TypeError
+            If a cell holds none.
+        """
         return tuple(number(cell) for cell in self.column(name))
 
     def cell(self, row: Cell, column: str) -> float:
-        """The number in a row, named by its first cell, and a column; KeyError if there is none."""
+        """Number in a row and a column.
+
+        Parameters
+        ----------
+        row : Cell
+            First cell of the row.
+        column : str
+            Name of the column.
+
+        Returns
+        -------
+        float
+            Number.
+
+        Raises
+        ------
+        KeyError
+            If there is none.
+        """
         names = [cells[0] for cells in self.rows]
         if row not in names:
             raise KeyError(f"table {self.number} has no row {row!r}, but {names}")

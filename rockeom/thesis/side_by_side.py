@@ -19,9 +19,20 @@ from rockeom.thesis.tables import TABLES, PrintedTable, computed
 
 
 class TextTable(NamedTuple):
-    """A table of cells of text, with its heading, its title and remarks on it.
+    """Table of cells of text, with its heading, its title and remarks on it.
 
-    columns : the names, with units. rows : as many cells each.
+    Parameters
+    ----------
+    heading : str
+        Heading.
+    title : str
+        Title.
+    columns : tuple of str
+        Names of the columns, with units.
+    rows : tuple of tuple of str
+        As many cells each.
+    remarks : tuple of str, optional
+        Remarks.
     """
 
     heading: str
@@ -32,10 +43,22 @@ class TextTable(NamedTuple):
 
 
 def side_by_side(number: str) -> tuple[TextTable, ...]:
-    """A table of the thesis, printed next to computed; with A-1 also the peaks of the models.
+    """Table of the thesis, printed next to computed; with A-1 also the peaks of the models.
 
-    number : "2-1" or "Figure 3-3", a key of `rockeom.thesis.tables.TABLES`.
-    Raises KeyError for an unknown number.
+    Parameters
+    ----------
+    number : str
+        "2-1" or "Figure 3-3", a key of `rockeom.thesis.tables.TABLES`.
+
+    Returns
+    -------
+    tuple of TextTable
+        Tables.
+
+    Raises
+    ------
+    KeyError
+        For an unknown number.
     """
     rows = computed(number)
     also = free_vibration() if number == "A-1" else ()

@@ -52,13 +52,28 @@ __all__ = ["TABLES", "PrintedTable", "computed"]
 
 
 def computed(number: str) -> tuple[Row, ...]:
-    """The rows of a table by the formulas of `rockeom.analysis`, or by a simulation.
+    """Rows of a table by the formulas of `rockeom.analysis`, or by a simulation.
 
+    Parameters
+    ----------
+    number : str
+        Number of the table.
+
+    Returns
+    -------
+    tuple of Row
+        Rows.
+
+    Raises
+    ------
+    KeyError
+        For an unknown number.
+
+    Notes
+    -----
     A cell that the computation starts from is repeated; one that was measured, and that no formula
-    gives, is None. The remarks of the table say of what it is computed. A simulation takes
-    seconds, the first time of a structure.
-
-    Raises KeyError for an unknown number.
+    gives, is None. The remarks of the table name the quantities from which it is computed. A
+    simulation takes seconds, the first time of a structure.
     """
     if number not in _COMPUTE:
         raise KeyError(f"no table {number!r}; there are {', '.join(_COMPUTE)}")

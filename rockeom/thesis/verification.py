@@ -37,12 +37,24 @@ class Verdict(Enum):
 
 @dataclass(frozen=True)
 class Decision:
-    """An equation, its verdict, and what led to it.
+    """Equation, its verdict, and the checks that led to it.
 
-    findings : on the form that is right; all hold unless the verdict is `FAILED`.
-    against : on the printed form of an erratum; at least one must not hold.
-    excess : on the excess of an erratum, which is all by which the printed form is wrong.
-    seconds : how long it took.
+    Parameters
+    ----------
+    equation : Equation
+        Equation.
+    verdict : Verdict
+        Verdict.
+    checks : tuple of Check
+        Checks.
+    findings : tuple of Finding
+        Findings on the form that is right; all hold unless the verdict is `FAILED`.
+    against : tuple of Finding
+        Findings on the printed form of an erratum; at least one must not hold.
+    excess : tuple of Finding
+        Findings on the excess of an erratum, which is all by which the printed form is wrong.
+    seconds : float
+        Time of the checks [s].
     """
 
     equation: Equation
@@ -70,7 +82,13 @@ class Decision:
 
 @dataclass(frozen=True)
 class Report:
-    """The decisions, in the order of the thesis."""
+    """Decisions, in the order of the thesis.
+
+    Parameters
+    ----------
+    decisions : tuple of Decision
+        Decisions.
+    """
 
     decisions: tuple[Decision, ...]
 
@@ -87,7 +105,18 @@ class Report:
 
 
 def claim(one: Equation) -> Verdict:
-    """The verdict that `decide` gives if every check does what it should; runs none."""
+    """Verdict that `decide` gives if every check does its work; runs none.
+
+    Parameters
+    ----------
+    one : Equation
+        Equation.
+
+    Returns
+    -------
+    Verdict
+        Verdict.
+    """
     checks = CHECKS.get(one.number, ())
     if not checks:
         return Verdict.UNCHECKED
@@ -105,7 +134,23 @@ def claim(one: Equation) -> Verdict:
 
 
 def decide(number: str) -> Decision:
-    """The decision on one equation. Raises ValueError for a number that there is none of."""
+    """Decision on one equation.
+
+    Parameters
+    ----------
+    number : str
+        Number of the equation.
+
+    Returns
+    -------
+    Decision
+        Decision.
+
+    Raises
+    ------
+    ValueError
+        For a number that there is none of.
+    """
     one = equation(number)
     start = time.perf_counter()
     checks = CHECKS.get(one.number, ())
@@ -124,7 +169,20 @@ def decide(number: str) -> Decision:
 def verify(
     numbers: Iterable[str] = EQUATIONS, progress: Callable[[Decision], None] | None = None
 ) -> Report:
-    """Decide equations, all of them if no numbers are given; `progress` sees each decision."""
+    """Decide equations.
+
+    Parameters
+    ----------
+    numbers : iterable of str, optional
+        Numbers of equations; all of them if none are given.
+    progress : callable, optional
+        Function that gets each decision.
+
+    Returns
+    -------
+    Report
+        Decisions.
+    """
     decisions = []
     for number in numbers:
         decisions.append(decide(number))

@@ -17,7 +17,14 @@ from rockeom.structures.impact_laws import EnergyRatioAtSpeed
 class EdgeUplifts(NamedTuple):
     """Uplifts at both edges of a wall.
 
-    left, right [m]. centre_from_left_gauge : where the base has no uplift [m].
+    Parameters
+    ----------
+    left : ndarray
+        Uplift of the left edge [m].
+    right : ndarray
+        Uplift of the right edge [m].
+    centre_from_left_gauge : ndarray
+        Place without uplift, from the left gauge [m].
     """
 
     left: np.ndarray
@@ -30,12 +37,28 @@ def corrected_uplifts(
 ) -> EdgeUplifts:
     """Uplifts at the edges of a wall whose gauges stand outside it; thesis 4-1 to 4-4.
 
-    left, right : readings u_L, u_R, positive upward [m]; shapes broadcast. spacing of the gauges,
-    overhang of each beyond the edge [m]; those of the thesis if none are given.
-    The base stays straight, so that x = spacing u_L/(u_L - u_R) and
-    u'_L = u_L (x - overhang)/x = u_L - overhang (u_L - u_R)/spacing. 4-1 has the absolute values
-    instead, the same for readings of opposite signs; for two of the same sign the base has no
-    point without uplift, and x lies outside. Without a rotation x is NaN.
+    Parameters
+    ----------
+    left : array_like
+        Readings u_L of the left gauge, positive upwards [m].
+    right : array_like
+        Readings u_R of the right gauge, positive upwards [m].
+    spacing : float, optional
+        Distance of the gauges [m]; that of the thesis if not given.
+    overhang : float, optional
+        Distance of each gauge beyond the edge [m]; that of the thesis if not given.
+
+    Returns
+    -------
+    EdgeUplifts
+        Uplifts, in the shape of the readings, broadcast.
+
+    Notes
+    -----
+    The base stays straight, so that x = spacing u_L/(u_L - u_R) and u'_L = u_L (x - overhang)/x =
+    u_L - overhang (u_L - u_R)/spacing. 4-1 has the absolute values instead, the same for readings
+    of opposite signs; for two of the same sign the base has no point without uplift, and x lies
+    outside. Without a rotation x is NaN.
     """
     where = "corrected_uplifts"
     left, right = numbers(where, left=left, right=right)
@@ -50,10 +73,23 @@ def corrected_uplifts(
 
 
 def quarter_period_fit(displacement: ArrayLike):
-    """Quarter period of the wall of chapter 4, fitted to Table A-1 [s]; thesis 4-5.
+    """Quarter period of the wall of chapter 4, fitted to Table A-1; thesis 4-5.
 
-    displacement of the peak [m], any shape. 0.505 acosh(1/(1 - |D|/5.155 m)) + 0.01 s.
-    Raises ValueError from 5.155 m on.
+    Parameters
+    ----------
+    displacement : array_like
+        Displacement D of the peak [m], any shape.
+
+    Returns
+    -------
+    float or ndarray
+        Quarter period ``0.505 acosh(1/(1 - |D|/5.155 m)) + 0.01 s`` [s], in the shape of the
+        displacement.
+
+    Raises
+    ------
+    ValueError
+        From 5.155 m on.
     """
     (size,) = numbers("quarter_period_fit", displacement=np.abs(displacement))
     require(size < 5.155, "quarter_period_fit", "displacement", size, "the fit ends at 5.155 m")
@@ -63,10 +99,21 @@ def quarter_period_fit(displacement: ArrayLike):
 def back_calculated_force(
     mass: ArrayLike, acceleration: ArrayLike, ground_acceleration: ArrayLike = 0.0
 ):
-    """Restoring force at an instant without velocity, -M_e (a_g + a) [N]; thesis 4-42.
+    """Restoring force at an instant without velocity, -M_e (a_g + a); thesis 4-42.
 
-    mass M_e [kg]; acceleration a relative to the ground, ground_acceleration a_g [m/s2]; shapes
-    broadcast.
+    Parameters
+    ----------
+    mass : array_like
+        Effective mass M_e [kg].
+    acceleration : array_like
+        Acceleration a relative to the ground [m/s2].
+    ground_acceleration : array_like, optional
+        Acceleration a_g of the ground [m/s2].
+
+    Returns
+    -------
+    float or ndarray
+        Force [N], in the shape of all arguments, broadcast.
     """
     where = "back_calculated_force"
     (mass,) = positive(where, mass=mass)
@@ -77,10 +124,23 @@ def back_calculated_force(
 def harmonic_force(
     time: ArrayLike, mass: ArrayLike, amplitude: ArrayLike, frequency: ArrayLike = 8.0
 ):
-    """Effective force of a harmonic ground acceleration, -M_e Z sin(2 pi f t) [N]; thesis 4-43.
+    """Effective force of a harmonic ground acceleration, -M_e Z sin(2 pi f t); thesis 4-43.
 
-    time [s]; mass M_e [kg]; amplitude Z [m/s2], from 5.7 to 6.3 in Figure 4-73; frequency f [Hz],
-    whose 16 pi t is 8 Hz; shapes broadcast.
+    Parameters
+    ----------
+    time : array_like
+        Time t [s].
+    mass : array_like
+        Effective mass M_e [kg].
+    amplitude : array_like
+        Amplitude Z [m/s2], from 5.7 to 6.3 in Figure 4-73.
+    frequency : array_like, optional
+        Frequency f [Hz]; 16 pi t in 4-43 is 8 Hz.
+
+    Returns
+    -------
+    float or ndarray
+        Force [N], in the shape of all arguments, broadcast.
     """
     where = "harmonic_force"
     time, amplitude = numbers(where, time=time, amplitude=amplitude)
@@ -92,20 +152,48 @@ def harmonic_force(
 
 
 def energy_ratio_4_31(velocity: ArrayLike):
-    """r of the equivalent oscillator, fitted cycle by cycle [-]; thesis 4-31.
+    """Energy ratio r of the equivalent oscillator, fitted cycle by cycle; thesis 4-31.
 
-    velocity [m/s], either sign, any shape. It jumps at 0.3, 0.47 and 0.78 m/s, where the thesis
-    leaves it open; the value there is that of the faster band.
+    Parameters
+    ----------
+    velocity : array_like
+        Velocity, either sign [m/s], any shape.
+
+    Returns
+    -------
+    float or ndarray
+        Energy ratio, in the shape of the velocity.
+
+    Notes
+    -----
+    It jumps at 0.3, 0.47 and 0.78 m/s, where the thesis leaves it open; the value there is that of
+    the faster band.
     """
     (speed,) = numbers("energy_ratio_4_31", velocity=np.abs(velocity))
     return _by_speed(speed, EnergyRatioAtSpeed.equation_4_31())
 
 
 def energy_ratio_4_36(velocity: ArrayLike):
-    """r of the substitute-gravity wall that rocks about its corners [-]; thesis 4-36, as printed.
+    """Energy ratio r of the substitute-gravity wall about its corners; thesis 4-36, as printed.
 
-    velocity [m/s], either sign, any shape: 0.0441 |v| + 0.865. The text wants 0.88 for large and
-    0.91 for small speeds, which is the other way round. Raises ValueError where r exceeds 1.
+    Parameters
+    ----------
+    velocity : array_like
+        Velocity v, either sign [m/s], any shape.
+
+    Returns
+    -------
+    float or ndarray
+        Energy ratio ``0.0441 |v| + 0.865``, in the shape of the velocity.
+
+    Raises
+    ------
+    ValueError
+        Where r exceeds 1.
+
+    Notes
+    -----
+    The text wants 0.88 for large and 0.91 for small speeds, which is the other way round.
     """
     (speed,) = numbers("energy_ratio_4_36", velocity=np.abs(velocity))
     r = _by_speed(speed, EnergyRatioAtSpeed.equation_4_36())
@@ -115,10 +203,21 @@ def energy_ratio_4_36(velocity: ArrayLike):
 
 
 def energy_ratio_4_38(velocity: ArrayLike):
-    """r of the substitute-gravity wall whose centre of rotation moves [-]; thesis 4-38.
+    """Energy ratio r of the substitute-gravity wall whose centre of rotation moves; thesis 4-38.
 
-    velocity before the passage [m/s], either sign, any shape. It jumps at 0.47 and 0.78 m/s; the
-    value there is that of the faster band.
+    Parameters
+    ----------
+    velocity : array_like
+        Velocity before the impact, either sign [m/s], any shape.
+
+    Returns
+    -------
+    float or ndarray
+        Energy ratio, in the shape of the velocity.
+
+    Notes
+    -----
+    It jumps at 0.47 and 0.78 m/s; the value there is that of the faster band.
     """
     (speed,) = numbers("energy_ratio_4_38", velocity=np.abs(velocity))
     return _by_speed(speed, EnergyRatioAtSpeed.equation_4_38())

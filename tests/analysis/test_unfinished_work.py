@@ -156,11 +156,14 @@ def test_interrupt_is_raised_out_of_a_sweep_in_a_function_that_the_package_runs(
         posterior(Observed.formula(model, [0.8], noise=0.1), {"r": uniform(0.7, 0.2)})
 
 
-def functions_of_the_package() -> Iterator[tuple[Path, ast.FunctionDef]]:
-    for path in Path(rk.__file__).parent.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-            if isinstance(node, ast.FunctionDef):
-                yield path, node
+@functools.cache
+def functions_of_the_package() -> list[tuple[Path, ast.FunctionDef]]:
+    return [
+        (path, node)
+        for path in Path(rk.__file__).parent.rglob("*.py")
+        for node in ast.walk(ast.parse(path.read_text("utf-8")))
+        if isinstance(node, ast.FunctionDef)
+    ]
 
 
 def name_of(node: Any) -> str:

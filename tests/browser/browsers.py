@@ -64,11 +64,11 @@ _MOTIONS = """
 
 class Motion(NamedTuple):
     """A motion of a page: its outcome, when it is only followed and when it is recorded, and the
-    largest rotation."""
+    readings of the page, of which the second is the largest rotation."""
 
     outcome: str
     recorded: str
-    peak: float
+    readings: list[float]
 
 
 def answered(html: str, browser: str, seconds: float = 300.0) -> Any:
@@ -149,9 +149,7 @@ def motions(page: Explorer, places: np.ndarray, browser: str) -> Iterator[Motion
     """Motions of a page in a browser."""
     html = with_script(page.html, _MOTIONS.replace("PLACES", json.dumps(places.tolist())))
     for fate, readings, recorded in answered(html, browser):
-        yield Motion(
-            OUTCOMES.get(fate, "unknown"), OUTCOMES.get(recorded, "unknown"), readings[1]
-        )  # fmt: skip
+        yield Motion(OUTCOMES.get(fate, "unknown"), OUTCOMES.get(recorded, "unknown"), readings)
 
 
 def random_places(page: Explorer, n: int) -> np.ndarray:
@@ -188,7 +186,7 @@ def report(name: str, page: Explorer, browser: str) -> bool:
     wrong, sensitive = 0, 0
     for place, motion in zip(places, motions(page, places, browser), strict=True):
         outcome, peak = of_python(page, place)
-        near = outcome == "unknown" or abs(motion.peak - peak) <= SAME * max(peak, 1.0)
+        near = outcome == "unknown" or abs(motion.readings[1] - peak) <= SAME * max(peak, 1.0)
         if motion.outcome == motion.recorded == outcome and near:
             continue
         other, moved = of_python(page, place, NEXT)

@@ -5,22 +5,17 @@ from __future__ import annotations
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import rockeom as rk
 from rockeom.browser import setup
 from rockeom.browser.page import ENTRIES
 from rockeom.cli import main
-from rockeom.codes import OUTCOMES
 from tests.shipped import plain
-
-from .browsers import native
 
 ASSETS = Path(rk.__file__).parent / "browser" / "assets"
 PULSE = rk.GroundMotion.half_sine(4.0, 0.8, duration=5.0)
@@ -147,33 +142,6 @@ def test_jupyter_shows_it_in_a_frame_without_a_network(page):
     shown = page._repr_html_()
     assert shown.startswith('<iframe srcdoc="&lt;!doctype html&gt;')
     assert "allow-same-origin" not in shown
-
-
-@pytest.mark.skipif(not shutil.which("node"), reason="there is no node here")
-def test_motion_in_node_has_the_bits_of_machine_code(page):
-    data = data_of(page.html)
-    rng = np.random.default_rng(4)
-    low, high = (np.array([s[i] for s in SLIDERS.values()]) for i in (0, 1))
-    places = low + rng.random((40, len(SLIDERS))) * (high - low)
-    places = np.column_stack([places, np.ones(40)]).tolist()  # as large as it is
-    asked = {"runtime": (ASSETS / "runtime.js").read_text("utf-8"), **data, "places": places}
-    ran = subprocess.run(
-        ["node", str(Path(__file__).parent / "run_page.js")],
-        input=json.dumps(asked), capture_output=True, text=True, check=True, timeout=60,
-    )  # fmt: skip
-    of_machine, outcomes = native(page), set()
-    for place, found in zip(places, json.loads(ran.stdout), strict=True):
-        wanted = of_machine(place)
-        assert OUTCOMES[found["outcome"]] == OUTCOMES[found["fate"]] == wanted["outcome"]
-        assert np.array(found["readings"], float).tobytes() == wanted["readings"].tobytes()
-        run = rk.simulate(
-            rk.RigidBlock(half_width=place[0], half_height=0.6),
-            rk.GroundMotion.half_sine(place[1], 0.8, duration=5.0), initial={"theta": place[2]},
-        )  # fmt: skip
-        assert wanted["outcome"] == str(run.outcome)
-        assert wanted["readings"][1] == pytest.approx(abs(run.extremes("theta").peak))
-        outcomes.add(wanted["outcome"])
-    assert len(outcomes) > 1
 
 
 def test_program_exports_what_a_page_calls(page):

@@ -10,6 +10,7 @@ import os
 import re
 import time
 import timeit
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -17,9 +18,9 @@ import pytest
 from rockeom.compiler import frontend, lines as machine_lines, parsed
 from rockeom.compiler.lines import Lines
 from rockeom.compiler.machine import Loaded, compiled
-from rockeom.compiler.parsed import Refused, Text
+from rockeom.compiler.modules import Modules, Refused, Text
 from rockeom.compiler.printer import GROWTH, Program
-from tests.machine_code import HEAD, functions
+from tests.machine_code import HEAD, functions, importing
 
 GREATEST_DIVISOR = """
 @entry
@@ -550,10 +551,16 @@ def run(x: Floats, upwards: bool) -> float:
 """
 
 
+def of_two_programs(called: str, calls: str) -> tuple[Program, Program]:
+    """A program, and another one whose text imports and calls the entries of the first."""
+    there = Text("there.py", HEAD + called)
+    modules = Modules({"rockeom.there": (replace(there, elsewhere=True),)})
+    text = Text("here.py", importing(calls, [there], "rockeom.there") + HEAD + calls)
+    return Program([there]), Program([text], modules)
+
+
 def test_entry_of_another_program_is_called_and_not_compiled_again():
-    there = Program([Text("there.py", HEAD + FILLS)])
-    texts = [Text("there.py", HEAD + FILLS, elsewhere=True), Text("here.py", CALLS)]
-    here = Program(texts)
+    there, here = of_two_programs(FILLS, CALLS)
     assert [*here.entries] == ["run"]
     codes = [compiled(program.ir()) for program in (there, here)]
     run = Loaded(codes[0], there.entries | here.entries, codes[1]).functions["run"]
@@ -565,12 +572,8 @@ def test_entry_of_another_program_is_called_and_not_compiled_again():
 
 def test_entry_of_another_program_is_called_with_what_it_takes():
     for given in ("x, 2, upwards, 3", "x, 1.5, 1.0, 3"):
-        texts = [
-            Text("there.py", HEAD + FILLS, elsewhere=True),
-            Text("here.py", CALLS.replace("x, 1.5, upwards, 3", given)),
-        ]
         with pytest.raises(Refused, match="arguments of fill are not as"):
-            Program(texts)
+            of_two_programs(FILLS, CALLS.replace("x, 1.5, upwards, 3", given))
 
 
 OF_RECORDS = """
@@ -603,10 +606,9 @@ def run(x: Floats, upwards: bool) -> float:
 
 
 def test_entry_takes_records_by_their_fields_of_python_and_of_another_program():
-    there = Program([Text("there.py", HEAD + OF_RECORDS)])
+    there, here = of_two_programs(OF_RECORDS, GIVES_RECORDS)
     names = [name for name, _ in there.entries["fill"].arguments]
     assert names == ["first", "scale.n", "upwards", "size", "x", "row.n"]
-    here = Program([Text("there.py", HEAD + OF_RECORDS, elsewhere=True), Text("h", GIVES_RECORDS)])
     codes = [compiled(program.ir()) for program in (there, here)]
     calls = Loaded(codes[0], there.entries | here.entries, codes[1]).functions
     for upwards, sign in ((True, 1.0), (False, -1.0)):

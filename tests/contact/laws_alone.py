@@ -25,7 +25,7 @@ def impulses(law, d, v, w, e, mu, k=None, e_t=None):
     """
     m = len(v)
     names = text(m, CONTACT_LAWS[law])
-    known = np.zeros(names["N_KNOWN"])
+    known = np.zeros(names["CONTACT_SIZE"])
     rate = np.column_stack([v, w]).ravel().astype(float)
     known[names["COUPLING"] :] = np.asarray(d, float).ravel()
     laws = known[names["LAWS"] : names["LAWS"] + 2 * m]

@@ -54,6 +54,7 @@ def test_runs_and_draws(path, monkeypatch, capsys):
     assert all(figure.axes for figure in shown)
     shown.clear()
     gc.collect()  # a notebook's figures and what it simulated hold one another: 10 to 20 MB each
+    gc.freeze()  # what SymPy remembers need not be looked through after the next one
 
 
 @NOTEBOOKS

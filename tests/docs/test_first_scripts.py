@@ -2,14 +2,14 @@
 
 import ast
 import importlib.util
-import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
-HOW_TO = Path(__file__).resolve().parents[2] / "docs" / "how-to"
+from tests.pages import cells, text_of
+
 SHORT, WITH_DECLARATION = 15, 40
 SCRIPTS = {
     "rocking-isolation.md": SHORT,  # a student with a bridge pier
@@ -21,17 +21,13 @@ SCRIPTS = {
 """Pages, and how long a script may be. The build of the documentation runs them."""
 
 
-def cells(page: str) -> list[str]:
-    text = (HOW_TO / page).read_text(encoding="utf-8")
-    return re.findall(r"^```\{code-cell\} ipython3\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
-
-
-ALL = [(page, i) for page in SCRIPTS for i in range(len(cells(page)))]
+CELLS = {name: cells(text_of(f"docs/how-to/{name}")) for name in SCRIPTS}
+ALL = [(page, i) for page in SCRIPTS for i in range(len(CELLS[page]))]
 
 
 @pytest.mark.parametrize(("page", "i"), ALL)
 def test_script_is_short_with_one_statement_a_line(page, i):
-    script = cells(page)[i]
+    script = CELLS[page][i]
     assert len(script.splitlines()) <= SCRIPTS[page]
     bodies = (n.body for n in ast.walk(ast.parse(script)) if hasattr(n, "body"))
     for statements in (body for body in bodies if isinstance(body, list)):
@@ -41,7 +37,7 @@ def test_script_is_short_with_one_statement_a_line(page, i):
 
 @pytest.mark.parametrize("page", SCRIPTS)
 def test_first_script_is_complete(page):
-    assert cells(page)[0].startswith("import rockeom as rk\n")
+    assert CELLS[page][0].startswith("import rockeom as rk\n")
 
 
 def test_scripts_are_formatted(tmp_path):
@@ -49,7 +45,7 @@ def test_scripts_are_formatted(tmp_path):
         pytest.skip("ruff is not installed: pip install -e '.[dev]'")
     for page, i in ALL:
         path = tmp_path / f"{Path(page).stem.replace('-', '_')}_{i}.py"
-        path.write_text(cells(page)[i], encoding="utf-8")
+        path.write_text(CELLS[page][i], encoding="utf-8")
     ruff = sys.executable, "-m", "ruff", "format", "--line-length", "100", "--diff"
     done = subprocess.run([*ruff, str(tmp_path)], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout

@@ -62,23 +62,21 @@ def test_newtons_range_of_a_block_on_level_feet_is_a_ratio_of_its_sides():
             assert cannot_gain(problem, "newton") == inside
 
 
-def test_moreaus_law_gains_with_unequal_restitutions_and_friction():
-    (gain,) = gains(body_on_floor_and_wall(), "moreau")
-    assert gain > 7
-    assert not cannot_gain(body_on_floor_and_wall(), "moreau")
+@pytest.mark.parametrize(
+    ("law", "problem", "least"),
+    [
+        ("moreau", body_on_floor_and_wall, 7.0),
+        ("poisson, two problems", block_on_unequal_feet, 0.05),
+    ],
+)
+def test_laws_at_once_gain_with_unequal_restitutions_and_friction(law, problem, least):
+    (gain,) = gains(problem(), law)
+    assert gain > least
+    assert not cannot_gain(problem(), law)
     for e in (0.0, 0.5, 1.0):
-        equal = body_on_floor_and_wall((e, e))
-        assert cannot_gain(equal, "moreau")
-        assert all(gain < 1e-12 for gain in gains(equal, "moreau"))
-
-
-def test_poissons_two_problems_gain_with_unequal_restitutions_and_friction():
-    (gain,) = gains(block_on_unequal_feet(), "poisson, two problems")
-    assert gain > 0.05
-    for e in (0.0, 0.5, 1.0):
-        equal = block_on_unequal_feet((e, e))
-        assert cannot_gain(equal, "poisson, two problems")
-        assert all(gain < 1e-12 for gain in gains(equal, "poisson, two problems"))
+        equal = problem((e, e))
+        assert cannot_gain(equal, law)
+        assert all(gain < 1e-12 for gain in gains(equal, law))
 
 
 def test_poissons_path_gains_even_with_equal_restitutions():

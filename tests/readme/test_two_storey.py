@@ -15,8 +15,7 @@ from scipy.linalg import eigh
 
 import rockeom as rk
 from rockeom.integrator.program import program
-
-from .blocks import ROOT, declaration, two_storey
+from tests.pages import ROOT, declaration, two_storey
 
 MASS, HEIGHT = np.array([20e3, 20e3]), np.array([3.5, 7.0])  # kg, m
 BASE_MASS, HALF_WIDTH, STIFFNESS = 10e3, 1.2, 20e6

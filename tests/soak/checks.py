@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Self
 
 import numpy as np
 
@@ -55,6 +56,18 @@ class Record:
 
     motion: Motion
     run: rk.Response
+
+    def altered(self, **changes) -> Self:
+        """With other arrays: span, mode, powers, times, kinds, states; and end, outcome, duration.
+
+        Such a response is wrong, and a check must notice it.
+        """
+        run = self.run
+        of_steps = {k: changes.pop(k) for k in ("span", "mode", "powers") if k in changes}
+        columns = {k: changes.pop(k) for k in ("times", "kinds", "states") if k in changes}
+        events = replace(run.events, columns=run.events.columns._replace(**columns))
+        other = replace(run, record=replace(run.steps, **of_steps), events=events, **changes)
+        return replace(self, run=other)
 
     @cached_property
     def program(self):

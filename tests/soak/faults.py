@@ -155,7 +155,7 @@ FAULTS = {
     "names": Fault(
         "names of users are written as they are",
         "rockeom/codegen/names.py",
-        (("while is_own(name) or name in self.given:", "while name in self.given:"),),
+        (("while is_own(name) or name in self.taken:", "while name in self.taken:"),),
         ("rigid_block",),
         ("names",),
         check="names",
@@ -171,7 +171,7 @@ FAULTS = {
     "saltation": Fault(
         "derivatives behind an impact are left at its time, which moves",
         CARRIED,
-        (("y[j] = moved[j] - rate_there[j] * tau", "y[j] = moved[j]"),),
+        (("y[j] = scratch.y_before[j] - scratch.rate[j] * tau", "y[j] = scratch.y_before[j]"),),
         ("rigid_block",),
         ("tangents",),
         runs=400,

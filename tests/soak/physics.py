@@ -13,7 +13,6 @@ import importlib.util
 import inspect
 import os
 import tempfile
-from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -155,8 +154,3 @@ def _opening(model: RockingModel, target: str) -> sp.Expr:
 
     found = still(equations.mass_matrix).LUsolve(still(equations.forcing))
     return mode.side_of(target) * found[list(mode.coordinates).index(model.rotation)]
-
-
-def order_agrees(names: Iterable[str], model: RockingModel) -> bool:
-    """Whether modes are numbered as in a generated module."""
-    return tuple(names) == model.mode_names

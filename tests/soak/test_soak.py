@@ -2,6 +2,7 @@
 
 import warnings
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -111,29 +112,13 @@ def a_record(model: str, wanted) -> Record:
     raise LookupError(f"no seed of {model}")
 
 
-def tampered(record: Record, **changes) -> Record:
-    """With other arrays: span, mode, powers, times, kinds, states, end, outcome."""
-    run = record.run
-    steps = replace(
-        run.steps, **{k: v for k, v in changes.items() if k in ("span", "mode", "powers")}
-    )
-    columns = {k: v for k, v in changes.items() if k in ("times", "kinds", "states")}
-    events = replace(run.events, columns=run.events.columns._replace(**columns))
-    rest = {k: v for k, v in changes.items() if k in ("end", "outcome")}
-    return Record(record.motion, replace(run, record=steps, events=events, **rest))
-
-
 def bounced(record: Record) -> bool:
     return (record.kinds == IMPACT).sum() > 3 and record.run.outcome is Outcome.COMPLETED
 
 
-BLOCK = [None]
-
-
+@cache
 def block() -> Record:
-    if BLOCK[0] is None:
-        BLOCK[0] = a_record("rigid_block", bounced)
-    return BLOCK[0]
+    return a_record("rigid_block", bounced)
 
 
 def words(record: Record) -> set[str]:
@@ -143,29 +128,27 @@ def words(record: Record) -> set[str]:
 def test_nan_with_an_outcome_of_success_is_noticed():
     powers = block().run.steps.powers.copy()
     powers[-1, 1, 0] = np.nan
-    assert "not" in words(tampered(block(), powers=powers))
-    assert "not" in words(
-        tampered(block(), end=np.array([np.nan, 0.0]), outcome=Outcome.OVERTURNED)
-    )
+    assert "not" in words(block().altered(powers=powers))
+    assert "not" in words(block().altered(end=np.array([np.nan, 0.0]), outcome=Outcome.OVERTURNED))
 
 
 def test_gap_in_time_is_noticed():
     span = block().run.steps.span.copy()
     span[5:, 0] += 1e-9
-    assert "time" in words(tampered(block(), span=span))
+    assert "time" in words(block().altered(span=span))
 
 
 def test_fall_through_the_ground_is_noticed():
     """An impact left out: the motion goes on on the same side."""
     modes = block().mode.copy()
     modes[modes == 0] = 2
-    assert "guard" in words(tampered(block(), mode=modes))
+    assert "guard" in words(block().altered(mode=modes))
 
 
 def test_event_left_out_is_noticed():
     times, kinds, states = block().run.events.columns
     keep = np.arange(len(times)) != 1
-    found = words(tampered(block(), times=times[keep], kinds=kinds[keep], states=states[keep]))
+    found = words(block().altered(times=times[keep], kinds=kinds[keep], states=states[keep]))
     assert {"joined", "modes"} <= found
 
 
@@ -174,7 +157,7 @@ def test_energy_from_nothing_is_noticed():
     powers = block().run.steps.powers.copy()
     moving = int(np.abs(powers[:, 1:, 1].sum(axis=1) * powers[:, 0, 1]).argmax())
     powers[moving, 1:] *= 1 + 1e-5
-    assert "energy" in words(tampered(block(), powers=powers))
+    assert "energy" in words(block().altered(powers=powers))
 
 
 def test_impact_that_gives_energy_or_is_not_at_the_ground_is_noticed():
@@ -183,19 +166,17 @@ def test_impact_that_gives_energy_or_is_not_at_the_ground_is_noticed():
         impact = int(np.flatnonzero(block().kinds == IMPACT)[0])
         states[impact, 1, 1] = factor * states[impact, 0, 1]
         states[impact, 0, 0] += shift
-        assert "impact" in words(tampered(block(), states=states)), what
+        assert "impact" in words(block().altered(states=states)), what
 
 
 def test_success_short_of_the_end_is_noticed():
-    run = block().run
-    short = replace(run, duration=1.1 * run.duration)
-    assert "end" in words(Record(block().motion, short))
+    assert "end" in words(block().altered(duration=1.1 * block().run.duration))
 
 
 def test_state_that_is_not_overturned_is_noticed():
     span = block().run.steps.span[:5]
-    early = tampered(
-        block(), span=span, mode=block().mode[:5], powers=block().run.steps.powers[:5],
+    early = block().altered(
+        span=span, mode=block().mode[:5], powers=block().run.steps.powers[:5],
         times=np.empty(0), kinds=np.empty((0, 4), int), states=np.empty((0, 2, 2)),
         end=block().last[4], outcome=Outcome.OVERTURNED,
     )  # fmt: skip

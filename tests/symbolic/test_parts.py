@@ -1,29 +1,20 @@
 """A superstructure of a user's own on supports: what docs/how-to/your-own-structure.md shows."""
 
-import re
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import rockeom as rk
 from rockeom.symbolic.parts.supports import pinned, two_springs
-
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "how-to" / "your-own-structure.md"
+from tests.pages import GUIDE, blocks, names_of
 
 
 @cache
 def page():
     """What the page has made."""
-    names = {"rk": rk}
-    (shown,) = (
-        block
-        for block in re.findall(r"^```python\n(.*?)^```", PAGE.read_text("utf-8"), re.M | re.S)
-        if "Superstructure(" in block
-    )
-    exec(shown, names)
-    return names
+    (shown,) = (block for block in blocks("python", GUIDE) if "Superstructure(" in block)
+    return names_of(["import rockeom as rk", shown])
 
 
 def test_tank_on_feet_that_slide_slides_with_its_water():

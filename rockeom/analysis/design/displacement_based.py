@@ -240,11 +240,11 @@ def displacement_based_design(
         return spectrum(period, ratio(period)) - float(target)
 
     def design(outcome: str, period: float) -> DisplacementDesign:
-        known = outcome == DESIGNED
-        stiffness = float(4 * np.pi**2 * m / period**2) if known else np.nan
+        designed = outcome == DESIGNED
+        stiffness = float(4 * np.pi**2 * m / period**2) if designed else np.nan
         return DisplacementDesign(
             outcome, float(target), float(yields), mu, float(m),
-            ratio(period) if known else np.nan, period if known else np.nan, stiffness,
+            ratio(period) if designed else np.nan, period if designed else np.nan, stiffness,
             stiffness * float(target),
         )  # fmt: skip
 

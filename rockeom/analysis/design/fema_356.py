@@ -267,10 +267,10 @@ class FemaComparison:
         return self._ratio(self.priestley)
 
     def _ratio(self, estimates: tuple[FemaEstimate, ...]) -> np.ndarray:
-        found = np.array([one.rotation for one in estimates])
+        angles = np.array([one.rotation for one in estimates])
         stood = self.answered & ~self.overturned
-        rocked = stood & (self.rotation > 0) & (found > 0)
-        return np.divide(found, self.rotation, out=np.full(len(found), np.nan), where=rocked)
+        rocked = stood & (self.rotation > 0) & (angles > 0)
+        return np.divide(angles, self.rotation, out=np.full(len(angles), np.nan), where=rocked)
 
     def __str__(self) -> str:
         """The table, with rotations over alpha, and the number of each outcome.
@@ -287,13 +287,13 @@ class FemaComparison:
                 for e in (one, other)
             ]
             stood = outcome in STANDS
-            found = f"{rotation / self.alpha:.3f}" if stood else outcome
+            largest = f"{rotation / self.alpha:.3f}" if stood else outcome
             ratio = "-"
             if stood and one.outcome == CONVERGED:
                 ratio = f"{one.rotation / rotation:.2f}"
             elif stood and one.outcome == OVERTURNED:
                 ratio = f"> {self.alpha / rotation:.2f}"
-            lines.append(f"{name[:40]:40} {shown[0]:>14} {shown[1]:>14} {found:>12} {ratio:>9}")
+            lines.append(f"{name[:40]:40} {shown[0]:>14} {shown[1]:>14} {largest:>12} {ratio:>9}")
         return "\n".join([*lines, "", self.summary()])
 
     def summary(self) -> str:

@@ -172,15 +172,7 @@ def bilinear_fit(force: Force, largest: float, points: int = 400) -> FlagRule:
 
 
 class Damping(Protocol):
-    """Force against the motion of an oscillator that knows its stiffness.
-
-    Parameters
-    ----------
-    *args : object
-        A protocol is not made.
-    **kwargs : object
-        A protocol is not made.
-    """
+    """Force against the motion of an oscillator that knows its stiffness."""
 
     def force(
         self, mass: float, u: np.ndarray, v: np.ndarray, tangent: Callable[[], np.ndarray]

@@ -1,9 +1,11 @@
 """Motions over a range of parameters: spectra, overturning, periodic orbits, basins, exponents.
 
-from rockeom.analysis import dynamics
+::
 
-stroboscope = dynamics.StroboscopicMap(structure, motion, period)
-dynamics.poincare_sections(stroboscope, starts=starts, settling=200, cycles=16)
+    from rockeom.analysis import dynamics
+
+    stroboscope = dynamics.StroboscopicMap(structure, motion, period)
+    dynamics.poincare_sections(stroboscope, starts=starts, settling=200, cycles=16)
 """
 
 from typing import TYPE_CHECKING

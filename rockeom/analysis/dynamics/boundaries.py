@@ -190,7 +190,7 @@ class _Run:
 
     case: Case
     options: SolverOptions | None
-    found: Tangents
+    tangents: Tangents
 
     @classmethod
     def of(
@@ -205,15 +205,15 @@ class _Run:
 
     @property
     def events(self) -> int:
-        return len(self.found.event_times)
+        return len(self.tangents.event_times)
 
     @property
     def falls(self) -> bool:
-        return self.found.response.outcome == FALLS
+        return self.tangents.response.outcome == FALLS
 
     @property
     def fate(self) -> float:
-        run = self.found.response
+        run = self.tangents.response
         if self.falls:
             return float(len(run.impacts))
         return math.inf if run.outcome in STANDS else math.nan
@@ -228,16 +228,16 @@ class _Run:
             else:
                 continue
             return np.nan_to_num(slope, posinf=0.0, neginf=0.0)
-        return np.zeros(len(self.found.end_time))
+        return np.zeros(len(self.tangents.end_time))
 
     def longer(self) -> Iterator[Tangents]:
         """The motion, and ever longer ones while it moves; the last one is cached."""
         for _ in range(_LONGER):
-            yield self.found
-            if self.found.response.outcome == RESTS:
+            yield self.tangents
+            if self.tangents.response.outcome == RESTS:
                 return
-            last = 2.0 * self.found.response.duration
-            self.found = tangents(replace(self.case, duration=last), self.options)
+            last = 2.0 * self.tangents.response.duration
+            self.tangents = tangents(replace(self.case, duration=last), self.options)
 
 
 # --- from point to point

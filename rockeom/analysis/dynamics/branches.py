@@ -302,7 +302,7 @@ def orbit_branch(
     ArithmeticError
         Where there is no first motion.
     ValueError
-        For an unknown kind of bifurcation, and a step or a tolerance that is not positive.
+        For two equal values, and a step or a tolerance that is not positive.
     """
     first, last = (float(v) for v in numbers("orbit_branch", first=between[0], last=between[1]))
     positive("orbit_branch", step=step, tolerance=tolerance)

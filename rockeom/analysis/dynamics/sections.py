@@ -74,9 +74,9 @@ def poincare_sections(
         A map; or a function that makes one from one value of each name in `over`, of any parameter
         of the structure, its impacts or its shaking, whose period may vary, too. All states are
         followed, and looked at once a whole period, whatever the map says of these.
-    over : dict of str to object, optional
+    over : dict of str to sequence, optional
         Names and their values, a grid.
-    starts : object
+    starts : dict or list of dict or pandas.DataFrame
         States at the time zero, those that are not named being zero: names and their values are a
         grid, over which the dataset is, too; a table (a list of dicts, a DataFrame) has a start in
         each row, and the dataset is over "start".

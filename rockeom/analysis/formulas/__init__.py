@@ -1,5 +1,7 @@
 """Formulas as functions of arrays: periods, restitution, damping, foundations, tendons and walls.
 
+::
+
     from rockeom.analysis import formulas
 
     formulas.rocking_period([0.1, 0.5, 0.9], p=2.14)  # s, for theta_0/alpha

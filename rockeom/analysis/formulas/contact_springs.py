@@ -208,8 +208,8 @@ def contact_springs_for_energy_ratio(
     block = _Block.checked(where, half_width, half_height, mass, inertia, gravity)
     peak = block.peak(where, peak_rotation)
     (wanted,) = positive(where, energy_ratio=energy_ratio)
-    given = peak / 100 if uplift_rotation is None else uplift_rotation
-    (uplift,) = positive(where, uplift_rotation=given)
+    rotation = peak / 100 if uplift_rotation is None else uplift_rotation
+    (uplift,) = positive(where, uplift_rotation=rotation)
     require(uplift < peak, where, "uplift_rotation", uplift, f"it must be below the peak, {peak}")
     stiffness = block.mass * block.gravity / (2 * block.half_width * uplift)
     frequency = np.sqrt(2 * stiffness / block.mass)
@@ -340,15 +340,15 @@ def _landing(number: float, zeta: float, mu: float, centripetal: float, pulls: b
 
 def _first_passage(function, grid: np.ndarray) -> float:
     """Where a function of an array first changes its sign along a grid; nan where it does not."""
-    found = np.nan
+    passage = np.nan
     for _ in range(12):  # each time in the interval that has it, an eleventh of the one before
         values = function(grid)
         passed = np.flatnonzero(values[:-1] * values[1:] <= 0)
         if not len(passed):
             break
-        found = grid[passed[0]]
-        grid = np.linspace(found, grid[passed[0] + 1], 12)
-    return float(found)
+        passage = grid[passed[0]]
+        grid = np.linspace(passage, grid[passed[0] + 1], 12)
+    return float(passage)
 
 
 _landings = np.vectorize(_landing, otypes=[float])

@@ -1,9 +1,11 @@
 """From measurements to parameters: records and their noise, impacts, fits with confidence.
 
-from rockeom.analysis import identification
+::
 
-record = identification.MeasuredRecord.from_csv("test.csv", units={"theta": "deg"})
-identification.Impacts.of_record(record, block, threshold=6.0)  # J
+    from rockeom.analysis import identification
+
+    record = identification.MeasuredRecord.from_csv("test.csv", units={"theta": "deg"})
+    identification.Impacts.of_record(record, block, threshold=6.0)  # J
 """
 
 from typing import TYPE_CHECKING

@@ -149,27 +149,27 @@ class _Density:
             return self._nothing()
         parameters: dict[str, Any] = self.space.duals(u)
         self.counts["gradients"] += 1
-        found = self.predictions(parameters)
-        return self._nothing() if found is None else self.joined(u, parameters, found)
+        predicted = self.predictions(parameters)
+        return self._nothing() if predicted is None else self.joined(u, parameters, predicted)
 
     def predictions(self, parameters: Mapping[str, Any]) -> list[PredictedReadings] | None:
         """Predictions of all tests; None where one has no answer."""
         try:
-            found = [test.predict(parameters) for test in self.tests]
+            predicted = [test.predict(parameters) for test in self.tests]
         except ValueError as error:
             self.counts[REFUSED] += 1
             self.refusal = str(error)
             return None
-        self.counts.update(one.outcome for one in found)
-        return found if all(np.isfinite(one.values).all() for one in found) else None
+        self.counts.update(one.outcome for one in predicted)
+        return predicted if all(np.isfinite(one.values).all() for one in predicted) else None
 
     def joined(
-        self, u: np.ndarray, parameters: Mapping[str, Any], found: Sequence[PredictedReadings]
+        self, u: np.ndarray, parameters: Mapping[str, Any], predictions: Sequence[PredictedReadings]
     ) -> _Point:
         """The density by the predictions of all tests."""
         k = len(u)
         value, gradient, information = -0.5 * u @ u - 0.5 * k * math.log(2 * math.pi), -u, np.eye(k)
-        for test, (predicted, along, _) in zip(self.tests, found, strict=True):
+        for test, (predicted, along, _) in zip(self.tests, predictions, strict=True):
             along = along.reshape(len(predicted), -1)
             scale, log_along = _scales(test, parameters, k)
             parts = _Parts.of(test, predicted, scale, self.law)
@@ -183,10 +183,10 @@ class _Density:
 
 def _scales(test: Observed, parameters: Mapping[str, Any], k: int) -> tuple[np.ndarray, np.ndarray]:
     """Standard deviations of the readings of a test (n,), and derivatives of their logarithms."""
-    given = [(parameters[of] if isinstance(of, str) else of, n) for of, n in test.noise]
-    number = [n for _, n in given]
-    plain = np.repeat([value_of(x) for x, _ in given], number)
-    along = np.repeat([tangent_of(x, k) for x, _ in given], number, axis=0)
+    scales = [(parameters[of] if isinstance(of, str) else of, n) for of, n in test.noise]
+    number = [n for _, n in scales]
+    plain = np.repeat([value_of(x) for x, _ in scales], number)
+    along = np.repeat([tangent_of(x, k) for x, _ in scales], number, axis=0)
     return plain, along / plain[:, None]
 
 
@@ -490,7 +490,7 @@ def posterior(
     tests : Observed or sequence of Observed
         `Observed.history`, `Observed.swings` or `Observed.formula`; parameters of the same name are
         the same in all of them.
-    priors : dict of str to object
+    priors : dict of str to distribution
         Prior of each parameter, noises among them, by name: a continuous distribution of
         scipy.stats, frozen; they are independent.
     degrees_of_freedom : float, optional
@@ -649,13 +649,13 @@ def _mode(density: _Density, seed: int) -> tuple[np.ndarray, bool]:
     for value, start in scored[:STARTS]:
         if value == -math.inf:
             break
-        found = minimize(
+        optimum = minimize(
             lambda u: -density.at(u).value, start, method="trust-exact",
             jac=lambda u: -density.at(u).gradient, hess=lambda u: density.at(u).information,
             options={"gtol": 1e-6, "maxiter": 100},
         )  # fmt: skip
-        if -found.fun > top:
-            best, top = found.x, -found.fun
+        if -optimum.fun > top:
+            best, top = optimum.x, -optimum.fun
     point = density.at(best)
     off = math.sqrt(float(point.gradient @ np.linalg.solve(point.information, point.gradient)))
     return best, off < SETTLED
@@ -665,8 +665,8 @@ def _scored(density: _Density, u: np.ndarray) -> tuple[float, np.ndarray]:
     """Log density of a place, its noises replaced by the misfits of the readings there."""
     parameters = density.space.values(u)
     density.counts["simulations"] += 1
-    found = density.predictions(parameters)
-    if found is None:
+    predictions = density.predictions(parameters)
+    if predictions is None:
         return -math.inf, u
     u = u.copy()
     for row, (name, marginal) in enumerate(
@@ -674,20 +674,20 @@ def _scored(density: _Density, u: np.ndarray) -> tuple[float, np.ndarray]:
     ):
         misfits = [
             rest
-            for test, one in zip(density.tests, found, strict=True)
+            for test, one in zip(density.tests, predictions, strict=True)
             for rest in _misfits(test, one, name)
         ]
         if misfits:
             rms = math.sqrt(float(np.mean(np.concatenate(misfits) ** 2)))
             u[row] = np.clip(_deviate(marginal, rms), -3.0, 3.0)
-    return density.joined(u, density.space.values(u), found).value, u
+    return density.joined(u, density.space.values(u), predictions).value, u
 
 
-def _misfits(test: Observed, found: PredictedReadings, name: str) -> list[np.ndarray]:
+def _misfits(test: Observed, prediction: PredictedReadings, name: str) -> list[np.ndarray]:
     """Misfits of the readings of a test whose noise is the parameter of that name."""
     ends = np.cumsum([n for _, n in test.noise])
     left = [
-        (test.measured[end - n : end], found.values[end - n : end])
+        (test.measured[end - n : end], prediction.values[end - n : end])
         for (of, n), end in zip(test.noise, ends, strict=True)
         if of == name
     ]

@@ -88,8 +88,10 @@ def support_forces_of_record(
 
     Raises
     ------
+    KeyError
+        For an unknown channel.
     ValueError
-        For an unknown channel, a window of too few samples, and numbers that are not positive.
+        For a window of too few samples, and numbers that are not positive.
 
     Notes
     -----
@@ -212,6 +214,8 @@ def impact_forces_of_record(
 
     Raises
     ------
+    KeyError
+        For an unknown channel.
     ValueError
         As `support_forces_of_record`.
 

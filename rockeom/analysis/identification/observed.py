@@ -296,7 +296,7 @@ class Observed:
 
         Parameters
         ----------
-        parameters : dict of str to object
+        parameters : dict of str to float or Dual
             Numbers or duals by name, some of which may be of other tests.
 
         Returns
@@ -308,10 +308,10 @@ class Observed:
         m = directions(*parameters.values())
         if m and not self.exact:
             return self._by_differences(own, m)
-        found: PredictedReadings = self.model(**own)
+        prediction: PredictedReadings = self.model(**own)
         if directions(*own.values()) == m:
-            return found
-        return found._replace(derivatives=np.zeros((len(self.measured), m)))  # none moves it
+            return prediction
+        return prediction._replace(derivatives=np.zeros((len(self.measured), m)))  # none moves it
 
     def _by_differences(self, own: Mapping[str, Any], m: int) -> PredictedReadings:
         plain = {name: value_of(x) for name, x in own.items()}
@@ -321,8 +321,8 @@ class Observed:
             if h > 0.0:
                 low, high = (self.model(**plain | {name: plain[name] + s}) for s in (-h, h))
                 along += np.outer((high.values - low.values) / (2 * h), x.tangent)
-        found: PredictedReadings = self.model(**plain)
-        return found._replace(derivatives=along)
+        prediction: PredictedReadings = self.model(**plain)
+        return prediction._replace(derivatives=along)
 
 
 def _noises(where: str, *pairs: tuple[float | str, int]) -> tuple[tuple[float | str, int], ...]:
@@ -417,16 +417,16 @@ class _Swings(NamedTuple):
         shift = parameters.pop(self.release_time) if self.release_time else 0.0
         made, number = self.case(**parameters), max(self.lengths.values())
         if m:
-            found, by = swing_tangents(made, self.quantity, number, self.options)
+            swing, by = swing_tangents(made, self.quantity, number, self.options)
             moved = tangent_of(shift, m)
             along = self._chosen(by.peak, by.peak_time + moved, by.crossing_time + moved)
         else:
             run = simulate(**vars(made), options=self.options)
-            found = swings(run, self.quantity, number)
+            swing = swings(run, self.quantity, number)
             along = np.zeros((sum(self.lengths.values()), 0))
         late = value_of(shift)
-        values = self._chosen(found.peak, found.peak_time + late, found.crossing_time + late)
-        fewer = not found.peak.all()
+        values = self._chosen(swing.peak, swing.peak_time + late, swing.crossing_time + late)
+        fewer = not swing.peak.all()
         return PredictedReadings(values, along, FEWER if fewer else AS_MEASURED)
 
     def _chosen(self, *columns: np.ndarray) -> np.ndarray:

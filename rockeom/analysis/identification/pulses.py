@@ -166,7 +166,7 @@ def _searched(
     """
     from scipy.signal import fftconvolve  # takes long to import
 
-    found = []
+    starts = []
     step = t[1] - t[0]
     for period in np.geomspace(band[0], band[1], _PERIODS):
         for gamma in np.atleast_1d(gammas):
@@ -179,9 +179,9 @@ def _searched(
             )
             taken = np.where(t < _lead(model, period, gamma), 0.0, taken)
             best = int(np.argmax(taken))
-            found.append((taken[best], (float(period), float(t[best]), float(gamma))))
-    found.sort(key=lambda one: -one[0])
-    return [place for _, place in found[:_STARTS]]
+            starts.append((taken[best], (float(period), float(t[best]), float(gamma))))
+    starts.sort(key=lambda one: -one[0])
+    return [place for _, place in starts[:_STARTS]]
 
 
 def _half_length(model: str, period: float, gamma: float) -> float:
@@ -213,8 +213,8 @@ def _polished(
 
     period, centre, gamma = place
     start = np.array([period, centre - _lead(model, period, gamma), gamma])[:free]
-    found = least_squares(left, np.clip(start, low, high), bounds=(low, high), x_scale="jac")
-    return math.sqrt(float(found.fun @ found.fun) / float(v @ v)), placed(found.x)
+    optimum = least_squares(left, np.clip(start, low, high), bounds=(low, high), x_scale="jac")
+    return math.sqrt(float(optimum.fun @ optimum.fun) / float(v @ v)), placed(optimum.x)
 
 
 def _told(

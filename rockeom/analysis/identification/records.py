@@ -65,7 +65,7 @@ class MeasuredRecord:
         Times (n,) [s].
     channels : dict of str to ndarray
         Values (n,) by the name of the channel.
-    noise : dict of str to object, optional
+    noise : dict of str to float or Noise, optional
         Standard deviation by the name of the channel, or a `Noise`, as which it is stored;
         `noise_level` estimates that of other channels.
     name : str, optional
@@ -428,12 +428,12 @@ class MeasuredRecord:
         rates = {f: one.with_derivatives(channel, window, degree) for f, one in made.items()}
         shared = lcm(*(round(1 / f) for f in factors if f < 1))
         name = f"{channel}_dot"
-        found = {f: one[name][:: round(shared * f)] for f, one in rates.items()}
-        shortest = min(len(v) for v in found.values())
-        found = {f: v[:shortest] for f, v in found.items()}
-        spread = max(float(np.std(v - found[1.0])) for v in found.values())
+        resampled = {f: one[name][:: round(shared * f)] for f, one in rates.items()}
+        shortest = min(len(v) for v in resampled.values())
+        resampled = {f: v[:shortest] for f, v in resampled.items()}
+        spread = max(float(np.std(v - resampled[1.0])) for v in resampled.values())
         noise = rates[1.0].noise[name].level
-        return Velocities(self.time[::shared][:shortest], found, noise, spread)
+        return Velocities(self.time[::shared][:shortest], resampled, noise, spread)
 
     # -- its free vibration ----------------------------------------------------------------------
 

@@ -221,15 +221,15 @@ def hamiltonian_draws(
     sampler = mici.samplers.DynamicMultinomialHMC(
         system, mici.integrators.LeapfrogIntegrator(system), rng, max_tree_depth=DEEPEST
     )
-    found = sampler.sample_chains(
+    sampled = sampler.sample_chains(
         warm_up, draws, [_start(density, k, rng) for _ in range(chains)],
         adapters=[mici.adapters.DualAveragingStepSizeAdapter(ACCEPTED)],
         trace_funcs=[lambda state: {"v": state.pos}], monitor_stats=[], display_progress=False,
     )  # fmt: skip
-    coordinates = np.array(found.traces["v"])
+    coordinates = np.array(sampled.traces["v"])
     if np.isnan(coordinates).any():  # the sampler catches an interrupt, its other rows stay empty
         raise KeyboardInterrupt
-    diverging = sum(int(np.sum(of)) for of in found.statistics["diverging"])
+    diverging = sum(int(np.sum(of)) for of in sampled.statistics["diverging"])
     return ridge.places(coordinates), diverging
 
 

@@ -187,7 +187,7 @@ def first_order_reliability(
     limit_state : callable
         Function of the parameters, by name, as `rk.Dual`, which returns one, positive where the
         structure is safe. Where it fails without a derivative, -math.inf.
-    random : dict of str to object
+    random : dict of str to distribution
         Distribution of each parameter, by name: a continuous distribution of scipy.stats, frozen.
     reach : float, optional
         Largest distance of a failure in the search [standard deviations].
@@ -248,7 +248,7 @@ def reliability_of(
         A `Case`, of whose numbers the names of `random` are some, as in `simulate_many`; or a
         function of the parameters, by name, that returns one and calculates with numbers and with
         `rk.Dual`.
-    random : dict of str to object
+    random : dict of str to distribution
         Distribution of each parameter, by name: a continuous distribution of scipy.stats, frozen.
     demand : str, optional
         State, energy, displacement or uplift whose largest size is to stay below the limit;
@@ -317,7 +317,7 @@ def monte_carlo(
     ----------
     case : Case or callable
         Case or function of the parameters, as for `reliability_of`.
-    random : dict of str to object
+    random : dict of str to distribution
         Distribution of each parameter, by name, as for `reliability_of`.
     number : int, optional
         Number of samples.

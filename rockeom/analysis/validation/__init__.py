@@ -1,5 +1,7 @@
 """Statistical validation: measured ensembles of motions against simulated ones.
 
+::
+
     from rockeom.analysis import validation
 
     campaign = validation.Campaign.from_csv("tests.csv", units={"peak": "deg"})

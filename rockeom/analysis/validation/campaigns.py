@@ -160,12 +160,12 @@ class Campaign:
         """
         table = read_table(path)
         names = _parameters(table, parameters)
-        given = dict(units or {})
-        for name in given:
+        stated = dict(units or {})
+        for name in stated:
             if name not in table.names or name in ("test", "record", "outcome"):
                 what = f"units has {name!r}{near(name, table.names)}, which is no column of numbers"
                 raise table.error(None, what, "name the column of the peak, or of a parameter")
-        factors = {name: table.factor(name, given.get(name), gravity) for name in ("peak", *names)}
+        factors = {name: table.factor(name, stated.get(name), gravity) for name in ("peak", *names)}
         rows = range(len(table.rows))
         fell = np.array([_overturned(table, row) for row in rows])
         peaks = np.array([_peak(table, row, bool(fell[row])) for row in rows])
@@ -210,7 +210,7 @@ def simulate_campaign(
         A `Case`, in place of whose motion and numbers come those of each test; or a function that
         makes one of "motion", the parameters of the campaign and the random ones, by name, as in
         `simulate_many`.
-    random : dict of str to object, optional
+    random : dict of str to distribution, optional
         Distribution of each uncertain parameter, by name: one of scipy.stats, frozen; they are
         independent.
     number : int, optional
@@ -371,13 +371,13 @@ def _motions(
     for row in range(len(table.rows)):
         first.setdefault(table.text(row, "record"), row)
     folder = Path(path).parent if records is None else records
-    found: list[GroundMotion] = []
+    motions: list[GroundMotion] = []
     for name, row in first.items():
         if isinstance(folder, MotionSet):
             if name not in folder:
                 what = f"record is {name!r}{near(name, folder.names)}, and no motion is called so"
                 raise table.error(row, what, "use a name of the motions that are given")
-            found.append(folder[name])
+            motions.append(folder[name])
             continue
         file = Path(folder, name)
         if not file.resolve().is_relative_to(Path(folder).resolve()):
@@ -388,5 +388,5 @@ def _motions(
         except (InputError, OSError) as error:
             remedy = "give the file, relative to records= or to the table; the message tells more"
             raise table.error(row, f"record is {name!r}: {error}", remedy) from None
-        found.append(replace(motion, name=name))
-    return MotionSet(found, in_text(path).stem)
+        motions.append(replace(motion, name=name))
+    return MotionSet(motions, in_text(path).stem)

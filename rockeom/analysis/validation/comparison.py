@@ -193,10 +193,10 @@ def compare_means(
             "an interval needs two motions or more of each ensemble"
         )
     if y.ndim == 1:
-        found, drawn = _student(x, y), _pairs(np.random.default_rng(seed), len(x), y)
+        student, drawn = _student(x, y), _pairs(np.random.default_rng(seed), len(x), y)
     else:
         mean = _of_tests("compare_means", measured, y).mean(axis=1)
-        found, drawn = _student(x - mean), _student(y - mean[:, None])
+        student, drawn = _student(x - mean), _student(y - mean[:, None])
     needed = math.ceil(2.0 / (1.0 - level) - 1e-9) - 1
     rule = f"an interval of this level takes {needed} campaigns: simulate more, or take a lower one"
     require(len(drawn[0]) >= needed, "compare_means", "level", level, rule)
@@ -204,7 +204,7 @@ def compare_means(
         places = np.nan_to_num(drawn[0] / drawn[1])
     tail = 0.5 * (1.0 - level)
     low, high = np.quantile(places, [tail, 1.0 - tail], method="weibull")
-    value, error = found
+    value, error = student
     return Estimate(float(value), float(value - high * error), float(value - low * error))
 
 
@@ -330,9 +330,9 @@ def _mean_distances(x: np.ndarray) -> np.ndarray:
     below = np.cumsum(y, axis=1)
     count = np.arange(1, x.shape[1] + 1)
     distances = (2 * count - x.shape[1]) * y + below[:, -1:] - 2 * below
-    found = np.empty_like(x)
-    np.put_along_axis(found, order, distances / x.shape[1], axis=1)
-    return found
+    means = np.empty_like(x)
+    np.put_along_axis(means, order, distances / x.shape[1], axis=1)
+    return means
 
 
 def _of_tests(function: str, measured: Ensemble, simulated: np.ndarray) -> np.ndarray:

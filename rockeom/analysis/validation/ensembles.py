@@ -181,8 +181,8 @@ class Ensemble:
             reach = np.sqrt(np.log(2.0 / (1.0 - level)) / (2.0 * self.number))
         else:
             reach = self._largest_deviation(level, seed)
-        found = self.distribution(x)
-        return np.maximum(found - reach, 0.0), np.minimum(found + reach, 1.0)
+        share = self.distribution(x)
+        return np.maximum(share - reach, 0.0), np.minimum(share + reach, 1.0)
 
     @property
     def campaigns(self) -> int:

@@ -47,11 +47,11 @@ def sample_size_for_proportion(probability: float, width: float, level: float = 
     require(0 <= probability <= 1, where, "probability", probability, "it lies between 0 and 1")
     require(0 < width < 1, where, "width", width, "it lies between 0 and 1")
 
-    def known(n: int) -> bool:
+    def narrow(n: int) -> bool:
         lower, upper = proportion_interval(n * probability, n, level)
         return bool(upper - lower <= width)
 
-    return _least(where, known)
+    return _least(where, narrow)
 
 
 def sample_size_for_mean(
@@ -79,7 +79,8 @@ def sample_size_for_mean(
     Raises
     ------
     ValueError
-        For numbers that are not positive, or lie not between 0 and 1.
+        For a difference of zero, a deviation that is not positive, and a level or a power that does
+        not lie between 0 and 1.
 
     Notes
     -----
@@ -140,8 +141,8 @@ def sample_size_for_distribution(distance: float, level: float = 0.95, power: fl
 
 
 def _probabilities(where: str, level: float, power: float) -> None:
-    for name, given in (("level", level), ("power", power)):
-        require(0.0 < given < 1.0, where, name, given, "it lies between 0 and 1, as 0.95")
+    for name, value in (("level", level), ("power", power)):
+        require(0.0 < value < 1.0, where, name, value, "it lies between 0 and 1, as 0.95")
 
 
 def _least(where: str, enough: Callable[[int], bool], first: int = 1) -> int:

@@ -17,7 +17,6 @@ bit for any order and number of motions.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
@@ -44,10 +43,24 @@ from rockeom.compiler.decorators import Floats, Ints, entry, inlined
 from rockeom.integrator.batches import add_gain, case_of, count_impacts
 from rockeom.integrator.ground import (
     ground_acceleration,
+    ground_accelerations,
     jumps,
     pulse,
     sampling_step,
     segment_at,
+)
+from rockeom.integrator.lanes.verdicts import (
+    DOUBTFUL,
+    HOP,
+    LANDED,
+    REFUSED,
+    REPEATED,
+    STANDS,
+    TURN_AT_END,
+    TURNS,
+    quintic_of_scaled,
+    scaled,
+    slope_root,
 )
 from rockeom.integrator.loop import (
     _AFTER,
@@ -60,6 +73,7 @@ from rockeom.integrator.loop import (
     TURN,
     integrate,
 )
+from rockeom.integrator.polynomials import Ends
 from rockeom.integrator.provided import (
     DAMPING,
     GAP_SIDES,
@@ -89,14 +103,8 @@ from rockeom.integrator.provided import (
 from rockeom.integrator.records import Batch, Ground, Recorder
 from rockeom.integrator.steps import first_step, most_error
 from rockeom.integrator.tolerances import (
-    CLEAR,
     EPS,
-    PLACED_IN_LANES,
-    RATE_TURN,
-    SETTLED_EXTREME,
-    SETTLED_IN_LANES,
     STAYS_ON_FEET,
-    TURN_MISS,
 )
 from rockeom.integrator.transitions.declared import stand, time_to_rest
 from rockeom.integrator.transitions.restitution import velocity_ratio_at
@@ -135,134 +143,21 @@ Z_SIZE = Z_AY + PLACES * LANES
 W_CASE, W_NX, W_NY = (i * LANES for i in range(3))
 W_SIZE = 3 * LANES
 
-DOUBTFUL, REFUSED, REPEATED, TURNS, STANDS, LANDED = 0.0, 1.0, 2.0, 3.0, 4.0, 5.0
-"""Verdicts on a step; what has landed stands, too. One is refused where its error is too large."""
-
-HOP, TURN_AT_END = 0.5, -1.0
-"""Z_LANDING of a flight so short that its first step is to end at the next impact, and of a step
-that is to end where a state has a new extreme."""
-
 
 @inlined
-def ground_x(z, lane):
+def segment(z, first, lane):
+    """The segment of the ground that holds in a lane; first : Z_START_X or Z_START_Y."""
+    at = first + lane
     return (
-        z[Z_START_X + lane], np.inf, z[Z_KIND_X + lane], z[Z_X0 + lane], z[Z_X1 + lane],
-        z[Z_X2 + lane], z[Z_X3 + lane],
-    )  # fmt: skip
-
-
-@inlined
-def ground_y(z, lane):
-    return (
-        z[Z_START_Y + lane], np.inf, z[Z_KIND_Y + lane], z[Z_Y0 + lane], z[Z_Y1 + lane],
-        z[Z_Y2 + lane], z[Z_Y3 + lane],
+        z[at], np.inf, z[at + 2 * LANES], z[at + 3 * LANES], z[at + 4 * LANES],
+        z[at + 5 * LANES], z[at + 6 * LANES],
     )  # fmt: skip
 
 
 @inlined
 def ground_of(z, lane):
     """The segments of a lane."""
-    return Ground(0, ground_x(z, lane), 0, ground_y(z, lane))
-
-
-class Ends(NamedTuple):
-    """A coordinate, its rate and its acceleration at both ends of a step."""
-
-    q0: float
-    v0: float
-    a0: float
-    q1: float
-    v1: float
-    a1: float
-
-
-@inlined
-def judge_gap(t, h, left, side, closed, landing, upright, within, ends):
-    """(verdict, length of the step when repeated) by the quintic through both ends of a step.
-
-    Its Bernstein coefficients bound it. If all are positive by a margin far above its error, the
-    gap stays open. If they change their sign once, it closes once, where Newton's method finds;
-    the step repeated to there corrects the place by what is left of the gap.
-
-    left : the time to the end of the segment. upright : whether it has not overturned. within :
-    whether no state has a new extreme inside.
-    """
-    q0, v0, a0 = side * ends.q0, side * h * ends.v0, side * h * h * ends.a0
-    q1, v1, a1 = side * ends.q1, side * h * ends.v1, side * h * h * ends.a1
-    b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
-    b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
-    least = CLEAR * max(q0, q1)
-    open_ = (q0 > least) | closed
-    open_ &= (b1 > least) & (b2 > least) & (b3 > least) & (b4 > least) & (q1 > least)
-
-    # positive ones, then doubtful ones, then negative ones
-    doubt = CLEAR * max(max(abs(b1), abs(b2)), max(abs(b3), abs(b4)))
-    closes = ((q0 > 0.0) | (closed & (b1 > 0.0))) & (q1 < -doubt)
-    closes &= (b1 > doubt) | (b2 <= doubt) | closed
-    closes &= ((b2 > doubt) | (b3 <= doubt)) & ((b3 > doubt) | (b4 <= doubt))
-    closes &= ((b1 >= -doubt) | (b2 < -doubt)) & ((b2 >= -doubt) | (b3 < -doubt))
-    closes &= (b3 >= -doubt) | (b4 < -doubt)
-
-    # the quintic, or its quotient by x where it begins at zero, from the root of a parabola on
-    c3 = 10.0 * (q1 - q0) - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1
-    c4 = -15.0 * (q1 - q0) + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1
-    c5 = 6.0 * (q1 - q0) - 3.0 * (v0 + v1) - 0.5 * a0 + 0.5 * a1
-    bend = q1 - q0 - v0
-    above, below = 2.0 * q0, math.sqrt(max(v0 * v0 - 4.0 * q0 * bend, 0.0)) - v0
-    x = (-v0 if closed else above) / (bend if closed else below)
-    e0, e1, e2 = v0 if closed else q0, 0.5 * a0 if closed else v0, c3 if closed else 0.5 * a0
-    e3, e4, e5 = c4 if closed else c3, c5 if closed else c4, 0.0 if closed else c5
-    move = 0.0
-    for _ in range(3):
-        value = e0 + x * (e1 + x * (e2 + x * (e3 + x * (e4 + x * e5))))
-        slope = e1 + x * (2.0 * e2 + x * (3.0 * e3 + x * (4.0 * e4 + x * (5.0 * e5))))
-        move = value / slope
-        x = x - move
-    found = (abs(move) < SETTLED_IN_LANES) & (x * h > 8.0 * EPS * max(t, h))
-    closes &= found & (x < 1.0)
-
-    # by what a step that is to end at the impact misses it
-    first, hop = landing <= 0.0, landing == HOP
-    miss, speed = abs(h * q1), abs(v1)
-    falls = (v1 < 0.0) & (miss < (0.1 if hop else 0.01) * h * speed)
-    falls &= ~closed | ((b1 > doubt) & (b2 > doubt) & (b3 > doubt) & (b4 > doubt))
-    landed = falls & (miss <= max(PLACED_IN_LANES * h, 2.0 * EPS * (t + h)) * speed) & upright
-    again = falls & (landing < 4.0) & found & (x * h < left)
-
-    repeated = closes & ~open_ if first else again & ~landed
-    stands = (open_ & upright) if first else landed
-    verdict = REFUSED if hop else DOUBTFUL
-    verdict = REPEATED if repeated else verdict
-    verdict = (TURNS if ~within else (STANDS if first else LANDED)) if stands else verdict
-    return verdict, x * h if repeated else h
-
-
-@inlined
-def turns_within(h, ends, least_known, most_known, slowest, fastest):
-    """The opposite of `widens` for one coordinate and its rate.
-
-    One that turns at an end of the step may miss it by a little: that makes an error of its square.
-    """
-    q0, v0, a0 = ends.q0, h * ends.v0, h * h * ends.a0
-    q1, v1, a1 = ends.q1, h * ends.v1, h * h * ends.a1
-    soon, late = v0 + (1 / 3) * a0, v1 - (1 / 3) * a1
-    miss = TURN_MISS * max(abs(v0), abs(v1))
-    up = (v0 >= -miss) & (soon >= -miss) & (late >= -miss) & (v1 >= -miss)
-    down = (v0 <= miss) & (soon <= miss) & (late <= miss) & (v1 <= miss)
-    b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
-    b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
-    d1, d2, d3 = v0 + 0.25 * a0, 5.0 * (b3 - b2), v1 - 0.25 * a1
-    least, most = min(d1, min(d2, d3)), max(d1, max(d2, d3))
-    margin = CLEAR * (most - least)
-    miss = max(TURN_MISS * (most - least), RATE_TURN * h * (fastest - slowest))
-    faster = (d1 >= v0 - miss) & (d2 >= d1) & (d3 >= d2) & (v1 >= d3 - miss)
-    slower = (d1 <= v0 + miss) & (d2 <= d1) & (d3 <= d2) & (v1 <= d3 + miss)
-    rate = least - margin >= min(h * slowest, min(v0, v1))
-    rate &= most + margin <= max(h * fastest, max(v0, v1))
-    least, most = min(min(b1, b2), min(b3, b4)), max(max(b1, b2), max(b3, b4))
-    margin = CLEAR * (most - least)
-    known = (least - margin >= least_known) & (most + margin <= most_known)
-    return (rate | faster | slower) & (up | down | known)
+    return Ground(0, segment(z, Z_START_X, lane), 0, segment(z, Z_START_Y, lane))
 
 
 def plan_lanes(z, h_max):
@@ -278,46 +173,24 @@ def plan_lanes(z, h_max):
         z[Z_T_NEW + lane] = z[Z_T_NEW + lane] if planned else (last if cut else t + h)
 
 
-@inlined
-def slope_root(c0, c1, c2, c3, c4):
-    """Where on [0, 1] a quartic in Bernstein form, of other signs at its ends, is zero."""
-    low, high = 0.0, 1.0
-    x = c0 / (c0 - c4)
-    for _ in range(12):
-        y = 1.0 - x
-        b0, b1, b2, b3 = y * c0 + x * c1, y * c1 + x * c2, y * c2 + x * c3, y * c3 + x * c4
-        b0, b1, b2 = y * b0 + x * b1, y * b1 + x * b2, y * b2 + x * b3
-        b0, b1 = y * b0 + x * b1, y * b1 + x * b2
-        value, slope = y * b0 + x * b1, 4.0 * (b1 - b0)
-        if value * c0 > 0.0:
-            low = x
-        else:
-            high = x
-        move = -value / slope
-        x += move
-        if abs(move) < SETTLED_EXTREME:
-            break
-        if not low < x < high:
-            x = 0.5 * (low + high)
-    return x
-
-
 def turn(lane, z):
     """Let a lane's step end at the first extreme of a state inside it; whether one was found."""
     n, h, place = N_STATES // 2, z[Z_H + lane], 1.0
     for i in range(n):
-        q0, q1 = z[Z_Q + i * LANES + lane], z[Z_Q_NEW + i * LANES + lane]
-        v0, v1 = h * z[Z_K + i * LANES + lane], h * z[Z_K_NEW + i * LANES + lane]
-        at, at_new = Z_K + (n + i) * LANES + lane, Z_K_NEW + (n + i) * LANES + lane
-        a0, a1 = h * h * z[at], h * h * z[at_new]
-        least, most = z[Z_LEAST + i * LANES + lane], z[Z_MOST + i * LANES + lane]
-        b1, b2 = q0 + 0.2 * v0, q0 + 0.4 * v0 + 0.05 * a0
-        b4, b3 = q1 - 0.2 * v1, q1 - 0.4 * v1 + 0.05 * a1
+        at, of_rate = i * LANES + lane, (n + i) * LANES + lane
+        ends = Ends(
+            z[Z_Q + at], z[Z_K + at], z[Z_K + of_rate],
+            z[Z_Q_NEW + at], z[Z_K_NEW + at], z[Z_K_NEW + of_rate],
+        )  # fmt: skip
+        of_step = scaled(1.0, h, ends)
+        v0, a0, v1, a1 = of_step.v0, of_step.a0, of_step.v1, of_step.a1
+        least, most = z[Z_LEAST + at], z[Z_MOST + at]
+        _, b1, b2, b3, b4, _ = quintic_of_scaled(of_step)
         inside = min(min(b1, b2), min(b3, b4)) > least and max(max(b1, b2), max(b3, b4)) < most
         d1, d2, d3 = v0 + 0.25 * a0, 5.0 * (b3 - b2), v1 - 0.25 * a1
         if v0 * v1 < 0.0 and not inside:
             place = min(place, slope_root(v0, d1, d2, d3, v1))
-        slowest, fastest = z[Z_LEAST + (n + i) * LANES + lane], z[Z_MOST + (n + i) * LANES + lane]
+        slowest, fastest = z[Z_LEAST + of_rate], z[Z_MOST + of_rate]
         inside = min(d1, min(d2, d3)) > h * slowest and max(d1, max(d2, d3)) < h * fastest
         if a0 * a1 < 0.0 and not inside:
             c1, c2 = 4.0 * (d2 - d1), 4.0 * (d3 - d2)
@@ -473,7 +346,7 @@ def fly_or_rest(lane, z, case, mode, speed, batch, scratch):
     y, rate, p, t = batch.states[case], batch.rates[case], batch.p[case], z[Z_T + lane]
     status, tolerance = batch.status[case], batch.rest_tolerance
     after, y_w, n = scratch[_AFTER:_POWERS], scratch[_W:_Y_NEW], N_STATES // 2
-    ax, ay = ground_acceleration(ground_x(z, lane), t), ground_acceleration(ground_y(z, lane), t)
+    ax, ay = ground_accelerations(ground_of(z, lane), t)
     rates(mode, y, p, ax, ay, rate)
     status[GUARD_DUE] = status[RATE_STALE] = 0
     for i in range(n):
@@ -521,7 +394,7 @@ def fresh_rates(lane, z, case, batch):
     y, rate = batch.states[case], batch.rates[case]
     for i in range(n):
         y[i], y[n + i] = z[Z_Q + i * LANES + lane], z[Z_K + i * LANES + lane]
-    ax, ay = ground_acceleration(ground_x(z, lane), t), ground_acceleration(ground_y(z, lane), t)
+    ax, ay = ground_accelerations(ground_of(z, lane), t)
     rates(int(z[Z_MODE + lane]), y, batch.p[case], ax, ay, rate)
     for i in range(n):
         z[Z_K + (n + i) * LANES + lane] = rate[n + i]
@@ -537,29 +410,36 @@ def next_step(lane, z, case, batch, scratch):
 
 
 @inlined
+def pass_segment(lane, z, w, first, row_of, table):
+    """Pass to the segment of a table that holds at a lane's time; whether the ground jumps there.
+
+    first : as of `segment`. row_of : the place of the segment's row in w.
+    """
+    t, at = z[Z_T + lane], first + lane
+    before = ground_acceleration(segment(z, first, lane), t)
+    n, row = segment_at(table, w[row_of + lane] + 1, t)
+    w[row_of + lane] = n
+    z[at], z[at + LANES], z[at + 2 * LANES], z[at + 3 * LANES] = row[0], row[1], row[2], row[3]
+    z[at + 4 * LANES], z[at + 5 * LANES], z[at + 6 * LANES] = row[4], row[5], row[6]
+    return jumps(before, ground_acceleration(row, t))
+
+
+@inlined
 def next_segments_of(lane, z, w, case, batch):
     """Pass to the segments of the ground that hold at a lane's time; whether it jumps there."""
     t, jumped = z[Z_T + lane], False
     if t >= z[Z_END_X + lane]:
-        before = ground_acceleration(ground_x(z, lane), t)
-        n, row = segment_at(batch.horizontal[: batch.h_rows[case, 1]], w[W_NX + lane] + 1, t)
-        w[W_NX + lane] = n
-        z[Z_START_X + lane], z[Z_END_X + lane], z[Z_KIND_X + lane] = row[0], row[1], row[2]
-        z[Z_X0 + lane], z[Z_X1 + lane], z[Z_X2 + lane] = row[3], row[4], row[5]
-        z[Z_X3 + lane] = row[6]
-        jumped = jumps(before, ground_acceleration(row, t))
+        rows = batch.horizontal[: batch.h_rows[case, 1]]
+        jumped = pass_segment(lane, z, w, Z_START_X, W_NX, rows)
     if t >= z[Z_END_Y + lane]:
-        before = ground_acceleration(ground_y(z, lane), t)
-        n, row = segment_at(batch.vertical[: batch.v_rows[case, 1]], w[W_NY + lane] + 1, t)
-        w[W_NY + lane] = n
-        z[Z_START_Y + lane], z[Z_END_Y + lane], z[Z_KIND_Y + lane] = row[0], row[1], row[2]
-        z[Z_Y0 + lane], z[Z_Y1 + lane], z[Z_Y2 + lane] = row[3], row[4], row[5]
-        z[Z_Y3 + lane] = row[6]
-        jumped |= jumps(before, ground_acceleration(row, t))
+        rows = batch.vertical[: batch.v_rows[case, 1]]
+        jumped |= pass_segment(lane, z, w, Z_START_Y, W_NY, rows)
     z[Z_LAST + lane] = min(z[Z_END_X + lane], z[Z_END_Y + lane], batch.t_end[case])
     span = min(z[Z_END_X + lane] - z[Z_START_X + lane], z[Z_END_Y + lane] - z[Z_START_Y + lane])
     z[Z_EQUAL + lane] = span / batch.fixed if batch.fixed > 0 and span < np.inf else 0.0
-    z[Z_LONGEST + lane] = min(sampling_step(ground_x(z, lane)), sampling_step(ground_y(z, lane)))
+    z[Z_LONGEST + lane] = min(
+        sampling_step(segment(z, Z_START_X, lane)), sampling_step(segment(z, Z_START_Y, lane))
+    )
     return jumped
 
 
@@ -629,10 +509,7 @@ def pass_rest(lane, z, w, case, batch):
             return
         for end in range(2):
             t = z[Z_LAST + lane] if end == 1 else z[Z_T + lane]
-            ax, ay = (
-                ground_acceleration(ground_x(z, lane), t),
-                ground_acceleration(ground_y(z, lane), t),
-            )
+            ax, ay = ground_accelerations(ground_of(z, lane), t)
             opens = max(up[0] + up[1] * ax + up[2] * ay, down[0] + down[1] * ax + down[2] * ay)
             if not opens < -doubt:
                 return
@@ -699,12 +576,12 @@ def shake_all(z, times):
         bend_y_lanes(z, times)
     if wavelets:
         for lane in range(LANES):
-            t, h = z[Z_T + lane], z[Z_H + lane]
+            t, h, ground = z[Z_T + lane], z[Z_H + lane], ground_of(z, lane)
             for j in range(PLACES):
                 if z[Z_KIND_X + lane] > 1.0:
-                    z[Z_AX + j * LANES + lane] = pulse(ground_x(z, lane), t + times[j] * h)
+                    z[Z_AX + j * LANES + lane] = pulse(ground.x, t + times[j] * h)
                 if z[Z_KIND_Y + lane] > 1.0:
-                    z[Z_AY + j * LANES + lane] = pulse(ground_y(z, lane), t + times[j] * h)
+                    z[Z_AY + j * LANES + lane] = pulse(ground.y, t + times[j] * h)
 
 
 @inlined

@@ -29,13 +29,13 @@ def _padded(times: list[float], places: int) -> list[float]:
 
 def _shaken(places: int) -> str:
     """Functions that find the ground at all places, by linear segments and by sines."""
-    known = "".join(f"    c{j} = times[{j}]\n" for j in range(places))
+    times = "".join(f"    c{j} = times[{j}]\n" for j in range(places))
     text = f"""
 
 @entry
 def shake_lanes(z: Floats, times: Floats):
     \"\"\"The ground at some times of a step, by linear segments.\"\"\"
-{known}    for lane in range(LANES):
+{times}    for lane in range(LANES):
         t, h = z[Z_T + lane], z[Z_H + lane]
         start_x, x0, x1 = z[Z_START_X + lane], z[Z_X0 + lane], z[Z_X1 + lane]
         start_y, y0, y1 = z[Z_START_Y + lane], z[Z_Y0 + lane], z[Z_Y1 + lane]
@@ -50,7 +50,7 @@ def shake_lanes(z: Floats, times: Floats):
 @entry
 def bend_{name}_lanes(z: Floats, times: Floats):
     \"\"\"The same of lanes whose segment is a sine; others keep what they have.\"\"\"
-{known}    for lane in range(LANES):
+{times}    for lane in range(LANES):
         t, h, start = z[Z_T + lane], z[Z_H + lane], z[Z_START_{axis} + lane]
         size, rate = z[Z_{axis}0 + lane], z[Z_{axis}1 + lane]
         angle, bent = z[Z_{axis}2 + lane], z[Z_KIND_{axis} + lane] == 1.0
@@ -107,8 +107,8 @@ def _accelerations(generated: GeneratedModule) -> str:
     if len(_held(generated)) < 2:
         return f"{text}    return accelerations(mode, {arguments}, p, ax, ay)\n"
     for c in range(len(generated.MODES)):
-        found = ", ".join(f"{'b' if c else 'a'}_{i}" for i in range(n))
-        text += f"    ({found},) = accelerations({c}, {arguments}, p, ax, ay)\n"
+        names = ", ".join(f"{'b' if c else 'a'}_{i}" for i in range(n))
+        text += f"    ({names},) = accelerations({c}, {arguments}, p, ax, ay)\n"
         if c:
             text += "".join(f"    a_{i} = b_{i} if mode == {c} else a_{i}\n" for i in range(n))
     return f"{text}    return ({', '.join(f'a_{i}' for i in range(n))},)\n"
@@ -226,11 +226,14 @@ from rockeom.compiler.decorators import Floats, entry, inlined
 from rockeom.integrator.tolerances import CLEAR, EPS, LEAST_ERROR
 from rockeom.integrator.ground import sine
 from rockeom.integrator.lanes.loop import (
-    DOUBTFUL, REFUSED, REPEATED, STANDS, TURNS, Z_AX, Z_AY, Z_CLOSED, Z_DAMP, Z_EQUAL, Z_ERROR,
-    Z_FALLEN, Z_H, Z_K, Z_KIND_X, Z_KIND_Y, Z_K_NEW, Z_LANDING, Z_LAST, Z_LEAST, Z_MODE, Z_MOST,
-    Z_NEXT, Z_P, Z_Q, Z_Q_NEW, Z_SIDE, Z_START_X, Z_START_Y, Z_T, Z_TAKEN, Z_T_NEW, Z_VERDICT,
-    Z_X0, Z_X1, Z_X2, Z_Y0, Z_Y1, Z_Y2, Ends, judge_gap, turns_within,
+    Z_AX, Z_AY, Z_CLOSED, Z_DAMP, Z_EQUAL, Z_ERROR, Z_FALLEN, Z_H, Z_K, Z_KIND_X, Z_KIND_Y, Z_K_NEW,
+    Z_LANDING, Z_LAST, Z_LEAST, Z_MODE, Z_MOST, Z_NEXT, Z_P, Z_Q, Z_Q_NEW, Z_SIDE, Z_START_X,
+    Z_START_Y, Z_T, Z_TAKEN, Z_T_NEW, Z_VERDICT, Z_X0, Z_X1, Z_X2, Z_Y0, Z_Y1, Z_Y2,
 )
+from rockeom.integrator.lanes.verdicts import (
+    DOUBTFUL, REFUSED, REPEATED, STANDS, TURNS, judge_gap, turns_within,
+)
+from rockeom.integrator.polynomials import Ends
 from rockeom.integrator.provided import LANES, N_STATES, accelerations, guards
 """
 

@@ -12,10 +12,10 @@ import numpy as np
 def _table(text: str) -> np.ndarray:
     """An array of numbers, its rows parted by semicolons and filled up with zeros."""
     rows = [[float(number) for number in row.split(",")] for row in text.split(";")]
-    found = np.zeros((len(rows), max(map(len, rows))))
+    table = np.zeros((len(rows), max(map(len, rows))))
     for i, row in enumerate(rows):
-        found[i, : len(row)] = row
-    return found if len(rows) > 1 else found[0]
+        table[i, : len(row)] = row
+    return table if len(rows) > 1 else table[0]
 
 
 class RK45:

@@ -164,12 +164,12 @@ def exact_solution(
 def product(left: np.ndarray, right: np.ndarray) -> np.ndarray:
     """left @ right of coefficients, rounded once; 0 where nothing but their rounding is left."""
     rows, columns = left.tolist(), right.T.tolist()
-    found = np.array(
+    exact = np.array(
         [[float(sum(Fraction(x) * Fraction(y) for x, y in zip(r, c, strict=True) if x and y))
           for c in columns] for r in rows]
     )  # fmt: skip
-    found[np.abs(found) < 2 * np.finfo(float).eps * (np.abs(left) @ np.abs(right))] = 0.0
-    return found
+    exact[np.abs(exact) < 2 * np.finfo(float).eps * (np.abs(left) @ np.abs(right))] = 0.0
+    return exact
 
 
 def powers_to_bernstein() -> np.ndarray:
@@ -232,8 +232,8 @@ def _stage(
     text = "".join(_moves(method, j, f"_{i}", "    ") for i in range(n) if i not in still)
     text += "".join(f"    q{j}_{i}, v{j}_{i} = q0_{i}, v0_{i}\n" for i in still)
     states = ", ".join([f"q{j}_{i}" for i in range(n)] + [f"v{j}_{i}" for i in range(n)])
-    found = ", ".join(f"a{j}_{i}" for i in range(n))
-    return f"""{text}    ({found},) = {accelerations}(
+    names = ", ".join(f"a{j}_{i}" for i in range(n))
+    return f"""{text}    ({names},) = {accelerations}(
         {mode}, {states}, p, {ground}
     )
 """
@@ -301,8 +301,8 @@ def error_text(
         lines += f"    scale = {scale}\n"
         for m, e in enumerate(by_accelerations if i < n else method.errors):
             unit = "h * scale" if i < n else "scale"
-            found = _sum(e, f"a{{}}_{i % n}", " " * 8)
-            lines += f"    e = {unit} * (\n        {found}\n    )\n"
+            terms = _sum(e, f"a{{}}_{i % n}", " " * 8)
+            lines += f"    e = {unit} * (\n        {terms}\n    )\n"
             lines += f"    s{m} += e * e\n"
         if two and i >= n:
             for name, what in (("d_rate", rate), ("d_state", place)):
@@ -441,10 +441,10 @@ def _dense_text(method: Tableau, n: int) -> str:
     states = ", ".join(f"w[{i}]" for i in range(size))
     stages = ""
     for j in range(s + 1, total):
-        found = ", ".join(f"k[{j * size + n + i}]" for i in range(n))
+        names = ", ".join(f"k[{j * size + n + i}]" for i in range(n))
         stages += start + recalled("a", range(j), n) + _moves(method, j, "", one)
         stages += f"{one}w[i], w[{n} + i], k[{j * size} + i] = q{j}, v{j}, v{j}\n"
-        stages += f"""    ({found},) = accelerations(
+        stages += f"""    ({names},) = accelerations(
         mode, {states}, p, k[GROUND_X + {j}], k[GROUND_Y + {j}]
     )
 """
@@ -453,11 +453,11 @@ def _dense_text(method: Tableau, n: int) -> str:
     for first, at, rate in ((0, "q0", "v{}"), (n, "v0", "a{}")):
         powers += f"{one}coefficients[{first} + i] = {at}\n"
         for j in range(1, 8):
-            found = "0.0"
+            coefficient = "0.0"
             if j <= method.degree:
                 terms = _sum(method.dense[:, j - 1], rate, one + "    ")
-                found = f"h * (\n{one}    {terms}\n{one})"
-            powers += f"{one}coefficients[{j * size + first} + i] = {found}\n"
+                coefficient = f"h * (\n{one}    {terms}\n{one})"
+            powers += f"{one}coefficients[{j * size + first} + i] = {coefficient}\n"
     return f'''
 def dense_output(mode, t, h, y, p, gx, gy, k, coefficients):
     """Coefficients (8 * N,) of the powers of x = (time - t)/h over the step just taken."""

@@ -6,7 +6,10 @@ whose forces fit the accelerations. An event that none fits, or several that mov
 the motion.
 """
 
+from __future__ import annotations
+
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,7 +26,7 @@ from rockeom.codes import (
     STICKING,
     SWITCH,
 )
-from rockeom.compiler.decorators import inlined, rolled
+from rockeom.compiler.decorators import Floats, Ints, inlined, rolled
 from rockeom.integrator.provided import (
     ELEMENT_STATES,
     FEET_OF,
@@ -72,17 +75,17 @@ from rockeom.integrator.tolerances import (
     SOON_AT_START,
 )
 from rockeom.integrator.transitions.points import (
+    CONTACT_SIZE,
     COUPLING,
     HALVES,
     LAWS,
     MATRIX,
     N_COORDINATES,
-    N_KNOWN,
     POINT,
     ROWS,
     SPREAD,
-    all_known,
     along,
+    contact_data,
     eliminate,
     is_closed,
     put_on,
@@ -112,13 +115,13 @@ def guard_noise(mode, index, y, p, ax, ay, h, b, stride):
     kind = KINDS[mode][index]
     if kind != LANDING and kind != LIFTING and kind != SLIPPING:
         return 0.0
-    known, sizes, wanted = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS), np.empty(ROWS)
+    contact, sizes, wanted = np.empty(CONTACT_SIZE), np.empty(ROWS + N_POINTS), np.empty(ROWS)
     point = SUBJECTS[mode][index]
-    all_known(y, p, mode, known)
-    without_forces(y, p, ax, ay, mode, known, wanted, sizes)
+    contact_data(y, p, mode, contact)
+    without_forces(y, p, ax, ay, mode, contact, wanted, sizes)
     if kind == LANDING:
-        _, size = rate_of(known, 2 * point, y, 0)
-        push = max(PUSH * freedom_of(point, mode, known), LEAST_PUSH) * sizes[2 * point]
+        _, size = rate_of(contact, 2 * point, y, 0)
+        push = max(PUSH * freedom_of(point, mode, contact), LEAST_PUSH) * sizes[2 * point]
         return GRAIN * size + push * h * h
     largest = 0.0
     for i in range(GUARDS[mode]):
@@ -128,19 +131,19 @@ def guard_noise(mode, index, y, p, ax, ay, h, b, stride):
     return max(FORCE_OF_LARGEST * largest, FITS * sizes[ROWS + point])
 
 
-def freedom_of(point, mode, known):
+def freedom_of(point, mode, contact):
     """How freely a gap opens while others are closed, at most 1: as their points move apart.
 
     Square root of J M^-1 J' of the difference of their rows, over that of the point alone.
     """
     alone = COUPLING + 2 * point * (ROWS + 1)
-    least = known[alone]
+    least = contact[alone]
     for i in range(N_POINTS):
         if POINT_STATES[mode][i] != OPEN:
-            between_ = known[COUPLING + 2 * point * ROWS + 2 * i]
-            apart = known[alone] - 2.0 * between_ + known[COUPLING + 2 * i * (ROWS + 1)]
+            between_ = contact[COUPLING + 2 * point * ROWS + 2 * i]
+            apart = contact[alone] - 2.0 * between_ + contact[COUPLING + 2 * i * (ROWS + 1)]
             least = min(least, max(apart, 0.0))
-    return math.sqrt(least / known[alone])
+    return math.sqrt(least / contact[alone])
 
 
 def is_smooth(point):
@@ -172,7 +175,7 @@ def may_follow(candidate, mode, near, sliding):
     return True
 
 
-def impulses_of(candidate, wanted, known, impulse):
+def impulses_of(candidate, wanted, contact, impulse):
     """The impulses, or forces, with which points come to be as a mode says, (ROWS,).
 
     wanted (ROWS,) : changes of the velocities, or accelerations, where points are closed.
@@ -182,27 +185,27 @@ def impulses_of(candidate, wanted, known, impulse):
         impulse[2 * i] = impulse[2 * i + 1] = 0.0
         if POINT_STATES[candidate][i] != OPEN:
             closed, point = closed + 1, i
-    if closed == 0 or (closed == 1 and held_alone(candidate, point, wanted, known, impulse)):
+    if closed == 0 or (closed == 1 and held_alone(candidate, point, wanted, contact, impulse)):
         return
     fractions = np.empty(N_POINTS)
     for i in range(N_POINTS):
         fractions[i] = np.nan
-    held_by(candidate, wanted, known, fractions, impulse)
-    if share(candidate, known, impulse, fractions):
-        held_by(candidate, wanted, known, fractions, impulse)
+    held_by(candidate, wanted, contact, fractions, impulse)
+    if share(candidate, contact, impulse, fractions):
+        held_by(candidate, wanted, contact, fractions, impulse)
 
 
 @inlined
-def held_alone(candidate, point, wanted, known, impulse):
+def held_alone(candidate, point, wanted, contact, impulse):
     """`impulses_of` where one point is closed: whether its equations are far from saying the same.
 
     Most of those at an event are such ones.
     """
     normal, state = 2 * point, POINT_STATES[candidate][point]
     at = COUPLING + normal * ROWS + normal
-    across, between_, along_ = known[at], known[at + 1], known[at + ROWS + 1]
+    across, between_, along_ = contact[at], contact[at + 1], contact[at + ROWS + 1]
     if state != STICK:
-        tie = -known[LAWS + normal + 1] * SIGN_OF[state]
+        tie = -contact[LAWS + normal + 1] * SIGN_OF[state]
         presses = across + tie * between_
         impulse[normal] = wanted[normal] / presses if presses != 0.0 else 0.0
         impulse[normal + 1] = tie * impulse[normal]
@@ -218,7 +221,7 @@ def held_alone(candidate, point, wanted, known, impulse):
 
 
 @rolled
-def held_by(candidate, wanted, known, fractions, impulse):
+def held_by(candidate, wanted, contact, fractions, impulse):
     """`impulses_of` where sticking points that share their friction have fractions (N_POINTS,).
 
     These are the parts of the normal impulse that it is; not a number where it is to be found.
@@ -234,7 +237,7 @@ def held_by(candidate, wanted, known, fractions, impulse):
         unknown[order], friction[order], ties[order] = normal, normal + 1, 0.0
         order += 1
         if state != STICK:
-            ties[order - 1] = -known[LAWS + normal + 1] * SIGN_OF[state]
+            ties[order - 1] = -contact[LAWS + normal + 1] * SIGN_OF[state]
         elif fractions[i] == fractions[i]:
             ties[order - 1] = fractions[i]
         elif SHARED[candidate][i] == i:
@@ -244,8 +247,8 @@ def held_by(candidate, wanted, known, fractions, impulse):
     for m in range(order):
         row = COUPLING + unknown[m] * ROWS
         for s in range(order):
-            value = known[row + unknown[s]]
-            value += ties[s] * known[row + friction[s]]
+            value = contact[row + unknown[s]]
+            value += ties[s] * contact[row + friction[s]]
             a[m * width + s] = value
         a[m * width + order] = wanted[unknown[m]]
     eliminate(a, order, width)
@@ -256,13 +259,13 @@ def held_by(candidate, wanted, known, fractions, impulse):
 
 
 @rolled
-def share(candidate, known, force, fractions):
+def share(candidate, contact, force, fractions):
     """The fraction of friction of sticking points at different heights, which share their sum.
 
     Rigid bodies do not determine the share of each; all mobilise the same fraction of their bounds,
     as they do when they slip. Returns whether there are such points.
     """
-    found = False
+    several = False
     for i in range(N_POINTS):
         if POINT_STATES[candidate][i] != STICK or SHARED[candidate][i] == i:
             continue
@@ -270,10 +273,10 @@ def share(candidate, known, force, fractions):
         apart = 0.0
         for j in range(N_COORDINATES):
             one, other = row_of_point(2 * i + 1) + j, row_of_point(2 * first + 1) + j
-            apart = max(apart, abs(known[one] - known[other]))
+            apart = max(apart, abs(contact[one] - contact[other]))
         if apart > APART:
-            found = True
-    if not found:
+            several = True
+    if not several:
         return False
     for i in range(N_POINTS):
         if POINT_STATES[candidate][i] != STICK:
@@ -291,28 +294,45 @@ def share(candidate, known, force, fractions):
 
 
 @inlined
-def exceeds(row, wanted, known, impulse):
+def exceeds(row, wanted, contact, impulse):
     """The excess of the change of velocity of a row by impulses over the one wanted."""
     total = -wanted[row]
     for s in range(ROWS):
-        total += known[COUPLING + row * ROWS + s] * impulse[s]
+        total += contact[COUPLING + row * ROWS + s] * impulse[s]
     return total
 
 
-def margin_of(candidate, near, sliding, wanted, known, sizes, impulse, least_of_all):
+class Demand(NamedTuple):
+    """The points at an instant of an event, and what is wanted of them.
+
+    near (N_POINTS,) : 1 where a point touches. sliding (N_POINTS,) : the sign of its slip, 0 where
+    it does not move. wanted (ROWS,) : the changes of velocities, or accelerations, that hold the
+    points which touch. contact : of `contact_data`. sizes (ROWS + N_POINTS,) : of `sizes_of`.
+    """
+
+    near: Ints
+    sliding: Floats
+    wanted: Floats
+    contact: Floats
+    sizes: Floats
+
+
+def margin_of(candidate, demand, impulse, least_of_all):
     """The least margin by which impulses, or forces, fit; negative where they do not.
 
     They press, friction is within its bound and opposes the slip, and open points leave as they
     may. A margin is relative to sizes, see `sizes_of`. Once it is below `least_of_all` no
     other one is computed.
     """
+    near, sliding, wanted = demand.near, demand.sliding, demand.wanted
+    contact, sizes = demand.contact, demand.sizes
     least = np.inf
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
         state, normal = POINT_STATES[candidate][i], 2 * i
         if state == OPEN:
-            least = min(least, exceeds(normal, wanted, known, impulse) / sizes[normal])
+            least = min(least, exceeds(normal, wanted, contact, impulse) / sizes[normal])
         else:
             least = min(least, impulse[normal] / sizes[ROWS + i])
         if not least >= least_of_all:
@@ -324,45 +344,46 @@ def margin_of(candidate, near, sliding, wanted, known, sizes, impulse, least_of_
                     SHARED[candidate][j] == SHARED[candidate][i]
                 ):
                     sum_ += impulse[2 * j + 1]
-                    most = known[LAWS + 2 * j + 1] * max(impulse[2 * j], 0.0)
-                    bound += most if known[LAWS + 2 * j + 1] < NEVER_SLIPS else np.inf
+                    most = contact[LAWS + 2 * j + 1] * max(impulse[2 * j], 0.0)
+                    bound += most if contact[LAWS + 2 * j + 1] < NEVER_SLIPS else np.inf
             least = min(least, (bound - abs(sum_)) / sizes[ROWS + i])
         elif SIGN_OF[state] != 0.0 and sliding[i] == 0.0:
-            slips = SIGN_OF[state] * exceeds(normal + 1, wanted, known, impulse)
+            slips = SIGN_OF[state] * exceeds(normal + 1, wanted, contact, impulse)
             least = min(least, slips / sizes[normal + 1])
         elif state == FRICTIONLESS and not is_smooth(i):  # it has friction, and must not slip
-            slips = abs(exceeds(normal + 1, wanted, known, impulse))
+            slips = abs(exceeds(normal + 1, wanted, contact, impulse))
             least = min(least, -slips / sizes[normal + 1])
     return least
 
 
-def fitting_states(mode, near, sliding, wanted, known, sizes, tolerance, alike, fitting, change):
+def fitting_states(mode, left_out, demand, tolerance, alike, fitting, change):
     """(best, several): of all modes but one those whose impulses, or forces, fit.
 
-    They fit by `tolerance`, and what they change of the velocities, or accelerations,
-    differs by no more than `alike`, squared in the measure of the mass: AMBIGUOUS if it does,
-    IMPOSSIBLE if none fits. fitting : its first number is the mode to leave out, or -1; on return
-    its first `several` numbers are those that fit. change (n,) : of the best, by its margin.
+    They fit by `tolerance`, and what they change of the velocities, or accelerations, differs by no
+    more than `alike`, squared in the measure of the mass: the best is AMBIGUOUS if it does, and
+    IMPOSSIBLE if none fits. left_out : a mode that is none of them, or -1. fitting : on return its
+    first `several` numbers are the modes that fit. change (n,) : by the best, that with the largest
+    margin.
     """
-    left_out = fitting[0]
+    contact = demand.contact
     impulse, first = np.empty(ROWS), np.empty(N_COORDINATES)
     this, apart = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
     best, several, most = IMPOSSIBLE, 0, -np.inf
     for candidate in range(len(POINT_STATES)):
-        if candidate == left_out or not may_follow(candidate, mode, near, sliding):
+        if candidate == left_out or not may_follow(candidate, mode, demand.near, demand.sliding):
             continue
-        impulses_of(candidate, wanted, known, impulse)
-        margin = margin_of(candidate, near, sliding, wanted, known, sizes, impulse, -tolerance)
+        impulses_of(candidate, demand.wanted, contact, impulse)
+        margin = margin_of(candidate, demand, impulse, -tolerance)
         if not margin >= -tolerance:
             continue
         for i in range(N_COORDINATES):
             this[i] = 0.0
             for r in range(ROWS):
-                this[i] += known[SPREAD + i * ROWS + r] * impulse[r]
+                this[i] += contact[SPREAD + i * ROWS + r] * impulse[r]
             if several == 0:
                 first[i] = this[i]
             apart[i] = this[i] - first[i]
-        if several > 0 and squared(known, apart) > alike:
+        if several > 0 and squared(contact, apart) > alike:
             return AMBIGUOUS, several
         fitting[several] = candidate
         several += 1
@@ -373,37 +394,37 @@ def fitting_states(mode, near, sliding, wanted, known, sizes, tolerance, alike, 
     return best, several
 
 
-def sizes_of(whole, known, sizes):
+def sizes_of(whole, contact, sizes):
     """How large what points do is, relative to the whole motion, into sizes (ROWS + N_POINTS,).
 
     whole : the velocities, or accelerations, squared in the measure of the mass. Sizes of those of
     the points come first, then those of normal impulses, or forces.
     """
     for r in range(ROWS):
-        sizes[r] = math.sqrt(known[COUPLING + r * ROWS + r] * whole) + LEAST_SIZE
+        sizes[r] = math.sqrt(contact[COUPLING + r * ROWS + r] * whole) + LEAST_SIZE
     for i in range(N_POINTS):
-        sizes[ROWS + i] = math.sqrt(whole / known[COUPLING + 2 * i * ROWS + 2 * i]) + LEAST_SIZE
+        sizes[ROWS + i] = math.sqrt(whole / contact[COUPLING + 2 * i * ROWS + 2 * i]) + LEAST_SIZE
 
 
-def radius_of(known, point):
+def radius_of(contact, point):
     """The radius of gyration of what a point moves: the length with which its gap is compared.
 
     It is that of a rotation with all other coordinates held; 1 where nothing turns.
     """
-    inertia = known[MATRIX + ROTATION * N_COORDINATES + ROTATION]
-    return math.sqrt(inertia * known[COUPLING + 2 * point * ROWS + 2 * point])
+    inertia = contact[MATRIX + ROTATION * N_COORDINATES + ROTATION]
+    return math.sqrt(inertia * contact[COUPLING + 2 * point * ROWS + 2 * point])
 
 
-def squared(known, x):
+def squared(contact, x):
     """The square in the measure of the mass."""
     total = 0.0
     for i in range(N_COORDINATES):
         for j in range(N_COORDINATES):
-            total += x[i] * known[MATRIX + i * N_COORDINATES + j] * x[j]
+            total += x[i] * contact[MATRIX + i * N_COORDINATES + j] * x[j]
     return total
 
 
-def collide(mode, near, slowest, known, y):
+def collide(mode, near, slowest, contact, y):
     """Velocities y[n:] after all closed points have met.
 
     The law is the algebraic one: each closing gap opens at the rate e times that at which it
@@ -418,52 +439,50 @@ def collide(mode, near, slowest, known, y):
     fitting = np.empty(len(POINT_STATES), np.int64)
     for i in range(n):
         change[i] = y[n + i]
-    whole = squared(known, change)
-    sizes_of(whole, known, sizes)
+    whole = squared(contact, change)
+    sizes_of(whole, contact, sizes)
     for r in range(ROWS):
-        arriving, _ = rate_of(known, r, y, n)
+        arriving, _ = rate_of(contact, r, y, n)
         wanted[r] = -arriving
         if 2 * int(r * 0.5) == r:
-            wanted[r] -= known[LAWS + r] * min(arriving, 0.0)
+            wanted[r] -= contact[LAWS + r] * min(arriving, 0.0)
     alike = max(SAME_VELOCITIES * whole, slowest)
-    fitting[0] = -1
-    found, _ = fitting_states(
-        mode, near, sliding, wanted, known, sizes, FITS, alike, fitting, change
-    )
-    if found >= 0:
+    demand = Demand(near, sliding, wanted, contact, sizes)
+    follows, _ = fitting_states(mode, -1, demand, FITS, alike, fitting, change)
+    if follows >= 0:
         for i in range(n):
             y[n + i] += change[i]
-    return found
+    return follows
 
 
 @rolled
-def closed_points(y, p, mode, known, near, sliding):
+def closed_points(y, p, mode, contact, near, sliding):
     """Which points touch in a given state, and the signs of their slips, into near and sliding.
 
-    known : of `all_known`. near, sliding (N_POINTS,) : a point touches whose gap is closed, and
-    does not open. A gap is compared with the error of its own terms, GIVEN, and with the size of
-    the structure, see `radius_of`: so a slender block that leans stands on one foot. A velocity is
-    compared with the most that the kinetic energy can give the point, or, where nothing but
+    contact : of `contact_data`. near, sliding (N_POINTS,) : a point touches whose gap is closed,
+    and does not open. A gap is compared with the error of its own terms, GIVEN, and with the size
+    of the structure, see `radius_of`: so a slender block that leans stands on one foot. A velocity
+    is compared with the most that the kinetic energy can give the point, or, where nothing but
     rounding errors moves, with sqrt(a l), a the acceleration of the point in free motion.
     """
     free, speeds = np.empty(ROWS + N_POINTS), np.empty(ROWS + N_POINTS)
     wanted = np.empty(ROWS)
-    without_forces(y, p, 0.0, 0.0, mode, known, wanted, free)
-    sizes_of(squared(known, y[N_COORDINATES:]), known, speeds)
+    without_forces(y, p, 0.0, 0.0, mode, contact, wanted, free)
+    sizes_of(squared(contact, y[N_COORDINATES:]), contact, speeds)
     for i in range(N_POINTS):
-        length = radius_of(known, i)
-        _, size = rate_of(known, 2 * i, y, 0)
-        closed = known[i * POINT] <= min(NO_GAP * max(size, length), GIVEN * size)
+        length = radius_of(contact, i)
+        _, size = rate_of(contact, 2 * i, y, 0)
+        closed = contact[i * POINT] <= min(NO_GAP * max(size, length), GIVEN * size)
         least = max(GIVEN * speeds[2 * i], NO_MOTION * math.sqrt(free[2 * i] * length))
-        rate = abs(known[i * POINT + 1])
+        rate = abs(contact[i * POINT + 1])
         near[i] = 1 if closed and rate <= least else 0
-        slip, _ = rate_of(known, 2 * i + 1, y, N_COORDINATES)
+        slip, _ = rate_of(contact, 2 * i + 1, y, N_COORDINATES)
         least = max(GIVEN * speeds[2 * i + 1], NO_MOTION * math.sqrt(free[2 * i + 1] * length))
         sliding[i] = 0.0 if abs(slip) <= least else 1.0 if slip > 0.0 else -1.0
         # in a hop of a point that never slips both velocities are of one size, small as they are
         if (
             sliding[i] != 0.0
-            and known[LAWS + 2 * i + 1] >= NEVER_SLIPS
+            and contact[LAWS + 2 * i + 1] >= NEVER_SLIPS
             and rate > SLIP_WITH_HOP * abs(slip)
         ):
             near[i] = 0
@@ -474,31 +493,31 @@ def fits_by_forces(mode, y, p, ax, ay):
 
     mode : that which the state's gaps and velocities tell of, with its elements.
     """
-    known, sizes = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
+    contact, sizes = np.empty(CONTACT_SIZE), np.empty(ROWS + N_POINTS)
     near, sliding = np.zeros(N_POINTS, np.int64), np.zeros(N_POINTS)
-    all_known(y, p, mode, known)
-    if hardly_apart(known):
+    contact_data(y, p, mode, contact)
+    if hardly_apart(contact):
         return AMBIGUOUS
-    closed_points(y, p, mode, known, near, sliding)
+    closed_points(y, p, mode, contact, near, sliding)
     for i in range(N_POINTS):
         if POINT_STATES[mode][i] != OPEN:
             near[i] = 1
     ground = np.empty(5)
     same_ground(ax, ay, SOON_AT_START, ground)
-    return select_by_forces(mode, False, near, sliding, y, p, ground, 0.0, known, sizes)
+    return select_by_forces(mode, False, near, sliding, y, p, ground, 0.0, contact, sizes)
 
 
-def hardly_apart(known):
+def hardly_apart(contact):
     """Whether two points are so close that rounding errors hide which of them carries."""
     for i in range(N_POINTS):
         for j in range(i):
             apart = 0.0
             for m in range(N_COORDINATES):
-                lever, other = known[row_of_point(2 * i) + m], known[row_of_point(2 * j) + m]
+                lever, other = contact[row_of_point(2 * i) + m], contact[row_of_point(2 * j) + m]
                 difference = abs(lever - other)
                 if difference > GRAIN * max(abs(lever), abs(other)):
                     apart = max(apart, difference)
-            if 0.0 < apart < CLOSEST * radius_of(known, i):
+            if 0.0 < apart < CLOSEST * radius_of(contact, i):
                 return True
     return False
 
@@ -516,7 +535,7 @@ def same_ground(ax, ay, later, ground):
     ground_now_and_later(ax, ay, ax, ay, later, ground)
 
 
-def without_forces(y, p, ax, ay, mode, known, wanted, sizes):
+def without_forces(y, p, ax, ay, mode, contact, wanted, sizes):
     """The accelerations that points lack where nothing touches, into wanted (ROWS,), and sizes.
 
     sizes (ROWS + N_POINTS,) : of `sizes_of`, for accelerations with the ground at rest, too, so
@@ -524,7 +543,7 @@ def without_forces(y, p, ax, ay, mode, known, wanted, sizes):
     """
     n = N_COORDINATES
     forces, at_rest = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
-    both, matrix = np.empty(2 * N_COORDINATES), known[MATRIX:]
+    both, matrix = np.empty(2 * N_COORDINATES), contact[MATRIX:]
     free_motion(y, p, ax, ay, mode, matrix, forces)
     free_motion(y, p, 0.0, 0.0, mode, matrix, at_rest)
     for i in range(n):
@@ -536,13 +555,13 @@ def without_forces(y, p, ax, ay, mode, known, wanted, sizes):
         quiet += at_rest[i] * both[2 * i + 1]
     for i in range(N_POINTS):
         for m in range(2):
-            wanted[2 * i + m] = -along(known, 2 * i + m, both, 0, 2) - known[i * POINT + 3 + m]
+            wanted[2 * i + m] = -along(contact, 2 * i + m, both, 0, 2) - contact[i * POINT + 3 + m]
     whole = max(moved, quiet)
-    sizes_of(whole, known, sizes)
+    sizes_of(whole, contact, sizes)
     return whole
 
 
-def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, known, sizes):
+def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, contact, sizes):
     """The mode whose forces and accelerations fit, or IMPOSSIBLE, or AMBIGUOUS.
 
     ends : whether `mode` has come to its end, so that it follows only where nothing else does.
@@ -550,54 +569,61 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, known, sizes
     rtol : the relative tolerance of the motion, by whose error a mode must fit where none fits
     nearly. sizes (ROWS + N_POINTS,) : of `without_forces`, found here.
     """
-    wanted, change = np.empty(ROWS), np.empty(N_COORDINATES)
-    fitting = np.empty(len(POINT_STATES), np.int64)
-    whole = without_forces(y, p, ground[AX], ground[AY], mode, known, wanted, sizes)
-    follows = IMPOSSIBLE
-    for turn in range(2):
-        nearly = NEARLY if turn == 0 else STEPS_ERROR * rtol
-        if follows != IMPOSSIBLE or nearly < NEARLY:
-            break
-        alike = ALIKE * ALIKE * nearly * nearly * whole
-        fitting[0] = -1
-        follows, several = fitting_states(
-            mode, near, sliding, wanted, known, sizes, nearly, alike, fitting, change
-        )
-        apart = ends and follows == AMBIGUOUS
-        if apart:  # what has come to its end and another: only one of them lasts
-            fitting[0], several = mode, 1
-        if apart or (follows >= 0 and (several > 1 or (ends and follows == mode))):
-            follows = best_later(mode, ends, near, sliding, fitting, several, y, p, ground, sizes)
-        if apart and follows == IMPOSSIBLE:
-            fitting[0] = mode
-            follows, several = fitting_states(
-                mode, near, sliding, wanted, known, sizes, nearly, alike, fitting, change
-            )
-            if follows >= 0 and several > 1:
-                follows = best_later(
-                    mode, ends, near, sliding, fitting, several, y, p, ground, sizes
-                )
+    wanted = np.empty(ROWS)
+    whole = without_forces(y, p, ground[AX], ground[AY], mode, contact, wanted, sizes)
+    demand = Demand(near, sliding, wanted, contact, sizes)
+    follows = fits_within(NEARLY, whole, mode, ends, demand, y, p, ground)
+    # the state after many steps is off by more than an event's time
+    if follows == IMPOSSIBLE and STEPS_ERROR * rtol >= NEARLY:
+        follows = fits_within(STEPS_ERROR * rtol, whole, mode, ends, demand, y, p, ground)
     return follows
 
 
+def fits_within(error, whole, mode, ends, demand, y, p, ground):
+    """The mode whose forces fit but for a relative error, or IMPOSSIBLE, or AMBIGUOUS.
+
+    whole : of `without_forces`, the accelerations squared.
+    """
+    fitting, change = np.empty(len(POINT_STATES), np.int64), np.empty(N_COORDINATES)
+    alike = ALIKE * ALIKE * error * error * whole
+    follows, several = fitting_states(mode, -1, demand, error, alike, fitting, change)
+    if ends and follows == AMBIGUOUS:
+        # the mode that has come to its end and another one move apart: only one of them lasts
+        fitting[0] = mode
+        follows = best_later(mode, ends, demand, fitting, 1, y, p, ground)
+        if follows != IMPOSSIBLE:
+            return follows
+        follows, several = fitting_states(mode, mode, demand, error, alike, fitting, change)
+        decided = several <= 1
+    else:
+        decided = several <= 1 and not (ends and follows == mode)
+    if follows < 0 or decided:
+        return follows
+    return best_later(mode, ends, demand, fitting, several, y, p, ground)
+
+
 @rolled
-def best_later(mode, ends, near, sliding, fitting, several, y, p, ground, sizes):
-    """The mode that fits best a little later, of those that move alike now."""
+def best_later(mode, ends, demand, fitting, several, y, p, ground):
+    """The mode that fits best a little later, of those that move alike now.
+
+    fitting : its first `several` numbers are these modes. demand : of now; the sizes, too.
+    """
     n, tau = N_COORDINATES, ground[LATER]
     dy, w = np.empty(N_STATES), np.empty(N_STATES)
-    known, of_then = np.empty(N_KNOWN), np.empty(ROWS + N_POINTS)
+    contact, sizes = np.empty(CONTACT_SIZE), np.empty(ROWS + N_POINTS)
     impulse, wanted = np.empty(ROWS), np.empty(ROWS)
     rates(fitting[0], y, p, ground[AX], ground[AY], dy)
     for i in range(n):
         w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * dy[n + i])
         w[n + i] = y[n + i] + tau * dy[n + i]
-    all_known(w, p, mode, known)
-    without_forces(w, p, ground[LATER_AX], ground[LATER_AY], mode, known, wanted, of_then)
-    found, best = IMPOSSIBLE, -np.inf
+    contact_data(w, p, mode, contact)
+    without_forces(w, p, ground[LATER_AX], ground[LATER_AY], mode, contact, wanted, sizes)
+    later = demand._replace(wanted=wanted, contact=contact)
+    follows, best = IMPOSSIBLE, -np.inf
     for i in range(several):
         candidate = fitting[i]
-        impulses_of(candidate, wanted, known, impulse)
-        margin = margin_of(candidate, near, sliding, wanted, known, sizes, impulse, -np.inf)
+        impulses_of(candidate, wanted, contact, impulse)
+        margin = margin_of(candidate, later, impulse, -np.inf)
         if candidate == mode and ends:
             # what has come to its end goes on only where nothing but rounding errors ended it
             if several == 1 and margin < -FITS:
@@ -605,14 +631,14 @@ def best_later(mode, ends, near, sliding, fitting, several, y, p, ground, sizes)
             margin = np.inf if margin >= -FITS else -LARGEST
         # of those that fit as well, the one that keeps more points closed, which stands first
         if margin > best + FITS:
-            found, best = candidate, margin
-    return found
+            follows, best = candidate, margin
+    return follows
 
 
 # -- transitions ---------------------------------------------------------------------------------
 
 
-def pass_on(mode, guard, h, y, p, ground, rtol, known, out):
+def pass_on(mode, guard, h, y, p, ground, rtol, contact, out):
     """The end of a mode by a guard: state after into out (N,).
 
     Returns the mode that follows, or IMPOSSIBLE, or AMBIGUOUS, and which of its guards are
@@ -630,33 +656,33 @@ def pass_on(mode, guard, h, y, p, ground, rtol, known, out):
         return follows, closed
     near, rows = np.zeros(N_POINTS, np.int64), np.zeros(ROWS, np.int64)
     wanted = np.zeros(ROWS)
-    all_known(out, p, mode, known)
+    contact_data(out, p, mode, contact)
     # -- which points touch: they are put on what they touch
     for i in range(N_POINTS):
         touches = POINT_STATES[mode][i] != OPEN or (kind == LANDING and i == subject)
         if not touches and kind == LANDING:
-            gap, rate = known[i * POINT], known[i * POINT + 1]
-            _, size = rate_of(known, 2 * i, out, 0)
+            gap, rate = contact[i * POINT], contact[i * POINT + 1]
+            _, size = rate_of(contact, 2 * i, out, 0)
             touches = rate <= 0.0 and gap <= NO_GAP_IN_STEP * h * abs(rate) + NO_GAP_OF_TERMS * size
         if touches:
             near[i] = 1
-            rows[2 * i], wanted[2 * i] = 1, -known[i * POINT]
-    put_on(rows, wanted, 0, known, out)
-    return meet(mode, guard, near, y, p, ground, rtol, known, out)
+            rows[2 * i], wanted[2 * i] = 1, -contact[i * POINT]
+    put_on(rows, wanted, 0, contact, out)
+    return meet(mode, guard, near, y, p, ground, rtol, contact, out)
 
 
-def slow_landing(mode, near, y, p, ax, ay, known):
+def slow_landing(mode, near, y, p, ax, ay, contact):
     """How slow a landing is at which it does not matter what follows, see `collide`.
 
     The speed is SLOW times sqrt(a l), a the acceleration of a point in free motion and l the radius
     of gyration, as of bounces that end at once.
     """
     sizes, wanted = np.empty(ROWS + N_POINTS), np.empty(ROWS)
-    without_forces(y, p, ax, ay, mode, known, wanted, sizes)
+    without_forces(y, p, ax, ay, mode, contact, wanted, sizes)
     slowest = np.inf
     for i in range(N_POINTS):
         if near[i] == 1:  # the force that holds a point, times the length
-            slowest = min(slowest, sizes[ROWS + i] * radius_of(known, i))
+            slowest = min(slowest, sizes[ROWS + i] * radius_of(contact, i))
     return SLOW * SLOW * slowest
 
 
@@ -675,7 +701,7 @@ def still_closed(before, follows, guard, closed_before, closed):
     return closed
 
 
-def meet(mode, guard, near, y, p, ground, rtol, known, out):
+def meet(mode, guard, near, y, p, ground, rtol, contact, out):
     """The velocities and the mode that follow where the points of near (N_POINTS,) touch.
 
     out (N,) : the state, at first that before, of whose places all is known. Returns as `pass_on`.
@@ -684,25 +710,25 @@ def meet(mode, guard, near, y, p, ground, rtol, known, out):
     rows, wanted, sliding = np.zeros(ROWS, np.int64), np.zeros(ROWS), np.zeros(N_POINTS)
     as_said = mode  # by the velocities of this mode
     if kind == LANDING:
-        as_said = landed(mode, near, y, p, ground, known, out)
+        as_said = landed(mode, near, y, p, ground, contact, out)
         if as_said < 0:
             return as_said, -1
     # -- which of them stay, and move along, or leave
     leaving, sizes = np.zeros(N_POINTS, np.int64), np.empty(ROWS + N_POINTS)
-    sizes_of(squared(known, y[n:]), known, sizes)
+    sizes_of(squared(contact, y[n:]), contact, sizes)
     for i in range(N_POINTS):
         if near[i] == 0:
             continue
         state = POINT_STATES[as_said][i]
-        rate, size = rate_of(known, 2 * i, out, n)
+        rate, size = rate_of(contact, 2 * i, out, n)
         leaves = rate > FITS * max(size, sizes[2 * i])
-        if leaves and (state == OPEN or known[LAWS + 2 * i] > 0.0) and kind == LANDING:
+        if leaves and (state == OPEN or contact[LAWS + 2 * i] > 0.0) and kind == LANDING:
             leaving[i], near[i] = 1, 0
             continue
         rows[2 * i], wanted[2 * i] = 1, -rate
         if is_smooth(i):
             continue
-        slip, size = rate_of(known, 2 * i + 1, out, n)
+        slip, size = rate_of(contact, 2 * i + 1, out, n)
         still = state == STICK or abs(slip) <= FITS * max(size, sizes[2 * i + 1])
         if kind == STICKING and SHARED[mode][i] == SHARED[mode][subject]:
             still = True
@@ -710,10 +736,10 @@ def meet(mode, guard, near, y, p, ground, rtol, known, out):
             rows[2 * i + 1], wanted[2 * i + 1] = 1, -slip
         else:
             sliding[i] = 1.0 if slip > 0.0 else -1.0
-    put_on(rows, wanted, n, known, out)
-    points(out, p, known)
+    put_on(rows, wanted, n, contact, out)
+    points(out, p, contact)
     ends = kind in (LIFTING, SLIPPING)
-    follows = select_by_forces(mode, ends, near, sliding, out, p, ground, rtol, known, sizes)
+    follows = select_by_forces(mode, ends, near, sliding, out, p, ground, rtol, contact, sizes)
     if follows < 0:
         return follows, -1
     g = np.empty(N_GUARDS + N_PARTS)
@@ -770,21 +796,23 @@ def tips_over(y, p):
     Relative to what bears it: the sine of that angle is the difference of the gaps of its feet over
     their distance.
     """
-    known, places = np.empty(POINT * N_POINTS), np.empty(3 * len(POSITIONS))
-    points(y, p, known)
+    contact, places = np.empty(POINT * N_POINTS), np.empty(3 * len(POSITIONS))
+    points(y, p, contact)
     positions(0, y, p, places)  # of bodies first, then of points
     for body in range(len(FEET_OF)):
         low = high = -1
         for i in range(N_POINTS):
             if FEET_OF[body][i] == 1:
-                low = i if low < 0 or known[POINT * i] < known[POINT * low] else low
-                high = i if high < 0 or known[POINT * i] > known[POINT * high] else high
+                low = i if low < 0 or contact[POINT * i] < contact[POINT * low] else low
+                high = i if high < 0 or contact[POINT * i] > contact[POINT * high] else high
         centre, foot, other = 3 * body, 3 * (len(FEET_OF) + low), 3 * (len(FEET_OF) + high)
         across, up = places[centre] - places[foot], places[centre + 1] - places[foot + 1]
         base, tilt = places[other] - places[foot], places[other + 1] - places[foot + 1]
         lever, height = base * across + tilt * up, abs(base * up - tilt * across)
-        if height > 0.0 and known[POINT * high + 1] > known[POINT * low + 1]:
-            sine = (known[POINT * high] - known[POINT * low]) / math.sqrt(base * base + tilt * tilt)
+        if height > 0.0 and contact[POINT * high + 1] > contact[POINT * low + 1]:
+            sine = (contact[POINT * high] - contact[POINT * low]) / math.sqrt(
+                base * base + tilt * tilt
+            )
             if math.asin(min(1.0, sine)) > TIPPED * math.atan(lever / height):
                 return True
     return False

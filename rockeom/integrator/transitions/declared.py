@@ -1,6 +1,9 @@
 """The sum of infinitely many impacts of structures with declared modes, and how they stand."""
 
+from __future__ import annotations
+
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,6 +21,8 @@ from rockeom.integrator.provided import (
 )
 from rockeom.integrator.tolerances import EPS, FADED
 from rockeom.integrator.transitions.restitution import velocity_ratio_at
+
+MOST_FLIGHTS_TO_REST = 1000
 
 
 @inlined
@@ -38,6 +43,18 @@ def on_both_feet():
     return held
 
 
+class RockingFlight(NamedTuple):
+    """A flight between two impacts on both sides of a motion that fades.
+
+    time : it lasts. a : the acceleration that closes its gap. loss : the part of the velocity that
+    the impact before it took.
+    """
+
+    time: float
+    a: float
+    loss: float
+
+
 def time_to_rest(mode, y, p, law, ratio, impacts, ax, ay, tolerance, out):
     """(time, mode): when the infinitely many impacts to come will all have happened.
 
@@ -53,52 +70,36 @@ def time_to_rest(mode, y, p, law, ratio, impacts, ax, ay, tolerance, out):
     held = on_both_feet()
     if held < 0:
         return np.inf, mode
-    w, kick, smooth = np.empty(N_STATES), np.empty(N_STATES), np.empty(N_STATES)
+    w, kick, smooth = np.empty(N_STATES), np.zeros(N_STATES), np.empty(N_STATES)
     for i in range(N_STATES):
         w[i] = y[i]
-        kick[i] = 0.0
-    total = flight = a = 0.0
-    start = abs(y[ROTATION_RATE])
-    loss = whole = 1.0
-    last_flight = last_a = last_loss = np.inf  # of the flight before, to the other side
-    pairs = True  # of flights to one side and the other are complete
-    for turn in range(1000):
-        a_before, last_a, last_flight = last_a, a, flight
+    start, total, loss, whole = abs(y[ROTATION_RATE]), 0.0, 1.0, 1.0
+    # the flight to come, and the two before it: to the other side, and to the same one
+    this, last = RockingFlight(0.0, 0.0, np.inf), RockingFlight(np.inf, np.inf, np.inf)
+    pairs = True  # of flights to both sides are complete
+    for turn in range(MOST_FLIGHTS_TO_REST):
+        before, last = last, this
         pairs = not pairs
         rates(mode, w, p, ax, ay, out)
-        a = -SIDES[mode] * out[ROTATION_RATE]
+        a, v = -SIDES[mode] * out[ROTATION_RATE], abs(w[ROTATION_RATE])
         if not a > 0.0:
             return np.inf, mode
-        v = abs(w[ROTATION_RATE])
-        flight = 2.0 * v / a
-        total += flight
+        this = RockingFlight(2.0 * v / a, a, loss)
+        total += this.time
         if total > tolerance / math.sqrt(a):
             return np.inf, mode
         rates(held, w, p, ax, ay, smooth)
-        for i in range(N_STATES):
-            w[i] += flight * out[i]
-            if i >= N_STATES // 2:
-                kick[i] += flight * (out[i] - smooth[i])
-        w[ROTATION] = 0.0
-        # what is left of them counts by the speed that is left
-        small = FADED * start
-        alike = abs(a - a_before) * v <= small * a and abs(loss - last_loss) * v <= small
-        if v <= EPS * start or turn == 999 or (pairs and turn > 2 and alike):
-            # what a constant loss leaves of the two series of flights
-            left = (1.0 - loss) * (1.0 - (last_loss if law == UNEVEN else loss))
-            total += (last_flight + flight) * left / (1.0 - left)
+        fly_to_impact(this.time, out, smooth, w, kick)
+        series = pairs and turn > 2 and flights_are_geometric(this, last, before, v, FADED * start)
+        if v <= EPS * start or turn == MOST_FLIGHTS_TO_REST - 1 or series:
+            left = left_of_series(loss, last.loss if law == UNEVEN else loss)
+            total += (last.time + this.time) * left
             w[ROTATION_RATE] = 0.0
             if v > EPS * start:
-                whole = 1.0 / (1.0 - (1.0 - loss) * v / start)  # all is in proportion to speeds
-        mode = jump(
-            mode,
-            0,
-            law,
-            velocity_ratio_at(law, ratio, impacts + turn, w[ROTATION_RATE], p),
-            w,
-            p,
-            out,
-        )
+                # all that the impacts give is in proportion to the velocities that they take
+                whole = 1.0 / (1.0 - (1.0 - loss) * v / start)
+        passed = velocity_ratio_at(law, ratio, impacts + turn, w[ROTATION_RATE], p)
+        mode = jump(mode, 0, law, passed, w, p, out)
         for i in range(N_STATES // 2, N_STATES):
             kick[i] += out[i] - w[i]
         if SIDES[mode] == 0.0:
@@ -106,15 +107,41 @@ def time_to_rest(mode, y, p, law, ratio, impacts, ax, ay, tolerance, out):
                 out[i] = y[i] + whole * kick[i]
             out[ROTATION] = out[ROTATION_RATE] = 0.0
             return total, mode
-        last_loss = loss
         loss = 1.0 - abs(out[ROTATION_RATE]) / v
         # one foot, or one impact, may lose next to nothing where the other does not
-        least = max(loss, last_loss) if law == UNEVEN else loss
-        if not least > 0.0 or flight > least * tolerance / math.sqrt(a):
+        least = max(loss, this.loss) if law == UNEVEN else loss
+        if not least > 0.0 or this.time > least * tolerance / math.sqrt(a):
             return np.inf, mode  # so little is lost that the end is far, or never comes
         for i in range(N_STATES):
             w[i] = out[i]
     return np.inf, mode
+
+
+@inlined
+def fly_to_impact(time, rate, smooth, w, kick):
+    """Move a state w (N,) to its next impact, and add to kick what the rotation gives to rates.
+
+    rate, smooth (N,) : the rates of the state, and those on both feet.
+    """
+    for i in range(N_STATES):
+        w[i] += time * rate[i]
+        if i >= N_STATES // 2:
+            kick[i] += time * (rate[i] - smooth[i])
+    w[ROTATION] = 0.0
+
+
+@inlined
+def flights_are_geometric(this, last, before, v, small):
+    """Whether flights shrink by one ratio: what is left of changes counts by the speed v left."""
+    same_acceleration = abs(this.a - before.a) * v <= small * this.a
+    return same_acceleration and abs(this.loss - last.loss) * v <= small
+
+
+@inlined
+def left_of_series(loss, other_loss):
+    """The sum of all pairs of flights to come, in units of the last pair, for constant losses."""
+    ratio = (1.0 - loss) * (1.0 - other_loss)
+    return ratio / (1.0 - ratio)
 
 
 def stand(mode, t, h, y, p, ground, rtol, atol, k, y_new):

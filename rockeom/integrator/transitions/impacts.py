@@ -35,6 +35,7 @@ from rockeom.integrator.tolerances import (
     SAME_VELOCITIES,
 )
 from rockeom.integrator.transitions.candidates import (
+    Demand,
     fitting_states,
     sizes_of,
     squared,
@@ -54,7 +55,7 @@ __fused__ = False
 MOST_STAGES = 100000  # of an impact, and impacts of single points in one
 
 
-def landed(mode, near, y, p, ground, known, out):
+def landed(mode, near, y, p, ground, contact, out):
     """Change the velocities of out (N,) by the impact of the points of near (N_POINTS,).
 
     y : the state before it. Returns a mode in which all points are open, since after it their
@@ -65,34 +66,34 @@ def landed(mode, near, y, p, ground, known, out):
     change, sizes = np.empty(N_COORDINATES), np.empty(ROWS + N_POINTS)
     for i in range(n):
         change[i] = out[n + i]
-    whole = squared(known, change)
-    sizes_of(whole, known, sizes)
+    whole = squared(contact, change)
+    sizes_of(whole, contact, sizes)
     for r in range(ROWS):
-        arriving, _ = rate_of(known, r, out, n)
+        arriving, _ = rate_of(contact, r, out, n)
         rate[r] = arriving if abs(arriving) > FITS * sizes[r] else 0.0
     point_numbers(p, numbers)
-    found = mode
+    follows = mode
     if IMPACT_LAW == MOREAU:
-        found = by_moreau(mode, near, whole, numbers, known, sizes, rate, change)
+        follows = by_moreau(mode, near, whole, numbers, contact, sizes, rate, change)
     else:
-        if not impulses_grow(near, numbers, whole, known, sizes, rate, impulse):
-            found = IMPOSSIBLE
+        if not impulses_grow(near, numbers, whole, contact, sizes, rate, impulse):
+            follows = IMPOSSIBLE
         for i in range(n):
             change[i] = 0.0
             for r in range(ROWS):
-                change[i] += known[SPREAD + i * ROWS + r] * impulse[r]
-    if found < 0:
-        return found
+                change[i] += contact[SPREAD + i * ROWS + r] * impulse[r]
+    if follows < 0:
+        return follows
     for i in range(n):
         out[n + i] += change[i]
     return all_open(mode)
 
 
 @inlined
-def impulses_grow(near, numbers, whole, known, sizes, rate, impulse):
+def impulses_grow(near, numbers, whole, contact, sizes, rate, impulse):
     """Whether an impact comes to an end; its impulses (ROWS,), and the rates (ROWS,) after it.
 
-    numbers (N_POINTS,) : stiffness. whole, sizes : see `sizes_of`. known : laws and coupling of it.
+    numbers (N_POINTS,) : stiffness. whole, sizes : see `sizes_of`. contact : its laws and coupling.
     """
     m = Meeting(
         near, sizes, rate, impulse, np.empty(N_POINTS), np.empty(N_POINTS, np.int64),
@@ -102,17 +103,17 @@ def impulses_grow(near, numbers, whole, known, sizes, rate, impulse):
     )  # fmt: skip
     ends = False
     if IMPACT_LAW == POISSON:
-        ends = press_and_give_back(m, known)
+        ends = press_and_give_back(m, contact)
     if IMPACT_LAW == LZB:
-        ends = grow(m, numbers, whole, known)
+        ends = grow(m, numbers, whole, contact)
     if IMPACT_LAW == PAIRWISE:
-        ends = one_by_one(m, numbers, whole, known)
+        ends = one_by_one(m, numbers, whole, contact)
     return ends
 
 
 def all_open(mode):
     """The mode in which all points are open, with the elements of another."""
-    found = mode
+    follows = mode
     for candidate in range(len(POINT_STATES)):
         opens = True
         for i in range(N_POINTS):
@@ -120,11 +121,11 @@ def all_open(mode):
         for i in range(N_ELEMENTS):
             opens = opens and ELEMENT_STATES[candidate][i] == ELEMENT_STATES[mode][i]
         if opens:
-            found = candidate
-    return found
+            follows = candidate
+    return follows
 
 
-def by_moreau(mode, near, whole, along, known, sizes, rate, change):
+def by_moreau(mode, near, whole, along, contact, sizes, rate, change):
     """Moreau's law: Signorini's and Coulomb's, of the velocities after it plus e times before.
 
     along (N_POINTS,) : e of slips; below zero that of gaps. change (n,) : of the velocities, on
@@ -133,21 +134,19 @@ def by_moreau(mode, near, whole, along, known, sizes, rate, change):
     wanted, sliding = np.empty(ROWS), np.zeros(N_POINTS)
     fitting = np.empty(len(POINT_STATES), np.int64)
     for i in range(N_POINTS):
-        e = known[LAWS + 2 * i]
+        e = contact[LAWS + 2 * i]
         e_t = along[i] if along[i] >= 0.0 else e
         wanted[2 * i] = -rate[2 * i] - e * min(rate[2 * i], 0.0)
         wanted[2 * i + 1] = -(1.0 + e_t) * rate[2 * i + 1]
-    fitting[0] = -1
-    found, _ = fitting_states(
-        mode, near, sliding, wanted, known, sizes, FITS, SAME_VELOCITIES * whole, fitting, change
-    )
-    return found
+    demand = Demand(near, sliding, wanted, contact, sizes)
+    follows, _ = fitting_states(mode, -1, demand, FITS, SAME_VELOCITIES * whole, fitting, change)
+    return follows
 
 
 # -- Poisson -------------------------------------------------------------------------------------
 
 
-def press_and_give_back(m, known):
+def press_and_give_back(m, contact):
     """Poisson's law: compression to the end, then e times its impulses. Whether it comes to an end.
 
     s from 0 to 1 counts each. In compression gaps close at the rates (1 - s) times those before, or
@@ -160,20 +159,20 @@ def press_and_give_back(m, known):
     closing = np.zeros(N_POINTS)
     for i in range(N_POINTS):
         m.acts[i] = 1 if m.near[i] == 1 and m.rate[2 * i] < 0.0 else 0
-    lines_of(m, known)
-    grip(closing, m, known)
+    lines_of(m, contact)
+    grip(closing, m, contact)
     for i in range(N_POINTS):
         closing[i] = min(m.rate[2 * i], 0.0) if m.near[i] == 1 else 0.0
         m.given[i] = 0.0
-    if not stage_of_poisson(m, closing, known):
+    if not stage_of_poisson(m, closing, contact):
         return False
     for i in range(N_POINTS):
-        m.given[i] = known[LAWS + 2 * i] * m.impulse[2 * i]
+        m.given[i] = contact[LAWS + 2 * i] * m.impulse[2 * i]
         closing[i] = 0.0
-    return stage_of_poisson(m, closing, known)
+    return stage_of_poisson(m, closing, contact)
 
 
-def stage_of_poisson(m, closing, known):
+def stage_of_poisson(m, closing, contact):
     """Compression, of gaps that close at first at rates of closing (N_POINTS,), or expansion."""
     s, lines = 0.0, np.empty(N_POINTS)
     for _ in range(MOST_STAGES):
@@ -181,7 +180,7 @@ def stage_of_poisson(m, closing, known):
             lines[i] = (1.0 - s) * closing[i]
             on = m.near[i] == 1 and m.rate[2 * i] <= lines[i] + NOTHING_LEFT * m.sizes[2 * i]
             m.acts[i] = 1 if on or m.given[i] > 0.0 else 0
-        grip(lines, m, known)
+        grip(lines, m, contact)
         for i in range(N_POINTS):
             least = NOTHING_LEFT * m.sizes[2 * i]
             if m.rate[2 * i] < lines[i] - least:  # it closes faster, as others no longer slip
@@ -190,10 +189,10 @@ def stage_of_poisson(m, closing, known):
             m.holds[i] = 1 if m.near[i] == 1 and m.rate[2 * i] <= lines[i] + least else 0
         slips_now(m)
         ahead = 1.0
-        if not chosen_for(ahead, m, closing, known):
+        if not chosen_for(ahead, m, closing, contact):
             # friction closes the gaps: they close faster until it has stopped the slip
             ahead = -1.0
-            if not chosen_for(ahead, m, closing, known):
+            if not chosen_for(ahead, m, closing, contact):
                 return False
         lasts, stops = end_of_stage(s, ahead, m, closing)
         if not lasts < np.inf:
@@ -213,11 +212,11 @@ def stage_of_poisson(m, closing, known):
 
 
 @inlined
-def chosen_for(ahead, m, closing, known):
+def chosen_for(ahead, m, closing, contact):
     """Whether forces fit where gaps close ever slower, or, ahead -1, faster."""
     for i in range(N_POINTS):
         m.target[2 * i] = -ahead * closing[i]
-    return choose(m, known)
+    return choose(m, contact)
 
 
 def end_of_stage(s, ahead, m, closing):
@@ -239,7 +238,7 @@ def end_of_stage(s, ahead, m, closing):
 # -- pairs ---------------------------------------------------------------------------------------
 
 
-def one_by_one(m, stiffness, whole, known):
+def one_by_one(m, stiffness, whole, contact):
     """Impacts of single points, until no gap closes; whether that comes to an end.
 
     The stiffest of the points that close is next; of those as stiff the one that closes fastest.
@@ -259,9 +258,9 @@ def one_by_one(m, stiffness, whole, known):
             )
             next_[i] = 1 if closes and stiffness[i] == stiffness[which] else 0
             alike += next_[i]
-        if alike == 1 and not meet_alone(which, apart, known):
+        if alike == 1 and not meet_alone(which, apart, contact):
             return False
-        if alike > 1 and not grow(apart, stiffness, whole, known):
+        if alike > 1 and not grow(apart, stiffness, whole, contact):
             return False
     return False
 
@@ -278,21 +277,21 @@ def next_point(m, stiffness):
     return which
 
 
-def meet_alone(point, m, known):
+def meet_alone(point, m, contact):
     """The impact of one point, by Routh's method and the energetic restitution; whether it ends.
 
     Rates are linear in its normal impulse P as long as the slip keeps its state, so that the work
     taken, and given back, is quadratic: the impact ends where e**2 of the work has been given back.
     """
-    row, e, energy = 2 * point, known[LAWS + 2 * point], 0.0
+    row, e, energy = 2 * point, contact[LAWS + 2 * point], 0.0
     lines = np.zeros(N_POINTS)
     for i in range(N_POINTS):
         m.first[i], m.holds[i], m.acts[i], m.given[i] = i, 0, m.near[i], float(m.near[i])
         m.target[2 * i] = 0.0
     for _ in range(MOST_STAGES):
-        grip(lines, m, known)
+        grip(lines, m, contact)
         slips_now(m)
-        if not choose(m, known):
+        if not choose(m, contact):
             return False
         v, a, slip = m.rate[row], m.change[row], m.rate[row + 1]
         opens = v > 0.0 or (v == 0.0 and a > 0.0)

@@ -57,14 +57,14 @@ def single_hop(mode, closed, y, p, dy):
 
     (-1, inf) where none does, or several. dy (N,) : rates. closed : see `is_closed`.
     """
-    known = np.empty(POINT * N_POINTS)
-    points(y, p, known)
+    contact = np.empty(POINT * N_POINTS)
+    points(y, p, contact)
     hop, lasts = -1, np.inf
     for i in range(GUARDS[mode]):
         if KINDS[mode][i] != LANDING or not is_closed(closed, i):
             continue
         point = SUBJECTS[mode][i]
-        rate, a = known[point * POINT + 1], -acceleration_of(known, 2 * point, dy)
+        rate, a = contact[point * POINT + 1], -acceleration_of(contact, 2 * point, dy)
         # a hop must not be lost among the smallest numbers
         if hop >= 0 or not (rate > 0.0 and a > 0.0 and 2.0 * rate * rate > LEAST_PRODUCT * a):
             return -1, np.inf
@@ -165,23 +165,23 @@ def to_landing(mode, guard, y, p, dy):
     The gap is that of the guard, as `fall_within` sees it: what drift closed points have is none
     of it.
     """
-    known, g = np.empty(POINT * N_POINTS), np.empty(ROW)
-    points(y, p, known)
+    contact, g = np.empty(POINT * N_POINTS), np.empty(ROW)
+    points(y, p, contact)
     guards(mode, y, p, 0.0, 0.0, g)
     point = SUBJECTS[mode][guard]
-    rate = known[point * POINT + 1]
+    rate = contact[point * POINT + 1]
     if not rate < 0.0:
         return np.inf
     move = -g[guard] / rate
-    return move - 0.5 * acceleration_of(known, 2 * point, dy) * move * move / rate
+    return move - 0.5 * acceleration_of(contact, 2 * point, dy) * move * move / rate
 
 
 def is_rounding(mode, guard, y, p):
     """Whether a gap is closed but for the rounding errors of the places of all points."""
-    known, g = np.empty(POINT * N_POINTS), np.empty(ROW)
-    points(y, p, known)
+    contact, g = np.empty(POINT * N_POINTS), np.empty(ROW)
+    points(y, p, contact)
     guards(mode, y, p, 0.0, 0.0, g)
-    return abs(g[guard]) <= gap_rounding(known, y)
+    return abs(g[guard]) <= gap_rounding(contact, y)
 
 
 def end_closed(mode, samples):

@@ -12,14 +12,14 @@ __fused__ = False
 
 
 @inlined
-def landed(mode, near, y, p, ground, known, out):
+def landed(mode, near, y, p, ground, contact, out):
     """Change the velocities of out (N,) by the impact of the points of near (N_POINTS,).
 
     y : the state before it. Returns the mode that says of each point whether nothing presses it,
     so that it may leave, or whether it sticks; or IMPOSSIBLE, or AMBIGUOUS.
     """
-    as_said = collide(mode, near, 0.0, known, out)
+    as_said = collide(mode, near, 0.0, contact, out)
     if as_said == AMBIGUOUS:  # not if all of them are as slow as bounces that come to an end
-        slowest = slow_landing(mode, near, y, p, ground[AX], ground[AY], known)
-        as_said = collide(mode, near, slowest, known, out)
+        slowest = slow_landing(mode, near, y, p, ground[AX], ground[AY], contact)
+        as_said = collide(mode, near, slowest, contact, out)
     return as_said

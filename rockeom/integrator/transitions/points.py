@@ -33,13 +33,13 @@ N_MATRIX = N_COORDINATES * N_COORDINATES
 ROW = N_GUARDS + N_PARTS  # what `guards` fills
 ROWS = 2 * N_POINTS  # the directions in which points are held: row 2 i is normal, 2 i + 1 along
 
-# Places in what is known of the points of a state, `known` (N_KNOWN,): what `points` tells, the
+# Places in `contact` (CONTACT_SIZE,), the data of the points in a state: what `points` tells, the
 # laws of `point_laws`, M (n, n), M^-1 J' (n, ROWS), and J M^-1 J' (ROWS, ROWS)
 LAWS = POINT * N_POINTS
 MATRIX = LAWS + ROWS
 SPREAD = MATRIX + N_MATRIX
 COUPLING = SPREAD + N_COORDINATES * ROWS
-N_KNOWN = COUPLING + ROWS * ROWS
+CONTACT_SIZE = COUPLING + ROWS * ROWS
 
 HALVES = 0.5 ** np.arange(1.0 * MOST_DIGITS)
 
@@ -102,11 +102,11 @@ def eliminate(a, order, width):
                 for j in range(n, width):
                     a[i * width + j] -= factor * a[n * width + j]
     # back to the order of the unknowns
-    found = np.empty(ROWS)
+    solution = np.empty(ROWS)
     for n in range(order):
-        found[column[n]] = a[n * width + order] if n < rank else 0.0
+        solution[column[n]] = a[n * width + order] if n < rank else 0.0
     for n in range(order):
-        a[n * width + order] = found[n]
+        a[n * width + order] = solution[n]
 
 
 def solved_at_once(a, order):
@@ -174,34 +174,34 @@ def through_mass(matrix, b, width):
 
 
 @rolled
-def all_known(y, p, mode, known):
-    """Places and rates of the points in a state, and effects of impulses, into known (N_KNOWN,).
+def contact_data(y, p, mode, contact):
+    """Places and rates of the points in a state, and effects of impulses, into `contact`.
 
     All but what `points` tells follows from the places alone.
     """
     n = N_COORDINATES
     forces = np.empty(N_COORDINATES)
-    matrix, spread, coupling = known[MATRIX:], known[SPREAD:], known[COUPLING:]
-    points(y, p, known)
-    point_laws(p, known[LAWS:])
+    matrix, spread, coupling = contact[MATRIX:], contact[SPREAD:], contact[COUPLING:]
+    points(y, p, contact)
+    point_laws(p, contact[LAWS:])
     free_motion(y, p, 0.0, 0.0, mode, matrix, forces)
     for i in range(n):
         for r in range(N_POINTS):
-            spread[i * ROWS + 2 * r] = known[r * POINT + 5 + i]
-            spread[i * ROWS + 2 * r + 1] = known[r * POINT + 5 + n + i]
+            spread[i * ROWS + 2 * r] = contact[r * POINT + 5 + i]
+            spread[i * ROWS + 2 * r + 1] = contact[r * POINT + 5 + n + i]
     through_mass(matrix, spread, ROWS)
     for r in range(ROWS):
         for s in range(r, ROWS):
-            coupling[r * ROWS + s] = coupling[s * ROWS + r] = along(known, r, spread, s, ROWS)
+            coupling[r * ROWS + s] = coupling[s * ROWS + r] = along(contact, r, spread, s, ROWS)
 
 
 @inlined
-def along(known, row, b, s, width):
+def along(contact, row, b, s, width):
     """J of a row times column s of b (n, width)."""
     start = row_of_point(row)
     total = 0.0
     for i in range(N_COORDINATES):
-        total += known[start + i] * b[i * width + s]
+        total += contact[start + i] * b[i * width + s]
     return total
 
 
@@ -212,32 +212,32 @@ def row_of_point(row):
     return point * POINT + 5 + (row - 2 * point) * N_COORDINATES
 
 
-def rate_of(known, row, y, first):
+def rate_of(contact, row, y, first):
     """J of a row times y[first : first + n], and the sum of the terms' sizes."""
     start = row_of_point(row)
     total = size = 0.0
     for i in range(N_COORDINATES):
-        term = known[start + i] * y[first + i]
+        term = contact[start + i] * y[first + i]
         total += term
         size += abs(term)
     return total, size
 
 
-def gap_rounding(known, y):
+def gap_rounding(contact, y):
     """The rounding error of a gap where other points are closed: by the largest terms of any."""
     largest = 0.0
     for i in range(N_POINTS):
-        _, size = rate_of(known, 2 * i, y, 0)
+        _, size = rate_of(contact, 2 * i, y, 0)
         largest = max(largest, size)
     return GRAIN * largest
 
 
 @inlined
-def acceleration_of(known, row, dy):
+def acceleration_of(contact, row, dy):
     """The acceleration of a gap or a slip, from the rates (N,) of the state."""
-    total, _ = rate_of(known, row, dy, N_COORDINATES)
+    total, _ = rate_of(contact, row, dy, N_COORDINATES)
     point = int(row * 0.5)
-    return total + known[point * POINT + 3 + row - 2 * point]
+    return total + contact[point * POINT + 3 + row - 2 * point]
 
 
 @inlined
@@ -247,7 +247,7 @@ def but_for_rounding(sum_, size):
 
 
 @rolled
-def put_on(rows, wanted, first, known, y):
+def put_on(rows, wanted, first, contact, y):
     """Change y[first : first + n] the least, in the measure of the mass, so that J y = wanted.
 
     rows (ROWS,) : 1 where a row is held.
@@ -261,13 +261,13 @@ def put_on(rows, wanted, first, known, y):
     width = order + 1
     for r in range(order):
         for s in range(order):
-            a[r * width + s] = known[COUPLING + held[r] * ROWS + held[s]]
+            a[r * width + s] = contact[COUPLING + held[r] * ROWS + held[s]]
         a[r * width + order] = wanted[held[r]]
     eliminate(a, order, width)
     for i in range(N_COORDINATES):
         value, size = y[first + i], abs(y[first + i])
         for r in range(order):
-            change = known[SPREAD + i * ROWS + held[r]] * a[r * width + order]
+            change = contact[SPREAD + i * ROWS + held[r]] * a[r * width + order]
             value += change
             size += abs(change)
         y[first + i] = but_for_rounding(value, size)

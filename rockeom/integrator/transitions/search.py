@@ -118,7 +118,7 @@ def transition(motion, ground, guard, h, end, case, a, recorder):
     accelerations = np.empty(5)
     ground_now_and_later(ax, ay, later_ax, later_ay, tau, accelerations)
     mode, closed = pass_on(
-        motion.mode, guard, length, a.y, case.p, accelerations, case.rtol, a.known, a.after
+        motion.mode, guard, length, a.y, case.p, accelerations, case.rtol, a.contact, a.after
     )
     kind = KINDS[motion.mode][guard]
     if mode < 0:
@@ -157,7 +157,7 @@ def stepped_over(motion, ground, end, fits, case, a):
     """The rest after a step over events, not stepped where there is none; its state in y_new."""
     state = state_of(motion, ground, case, a)
     longest = end - motion.t
-    time, mode = step_over(state, case.rest_tolerance, longest, fits, case.rtol, a.known, a.y_new)
+    time, mode = step_over(state, case.rest_tolerance, longest, fits, case.rtol, a.contact, a.y_new)
     return Rest(time, mode, time < np.inf)
 
 
@@ -165,7 +165,7 @@ def stepped_over(motion, ground, end, fits, case, a):
 def zeno_time(motion, ground, end, case, a):
     """(motion, rest): when the infinitely many impacts to come will all have happened."""
     state = state_of(motion, ground, case, a)
-    time, follows = time_of_bounces(state, case.rest_tolerance, case.rtol, a.known, a.y_new)
+    time, follows = time_of_bounces(state, case.rest_tolerance, case.rtol, a.contact, a.y_new)
     return motion._replace(follows=follows), Rest(time, follows, False)
 
 
@@ -184,7 +184,7 @@ def through_rest(motion, ground, rest, case, a, recorder):
 
 
 @inlined
-def is_known(closed, i):
+def just_closed(closed, i):
     """Whether a guard is known to be closed: one of several."""
     return is_closed(closed, i)
 

@@ -56,7 +56,7 @@ class Springs(NamedTuple):
     pull: Floats
 
 
-def grow(m, stiffness, whole, known):
+def grow(m, stiffness, whole, contact):
     """Springs between the points that touch, until none presses; whether that comes to an end.
 
     In the time of the impact F' = -k v at a point whose gap closes at the rate v < 0, and
@@ -81,21 +81,21 @@ def grow(m, stiffness, whole, known):
     for i in range(N_POINTS):
         if m.near[i] == 1:
             stiffest = max(stiffest, stiffness[i])
-            quickest = max(quickest, stiffness[i] * known[COUPLING + 2 * i * (ROWS + 1)])
+            quickest = max(quickest, stiffness[i] * contact[COUPLING + 2 * i * (ROWS + 1)])
     springs = Springs(
         stiffness, np.zeros(N_POINTS), np.zeros(N_POINTS), np.empty(N_POINTS),
         math.sqrt(whole * stiffest) + LEAST_SIZE, math.sqrt(quickest) + LEAST_SIZE,
         np.empty(ROWS * N_POINTS), np.empty(ROWS * N_POINTS),
     )  # fmt: skip
-    lines_of(m, known)
+    lines_of(m, contact)
     steps = 0
     while steps < MOST_STEPS:
-        if not act_now(m, springs, known):
+        if not act_now(m, springs, contact):
             return False
         if not presses(m, springs):
             return True
-        spread_out(m, springs, known)
-        steps = move_on(m, springs, steps, known)
+        spread_out(m, springs, contact)
+        steps = move_on(m, springs, steps, contact)
     return False
 
 
@@ -107,7 +107,7 @@ def presses(m, springs):
     return some
 
 
-def act_now(m, springs, known):
+def act_now(m, springs, contact):
     """Choose the states of points from now on; whether forces fit.
 
     Points that rest, and those that have come to rest with e = 0, do as the forces a little later
@@ -120,16 +120,16 @@ def act_now(m, springs, known):
         if m.rate[2 * i] >= 0.0 and force[i] <= NOTHING_LEFT * springs.size:
             force[i] = 0.0
         m.acts[i] = 0
-    which_act(m, springs, known)
+    which_act(m, springs, contact)
     for _ in range(4 * N_POINTS):
         for i in range(N_POINTS):
             m.given[i] = m.target[2 * i] = 0.0
             m.most[i] = force[i] if m.holds[i] == 1 else 0.0
             if m.acts[i] == 1 and m.holds[i] == 0:
                 m.given[i] = max(force[i] - soon * springs.loads[i] * m.rate[2 * i], 0.0)
-        if not choose(m, known):
+        if not choose(m, contact):
             return False
-        if not (some_load(m, springs, soon, known) or some_join(m, springs, known)):
+        if not (some_load(m, springs, soon, contact) or some_join(m, springs, contact)):
             break
     for i in range(N_POINTS):
         v = m.rate[2 * i] if m.rate[2 * i] != 0.0 else m.change[2 * i]
@@ -137,7 +137,7 @@ def act_now(m, springs, known):
         if m.holds[i] == 1:
             springs.loads[i] = 0.0
         elif m.acts[i] == 1:
-            loads = stiffness_at(v, known[LAWS + 2 * i], springs.stiffness[i])
+            loads = stiffness_at(v, contact[LAWS + 2 * i], springs.stiffness[i])
             springs.loads[i] = loads if v < 0.0 or force[i] > 0.0 else 0.0
     return True
 
@@ -148,11 +148,11 @@ def stiffness_at(v, e, k):
     return k if not v > 0.0 or e == 0.0 else k / (e * e)
 
 
-def which_act(m, springs, known):
+def which_act(m, springs, contact):
     """Which points close, or press, or of `acts` rest and are pushed; and their springs."""
     slips_now(m)
     for i in range(N_POINTS):
-        v, e = m.rate[2 * i], known[LAWS + 2 * i]
+        v, e = m.rate[2 * i], contact[LAWS + 2 * i]
         pressed = springs.force[i] > 0.0
         joined = m.acts[i] == 1 and v == 0.0
         acts = m.near[i] == 1 and (v < 0.0 or pressed or joined)
@@ -161,24 +161,24 @@ def which_act(m, springs, known):
         springs.loads[i] = stiffness_at(v, e, springs.stiffness[i]) if acts else 0.0
 
 
-def some_join(m, springs, known):
+def some_join(m, springs, contact):
     """Whether a point at rest is pushed by the forces, and is to press: it acts from now on."""
-    found = False
+    starts = False
     for i in range(N_POINTS):
         if m.near[i] == 1 and m.acts[i] == 0 and m.rate[2 * i] == 0.0 and m.change[2 * i] < 0.0:
-            m.acts[i], found = 1, True
-    if found:
-        which_act(m, springs, known)
-    return found
+            m.acts[i], starts = 1, True
+    if starts:
+        which_act(m, springs, contact)
+    return starts
 
 
-def some_load(m, springs, soon, known):
+def some_load(m, springs, soon, contact):
     """Whether a gap that is held with e = 0 closes instead: it would take a force that grows.
 
     Its point is no longer held then; the force of others that are held is set.
     """
     now, grows, held = np.zeros(N_POINTS), np.zeros(N_POINTS), np.empty(N_POINTS)
-    some, found, least = False, False, SPRING_ROUNDING * springs.size
+    some, closes, least = False, False, SPRING_ROUNDING * springs.size
     for i in range(N_POINTS):
         some = some or m.holds[i] == 1
         if m.acts[i] == 1 and m.holds[i] == 0:
@@ -186,35 +186,35 @@ def some_load(m, springs, soon, known):
             grows[i] = -springs.loads[i] * (m.rate[2 * i] + soon * m.change[2 * i])
     if not some:
         return False
-    forces_with(m, now, m.target, known)
+    forces_with(m, now, m.target, contact)
     for i in range(N_POINTS):
         held[i] = m.force[2 * i] if m.unknown[2 * i] == 1 else 0.0
-    forces_with(m, grows, m.target, known)
+    forces_with(m, grows, m.target, contact)
     for i in range(N_POINTS):
         if m.holds[i] == 0:
             continue
         more = held[i] > (1.0 + MORE_THAN_HELD) * springs.force[i] + least
         rises = m.force[2 * i] > (MORE_THAN_HELD * held[i] + least) * springs.omega
         if more or (m.unknown[2 * i] == 1 and rises):
-            m.holds[i], found = 0, True
+            m.holds[i], closes = 0, True
         springs.force[i] = min(springs.force[i], max(held[i], 0.0))
-    if not found:
-        forces_with(m, m.given, m.target, known)
-    return found
+    if not closes:
+        forces_with(m, m.given, m.target, contact)
+    return closes
 
 
-def spread_out(m, springs, known):
+def spread_out(m, springs, contact):
     """All forces, and rates of change, by the force of each spring."""
     for j in range(N_POINTS):
         for i in range(N_POINTS):
             m.given[i] = 1.0 if i == j and m.holds[i] == 0 and springs.loads[i] > 0.0 else 0.0
-        forces_with(m, m.given, m.target, known)
+        forces_with(m, m.given, m.target, contact)
         for r in range(ROWS):
             springs.spread[r * N_POINTS + j] = m.force[r]
             springs.pull[r * N_POINTS + j] = m.change[r]
 
 
-def move_on(m, springs, steps, known):
+def move_on(m, springs, steps, contact):
     """Steps of the springs, up to where a point does something else; the number of steps so far."""
     series = np.empty((N_POINTS + ROWS) * TERMS)
     curves, least = np.empty(7 * N_POINTS * TERMS), np.empty(7 * N_POINTS)
@@ -225,11 +225,11 @@ def move_on(m, springs, steps, known):
             row += abs(springs.pull[2 * i * N_POINTS + j]) * springs.loads[j]
         fastest = max(fastest, row)
     h = PART / math.sqrt(fastest) if fastest > 0.0 else PART / springs.omega
-    limits_of(m, springs, known, least)
+    limits_of(m, springs, contact, least)
     while event < 0 and steps < MOST_STEPS:
         steps += 1
         series_of(m, springs, series)
-        curves_of(m, springs, series, known, curves)
+        curves_of(m, springs, series, contact, curves)
         event, t = falls_first(h, curves, least)
         put_at(t, m, springs, series)
     point = int((event + 0.5) / 7.0)
@@ -283,7 +283,7 @@ def series_of(m, springs, series):
             series[(N_POINTS + r) * TERMS + k + 1] = part * change
 
 
-def limits_of(m, springs, known, least):
+def limits_of(m, springs, contact, least):
     """How far below zero rounding may take each curve of `curves_of`; inf of what is none."""
     for i in range(N_POINTS):
         at, size, holds = 7 * i, springs.size, m.holds[i] == 1 and m.unknown[2 * i] == 1
@@ -300,11 +300,11 @@ def limits_of(m, springs, known, least):
             least[at + FORCE] = SPRING_ROUNDING * size
         if m.first[i] == i and m.sigma[i] != 0.0:
             least[at + SLIP] = SPRING_ROUNDING * m.sizes[2 * i + 1]
-        elif m.unknown[2 * i + 1] == 1 and friction_on_line(i, m, known) < NEVER_SLIPS:
+        elif m.unknown[2 * i + 1] == 1 and friction_on_line(i, m, contact) < NEVER_SLIPS:
             least[at + MORE] = least[at + LESS] = SPRING_ROUNDING * size
 
 
-def curves_of(m, springs, series, known, curves):
+def curves_of(m, springs, series, contact, curves):
     """The power series of what ends a mode as it falls below zero.
 
     They are of each point: how fast its gap closes still, or opens; its force; that which holds its
@@ -317,8 +317,8 @@ def curves_of(m, springs, series, known, curves):
             for j in range(N_POINTS):
                 by = springs.spread[2 * i * N_POINTS + j]
                 eases += by * springs.loads[j] * series[(N_POINTS + 2 * j) * TERMS + k]
-                if m.first[j] == i and known[LAWS + 2 * j + 1] < NEVER_SLIPS:
-                    bound += known[LAWS + 2 * j + 1] * springs_at(2 * j, springs, series, k)
+                if m.first[j] == i and contact[LAWS + 2 * j + 1] < NEVER_SLIPS:
+                    bound += contact[LAWS + 2 * j + 1] * springs_at(2 * j, springs, series, k)
             curves[at + RATE * TERMS] = springs.opens[i] * series[(N_POINTS + 2 * i) * TERMS + k]
             curves[at + FORCE * TERMS] = series[i * TERMS + k]
             curves[at + HELD * TERMS] = force

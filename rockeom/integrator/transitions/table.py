@@ -90,8 +90,8 @@ def certain_event(motion, ground, step, gap, case, a):
     """
     open_, place = False, NEVER
     if rocking(motion.mode):
-        open_ = stays_open(gap, motion.closed)
-        place = NEVER if open_ or LOCALISED else closes_once(gap, motion.closed)
+        open_ = stays_open(gap, motion.closed == 0)
+        place = NEVER if open_ or LOCALISED else closes_once(gap, motion.closed == 0)
     return 0 if place < NEVER else -1, place, open_, False
 
 
@@ -131,8 +131,8 @@ def zeno_time(motion, ground, end, case, a):
     rates(mode, a.y, case.p, ax, ay, a.k)
     if not may_fade(SIDES[mode], a.y, a.k, case.law, case.ratio, case.rest_tolerance):
         # the next step begins with these rates
-        known = rocking(mode) and t < end and motion.h_next != 0.0
-        stale, due = motion.rate_stale and not known, motion.guard_due and not known
+        stands = rocking(mode) and t < end and motion.h_next != 0.0
+        stale, due = motion.rate_stale and not stands, motion.guard_due and not stands
         return motion._replace(rate_stale=stale, guard_due=due), rest
     time, follows = time_to_rest(
         mode, a.y, case.p, case.law, case.ratio, motion.impacts, ax, ay, case.rest_tolerance,
@@ -148,20 +148,20 @@ def through_rest(motion, ground, rest, case, a, recorder):
     Into y_new the state after it, into w that had the impacts not faded yet, and the dense output.
     """
     t = motion.t
-    known = stand(
+    stands = stand(
         rest.mode, t, rest.time, a.after, case.p, ground, case.rtol, case.atol, a.k, a.y_new
     )
-    if known and records_steps(recorder) and t + rest.time > t:
+    if stands and records_steps(recorder) and t + rest.time > t:
         dense_output(
             rest.mode, t, rest.time, a.after, case.p, ground.x, ground.y, a.k, a.coefficients
         )
     for i in range(N_STATES):
         a.w[i] = a.y[i] + (a.y_new[i] - a.after[i])
-    return rest.mode, known
+    return rest.mode, stands
 
 
 @inlined
-def is_known(closed, i):
+def just_closed(closed, i):
     """Whether a guard is known to be closed: its number is `closed`."""
     return closed == i
 

@@ -17,11 +17,21 @@ DAMPING = 0.05
 class SpectrumCheck:
     """Motions against a design spectrum by EN 1998-1:2004, 3.2.3.1.2(4). `print` shows the verdict.
 
-    number : of the motions, at least 3 (a).
-    zero_period, zero_period_target : the mean of their largest accelerations, and that of the
-        spectrum at the period 0, a_g S, which it must reach (b) [m/s2].
-    periods (n,) [s], mean (n,), target (n,) [m/s2] : the mean of their spectra for 5 % damping, and
-        the design spectrum, from 0.2 to 2 times the fundamental period; no mean below 90 % (c).
+    Parameters
+    ----------
+    number : int
+        Number of the motions, at least 3 (a).
+    zero_period : float
+        Mean of their largest accelerations [m/s2].
+    zero_period_target : float
+        Spectrum at the period 0, a_g S, which the mean must reach (b) [m/s2].
+    periods : ndarray
+        Periods from 0.2 to 2 times the fundamental one (n,) [s].
+    mean : ndarray
+        Mean of their spectra for 5 % damping (n,) [m/s2]; none below 90 % of the design spectrum
+        (c).
+    target : ndarray
+        Design spectrum (n,) [m/s2].
     """
 
     number: int

@@ -55,8 +55,8 @@ class FlexibleStructure(SupportedStructure, declared.FlexibleStructure):
         array([0.5...])
         """
         name = f"{cls.__name__}.from_period"
-        given = {"period": period, "damping_ratio": damping_ratio, "mass": mass}
-        check_values(name, given, frozenset({"damping_ratio"}))
+        values = {"period": period, "damping_ratio": damping_ratio, "mass": mass}
+        check_values(name, values, frozenset({"damping_ratio"}))
         if damping_ratio >= 1:
             raise InputError("damping_ratio", damping_ratio, name).give(
                 "a part of critical damping, such as 0.05 for 5 %"

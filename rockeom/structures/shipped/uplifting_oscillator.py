@@ -45,9 +45,9 @@ class UpliftingOscillator(declared.UpliftingOscillator):
         ValueError
             For numbers that are not positive.
         """
-        given = {"angular_frequency": angular_frequency, "damping_ratio": damping_ratio}
-        given["mass"] = mass
-        check_values("UpliftingOscillator", given, frozenset({"damping_ratio"}))
+        values = {"angular_frequency": angular_frequency, "damping_ratio": damping_ratio}
+        values["mass"] = mass
+        check_values("UpliftingOscillator", values, frozenset({"damping_ratio"}))
         return cls(
             mass=mass,
             height=height,

@@ -161,7 +161,8 @@ def to_latex(blocks: list[Block]) -> str:
             case Heading(1, text):
                 parts.append(rf"\title{{{_latex_text(text)}}}\author{{}}\date{{}}\maketitle")
             case Heading(level, text):
-                parts.append(rf"\{'sub' * (level - 2)}section*{{{_latex_text(text)}}}")
+                # names in code do not break: lines of a heading end where one of them does not fit
+                parts.append(rf"\{'sub' * (level - 2)}section*{{\raggedright {_latex_text(text)}}}")
             case Table(header, rows):
                 cells = [" & ".join(map(_latex_text, row)) + r" \\" for row in (header, *rows)]
                 cells[0] += r" \hline"

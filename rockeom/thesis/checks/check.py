@@ -25,11 +25,17 @@ class Means(Enum):
 class Finding:
     """One comparison.
 
-    what : what was compared.
-    rest : what is left of the difference: zero, or an error and how large it may be, in words.
-    holds : whether the equation passes.
-    comparable : False where the comparison broke off; it then proves nothing, not even that a
-        printed form is wrong.
+    Parameters
+    ----------
+    what : str
+        Subject of the comparison.
+    rest : object
+        Remainder of the difference: zero, or an error and how large it may be, in words.
+    holds : bool
+        Whether the equation passes.
+    comparable : bool, optional
+        False where the comparison broke off; it then proves nothing, not even that a printed form
+        is wrong.
     """
 
     what: str
@@ -43,13 +49,20 @@ Find = Callable[[Equation, Relations], Iterable[Finding]]
 
 @dataclass(frozen=True)
 class Check:
-    """Decides the relations of an equation, right or wrong ones alike.
+    """Comparison that decides the relations of an equation, right or wrong ones alike.
 
-    means : how.
-    route : the derivation, in words.
-    find : (equation, relations) -> findings. It must fail for a wrong form: it is run on the
-        printed form of an erratum too, where at least one finding must not hold.
-    error : of an approximation: the order of its error and the size at the thesis's numbers.
+    Parameters
+    ----------
+    means : Means
+        Way to decide.
+    route : str
+        Derivation, in words.
+    find : callable
+        Function of the equation and its relations that gives findings. It must fail for a wrong
+        form: it is run on the printed form of an erratum too, where at least one finding must not
+        hold.
+    error : str, optional
+        For an approximation, the order of its error and the size at the thesis's numbers.
     """
 
     means: Means

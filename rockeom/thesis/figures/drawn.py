@@ -23,10 +23,18 @@ class Source(Enum):
 
 @dataclass(frozen=True)
 class ThesisFigure:
-    """A figure of the thesis, drawn again when it is called.
+    """Figure of the thesis, drawn again when it is called.
 
-    number : such as "2-16". source : what stands behind it. text : its title, and below it what
-    the thesis leaves open and what is assumed. draw : what draws it.
+    Parameters
+    ----------
+    number : str
+        Number, such as "2-16".
+    source : Source
+        Source of the data.
+    text : str
+        Title, and below it the facts that the thesis leaves open and the assumptions.
+    draw : callable
+        Function that draws it.
     """
 
     number: str

@@ -40,10 +40,18 @@ class Verdict(Enum):
 
 @dataclass(frozen=True, eq=False)
 class Limits:
-    """The numbers that a statement allows, both ends included.
+    """Numbers that a statement allows, both ends included.
 
-    low, high : (n,) each, one pair for every number that the statement has. unit : as on the page.
-    why : how the limits follow from the printed words.
+    Parameters
+    ----------
+    low : ndarray
+        Lower ends (n,), one for every number that the statement has.
+    high : ndarray
+        Upper ends (n,).
+    unit : str
+        Unit as on the page.
+    why : str
+        How the limits follow from the printed words.
     """
 
     low: np.ndarray
@@ -136,7 +144,15 @@ class Origin(Enum):
 
 
 class Evidence(NamedTuple):
-    """One side of a comparison: its origin, and its name, such as "Table 4-2, run 5"."""
+    """One side of a comparison.
+
+    Parameters
+    ----------
+    origin : Origin
+        Origin.
+    name : str
+        Name, such as "Table 4-2, run 5".
+    """
 
     origin: Origin
     name: str
@@ -166,7 +182,17 @@ def simulation(name: str) -> Evidence:
 
 
 class Finding(NamedTuple):
-    """A finding: (n,) lower and upper ends, equal without a range, and a text with units."""
+    """Finding of a comparison.
+
+    Parameters
+    ----------
+    low : ndarray
+        Lower ends (n,).
+    high : ndarray
+        Upper ends (n,), equal to the lower ones without a range.
+    words : str
+        Text with units.
+    """
 
     low: np.ndarray
     high: np.ndarray
@@ -216,14 +242,26 @@ def _checked(low: np.ndarray, high: np.ndarray, words: str) -> Finding:
 
 @dataclass(frozen=True, eq=False)
 class Statement:
-    """A statement of the thesis and the way to judge it.
+    """Statement of the thesis and the way to judge it.
 
-    place : section, table, figure or equation of the thesis. words : what it says there, quoted
-    as far as that is possible. limits : what that allows. evidence : what it is compared with; of
-    two, the agreement of one with the other is measured. find : the function that finds the number.
-    figure : number of the figure that shows it; "" if none does. lost : the input without which it
-    cannot be judged; "" if all are at hand. slip : whether the printed words are an error of the
-    text, with what was found as the correction.
+    Parameters
+    ----------
+    place : str
+        Section, table, figure or equation of the thesis.
+    words : str
+        Words there, quoted as far as that is possible.
+    limits : Limits
+        Numbers that the words allow.
+    evidence : tuple of Evidence
+        Data with which it is compared; of two, the agreement of one with the other is measured.
+    find : callable
+        Function that gives the finding.
+    figure : str, optional
+        Number of the figure that shows it; "" if none does.
+    lost : str, optional
+        Input without which it cannot be judged; "" if all are at hand.
+    slip : bool, optional
+        Whether the printed words are an error of the text, with the finding as the correction.
     """
 
     place: str
@@ -266,7 +304,19 @@ class Statement:
 
 @dataclass(frozen=True)
 class Judgement:
-    """A statement, its finding, the verdict, and a text of the finding or of what is missing."""
+    """Statement with its verdict.
+
+    Parameters
+    ----------
+    statement : Statement
+        Statement.
+    finding : Finding
+        Finding; None where it is open.
+    verdict : Verdict
+        Verdict.
+    words : str
+        Text of the finding, or of the input that is missing.
+    """
 
     statement: Statement
     finding: Finding | None
