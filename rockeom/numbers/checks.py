@@ -76,28 +76,93 @@ class InputError(ValueError):
         self.argument, self.value, self.of = argument, value, of
 
     def give(self, bounds: str, remedy: str = "", python: str = "") -> Self:
-        """With what is allowed, as a noun phrase."""
+        """State the values that are allowed, as a noun phrase.
+
+        Parameters
+        ----------
+        bounds : str
+            Values that are allowed.
+        remedy : str, optional
+            Further remedy.
+        python : str, optional
+            Remedy that Python alone has.
+
+        Returns
+        -------
+        InputError
+            Error itself.
+        """
         self.bounds, self._allowed = bounds, f"give {bounds}"
         return self.so(remedy, python)
 
     def hold(self, bounds: str) -> Self:
-        """With what must hold, as a sentence."""
+        """State a condition, as a sentence.
+
+        Parameters
+        ----------
+        bounds : str
+            Condition.
+
+        Returns
+        -------
+        InputError
+            Error itself.
+        """
         self.bounds = self._allowed = bounds
         return self
 
     def choose(self, words: Iterable[Any], remedy: str = "") -> Self:
-        """With the words that are allowed; the one that is most like the value is offered."""
+        """State the words that are allowed; the one that is most like the value is offered.
+
+        Parameters
+        ----------
+        words : iterable of object
+            Words that are allowed.
+        remedy : str, optional
+            Further remedy.
+
+        Returns
+        -------
+        InputError
+            Error itself.
+        """
         self.bounds = tuple(map(str, words))
         self._allowed = f"give one of {', '.join(self.bounds)}"
         return self.so(remedy)
 
     def so(self, remedy: str, python: str = "") -> Self:
-        """With what to do, or why it cannot be."""
+        """State the remedy, or why it cannot be.
+
+        Parameters
+        ----------
+        remedy : str
+            Remedy.
+        python : str, optional
+            Remedy that Python alone has.
+
+        Returns
+        -------
+        InputError
+            Error itself.
+        """
         self.remedy, self.python = remedy, python
         return self
 
     def wrong(self, text: str, python: str = "") -> Self:
-        """With "what is wrong: what to do", the first of which is a predicate of the argument."""
+        """State "what is wrong: what to do", the first of which is a predicate of the argument.
+
+        Parameters
+        ----------
+        text : str
+            Both parts.
+        python : str, optional
+            Remedy that Python alone has.
+
+        Returns
+        -------
+        InputError
+            Error itself.
+        """
         self.what, remedy = _parts(text)
         return self.so(remedy, python)
 
@@ -110,7 +175,26 @@ class InputError(ValueError):
     def at(
         cls, file: FilePath, line: int | None, what: str, remedy: str, argument: str = ""
     ) -> Self:
-        """The error of a file, at a line where there is one, and of an argument if there is one."""
+        """Error of a file, at a line where there is one, and of an argument if there is one.
+
+        Parameters
+        ----------
+        file : path_like
+            File.
+        line : int
+            Number of the line, counted from 1.
+        what : str
+            What is wrong.
+        remedy : str
+            What to do.
+        argument : str, optional
+            Name of the argument.
+
+        Returns
+        -------
+        InputError
+            Error to raise.
+        """
         error = cls(argument)
         error._sentence, error.file, error.line = what, file, line
         return error.so(remedy)
@@ -119,9 +203,21 @@ class InputError(ValueError):
         return self.in_words(in_python, self.of, self.python)
 
     def in_words(self, write: Write, of: str = "", python: str = "") -> str:
-        """The error as a border prints it, its arguments by `write`.
+        """Error as a border prints it.
 
-        of, python : the fields, where the border prints them.
+        Parameters
+        ----------
+        write : Write
+            Function that writes an argument and its value.
+        of : str, optional
+            The field, where the border prints it.
+        python : str, optional
+            The field, where the border prints it.
+
+        Returns
+        -------
+        str
+            Text.
         """
         hint = "" if isinstance(self.bounds, str) else near(self.value, self.bounds)
         wrong = (self.what or f"is {described(self.value)}") + hint

@@ -185,8 +185,6 @@ class Yielding:
     slack : bool, optional
         Whether it carries no compression, and is slack where w < z; else it yields in compression,
         too (kinematic hardening).
-    initial_force : sympy.Expr, optional
-        Force where w and z are zero [N], as of a `Spring`; it is added to k (w - z).
 
     Notes
     -----

@@ -71,7 +71,8 @@ class Mode:
         Springs and dampers by name, see `Spring`; their energies and losses are added to
         elastic_energy and dissipation. The names are the same in each mode.
     switches : tuple of Switch, optional
-        States of elements that these equations serve; the same symbols in each mode.
+        Numbers, 1 in some of the modes and 0 in the others, by which the equations serve several
+        states of an element.
     """
 
     sides: dict[str, int]
@@ -187,7 +188,7 @@ class Mode:
         Returns
         -------
         list of int
-            1 where a switch is on, else 0.
+            0 or 1 for each switch.
         """
         return [int(name in switch.on) for switch in self.switches]
 
@@ -204,7 +205,7 @@ class Mode:
         Returns
         -------
         sympy.Expr
-            Expression without them.
+            Expression.
         """
         return at_side(self._switched(expr, name), self.side_of(name))
 
@@ -214,12 +215,12 @@ class Mode:
         return sp.sympify(expr).xreplace(numbers)
 
     def of_each_state(self) -> list[Mode]:
-        """Modes with its equations of motion, the states of its switches put in as numbers.
+        """Equations of motion once for each state of the switches, these put in as numbers.
 
         Returns
         -------
         list of Mode
-            One for each state.
+            Modes without switches.
         """
         served: dict[tuple[int, ...], dict[str, int]] = {}
         for name, side in self.sides.items():

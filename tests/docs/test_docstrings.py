@@ -19,7 +19,6 @@ PACKAGES = (
     "rockeom", "rockeom.motion", "rockeom.plots",
     "rockeom.analysis", *(f"rockeom.analysis.{group}" for group in GROUPS),
 )  # fmt: skip
-MOVING = {"DissipationLimit", "RotationCentre", "Tendon", "TendonPath", "Wall", "peak_sequence"}
 CHECKS = {"GL03", "GL08", "SS03", "PR01", "PR02", "PR03", "PR04", "RT01"}
 
 
@@ -30,7 +29,7 @@ def public(package: str) -> dict[Any, str]:
     A member without a docstring that overrides one with a docstring is described by that.
     """
     module, names = importlib.import_module(package), {}
-    for name in (name for name in module.__all__ if name not in MOVING):
+    for name in module.__all__:
         value = getattr(module, name)
         if inspect.isclass(value) or inspect.isroutine(value):
             names[inspect.unwrap(value)] = f"{package}.{name}"

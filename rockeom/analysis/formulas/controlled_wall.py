@@ -35,31 +35,50 @@ def peak_sequence(
     width: float,
     passages: int | None = None,
 ) -> np.ndarray:
-    """Successive peaks of the oscillator with Dirac-delta damping [m]; thesis 4-27 with 4-28.
+    """Successive peaks of the oscillator with Dirac-delta damping; thesis 4-27 with 4-28.
 
-    restoring_force : F_k [N] as a function of an array of displacements [m], such as
-    `Wall.restoring_force`; it pulls towards zero. first_peak : displacement at rest, not zero [m].
-    energy_ratio r, 0 < r <= 1 : one for all passages or one for each, shape (passages,). width n
-    [m]. Returns shape (passages + 1,), first_peak first.
+    Parameters
+    ----------
+    restoring_force : callable
+        Force F_k [N] as a function of an array of displacements [m], such as
+        `Wall.restoring_force`; it pulls towards zero.
+    first_peak : float
+        Displacement at rest, not zero [m].
+    energy_ratio : array_like
+        Energy ratio r, 0 < r <= 1, one for all passages or one for each (passages,).
+    width : float
+        Width n of the smoothed delta [m].
+    passages : int, optional
+        Number of passages; that of the ratios if not given.
 
-    The oscillator is M x'' + F_k(x) + F_D = 0 with
-    F_D = -M ln(sqrt(r))/(n sqrt(pi)) v**2 exp(-(x/n)**2) sgn(v); since ln(sqrt(r)) < 0 it opposes
-    the motion, which 4-28, without the minus, does not. For v > 0, with w = v**2 and the Gaussian
-    delta(x) = exp(-(x/n)**2)/(n sqrt(pi)) of unit area, x'' = (dw/dx)/2 makes this linear in w,
+    Returns
+    -------
+    ndarray
+        Peaks (passages + 1,) [m], `first_peak` first.
 
-        dw/dx - ln(r) delta(x) w = -2 F_k(x)/M.
+    Raises
+    ------
+    ValueError
+        Where the force does not pull towards zero, and for numbers that cannot be.
+
+    Notes
+    -----
+    The oscillator is M x'' + F_k(x) + F_D = 0 with ``F_D = -M ln(sqrt(r))/(n sqrt(pi)) v**2
+    exp(-(x/n)**2) sgn(v)``; since ln(sqrt(r)) < 0 it opposes the motion, which 4-28, without the
+    minus, does not. For v > 0, with ``w = v**2`` and the Gaussian ``delta(x) = exp(-(x/n)**2)/(n
+    sqrt(pi))`` of unit area, x'' = (dw/dx)/2 makes this linear in w::
+
+        dw/dx - ln(r) delta(x) w = -2 F_k(x)/M
 
     Phi(x) = (1 + erf(x/n))/2, the integral of delta up to x, gives the integrating factor
-    r**(-Phi): d(w r**(-Phi))/dx = -(2/M) F_k r**(-Phi). Between two peaks w goes from 0 to 0, so
-    that the next peak x1 after x0 < 0 satisfies
+    ``r**(-Phi)``: ``d(w r**(-Phi))/dx = -(2/M) F_k r**(-Phi)``. Between two peaks w goes from 0 to
+    0, so that the next peak x1 after x0 < 0 satisfies::
 
-        integral from x0 to x1 of F_k(x) r**(-Phi(x)) dx = 0.
+        integral from x0 to x1 of F_k(x) r**(-Phi(x)) dx = 0
 
     No mass is in it. The way back is its mirror image, with Phi(-x). Without F_k, w would be
-    multiplied by r on the whole: r is the ratio of the kinetic energies of a passage.
-
-    The integral is found to 1e-13 of its size. Raises ValueError where the force does not pull
-    towards zero.
+    multiplied by r on the whole: r is the ratio of the kinetic energies of a passage. The integral
+    is accurate to 1e-13 of its size.
     """
     where = "peak_sequence"
     (start,) = numbers(where, first_peak=first_peak)

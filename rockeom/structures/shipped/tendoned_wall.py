@@ -35,11 +35,27 @@ from rockeom.structures.evaluation import at_states
 
 @dataclass(frozen=True)
 class RotationCentre:
-    """How the rotation centre moves out from the centreline; thesis 4-7 and 4-8.
+    """Path of the rotation centre, out from the centreline; thesis 4-7 and 4-8.
 
-    b(D) = C1 (1 - exp(-(D/epsilon)**2)): on the centreline at rest, C2 inside the edge when
-    rocking is developed, so that the half-width of the base is B = C1 + C2.
-    C1, C2, epsilon [m]. C2 may be zero.
+    Parameters
+    ----------
+    C1 : float
+        Largest distance from the centreline [m].
+    C2 : float
+        Distance inside the edge when rocking is developed [m]; may be zero.
+    epsilon : float
+        Displacement over which the centre moves out [m].
+
+    Raises
+    ------
+    ValueError
+        For a C1 or an epsilon that is not positive, and a negative C2.
+
+    Notes
+    -----
+    The distance from the centreline is ``b(D) = C1 (1 - exp(-(D/epsilon)**2))``: on the centreline
+    at rest, and C2 inside the edge when rocking is developed, so that the half-width of the base is
+    B = C1 + C2.
     """
 
     C1: float
@@ -52,12 +68,24 @@ class RotationCentre:
 
     @classmethod
     def thesis_gauge(cls) -> RotationCentre:
-        """The wall of 4-7 as printed, and used ever after: fitted to distances from the gauge."""
+        """Wall of 4-7 as printed, and used ever after: fitted to distances from the gauge.
+
+        Returns
+        -------
+        RotationCentre
+            Path of the rotation centre.
+        """
         return cls(C1=0.412, C2=0.096, epsilon=3.551e-3)
 
     @classmethod
     def thesis_edge(cls) -> RotationCentre:
-        """The same referred to the edge of the wall, 30 mm inside the gauge."""
+        """Wall of 4-7 referred to the edge of the wall, 30 mm inside the gauge.
+
+        Returns
+        -------
+        RotationCentre
+            Path of the rotation centre.
+        """
         return cls(C1=0.442, C2=0.066, epsilon=3.551e-3)
 
     @property
@@ -66,25 +94,68 @@ class RotationCentre:
         return self.C1 + self.C2
 
     def distance(self, displacement: ArrayLike) -> np.ndarray:
-        """b, from the centreline to the rotation centre [m]; displacement [m], any shape."""
+        """Distance b from the centreline to the rotation centre.
+
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement D [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Distance [m], in the shape of the displacement.
+
+        Raises
+        ------
+        ValueError
+            For a displacement that is not finite.
+        """
         (size,) = numbers("RotationCentre.distance", displacement=displacement)
         return -self.C1 * np.expm1(-((size / self.epsilon) ** 2))
 
     def distance_from_edge(self, displacement: ArrayLike) -> np.ndarray:
-        """B - b, from the pressed edge to the rotation centre [m]; the right side of 4-7."""
+        """Distance B - b from the pressed edge to the rotation centre; the right side of 4-7.
+
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement D [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Distance [m], in the shape of the displacement.
+        """
         return self.half_width - self.distance(displacement)
 
     def slope(self, displacement: ArrayLike) -> np.ndarray:
-        """db/dD [-]; displacement [m], any shape."""
+        """Derivative db/dD of the distance.
+
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement D [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Derivative, in the shape of the displacement.
+        """
         (size,) = numbers("RotationCentre.slope", displacement=displacement)
         ratio = size / self.epsilon
         return 2 * self.C1 / self.epsilon * ratio * np.exp(-(ratio**2))
 
 
 class TendonPath(NamedTuple):
-    """The answer of a tendon along a path of extensions.
+    """Force of a tendon along a path of extensions.
 
-    force [N]. permanent_extension [m].
+    Parameters
+    ----------
+    force : ndarray
+        Force (n,) [N].
+    permanent_extension : ndarray
+        Extension that yield has added (n,) [m].
     """
 
     force: np.ndarray
@@ -93,11 +164,25 @@ class TendonPath(NamedTuple):
 
 @dataclass(frozen=True)
 class Tendon:
-    """An unbonded tendon, elastic up to its yield force; thesis B.3.
+    """Unbonded tendon, elastic up to its yield force; thesis B.3.
 
-    stiffness k = E A/L_T, L_T the unstressed length [N/m]. initial_force P0 and yield_force F_y
-    [N]. eccentricity e : its position along the base, from the centreline, positive to the right
-    [m]. Extensions are counted from the initial state, in which the force is P0.
+    Extensions are counted from the initial state, in which the force is P0.
+
+    Parameters
+    ----------
+    stiffness : float
+        Stiffness k = E A/L_T, L_T the unstressed length [N/m].
+    initial_force : float
+        Initial force P0 [N].
+    yield_force : float
+        Yield force F_y [N].
+    eccentricity : float, optional
+        Place along the base, from the centreline, positive to the right [m].
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive, and an initial force that is not below the yield force.
     """
 
     stiffness: float
@@ -128,11 +213,37 @@ class Tendon:
         initial_force: float,
         eccentricity: float = 0.0,
     ) -> Tendon:
-        """The tendon that has the force P0 between two anchors; thesis B-11.
+        """Tendon that has the force P0 between two anchors; thesis B-11.
 
-        distance of the anchors [m]; modulus [Pa]; area [m2]; yield_stress [Pa]; else as the class.
-        Its unstressed length is distance/(1 + P0/(E A)), less than the distance: the 3106.6 mm
-        of 4-16 add the extension to 3100 mm, where appendix B takes it off.
+        Parameters
+        ----------
+        distance : float
+            Distance of the anchors [m].
+        modulus : float
+            Young's modulus E [Pa].
+        area : float
+            Area A [m2].
+        yield_stress : float
+            Yield stress [Pa].
+        initial_force : float
+            Initial force P0 [N].
+        eccentricity : float, optional
+            Place along the base, from the centreline, positive to the right [m].
+
+        Returns
+        -------
+        Tendon
+            Tendon.
+
+        Raises
+        ------
+        ValueError
+            For numbers that are not positive.
+
+        Notes
+        -----
+        Its unstressed length is distance/(1 + P0/(E A)), less than the distance: the 3106.6 mm of
+        4-16 add the extension to 3100 mm, where appendix B takes it off.
         """
         positive(
             "Tendon.between_anchors",
@@ -147,12 +258,17 @@ class Tendon:
 
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> Tendon:
-        """The tendon of chapter 4; 111 kN is its other initial force (4.9.2).
+        """Tendon of thesis chapter 4.
 
-        The thesis states x1 = 6.4564 mm at 75.6 kN between anchors 3100 mm apart, a yield extension
-        of 13.5814 mm and F_y = 159.03 kN. E = 205 GPa and A = 176.7 mm2 are inferred: they give all
-        of these, the 177 mm2 of 4.2 does not. The stiffness is that at 75.6 kN for any initial
-        force, as 4-44 has it.
+        Parameters
+        ----------
+        initial_force : float, optional
+            Initial force [N]; 111 kN is its other one (4.9.2).
+
+        Returns
+        -------
+        Tendon
+            Tendon.
         """
         modulus, area = 205e9, 176.7e-6
         return cls((modulus * area + 75.6e3) / 3.1, initial_force, 900e6 * area)
@@ -173,19 +289,36 @@ class Tendon:
         return self.yield_force / self.stiffness
 
     def force(self, extension: ArrayLike) -> np.ndarray:
-        """Force while the extension grows or the tendon has not yielded [N]; thesis 4-16.
+        """Force while the extension grows or the tendon has not yielded; thesis 4-16.
 
-        extension [m], any shape. Not below zero, the tendon is slack, nor above F_y.
+        Parameters
+        ----------
+        extension : array_like
+            Extension [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Force [N], in the shape of the extension. It is not below zero, where the tendon is
+            slack, nor above F_y.
         """
         (extension,) = numbers("Tendon.force", extension=extension)
         elastic = self.initial_force + self.stiffness * extension
         return np.clip(elastic, 0.0, self.yield_force)
 
     def energy(self, extension: ArrayLike) -> np.ndarray:
-        """Work done on the tendon since the initial state [J]; thesis 4-20, B-12, B-13.
+        """Work done on the tendon since the initial state; thesis 4-20, B-12, B-13.
 
-        extension [m], any shape. Up to yield (P**2 - P0**2)/(2 k); after it
-        F_y extension - (F_y - P0)**2/(2 k), part of which is lost.
+        Parameters
+        ----------
+        extension : array_like
+            Extension [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Work [J], in the shape of the extension: up to yield ``(P**2 - P0**2)/(2 k)``; after it
+            ``F_y extension - (F_y - P0)**2/(2 k)``, part of which is lost.
         """
         (extension,) = numbers("Tendon.energy", extension=extension)
         force, k = self.force(extension), self.stiffness
@@ -194,9 +327,23 @@ class Tendon:
         return work + force * (extension - elastic)
 
     def energy_at_force(self, force: ArrayLike) -> np.ndarray:
-        """(P**2 - P0**2)/(2 k), from a measured force of a tendon that has not yielded [J]; B-12.
+        """Work done on the tendon, from a measured force before yield, ``(P**2 - P0**2)/(2 k)``;
+        B-12.
 
-        force P [N], any shape. Raises ValueError below zero and above the yield force.
+        Parameters
+        ----------
+        force : array_like
+            Force P [N], any shape.
+
+        Returns
+        -------
+        ndarray
+            Work [J], in the shape of the force.
+
+        Raises
+        ------
+        ValueError
+            For a force below zero or above the yield force.
         """
         (force,) = not_negative("Tendon.energy_at_force", force=force)
         rule = "above yield_force the force does not determine the energy: use `energy`"
@@ -206,8 +353,16 @@ class Tendon:
     def along(self, extension: ArrayLike) -> TendonPath:
         """Forces along a path that may turn back after yield, elastic and perfectly plastic.
 
-        extension : in the order in which it happens [m], shape (n,). Unloading is elastic; what
-        yield has added stays, and the tendon is slack where that exceeds the elastic extension.
+        Parameters
+        ----------
+        extension : array_like
+            Extensions in the order in which they happen (n,) [m].
+
+        Returns
+        -------
+        TendonPath
+            Forces and permanent extensions (n,). Unloading is elastic; the extension by yield
+            stays, and the tendon is slack where that exceeds the elastic extension.
         """
         (extension,) = numbers("Tendon.along", extension=extension)
         permanent = np.maximum.accumulate(np.maximum(extension - self._reserve, 0.0))
@@ -223,9 +378,14 @@ class Tendon:
 
 
 class DissipationLimit(NamedTuple):
-    """Where on its way back to upright a wall begins to lose energy.
+    """Place on the way back to upright at which a wall begins to lose energy.
 
-    displacement D [m]. speed : |dD/dt| there [m/s].
+    Parameters
+    ----------
+    displacement : ndarray
+        Displacement D [m].
+    speed : ndarray
+        Speed dD/dt there [m/s].
     """
 
     displacement: np.ndarray
@@ -234,22 +394,51 @@ class DissipationLimit(NamedTuple):
 
 @dataclass(frozen=True)
 class Wall:
-    """A rocking wall with tendons; thesis Figures 4-4, 4-19 and 4-22.
-
-    rotation_centre : its half_width is that of the wall.
-    tendons : a tuple of `Tendon`, may be empty.
-    height H of the point whose displacement is D [m].
-    centroid_height H_c [m].
-    panel_mass, added_mass [kg], added_height [m] of the mass at the top, own_inertia [kg m2] : the
-        terms of B-9.
-    fixed_base_period [s] : for 4-17 alone.
-    gravity [m/s2].
-    p_delta : whether the centroid's descent H_c (1 - cos(theta)) counts in the energy of gravity.
-        4-18 leaves it out; at 30 mm it is 3.3 J out of 102 J.
-    inertia I_o [kg m2] : a constant in place of B-9.
+    """Rocking wall with tendons; thesis Figures 4-4, 4-19 and 4-22.
 
     Displacements [m] have any shape, which the result has too; one that reaches H is a ValueError.
     Loading is monotonic: a tendon that yields follows F_y and is not unloaded (see `Tendon.along`).
+
+    Parameters
+    ----------
+    rotation_centre : RotationCentre
+        Path of the rotation centre; its half_width is that of the wall.
+    tendons : tuple of Tendon
+        Tendons, may be empty.
+    height : float
+        Height H of the point whose displacement is D [m].
+    centroid_height : float
+        Height H_c of the centroid [m].
+    panel_mass : float
+        Mass of the panel [kg].
+    added_mass : float
+        Mass at the top [kg].
+    added_height : float
+        Height of the mass at the top [m].
+    own_inertia : float
+        Moment of inertia of the mass at the top about its own centroid [kg m2]. These four are the
+        terms of B-9.
+    fixed_base_period : float, optional
+        Period on a fixed base [s], for 4-17 alone.
+    gravity : float, optional
+        Acceleration of gravity [m/s2].
+    p_delta : bool, optional
+        Whether the centroid's descent H_c (1 - cos(theta)) counts in the energy of gravity. 4-18
+        leaves it out; at 30 mm it is 3.3 J out of 102 J.
+    inertia : float, optional
+        Moment of inertia I_o [kg m2], a constant in place of B-9.
+
+    Raises
+    ------
+    ValueError
+        For numbers that are not positive.
+
+    Examples
+    --------
+    >>> from rockeom import analysis
+    >>> wall = analysis.Wall.thesis()
+    >>> round(float(wall.restoring_force(0.03)))  # N, at 30 mm
+    26171
     """
 
     rotation_centre: RotationCentre
@@ -286,10 +475,17 @@ class Wall:
 
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> Wall:
-        """The wall of chapter 4; initial_force of its tendon 75.6 kN or 111 kN [N].
+        """Wall of thesis chapter 4.
 
-        The height of 2.438 m is inferred: with it the energies under Figure 4-29, the drifts of 4.5
-        and the restitution 0.835 of 4.9.2.1 agree.
+        Parameters
+        ----------
+        initial_force : float, optional
+            Initial force of its tendon, 75.6 kN or 111 kN [N].
+
+        Returns
+        -------
+        Wall
+            Wall.
         """
         return cls(
             rotation_centre=RotationCentre.thesis_gauge(),
@@ -304,7 +500,18 @@ class Wall:
         )
 
     def parameters_with(self, tendon: Tendon) -> dict[str, float]:
-        """The parameters that all derived walls with one tendon share, by name."""
+        """Parameters that all derived walls with one tendon share.
+
+        Parameters
+        ----------
+        tendon : Tendon
+            The tendon.
+
+        Returns
+        -------
+        dict of str to float
+            Parameters by name.
+        """
         return {
             "mass": self.mass,
             "height": self.height,
@@ -331,9 +538,26 @@ class Wall:
         return self.rotation_centre.half_width
 
     def moment_of_inertia(self, detached_length: ArrayLike) -> np.ndarray:
-        """I_o about the rotation centre [kg m2]; thesis B-9, put right, or the constant `inertia`.
+        """Moment of inertia I_o about the rotation centre; thesis B-9, put right, or the constant
+        `inertia`.
 
-        detached_length d of the base [m], any shape; 2 B for the inertia about the corner.
+        Parameters
+        ----------
+        detached_length : array_like
+            Detached length d of the base [m], any shape; 2 B for the inertia about the corner.
+
+        Returns
+        -------
+        ndarray
+            Moment of inertia [kg m2], in the shape of the length.
+
+        Raises
+        ------
+        ValueError
+            For a negative length.
+
+        Notes
+        -----
         The added mass stands at the distance d - B from the centre. B-9 prints d there, which
         denies its 3 % of change of I_o.
         """
@@ -357,20 +581,66 @@ class Wall:
     # - geometry
 
     def rotation(self, displacement: ArrayLike) -> np.ndarray:
-        """theta = asin(D/H) [rad]; thesis 4-33."""
+        """Rotation theta = asin(D/H); thesis 4-33.
+
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement D [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Rotation [rad], in the shape of the displacement.
+
+        Raises
+        ------
+        ValueError
+            For a displacement that reaches H.
+        """
         return np.arcsin(self._sine("Wall.rotation", displacement))
 
     def detached_length(self, displacement: ArrayLike) -> np.ndarray:
-        """d, from the lifted edge to the rotation centre, along the base [m]; thesis 4-7."""
+        """Length d from the lifted edge to the rotation centre, along the base; thesis 4-7.
+
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement D [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Length [m], in the shape of the displacement.
+
+        Raises
+        ------
+        ValueError
+            For a displacement that reaches H.
+        """
         q = self._sine("Wall.detached_length", displacement)
         return self.half_width + self._lever(displacement, q)
 
     def uplift(self, displacement: ArrayLike, position: float | None = None) -> np.ndarray:
-        """Upward displacement of a point of the base [m]; thesis 4-6, 4-9, B-1 to B-3.
+        """Upward displacement of a point of the base; thesis 4-6, 4-9, B-1 to B-3.
 
-        position of the point along the base, from the centreline, positive to the right [m]; the
-        lifted edge if none is given, where it is d sin|theta|. Beyond the rotation centre the
-        uplift is negative.
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement D [m], any shape.
+        position : float, optional
+            Place of the point along the base, from the centreline, positive to the right [m]; the
+            lifted edge if not given, where the uplift is ``d sin|theta|``.
+
+        Returns
+        -------
+        ndarray
+            Uplift [m], in the shape of the displacement; negative beyond the rotation centre.
+
+        Raises
+        ------
+        ValueError
+            For a displacement that reaches H.
         """
         q = self._sine("Wall.uplift", displacement)
         if position is None:
@@ -379,23 +649,72 @@ class Wall:
         return self._lever(displacement, q) * np.abs(q) - at * q
 
     def tendon_extension(self, displacement: ArrayLike, tendon: int = 0) -> np.ndarray:
-        """Extension since the initial state, the uplift at the tendon over cos(theta) [m]; 4-15.
+        """Extension since the initial state, the uplift at the tendon over cos(theta); thesis 4-15.
 
-        tendon : which of `tendons`. The tendon in its duct would grow by 2 (d - B) sin(theta/2),
-        less by 6e-5 of it at 30 mm.
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement D [m], any shape.
+        tendon : int, optional
+            Number of the tendon, from 0 on.
+
+        Returns
+        -------
+        ndarray
+            Extension [m], in the shape of the displacement.
+
+        Raises
+        ------
+        ValueError
+            For a displacement that reaches H.
+
+        Notes
+        -----
+        The tendon in its duct would grow by 2 (d - B) sin(theta/2), less by 6e-5 of it at 30 mm.
         """
         self._sine("Wall.tendon_extension", displacement)
         return _Held(self, self.tendons[tendon], displacement).extension
 
     def tendon_force(self, displacement: ArrayLike, tendon: int = 0) -> np.ndarray:
-        """Force of one of `tendons` [N]; thesis 4-16."""
+        """Force of one of the tendons; thesis 4-16.
+
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement D [m], any shape.
+        tendon : int, optional
+            Number of the tendon, from 0 on.
+
+        Returns
+        -------
+        ndarray
+            Force [N], in the shape of the displacement.
+
+        Raises
+        ------
+        ValueError
+            For a displacement that reaches H.
+        """
         self._sine("Wall.tendon_force", displacement)
         return _Held(self, self.tendons[tendon], displacement).tendon_force
 
     def yield_displacement(self, tendon: int = 0) -> float:
-        """Displacement D > 0 at which one of `tendons` yields [m].
+        """Displacement D > 0 at which one of the tendons yields.
 
-        Raises ValueError where none below H/2 does.
+        Parameters
+        ----------
+        tendon : int, optional
+            Number of the tendon, from 0 on.
+
+        Returns
+        -------
+        float
+            Displacement [m].
+
+        Raises
+        ------
+        ValueError
+            Where none below H/2 does.
         """
         from scipy.optimize import brentq  # takes long to import
 
@@ -414,7 +733,24 @@ class Wall:
     # - energies and the force of a pushover
 
     def gravity_energy(self, displacement: ArrayLike) -> np.ndarray:
-        """U, the weight times the centroid's rise [J]; thesis 4-18, B-4; see p_delta."""
+        """Energy U of gravity, the weight times the centroid's rise; thesis 4-18, B-4; see
+        `p_delta`.
+
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement D [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Energy [J], in the shape of the displacement.
+
+        Raises
+        ------
+        ValueError
+            For a displacement that reaches H.
+        """
         q = self._sine("Wall.gravity_energy", displacement)
         energy = self._without_tendons(displacement).energy
         # the term that 4-18 leaves out is missing in the derived energy too
@@ -423,7 +759,23 @@ class Wall:
         return energy
 
     def elastic_energy(self, displacement: ArrayLike) -> np.ndarray:
-        """U_E, the work done on all tendons since the initial state [J]; thesis 4-20."""
+        """Energy U_E, the work done on all tendons since the initial state; thesis 4-20.
+
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement D [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Energy [J], in the shape of the displacement.
+
+        Raises
+        ------
+        ValueError
+            For a displacement that reaches H.
+        """
         q = self._sine("Wall.elastic_energy", displacement)
         bare = self._without_tendons(displacement).energy
         work = np.zeros(np.shape(q))
@@ -433,22 +785,70 @@ class Wall:
         return work
 
     def potential_energy(self, displacement: ArrayLike) -> np.ndarray:
-        """U + U_E [J]; thesis 4-21."""
+        """Energy U + U_E; thesis 4-21.
+
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement D [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Energy [J], in the shape of the displacement.
+
+        Raises
+        ------
+        ValueError
+            For a displacement that reaches H.
+        """
         return self.gravity_energy(displacement) + self.elastic_energy(displacement)
 
     def kinetic_energy(self, displacement: ArrayLike, velocity: ArrayLike) -> np.ndarray:
-        """I_o v**2/(2 H**2) [J]; thesis 4-19, B-8.
+        """Kinetic energy ``I_o v**2/(2 H**2)``; thesis 4-19, B-8.
 
-        velocity v = dD/dt [m/s]; shapes broadcast. I_o is that about the rotation centre at D.
-        With cos(theta)**2 = 1.
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement D [m].
+        velocity : array_like
+            Velocity v = dD/dt [m/s].
+
+        Returns
+        -------
+        ndarray
+            Energy [J], in the shape of both arguments, broadcast.
+
+        Raises
+        ------
+        ValueError
+            For a displacement that reaches H.
+
+        Notes
+        -----
+        I_o is that about the rotation centre at D, and ``cos(theta)**2`` is 1.
         """
         (velocity,) = numbers("Wall.kinetic_energy", velocity=velocity)
         return self._mass_at(displacement) * velocity**2 / 2
 
     def restoring_force(self, displacement: ArrayLike) -> np.ndarray:
-        """F_k, the horizontal force at H that holds the wall at D [N]; thesis 4-29, 4-30.
+        """Horizontal force F_k at the height H that holds the wall at D; thesis 4-29, 4-30.
 
-        The exact derivative of U + U_E. Zero at D = 0 for tendons on the centreline.
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement D [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Force [N], in the shape of the displacement: the exact derivative of U + U_E. Zero at D
+            = 0 for tendons on the centreline.
+
+        Raises
+        ------
+        ValueError
+            For a displacement that reaches H.
         """
         q = self._sine("Wall.restoring_force", displacement)
         first, *others = self.tendons or (None,)
@@ -461,10 +861,17 @@ class Wall:
         return force
 
     def uplift_acceleration(self) -> float:
-        """Ground acceleration that starts rocking about a corner, statically [m/s2]; 4.8.2.
+        """Ground acceleration that starts rocking about a corner, statically; thesis 4.8.2.
 
-        (m g + P0) B/(m H_c), each tendon with its own lever arm, towards the weaker side: the
-        11.1 m/s2 of 4.8.2. A wall that rocks about its centreline at first resists no force.
+        Returns
+        -------
+        float
+            Acceleration [m/s2].
+
+        Notes
+        -----
+        (m g + P0) B/(m H_c), each tendon with its own lever arm, towards the weaker side: the 11.1
+        m/s2 of 4.8.2. A wall that rocks about its centreline at first resists no force.
         """
         # of a wall on fixed corners, which the walls that are derived with such tendons are not
         weight, b = self.mass * self.gravity, self.half_width
@@ -479,12 +886,29 @@ class Wall:
     def phase_trajectory(
         self, initial_displacement: ArrayLike, displacement: ArrayLike
     ) -> np.ndarray:
-        """Velocity dD/dt on the way from rest to upright and beyond [m/s]; thesis 4-23.
+        """Velocity dD/dt on the way from rest to upright and beyond; thesis 4-23.
 
-        initial_displacement D0, displacement D [m]; shapes broadcast. Its sign is that of the
-        motion away from D0. I_o is that at D.
+        Parameters
+        ----------
+        initial_displacement : array_like
+            Displacement D0 at rest [m].
+        displacement : array_like
+            Displacement D [m].
 
-        Raises ValueError for a displacement that the energy at D0 does not reach.
+        Returns
+        -------
+        ndarray
+            Velocity [m/s], in the shape of both arguments, broadcast. Its sign is that of the
+            motion away from D0.
+
+        Raises
+        ------
+        ValueError
+            For a displacement that the energy at D0 does not reach.
+
+        Notes
+        -----
+        I_o is that at D.
         """
         where = "Wall.phase_trajectory"
         initial, now = numbers(
@@ -498,12 +922,28 @@ class Wall:
     def time_along_trajectory(
         self, initial_displacement: ArrayLike, displacement: ArrayLike
     ) -> np.ndarray:
-        """Time from rest at D0 to D, without losses [s]; thesis 4-24.
+        """Time from rest at D0 to D, without losses; thesis 4-24.
 
-        initial_displacement D0, not zero, displacement D [m]; shapes broadcast. With
-        D = D0 cos(phi) the integrand D0 sin(phi)/v is smooth at the release. Found to 1e-10 of it.
+        Parameters
+        ----------
+        initial_displacement : array_like
+            Displacement D0 at rest, not zero [m].
+        displacement : array_like
+            Displacement D [m].
 
-        Raises ValueError for a displacement beyond upright, D/D0 < 0, and for one beyond D0.
+        Returns
+        -------
+        ndarray
+            Time [s], accurate to 1e-10 of it, in the shape of both arguments, broadcast.
+
+        Raises
+        ------
+        ValueError
+            For a displacement beyond upright, D/D0 < 0, and for one beyond D0.
+
+        Notes
+        -----
+        With D = D0 cos(phi) the integrand D0 sin(phi)/v is smooth at the release.
         """
         where = "Wall.time_along_trajectory"
         initial, now = numbers(
@@ -536,14 +976,47 @@ class Wall:
         return np.vectorize(time, otypes=[float])(initial, angle)
 
     def quarter_period_exact(self, displacement: ArrayLike) -> np.ndarray:
-        """Time from rest at a displacement, not zero, to upright, without losses [s]; 4-24."""
+        """Time from rest at a displacement to upright, without losses; thesis 4-24.
+
+        Parameters
+        ----------
+        displacement : array_like
+            Displacement, not zero [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Time [s], in the shape of the displacement.
+
+        Raises
+        ------
+        ValueError
+            For a displacement of zero, or one that reaches H.
+        """
         (displacement,) = numbers("Wall.quarter_period_exact", displacement=displacement)
         return self.time_along_trajectory(displacement, np.zeros_like(displacement))
 
     def quarter_period_substitute_gravity(self, displacement: ArrayLike) -> np.ndarray:
-        """Quarter period from a peak D, the tendon's force taken as weight [s]; thesis 4-17.
+        """Quarter period from a peak D, the tendon's force counted as weight; thesis 4-17.
 
-        sqrt(I_o/(R (m g + P(D)))) acosh(1/(1 - |D|/(d cos(theta)))) + T_fixed/4, with I_o and R
+        Parameters
+        ----------
+        displacement : array_like
+            Peak D [m], any shape.
+
+        Returns
+        -------
+        ndarray
+            Quarter period [s], in the shape of the displacement.
+
+        Raises
+        ------
+        ValueError
+            For a peak of zero, or one that reaches H.
+
+        Notes
+        -----
+        ``sqrt(I_o/(R (m g + P(D)))) acosh(1/(1 - |D|/(d cos(theta)))) + T_fixed/4``, with I_o and R
         about the corner.
         """
         where = "Wall.quarter_period_substitute_gravity"
@@ -559,12 +1032,31 @@ class Wall:
         return pace * np.arccosh(1 / (1 - size / reach)) + self.fixed_base_period / 4
 
     def dissipation_limit(self, peak: ArrayLike, fraction: float = 0.25) -> DissipationLimit:
-        """Where the loss of energy begins on the way back from a peak; thesis 4-25 and 4-26.
+        """Place where the loss of energy begins on the way back from a peak; thesis 4-25 and 4-26.
 
-        peak [m], any shape. Both equations are missing from the text; these follow its words:
-        the wall keeps its energy until D is a `fraction`, a quarter, of the peak (4-25), and its
-        speed there is that of 4-23 (4-26). That energy is lost below about 4 mm whatever the
-        speed, as Figure 4-27 suggests, is not in them.
+        Parameters
+        ----------
+        peak : array_like
+            Peak [m], any shape.
+        fraction : float, optional
+            Part of the peak at which it begins.
+
+        Returns
+        -------
+        DissipationLimit
+            Displacement and speed, in the shape of the peak.
+
+        Raises
+        ------
+        ValueError
+            For a fraction outside 0 to 1, and a peak that reaches H.
+
+        Notes
+        -----
+        Both equations are missing from the text; these follow its words: the wall keeps its energy
+        until D is a `fraction`, a quarter, of the peak (4-25), and its speed there is that of 4-23
+        (4-26). That energy is lost below about 4 mm whatever the speed, as Figure 4-27 suggests, is
+        not in them.
         """
         (peak,) = numbers("Wall.dissipation_limit", peak=peak)
         rule = "it lies between 0 and 1"
