@@ -79,7 +79,7 @@ def test_a_full_disk_is_told_keeps_the_old_files_and_does_not_end_the_process(tm
         "print('alive')",
     ]
     done = subprocess.run(
-        [sys.executable, "-c", "\n".join(lines)],
+        [sys.executable, "-B", "-c", "\n".join(lines)],  # bytecode would be cut off, too
         capture_output=True, text=True, timeout=120, check=False,
     )  # fmt: skip
     assert (done.returncode, done.stdout.split()[-1:]) == (0, ["alive"]), done.stderr
