@@ -167,7 +167,20 @@ class InputError(ValueError):
         return self.so(remedy, python)
 
     def says(self, text: str, python: str = "") -> Self:
-        """With "what is wrong: what to do", the first of which is a sentence of its own."""
+        """With a sentence of its own, in two parts: what is wrong, and what to do.
+
+        Parameters
+        ----------
+        text : str
+            Both parts, with a colon between them.
+        python : str, optional
+            Remedy that Python alone has.
+
+        Returns
+        -------
+        InputError
+            Error itself.
+        """
         self._sentence, remedy = _parts(text)
         return self.so(remedy, python)
 

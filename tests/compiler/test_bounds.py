@@ -210,7 +210,7 @@ def test_programs_with_checks_have_a_name_and_a_hash_of_their_own(monkeypatch):
 def test_the_half_that_loops_share_is_the_same_with_checks():
     """Names of texts are in it that are the structure's own: only those that it wants."""
     texts = [
-        program._halves(program.printed(block.module, "DOP853", program.LOOP, True))[1]
+        program.printed(block.module, "DOP853", program.LOOP, True).halves()[1]
         for block in (
             rk.RigidBlock(half_width=0.1, half_height=0.4),
             rk.SlenderBlock(alpha=0.2, radius=1.0),

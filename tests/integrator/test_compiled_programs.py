@@ -319,8 +319,8 @@ print(*sorted(name for name, path in paths.items() if open(path).read() not in k
     done = subprocess.run(
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True
     )
-    # those of a package have no text; nothing follows from the cache, its files and the version
-    assert done.stdout.split() == [
+    # packages have no text; nothing follows from errors, the files of the cache, the version
+    assert [name for name in done.stdout.split() if not name.startswith("rockeom.numbers")] == [
         "rockeom.files", "rockeom.generated", "rockeom.integrator", "rockeom.integrator.lanes",
-        "rockeom.numbers", "rockeom.numbers.pictures", "rockeom.version",
+        "rockeom.version",
     ]  # fmt: skip

@@ -57,7 +57,7 @@ def test_record_in_g_that_was_given_without_its_unit(structure):
 def test_peak_in_g_that_a_motion_is_scaled_to():
     sine = rk.GroundMotion.single_sine(1.0, 0.5)
     (hint,) = rk.simulate(BLOCK, sine.scaled_to(0.4)).hints
-    assert '0.4 g are 3.924 m/s2, or scaled_to("0.4 g")' in hint
+    assert '0.4 g are 3.924 m/s2: scale it to a pga of "0.4 g"' in hint
     assert rk.simulate(BLOCK, sine.scaled_to(0.4 * 9.81)).hints == ()
 
 

@@ -58,7 +58,7 @@ _FULL = """\
             break
 """
 _NONE_FITS = """\
-    raise ValueError(
+    raise InputError("state").says(
         f"no mode of {m.NAME} holds"""
 _EQUAL = ("bound=most_error(case.rtol) if equal", "bound=np.inf if equal")
 
@@ -145,8 +145,8 @@ FAULTS = {
         LOOP,
         (
             (
-                "slow = unclear or opens_soon(",
-                "slow = unclear and opens_soon(",
+                "slow = fall.unclear or opens_soon(",
+                "slow = fall.unclear and opens_soon(",
             ),
         ),
         ("substitute_gravity_wall", "two_spring_structure"),

@@ -88,6 +88,11 @@ DERIVATIONS = {
         ("5-35", "sp.sympify(self.deformation) ** 2 / 2", "sp.sympify(self.deformation) ** 2"),
         ("D-15", "rate(self.deformation, coordinates) ** 2 / 2", "self.deformation**2 / 2"),
         ("4-27", "self.initial_force + self.stiff", "self.initial_force - self.stiff"),
+        # the tendon: a sign, a factor, a term, its energy
+        ("4-16", "_force + self.stiffness * (self", "_force - self.stiffness * (self"),
+        ("4-16", "self.stiffness * (self.elong", "2 * self.stiffness * (self.elong"),
+        ("4-16", "self.initial_force + self.stiffness * (", "self.stiffness * ("),
+        ("4-27", "self._elastic**2 / (2 *", "self._elastic**2 / ("),
     ),
     "symbolic/algebra.py": (
         ("2-3", "sp.factorial(k)", "1"),
@@ -151,12 +156,8 @@ WALLS = {
         ("4-27", "HALF_WIDTH.symbol - EDGE_DISTANCE.symbol) *", "HALF_WIDTH.symbol) *"),
         ("4-37", "lambda D: HALF_WIDTH.symbol * _m", "lambda D: HALF_WIDTH.symbol / 2 * _m"),
         # the tendon: a sign, a factor, a term
-        ("4-16", "+ self.stiffness.symbol * (ext", "- self.stiffness.symbol * (ext"),
-        ("4-16", "self.stiffness.symbol * (ext", "2 * self.stiffness.symbol * (ext"),
-        ("4-16", "self.initial_force.symbol + ", ""),
         ("4-27", "(self.centre + B * (1 - cosine)) / cosine", "self.centre / cosine"),
         ("4-27", "* (q / H) / cosine", "* (q / H)"),
-        ("4-27", "still_force(chi) ** 2 / (2 *", "still_force(chi) ** 2 / ("),
         ("4-16", "(self.centre + B * (1 - sp.cos(q)))", "(self.centre - B * (1 - sp.cos(q)))"),
         ("4-16", "B * (1 - sp.cos(q))) / sp.cos(q)", "B) / sp.cos(q)"),
         # the substitute gravity: a sign, a factor, a term

@@ -6,10 +6,7 @@ whose forces fit the accelerations. An event that none fits, or several that mov
 the motion.
 """
 
-from __future__ import annotations
-
 import math
-from typing import NamedTuple
 
 import numpy as np
 
@@ -26,7 +23,7 @@ from rockeom.codes import (
     STICKING,
     SWITCH,
 )
-from rockeom.compiler.decorators import Floats, Ints, inlined, rolled
+from rockeom.compiler.decorators import inlined, rolled
 from rockeom.integrator.provided import (
     ELEMENT_STATES,
     FEET_OF,
@@ -302,30 +299,13 @@ def exceeds(row, wanted, contact, impulse):
     return total
 
 
-class Demand(NamedTuple):
-    """The points at an instant of an event, and what is wanted of them.
-
-    near (N_POINTS,) : 1 where a point touches. sliding (N_POINTS,) : the sign of its slip, 0 where
-    it does not move. wanted (ROWS,) : the changes of velocities, or accelerations, that hold the
-    points which touch. contact : of `contact_data`. sizes (ROWS + N_POINTS,) : of `sizes_of`.
-    """
-
-    near: Ints
-    sliding: Floats
-    wanted: Floats
-    contact: Floats
-    sizes: Floats
-
-
-def margin_of(candidate, demand, impulse, least_of_all):
+def margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, least_of_all):
     """The least margin by which impulses, or forces, fit; negative where they do not.
 
     They press, friction is within its bound and opposes the slip, and open points leave as they
     may. A margin is relative to sizes, see `sizes_of`. Once it is below `least_of_all` no
     other one is computed.
     """
-    near, sliding, wanted = demand.near, demand.sliding, demand.wanted
-    contact, sizes = demand.contact, demand.sizes
     least = np.inf
     for i in range(N_POINTS):
         if near[i] == 0:
@@ -356,30 +336,30 @@ def margin_of(candidate, demand, impulse, least_of_all):
     return least
 
 
-def fitting_states(mode, left_out, demand, tolerance, alike, fitting, change):
+def fitting_states(
+    mode, left_out, near, sliding, wanted, contact, sizes, tolerance, alike, fitting
+):  # fmt: skip
     """(best, several): of all modes but one those whose impulses, or forces, fit.
 
     They fit by `tolerance`, and what they change of the velocities, or accelerations, differs by no
-    more than `alike`, squared in the measure of the mass: the best is AMBIGUOUS if it does, and
-    IMPOSSIBLE if none fits. left_out : a mode that is none of them, or -1. fitting : on return its
-    first `several` numbers are the modes that fit. change (n,) : by the best, that with the largest
-    margin.
+    more than `alike`, squared in the measure of the mass: the best, which has the largest margin,
+    is AMBIGUOUS if it does, and IMPOSSIBLE if none fits. left_out : a mode that is none of them, or
+    -1. fitting : on return its first `several` numbers are the modes that fit.
     """
-    contact = demand.contact
     impulse, first = np.empty(ROWS), np.empty(N_COORDINATES)
     this, apart = np.empty(N_COORDINATES), np.empty(N_COORDINATES)
     best, several, most = IMPOSSIBLE, 0, -np.inf
     for candidate in range(len(POINT_STATES)):
-        if candidate == left_out or not may_follow(candidate, mode, demand.near, demand.sliding):
+        if candidate == left_out or not may_follow(candidate, mode, near, sliding):
             continue
-        impulses_of(candidate, demand.wanted, contact, impulse)
-        margin = margin_of(candidate, demand, impulse, -tolerance)
+        impulses_of(candidate, wanted, contact, impulse)
+        margin = margin_of(
+            candidate, near, sliding, wanted, contact, sizes, impulse, -tolerance
+        )  # fmt: skip
         if not margin >= -tolerance:
             continue
+        change_by(impulse, contact, this)
         for i in range(N_COORDINATES):
-            this[i] = 0.0
-            for r in range(ROWS):
-                this[i] += contact[SPREAD + i * ROWS + r] * impulse[r]
             if several == 0:
                 first[i] = this[i]
             apart[i] = this[i] - first[i]
@@ -389,9 +369,15 @@ def fitting_states(mode, left_out, demand, tolerance, alike, fitting, change):
         several += 1
         if margin > most:
             best, most = candidate, margin
-            for i in range(N_COORDINATES):
-                change[i] = this[i]
     return best, several
+
+
+def change_by(impulse, contact, change):
+    """The changes of velocities (n,) by impulses (ROWS,), or accelerations by forces."""
+    for i in range(N_COORDINATES):
+        change[i] = 0.0
+        for r in range(ROWS):
+            change[i] += contact[SPREAD + i * ROWS + r] * impulse[r]
 
 
 def sizes_of(whole, contact, sizes):
@@ -447,9 +433,13 @@ def collide(mode, near, slowest, contact, y):
         if 2 * int(r * 0.5) == r:
             wanted[r] -= contact[LAWS + r] * min(arriving, 0.0)
     alike = max(SAME_VELOCITIES * whole, slowest)
-    demand = Demand(near, sliding, wanted, contact, sizes)
-    follows, _ = fitting_states(mode, -1, demand, FITS, alike, fitting, change)
+    follows, _ = fitting_states(
+        mode, -1, near, sliding, wanted, contact, sizes, FITS, alike, fitting
+    )  # fmt: skip
     if follows >= 0:
+        impulse = np.empty(ROWS)
+        impulses_of(follows, wanted, contact, impulse)
+        change_by(impulse, contact, change)
         for i in range(n):
             y[n + i] += change[i]
     return follows
@@ -569,61 +559,55 @@ def select_by_forces(mode, ends, near, sliding, y, p, ground, rtol, contact, siz
     rtol : the relative tolerance of the motion, by whose error a mode must fit where none fits
     nearly. sizes (ROWS + N_POINTS,) : of `without_forces`, found here.
     """
-    wanted = np.empty(ROWS)
+    wanted, fitting = np.empty(ROWS), np.empty(len(POINT_STATES), np.int64)
     whole = without_forces(y, p, ground[AX], ground[AY], mode, contact, wanted, sizes)
-    demand = Demand(near, sliding, wanted, contact, sizes)
-    follows = fits_within(NEARLY, whole, mode, ends, demand, y, p, ground)
-    # the state after many steps is off by more than an event's time
-    if follows == IMPOSSIBLE and STEPS_ERROR * rtol >= NEARLY:
-        follows = fits_within(STEPS_ERROR * rtol, whole, mode, ends, demand, y, p, ground)
+    follows = IMPOSSIBLE
+    for turn in range(2):
+        # the state after many steps is off by more than an event's time
+        error = NEARLY if turn == 0 else STEPS_ERROR * rtol
+        if follows != IMPOSSIBLE or error < NEARLY:
+            break
+        alike = ALIKE * ALIKE * error * error * whole
+        follows, several = fitting_states(
+            mode, -1, near, sliding, wanted, contact, sizes, error, alike, fitting
+        )  # fmt: skip
+        decided = several <= 1 and not (ends and follows == mode)
+        if ends and follows == AMBIGUOUS:
+            # the mode that has come to its end and another one move apart: only one of them lasts
+            fitting[0] = mode
+            follows = best_later(mode, ends, near, sliding, sizes, fitting, 1, y, p, ground)
+            decided = follows != IMPOSSIBLE
+            if not decided:
+                follows, several = fitting_states(
+                    mode, mode, near, sliding, wanted, contact, sizes, error, alike, fitting
+                )  # fmt: skip
+                decided = several <= 1
+        if follows >= 0 and not decided:
+            follows = best_later(mode, ends, near, sliding, sizes, fitting, several, y, p, ground)
     return follows
 
 
-def fits_within(error, whole, mode, ends, demand, y, p, ground):
-    """The mode whose forces fit but for a relative error, or IMPOSSIBLE, or AMBIGUOUS.
-
-    whole : of `without_forces`, the accelerations squared.
-    """
-    fitting, change = np.empty(len(POINT_STATES), np.int64), np.empty(N_COORDINATES)
-    alike = ALIKE * ALIKE * error * error * whole
-    follows, several = fitting_states(mode, -1, demand, error, alike, fitting, change)
-    if ends and follows == AMBIGUOUS:
-        # the mode that has come to its end and another one move apart: only one of them lasts
-        fitting[0] = mode
-        follows = best_later(mode, ends, demand, fitting, 1, y, p, ground)
-        if follows != IMPOSSIBLE:
-            return follows
-        follows, several = fitting_states(mode, mode, demand, error, alike, fitting, change)
-        decided = several <= 1
-    else:
-        decided = several <= 1 and not (ends and follows == mode)
-    if follows < 0 or decided:
-        return follows
-    return best_later(mode, ends, demand, fitting, several, y, p, ground)
-
-
 @rolled
-def best_later(mode, ends, demand, fitting, several, y, p, ground):
+def best_later(mode, ends, near, sliding, sizes, fitting, several, y, p, ground):
     """The mode that fits best a little later, of those that move alike now.
 
-    fitting : its first `several` numbers are these modes. demand : of now; the sizes, too.
+    fitting : its first `several` numbers are these modes. sizes : of forces and accelerations now.
     """
     n, tau = N_COORDINATES, ground[LATER]
     dy, w = np.empty(N_STATES), np.empty(N_STATES)
-    contact, sizes = np.empty(CONTACT_SIZE), np.empty(ROWS + N_POINTS)
+    contact, of_then = np.empty(CONTACT_SIZE), np.empty(ROWS + N_POINTS)
     impulse, wanted = np.empty(ROWS), np.empty(ROWS)
     rates(fitting[0], y, p, ground[AX], ground[AY], dy)
     for i in range(n):
         w[i] = y[i] + tau * (y[n + i] + 0.5 * tau * dy[n + i])
         w[n + i] = y[n + i] + tau * dy[n + i]
     contact_data(w, p, mode, contact)
-    without_forces(w, p, ground[LATER_AX], ground[LATER_AY], mode, contact, wanted, sizes)
-    later = demand._replace(wanted=wanted, contact=contact)
+    without_forces(w, p, ground[LATER_AX], ground[LATER_AY], mode, contact, wanted, of_then)
     follows, best = IMPOSSIBLE, -np.inf
     for i in range(several):
         candidate = fitting[i]
         impulses_of(candidate, wanted, contact, impulse)
-        margin = margin_of(candidate, later, impulse, -np.inf)
+        margin = margin_of(candidate, near, sliding, wanted, contact, sizes, impulse, -np.inf)
         if candidate == mode and ends:
             # what has come to its end goes on only where nothing but rounding errors ended it
             if several == 1 and margin < -FITS:

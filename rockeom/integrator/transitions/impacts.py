@@ -35,8 +35,9 @@ from rockeom.integrator.tolerances import (
     SAME_VELOCITIES,
 )
 from rockeom.integrator.transitions.candidates import (
-    Demand,
+    change_by,
     fitting_states,
+    impulses_of,
     sizes_of,
     squared,
 )
@@ -131,15 +132,19 @@ def by_moreau(mode, near, whole, along, contact, sizes, rate, change):
     along (N_POINTS,) : e of slips; below zero that of gaps. change (n,) : of the velocities, on
     return. Returns a mode whose impulses fit, or IMPOSSIBLE, or AMBIGUOUS.
     """
-    wanted, sliding = np.empty(ROWS), np.zeros(N_POINTS)
+    wanted, impulse, sliding = np.empty(ROWS), np.empty(ROWS), np.zeros(N_POINTS)
     fitting = np.empty(len(POINT_STATES), np.int64)
     for i in range(N_POINTS):
         e = contact[LAWS + 2 * i]
         e_t = along[i] if along[i] >= 0.0 else e
         wanted[2 * i] = -rate[2 * i] - e * min(rate[2 * i], 0.0)
         wanted[2 * i + 1] = -(1.0 + e_t) * rate[2 * i + 1]
-    demand = Demand(near, sliding, wanted, contact, sizes)
-    follows, _ = fitting_states(mode, -1, demand, FITS, SAME_VELOCITIES * whole, fitting, change)
+    follows, _ = fitting_states(
+        mode, -1, near, sliding, wanted, contact, sizes, FITS, SAME_VELOCITIES * whole, fitting
+    )  # fmt: skip
+    if follows >= 0:
+        impulses_of(follows, wanted, contact, impulse)
+        change_by(impulse, contact, change)
     return follows
 
 

@@ -99,7 +99,8 @@ def _tendon_force(equation: Equation, relations: Relations) -> Iterator[Finding]
     stated = relations[0].rhs.subs(th.B, HALF_WIDTH)
     for structure in (OSCILLATOR, ABOUT_MOVING_CENTRE, ABOUT_CORNERS):
         model = shipped(structure)
-        _, force = model.mode("right").quantities["tendon_force"]
+        mode = model.mode("right")
+        force = mode.put(mode.quantities["tendon_force"][1], "right")  # its tendon is elastic
         of_side = partial(in_thesis_symbols, model, with_geometry(model, force))
         yield from agree(f"force of the tendon of {structure}", stated, of_side)
         for elastic in (one.value for one in model.functions if one.name == "elastic_force"):
