@@ -1,8 +1,8 @@
 """Verdicts on the step of a lane, by the quintics through both ends: what becomes of it, and where.
 
 Without branches, so that the compiler makes vectors of them. A verdict on the gap is that of the
-loop, see `rockeom.integrator.guards`; the start of a gap needs no margin, since it is a state and no
-place between states.
+loop, see `rockeom.integrator.guards`. The start of a gap needs no margin here: it is a state, and
+no place between states.
 """
 
 import math
