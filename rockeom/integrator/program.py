@@ -187,7 +187,8 @@ def revision(generated: GeneratedModule, method: str, lanes: bool = False) -> st
 def _sources(generated: GeneratedModule, method: str, part: str, bounds: bool) -> tuple[str, ...]:
     """The texts that a part is made of, and those that make machine code of them."""
     roots, modules, _ = linked(generated, method, part, steps=False)
-    own = (text.source for text in modules.closure(roots))
+    # the step, which is not written yet, may ask for all that is provided
+    own = (text.source for text in modules.closure([*roots, *modules.provided[PROVIDED]]))
     return (part, method, *own, *_compiler(), *(["bounds"] if bounds else []))
 
 
