@@ -113,8 +113,9 @@ class Texts(ABC):
             names = self._spaces[text.name] = {"__name__": text.name}
             for name in self._parsed[text.name].imported:
                 for home in self._homes(name, text):
-                    if name not in self._parsed[home.name].functions:
-                        names |= {n: v for n, v in self.names_in(home).items() if n == name}
+                    is_function = name in self._parsed[home.name].functions
+                    if not is_function and name in (constants := self.names_in(home)):
+                        names[name] = constants[name]
             for statement in self._parsed[text.name].rest:
                 with suppress(NameError):  # of what is absent: an error where it is used
                     exec(statement, names)

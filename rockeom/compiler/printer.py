@@ -100,10 +100,8 @@ class Program(Texts):
 
     def elsewhere(self, name: str, symbol: str, definition: Definition) -> Type:
         """Print a function that calls an entry of another program by its row of places."""
-        arguments, annotation = (
-            definition.arguments(self.names_in(definition.text)),
-            definition.tree.returns,
-        )
+        arguments = definition.arguments(self.names_in(definition.text))
+        annotation = definition.tree.returns
         returns = ANNOTATIONS.get(annotation.id) if isinstance(annotation, ast.Name) else NOTHING
         if returns is None:
             definition.refuse(None, "what it returns has no annotation that is known")

@@ -301,7 +301,6 @@ def test_every_file_that_has_part_in_a_program_is_in_its_name():
     code = """
 import sys
 import rockeom.generated.rigid_block as module
-from rockeom.compiler.modules import imported_modules
 from rockeom.integrator import program as programs
 
 keys = set()
