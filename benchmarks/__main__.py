@@ -1,7 +1,5 @@
 """Run the benchmarks side by side; see the package's docstring."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import os

@@ -36,8 +36,6 @@ printed: its interval would hold in 0.92 of the replicates where the motions of 
 independent.
 """
 
-from __future__ import annotations
-
 import argparse
 from collections import defaultdict
 from collections.abc import Callable, Iterator

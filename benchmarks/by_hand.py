@@ -4,8 +4,6 @@ An arc starts AHEAD seconds after its impact, and an uplift with the rate CREEP:
 both libraries would find the event that is just over.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -10,8 +10,6 @@ likelihood, of its gradient or of the sampler moves the ranks. Nothing of a test
 search for its mode but the readings.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import math

@@ -6,8 +6,6 @@ Steps of one length, of which only impacts cut one: what an impact costs would b
 order. A block under a harmonic motion, then the workloads under a record, whose samples are kinks.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -7,8 +7,6 @@ Peaks are lognormal with a dispersion of 0.6: half of the variance of their loga
 the records, the rest that of motions under one record. Those above a quantile overturn.
 """
 
-from __future__ import annotations
-
 import argparse
 import warnings
 from collections.abc import Callable, Iterator

@@ -7,8 +7,6 @@ installed has a row that says so. Here bodies turn in joints and on springs; `be
 gives the programs contacts.
 """
 
-from __future__ import annotations
-
 import argparse
 import importlib.util
 import math

@@ -29,8 +29,6 @@ without, which assumes independent tests; frequencies lie in their expected rang
     50 %                  0.054 (0.530)    0.054 (0.550)    0.046 (0.138)
 """
 
-from __future__ import annotations
-
 import argparse
 from collections import defaultdict
 from collections.abc import Callable, Iterator

@@ -1,7 +1,5 @@
 """What the first simulation in a new process costs: every structure with every method."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

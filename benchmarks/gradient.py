@@ -6,8 +6,6 @@ By differences to both sides it takes 21 runs, each with an error of its own. Wh
 `rk.sensitivity` with all that Python does for it, some milliseconds, against `rk.simulate`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 
 import rockeom as rk

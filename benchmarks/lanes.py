@@ -8,8 +8,6 @@ sample; lanes take one step a sample. 400 of the pulses of W4: controlled steps 
 order 8.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from threading import Event
 

@@ -13,8 +13,6 @@ landing divides them, beside the r that `energy_ratio_on_contact_springs` expect
 The middle of the base is guided vertically, except on the last, where the friction holds it.
 """
 
-from __future__ import annotations
-
 import argparse
 import importlib.util
 import math

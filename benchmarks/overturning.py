@@ -3,8 +3,6 @@
 python -m benchmarks.overturning
 """
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 

@@ -6,8 +6,6 @@ Every line is one method whose tolerance, or number of steps, changes from point
 are completed as finely by all of them, so that they do the same work.
 """
 
-from __future__ import annotations
-
 import argparse
 import math
 import sys

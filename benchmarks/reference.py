@@ -8,8 +8,6 @@ before a rest are followed until 1e-18 s are left of them. The same series repro
     python -m benchmarks.reference     writes benchmarks/reference.json
 """
 
-from __future__ import annotations
-
 import json
 import sys
 import time

@@ -1,7 +1,5 @@
 """What was measured, as tables of plain text that are Markdown too."""
 
-from __future__ import annotations
-
 import importlib.metadata
 import os
 import platform

@@ -1,7 +1,5 @@
 """The ways of doing each workload, with the settings that are tried for them."""
 
-from __future__ import annotations
-
 import functools
 import importlib
 import itertools

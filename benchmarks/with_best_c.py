@@ -5,8 +5,6 @@ used, they are compared with those that were derived. Raises RuntimeError where 
 compiler, or where they differ.
 """
 
-from __future__ import annotations
-
 import ctypes
 import functools
 from collections.abc import Callable

@@ -3,8 +3,6 @@
 Raises RuntimeError where there is no compiler.
 """
 
-from __future__ import annotations
-
 import ctypes
 import functools
 import hashlib

@@ -1,7 +1,5 @@
 """The workloads by rockeom."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from threading import Event

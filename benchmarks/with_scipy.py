@@ -6,8 +6,6 @@ than `rest` [rad/s] and with the gap closing, contact is full. There the block w
 form of its uplift; the column's vibration is integrated up to an event.
 """
 
-from __future__ import annotations
-
 import functools
 import math
 from collections.abc import Callable

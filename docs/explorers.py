@@ -1,7 +1,5 @@
 """A page with sliders for each structure of the gallery, written next to the built pages."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import gallery

@@ -4,8 +4,6 @@ What is shown is made while the page is built: the examples below are run, the s
 commands called. A structure that is shipped and has no example here fails a test.
 """
 
-from __future__ import annotations
-
 import contextlib
 import io
 import re

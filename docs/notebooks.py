@@ -4,8 +4,6 @@ What is said of each, its level, the minutes it takes and the figure that stands
 own header and nowhere else.
 """
 
-from __future__ import annotations
-
 import re
 from copy import deepcopy
 from functools import cache

@@ -5,8 +5,6 @@ then replaces the one that was there; so a full disk, an error or an end of the 
 old file as it was.
 """
 
-from __future__ import annotations
-
 import os
 import stat
 import time

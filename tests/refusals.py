@@ -1,7 +1,5 @@
 """Input that is refused: tests ask the error for its fields."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any

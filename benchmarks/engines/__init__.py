@@ -10,8 +10,6 @@ and measures the motion. Nothing of rockeom is in it, but that OpenSees gets the
 trace.py : a motion and what is measured of it; with_*.py : one program each; tables.py : the page.
 """
 
-from __future__ import annotations
-
 import json
 
 from benchmarks.reference_cases import FILE

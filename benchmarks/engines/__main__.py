@@ -1,7 +1,5 @@
 """Run the programs, or report an earlier run; see the package's docstring."""
 
-from __future__ import annotations
-
 import argparse
 import importlib.metadata
 import importlib.util

@@ -1,7 +1,5 @@
 """The pictures of docs/reference-cases.md: the bodies at the start, errors against time step."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The tables of docs/reference-cases.md: the cases and their answers, and each program's errors."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 

@@ -1,7 +1,5 @@
 """A motion in samples, and the numbers that are read from it."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass

@@ -6,8 +6,6 @@ stiffest that suits the step. Its restitution depends on the mass and the stiffn
 cannot be prescribed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

@@ -7,8 +7,6 @@ belongs, and friction is tanh(velocity/1e-4 m/s) times the coefficient. The meth
 Kutta's of order 4 with contacts, and with guides the trapezoidal rule, constraints on velocities.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 

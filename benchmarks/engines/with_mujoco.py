@@ -7,8 +7,6 @@ lasts six steps of 0.01 s and more of shorter ones. The friction cone is ellipti
 Euler's, semi-implicit, of the first order; on springs without contacts, Runge and Kutta's.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 

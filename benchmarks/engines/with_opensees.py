@@ -5,8 +5,6 @@ Bodies that touch without a spring are left out: a contact in OpenSees is a stif
 damper, which are chosen for a structure and a restitution.
 """
 
-from __future__ import annotations
-
 import importlib.util
 import math
 import os

@@ -5,8 +5,6 @@ semi-implicit. Nothing keeps the boxes in the plane but their symmetry. A coeffi
 is the product of those of both bodies.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 

@@ -4,8 +4,6 @@
 and writes nothing.
 """
 
-from __future__ import annotations
-
 import json
 import sys
 import time

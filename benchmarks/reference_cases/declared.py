@@ -1,7 +1,5 @@
 """The twenty motions as data: their parameters, the model in the plane, and the questions asked."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field

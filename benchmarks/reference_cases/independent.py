@@ -4,8 +4,6 @@ Each function takes the parameters of its case as mpmath numbers and returns its
 The second of its arguments is a `Solver`; closed forms do not use it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 
 from mpmath import mp, mpf

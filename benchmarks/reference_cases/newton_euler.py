@@ -9,8 +9,6 @@ derives its equations by Lagrange in the fewest coordinates and integrates them 
 Rotations are clockwise and positive, x is to the right and z up.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 

@@ -1,7 +1,5 @@
 """The answers of all cases by rockeom."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 

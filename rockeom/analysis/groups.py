@@ -5,8 +5,6 @@ them, or the list `__all__` of a module. A module is imported when a name is loo
 the package.
 """
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Callable
 from importlib import import_module

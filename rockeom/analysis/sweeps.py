@@ -1,7 +1,5 @@
 """Outcomes and peaks of the cases of a dataset of `simulate_many`, in either form of it."""
 
-from __future__ import annotations
-
 from collections import Counter
 from typing import Any
 

@@ -8,8 +8,6 @@ print(answer)
 answer.save("rack.html")
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Sequence
 from itertools import chain

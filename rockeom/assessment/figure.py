@@ -1,7 +1,5 @@
 """The figure of an assessment: probability of overturning against intensity."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

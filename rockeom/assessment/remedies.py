@@ -1,7 +1,5 @@
 """Changes that help a structure to stand, each with its effect."""
 
-from __future__ import annotations
-
 import dataclasses
 from collections.abc import Iterator
 from typing import Any, NamedTuple

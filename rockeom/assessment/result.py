@@ -1,7 +1,5 @@
 """The answer to "will it overturn?": words, numbers, a figure and a page."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass

@@ -14,8 +14,6 @@ pushes the base out: up to z = (a h + b N/m)/(a - mu N/m) one holds. A force T t
 down needs T >= (m a h - N b)/(2 b), with the distance 2 b of the edges, and T >= m a/mu - N.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

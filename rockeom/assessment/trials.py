@@ -1,7 +1,5 @@
 """Motions of a structure under records, as they were recorded and scaled to intensities."""
 
-from __future__ import annotations
-
 from collections import Counter
 from dataclasses import fields
 from typing import Any, NamedTuple

@@ -1,7 +1,5 @@
 """Numbers in sentences."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rockeom.motion import STANDARD_GRAVITY

@@ -1,7 +1,5 @@
 """The case of a page as Python that a reader may run: each value of a control is a place {k}."""
 
-from __future__ import annotations
-
 import inspect
 import re
 import textwrap

@@ -4,8 +4,6 @@ All values of a page are one array, a number for each control in their order: th
 and the number of the option of a menu.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping

@@ -1,7 +1,5 @@
 """A lesson on a page: questions to predict and then to see, and objects of every day."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any

@@ -5,8 +5,6 @@ one text of LLVM come a WebAssembly module and machine code of this processor, w
 is compared with.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Sequence

@@ -4,8 +4,6 @@ Lengths grow with the factor, areas and strengths with its square, masses with i
 follow from a modulus of elasticity that stays, and dampers from damping ratios that stay.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace

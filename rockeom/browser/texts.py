@@ -1,7 +1,5 @@
 """The words of a page: the table of `texts.js`, in which a user may give others."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Mapping

@@ -5,8 +5,6 @@ and the functions of others, and its data lie from address 0 on. It lacks export
 function is in its custom section "linking", which a module does not need.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator
 from typing import NamedTuple
 

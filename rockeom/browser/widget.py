@@ -1,7 +1,5 @@
 """A page as a widget of a notebook, whose values stay in step with Python."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from importlib.resources import files
 from typing import Any

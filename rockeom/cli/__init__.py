@@ -1,7 +1,5 @@
 """The command line ``rockeom COMMAND``; `rockeom.cli.commands` lists the commands."""
 
-from __future__ import annotations
-
 import argparse
 import os
 import sys

@@ -1,7 +1,5 @@
 """``rockeom animate``: a simulation as a film."""
 
-from __future__ import annotations
-
 import argparse
 from pathlib import Path
 

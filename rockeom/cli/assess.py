@@ -1,7 +1,5 @@
 """``rockeom assess``: will it overturn?"""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from pathlib import Path

@@ -3,8 +3,6 @@
 So `rockeom --help` imports none of them, and `rockeom simulate` neither SymPy nor the thesis.
 """
 
-from __future__ import annotations
-
 import argparse
 from importlib import import_module
 from typing import Protocol, cast

@@ -1,7 +1,5 @@
 """``rockeom completion``: what a shell offers after Tab, read from the commands themselves."""
 
-from __future__ import annotations
-
 import argparse
 import shlex
 from collections.abc import Iterable, Iterator, Mapping

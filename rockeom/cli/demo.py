@@ -5,8 +5,6 @@ flexible structure on two feet and as a rigid one, as in the thesis, 5.3.1.1 and
 to 1/5 and the largest acceleration to 0.8 g. A picture, tables and a summary are written.
 """
 
-from __future__ import annotations
-
 import argparse
 import sys
 import textwrap

@@ -1,7 +1,5 @@
 """``rockeom derive``: the equations of a structure."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from pathlib import Path

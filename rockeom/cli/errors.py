@@ -1,7 +1,5 @@
 """Errors of words that no command understands, and those of the package in options."""
 
-from __future__ import annotations
-
 import argparse
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path

@@ -1,7 +1,5 @@
 """``rockeom explore``: a page with sliders that simulates in the browser."""
 
-from __future__ import annotations
-
 import argparse
 from collections.abc import Mapping
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """``rockeom export``: what was derived, for other programs."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from pathlib import Path

@@ -1,7 +1,5 @@
 """``rockeom fragility``: the probability of overturning against the intensity of records."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from pathlib import Path

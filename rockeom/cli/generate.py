@@ -1,7 +1,5 @@
 """``rockeom generate``: the folder generated/ of a checkout."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from collections.abc import Collection

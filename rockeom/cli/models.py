@@ -1,7 +1,5 @@
 """``rockeom models``: the structures there are, shipped ones and families."""
 
-from __future__ import annotations
-
 import argparse
 import dataclasses
 from collections.abc import Iterable, Mapping, Sequence

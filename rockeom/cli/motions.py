@@ -1,7 +1,5 @@
 """The ground motions of a command: files, pulses, records of the library, and their scale."""
 
-from __future__ import annotations
-
 import argparse
 from collections.abc import Callable, Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """A response as words, tables and JSON."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """``rockeom records``: the recorded earthquakes that are installed."""
 
-from __future__ import annotations
-
 import argparse
 from collections.abc import Sequence
 from pathlib import Path

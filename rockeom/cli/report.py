@@ -1,7 +1,5 @@
 """``rockeom report``: one page on a structure under a set of records."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from pathlib import Path

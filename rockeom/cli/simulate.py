@@ -1,7 +1,5 @@
 """``rockeom simulate``: a structure under a ground motion."""
 
-from __future__ import annotations
-
 import argparse
 from collections.abc import Callable
 from pathlib import Path

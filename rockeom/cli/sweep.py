@@ -1,7 +1,5 @@
 """``rockeom sweep``: numbers of a simulation varied, every combination of them."""
 
-from __future__ import annotations
-
 import argparse
 import math
 import sys

@@ -1,7 +1,5 @@
 """Hash of a declared model: equal declarations give equal generated text."""
 
-from __future__ import annotations
-
 import dataclasses
 from collections.abc import Iterator, Mapping
 from typing import Any

@@ -1,7 +1,5 @@
 """Declared modes and transitions: motion, guards, impact maps, and where transitions lead."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from rockeom.codegen.names import string

@@ -7,8 +7,6 @@ makes machine code of it, and what others define in the same way, from `rockeom.
 Here stand its order and its header; each part has its own file.
 """
 
-from __future__ import annotations
-
 import hashlib
 import textwrap
 

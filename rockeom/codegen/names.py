@@ -5,8 +5,6 @@ then it ends with underscores, and no name of the program does. `check_names` pr
 each name in it is one that was given here, or one of those declared here as the program's own.
 """
 
-from __future__ import annotations
-
 import ast
 import keyword
 import re

@@ -3,8 +3,6 @@
 Each fills `out`, in each mode by its own expressions; see `rockeom.symbolic.outputs`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 
 import sympy as sp

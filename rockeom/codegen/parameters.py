@@ -1,7 +1,5 @@
 """Functions of the parameters alone: overturning, ratio of rates, sizes, constants."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from rockeom.codegen.outputs import into_out

@@ -1,7 +1,5 @@
 """Parts that a generated module has in common with others: it imports them instead."""
 
-from __future__ import annotations
-
 import ast
 
 from rockeom.codegen.names import names_in

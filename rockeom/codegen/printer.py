@@ -1,7 +1,5 @@
 """SymPy expressions to lines of Python: named symbols, common subexpressions, wrapped lines."""
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Mapping
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """Equations of motion: accelerations, rates of the states, and how fast a gap would open."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 
 from rockeom.codegen.solve import solve

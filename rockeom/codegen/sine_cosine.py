@@ -1,7 +1,5 @@
 """Sine and cosine of an angle, computed together: where the function is called."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import sympy as sp

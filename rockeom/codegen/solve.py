@@ -1,7 +1,5 @@
 """M x = f written out in plain numbers: accelerations, and rates after an impact."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 import sympy as sp

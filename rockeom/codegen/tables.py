@@ -1,7 +1,5 @@
 """Tables that every module has: names and units, states and the rotation, numbers of modes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 

@@ -4,8 +4,6 @@
 the text. This file holds what they have in common.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from textwrap import dedent
 

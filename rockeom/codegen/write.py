@@ -1,7 +1,5 @@
 """Write the generated modules, or compare them with what would be written."""
 
-from __future__ import annotations
-
 import difflib
 from collections.abc import Collection, Iterator
 from pathlib import Path

@@ -6,8 +6,6 @@ written it. Any other file is made again and replaced. Where nothing can be stor
 read-only home, a folder that is gone), each process compiles for itself, and nothing is raised.
 """
 
-from __future__ import annotations
-
 import hashlib
 import os
 import stat

@@ -4,8 +4,6 @@ The texts that become machine code (generated modules, steps, the loop) are plai
 such. The marks say what Python cannot.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import TypeAlias, TypeVar
 

@@ -34,8 +34,6 @@ The same text gives the same numbers on every machine, but for `contract`: a*b +
 where the text is a fused one and the processor can.
 """
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field

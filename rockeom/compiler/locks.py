@@ -1,7 +1,5 @@
 """Locks in processes that fork."""
 
-from __future__ import annotations
-
 import os
 import threading
 

@@ -1,7 +1,5 @@
 """Programs of LLVM: functions that are typed by the front end, entries, and halves of a program."""
 
-from __future__ import annotations
-
 import ast
 import re
 from collections import Counter

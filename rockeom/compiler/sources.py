@@ -1,7 +1,5 @@
 """Sources of a generated module, besides its declaration: known without loading SymPy."""
 
-from __future__ import annotations
-
 import hashlib
 from functools import cache
 from importlib.metadata import version

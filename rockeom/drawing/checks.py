@@ -1,7 +1,5 @@
 """Checks of what is to be drawn."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from rockeom.motion.ground_motion import GroundMotion

@@ -1,7 +1,5 @@
 """Several responses on one time axis."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from matplotlib.axes import Axes

@@ -1,7 +1,5 @@
 """Frames as an MP4 film, by ffmpeg: the program of the system, or that of imageio-ffmpeg."""
 
-from __future__ import annotations
-
 import importlib.util
 import shutil
 import subprocess

@@ -12,8 +12,6 @@ so that it does not depend on the scale of the drawing::
     free_body.pivot(ax, (0.3, 0.0), "O")
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Ground motions against time, and their response spectra."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -3,8 +3,6 @@
 Names are the user's: they are data, and escaped.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from functools import partial
 from html import escape

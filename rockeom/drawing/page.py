@@ -3,8 +3,6 @@
 Names and sentences may be the user's: they are data, and escaped.
 """
 
-from __future__ import annotations
-
 import base64
 import io
 from collections.abc import Iterable, Sequence

@@ -1,7 +1,5 @@
 """The response in the plane of rotation and rate."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from itertools import cycle
 

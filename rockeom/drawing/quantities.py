@@ -1,7 +1,5 @@
 """Quantities of a response against time, by their names."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import repeat
 from typing import Any

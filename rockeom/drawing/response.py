@@ -1,7 +1,5 @@
 """One response against time."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

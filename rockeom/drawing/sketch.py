@@ -1,7 +1,5 @@
 """A sketch of a structure, to scale: what its declaration says of places, outlines and members."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from itertools import pairwise
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Common parts of all figures: the figure itself, colours, units and modes."""
 
-from __future__ import annotations
-
 import functools
 import io
 import re

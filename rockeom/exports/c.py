@@ -1,7 +1,5 @@
 """A generated module as one file of C99."""
 
-from __future__ import annotations
-
 import ast
 from collections import Counter
 from collections.abc import Sequence, Set

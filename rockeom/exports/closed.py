@@ -5,8 +5,6 @@ arrays a function changes, which values it needs, and which names mean something
 language.
 """
 
-from __future__ import annotations
-
 import ast
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence

@@ -5,8 +5,6 @@ parameters, the equations of motion, guards, impact map and energies of each mod
 contacts open, slide and bounce have the search for the mode after a landing as well.
 """
 
-from __future__ import annotations
-
 import ast
 import textwrap
 import unicodedata

@@ -1,7 +1,5 @@
 """A generated module as one file of MATLAB, which Octave runs as well."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Sequence
 from typing import Any

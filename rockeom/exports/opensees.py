@@ -5,8 +5,6 @@ a very stiff element there. The base's centre is guided vertically, as in `TwoSp
 in `FlexibleStructure` on `TwoSprings`.
 """
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Mapping
 from string import Template

@@ -3,8 +3,6 @@
 A language is a subclass that says how it writes numbers, calls, items of arrays and assignments.
 """
 
-from __future__ import annotations
-
 import ast
 import textwrap
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """The state within a step: quintics through both ends, and the dense output of the method."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from rockeom.compiler.decorators import inlined

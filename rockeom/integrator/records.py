@@ -1,7 +1,5 @@
 """Records, with named fields, that the loop carries from stage to stage."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from rockeom.compiler.decorators import Floats, Floats2, Floats3, Ints, Ints2, inlined

@@ -1,7 +1,5 @@
 """The interface of a generated module, and functions that follow from it alone."""
 
-from __future__ import annotations
-
 from typing import Any, Protocol, TypeGuard
 
 from rockeom.codes import CONTACT_LAWS, LANDING, NEWTON

@@ -1,7 +1,5 @@
 """Texts of modules: those of this package, generated ones, and modules made from a text."""
 
-from __future__ import annotations
-
 import hashlib
 import linecache
 import sys

@@ -13,8 +13,6 @@ of the guard g that falls there. The states on both sides of it follow the event
 transition as in the loop, and return to the fixed time by the rates on either side.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

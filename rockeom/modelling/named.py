@@ -7,8 +7,6 @@ structure, `foundation_stiffness` and `foundation_damping` for those of a spring
     structure("flexible_structure", mass=..., support="winkler", springs=4, ...)
 """
 
-from __future__ import annotations
-
 import dataclasses
 from collections.abc import Mapping
 from typing import Any

@@ -5,8 +5,6 @@ The header decides, and the name of the file where the header says nothing. An a
 as horizontal.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 

@@ -7,8 +7,6 @@ floor = rk.floor_motion(record, periods=[0.6, 0.2], height=0.75)
 rk.simulate(rk.RigidBlock(half_width=0.2, half_height=0.8), floor)
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import TypeVar

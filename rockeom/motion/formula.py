@@ -1,7 +1,5 @@
 """The formula of a motion, as `GroundMotion.single_sine(3.0, 0.8)`, and it with other numbers."""
 
-from __future__ import annotations
-
 import inspect
 from collections.abc import Callable, Mapping
 from functools import cache, wraps

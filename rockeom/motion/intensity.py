@@ -5,8 +5,6 @@ its acceleration changes sign or turns, and integrals over the parts are by Gaus
 places, which leaves rounding errors alone.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, fields

@@ -1,7 +1,5 @@
 """The real records that other packages carry, by words of their names."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 from functools import cache

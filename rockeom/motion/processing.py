@@ -1,7 +1,5 @@
 """Records made fit for use: baseline, filters, another time step, a part of the time."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from typing import NamedTuple

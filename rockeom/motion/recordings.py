@@ -1,7 +1,5 @@
 """The recordings that a set of motions holds, and which components it has."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence

@@ -1,7 +1,5 @@
 """How a motion is scaled: the intensity that it is to have, and the name that it gets."""
 
-from __future__ import annotations
-
 import re
 from typing import Any, NamedTuple
 

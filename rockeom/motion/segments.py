@@ -6,8 +6,6 @@ segment never steps over a kink or a jump. c0 is the amplitude of every kind but
 second rate of the one kind that has two.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from enum import IntEnum

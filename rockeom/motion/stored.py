@@ -1,7 +1,5 @@
 """Records in the files of other packages: what each carries, and how one is read."""
 
-from __future__ import annotations
-
 import importlib.util
 import re
 from collections.abc import Callable, Iterator

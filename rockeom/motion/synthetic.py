@@ -1,7 +1,5 @@
 """Random ground motions: stationary filtered white noise, and its envelopes over time."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

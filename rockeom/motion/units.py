@@ -1,7 +1,5 @@
 """Units of what records hold, converted once, where a record enters."""
 
-from __future__ import annotations
-
 import math
 import re
 from typing import Any

@@ -1,7 +1,5 @@
 """Code outside the package that calls it: a warning at its line, and whether a frame is of it."""
 
-from __future__ import annotations
-
 import sys
 import warnings
 from types import FrameType

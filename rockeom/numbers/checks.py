@@ -1,7 +1,5 @@
 """Refused input: the one error, whose fields each border prints in its words, and its checks."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping

@@ -5,8 +5,6 @@ Whatever has the unit rad or rad/s may be named with `_degrees` behind its name:
 (`theta_dot_degrees`, degrees per second), a number of a sweep (`over={"alpha_degrees": [12, 14]}`).
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from functools import wraps

@@ -4,8 +4,6 @@ NumPy's functions put in the place of `math` make them functions of arrays, see
 `rockeom.numbers.functions`; programs that carry derivatives are printed with this text.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from typing import Any

@@ -5,8 +5,6 @@ Such are the numbers of many cases (`rockeom.numbers.batch`), a number with its 
 for numbers, as those of the generated modules are, calculates with all of them.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from functools import cache

@@ -4,8 +4,6 @@ A class asks for its picture by name. `rockeom`, where all packages meet, regist
 draws them; it is imported, with matplotlib, for the first picture.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from types import ModuleType
 from typing import Any

@@ -1,7 +1,5 @@
 """Integrals of functions of arrays."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Coordinates of a dataset in a figure: which there are, where they stand, how they are called."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -6,8 +6,6 @@ page = design_report(column, records, impact=rk.EnergyRatio(0.74))
 page.write("column.pdf")   # or column.html
 """
 
-from __future__ import annotations
-
 import html
 import math
 import textwrap

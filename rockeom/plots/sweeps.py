@@ -1,7 +1,5 @@
 """Figures of the datasets of `simulate_many`: maps, spectra, fragility and incremental analyses."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import combinations
 from textwrap import wrap

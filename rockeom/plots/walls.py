@@ -1,7 +1,5 @@
 """Figures of walls that were tested: measured envelopes and computed pushovers."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

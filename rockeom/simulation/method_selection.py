@@ -13,8 +13,6 @@ steps would be many, and many times those that accuracy asks of an implicit meth
 Both are judged by small motion at rest, see `Structure.small_motion`.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from rockeom.simulation.case import Problem

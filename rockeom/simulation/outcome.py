@@ -1,7 +1,5 @@
 """`Outcome`: how a motion ended."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 from typing import Self
 

@@ -3,8 +3,6 @@
 Each function returns the sentences of one question, none where the values are plausible.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

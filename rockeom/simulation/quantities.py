@@ -5,8 +5,6 @@ from the functions of the generated module: velocities and accelerations of plac
 deformations of elements, the forces of the ground on the whole structure, and works and losses.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property

@@ -1,7 +1,5 @@
 """Recorders of a motion: of all of its steps, or of samples and extremes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol

@@ -1,7 +1,5 @@
 """How near a motion came to overturning: theta/alpha, by the overturning angle of each side."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -3,8 +3,6 @@
 A file is netCDF-4 and holds numbers and names, no code. `rockeom.exports.responses` reads it.
 """
 
-from __future__ import annotations
-
 import dataclasses
 import hashlib
 import io

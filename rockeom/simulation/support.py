@@ -1,7 +1,5 @@
 """Forces and impulses that the ground had to give, and the friction that not sliding needed."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from functools import cached_property

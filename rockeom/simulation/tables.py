@@ -1,7 +1,5 @@
 """Quantities of a motion as tables in which every column has its name and its unit."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Works and losses of a motion, by quadrature over its steps; its balance of energy."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Structures whose classes are made of declarations: shipped ones, and those that users declare."""
 
-from __future__ import annotations
-
 import dataclasses
 import functools
 import math

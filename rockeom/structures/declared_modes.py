@@ -4,8 +4,6 @@ The functions are those of `rockeom.structures.searched_modes`, too; `modes_of` 
 `rockeom.structures.modes` gives the file that a module needs.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from typing import Any
 

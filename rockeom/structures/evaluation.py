@@ -1,7 +1,5 @@
 """The functions of a generated module at many states at once, where nothing is integrated."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

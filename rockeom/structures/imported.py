@@ -1,7 +1,5 @@
 """Classes by name, each imported when it is first asked for, so that a process starts sooner."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from importlib import import_module
 from typing import Any

@@ -1,7 +1,5 @@
 """The fastest rates of a structure's small motion at rest, by its equations made linear there."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 
 import numpy as np

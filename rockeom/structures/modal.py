@@ -4,8 +4,6 @@ Such a structure has the generated module of the rocking one without the guards 
 contact: the same equations, energies and forces, and no way out of that mode.
 """
 
-from __future__ import annotations
-
 import functools
 import re
 from typing import NamedTuple, cast

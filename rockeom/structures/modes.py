@@ -1,7 +1,5 @@
 """The file that determines the modes of a structure: `declared_modes` or `searched_modes`."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any, Protocol

@@ -1,7 +1,5 @@
 """Checks of the parameters that a structure is made of, and of the states that its methods get."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Collection, Iterable, Mapping
 from typing import Any

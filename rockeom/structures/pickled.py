@@ -1,7 +1,5 @@
 """Pickles and copies of objects with cached properties."""
 
-from __future__ import annotations
-
 from functools import cached_property
 from typing import Any
 

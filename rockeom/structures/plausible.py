@@ -4,8 +4,6 @@ Each function returns the sentences of one question, none where the values are p
 parameters and constants, plain numbers.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -4,8 +4,6 @@ A generated module tells both; here they get their names. Places are (x, y) in a
 the ground, x to the right and y upwards, from the origin of the declaration.
 """
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 import numpy as np

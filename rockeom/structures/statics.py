@@ -1,7 +1,5 @@
 """The pushover curve, solved numerically: any structure, any number of other coordinates."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

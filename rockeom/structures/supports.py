@@ -1,7 +1,5 @@
 """Supports: the base of a structure stands on one, which is a part of the structure."""
 
-from __future__ import annotations
-
 import functools
 from collections.abc import Mapping
 from typing import Any, ClassVar

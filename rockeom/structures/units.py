@@ -1,7 +1,5 @@
 """Units of the quantities of a motion, by its structure."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -6,8 +6,6 @@ part of the case in front of it, "structure.half_width", "motion.amplitude", tel
 two parts have.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Many motions at once, on all cores or many machines, keeping only what is asked for."""
 
-from __future__ import annotations
-
 import inspect
 import os
 import sys

@@ -9,8 +9,6 @@ error and no result. The group "labels" has the coordinates, its attribute all e
 says of the numbers.
 """
 
-from __future__ import annotations
-
 import hashlib
 import math
 import os

@@ -1,7 +1,5 @@
 """`Task`: what is done with each case of a sweep."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any

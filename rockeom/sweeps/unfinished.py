@@ -1,7 +1,5 @@
 """Unfinished work: users get what an interrupt leaves of it, and nothing else is made of that."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Callable
 from functools import wraps

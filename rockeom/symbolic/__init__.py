@@ -1,7 +1,5 @@
 """Derivation of rocking structures with SymPy: declare bodies and contacts, derive the rest."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from rockeom.numbers import explained

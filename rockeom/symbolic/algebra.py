@@ -1,7 +1,5 @@
 """The few rules by which derived expressions are brought to a short, unique form."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import lru_cache
 from math import comb, prod

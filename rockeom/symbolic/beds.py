@@ -7,8 +7,6 @@ those that press, which are in both sets, are neighbours: n (n + 1)/2 + 1 sets o
 set is the first to open, and a neighbour of an end the first to close.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import chain, product
 from math import prod

@@ -5,8 +5,6 @@ a slip, functions of the coordinates, and a law; an element carries a force. Mod
 follow from these.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -6,8 +6,6 @@ and its energy are written once for all. An ending ends a state: its guard falls
 none of its constraints.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import ClassVar, NamedTuple, Self

@@ -4,8 +4,6 @@ All of it is data: `rockeom.symbolic.lagrange` derives equations of motion from 
 positions are functions of coordinates.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import sympy as sp

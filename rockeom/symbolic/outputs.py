@@ -4,8 +4,6 @@ They are functions of a model and one of its modes. Elements of a search act by 
 Places are (x, y) in axes that move with the ground, x to the right and y upwards.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import NamedTuple
 

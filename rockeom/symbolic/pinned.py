@@ -5,8 +5,6 @@ which it stands: its gap is zero, and its slip is where it stood upright. The re
 that foot, and `rockeom.symbolic.rocking.on_pinned_feet` derives its modes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import combinations

@@ -1,7 +1,5 @@
 """Forces of the ground on the feet."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, tidy

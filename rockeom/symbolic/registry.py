@@ -1,7 +1,5 @@
 """The shipped structures, which the files of `rockeom/symbolic/structures` declare."""
 
-from __future__ import annotations
-
 import importlib
 import math
 import pkgutil

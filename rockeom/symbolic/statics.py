@@ -1,7 +1,5 @@
 """Equilibrium under a horizontal force at the load point, and the pushover curve."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import sympy as sp

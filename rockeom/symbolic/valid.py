@@ -3,8 +3,6 @@
 Each check raises ValueError, which names what is declared, the item and the remedy.
 """
 
-from __future__ import annotations
-
 import re
 import unicodedata
 from collections.abc import Iterable

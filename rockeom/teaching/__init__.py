@@ -1,7 +1,5 @@
 """Answers to the exercises of a notebook: checked by their solutions, which stay closed."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from numbers import Real

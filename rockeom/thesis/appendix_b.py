@@ -3,8 +3,6 @@
 Typed by hand from the thesis, in its own symbols; see chapter_4.py for the units.
 """
 
-from __future__ import annotations
-
 from sympy import Abs, Add, Expr, Float, Integral, Mul, Pow, Rational, cos, sin
 
 from rockeom.thesis.chapter_4 import LEVEL, REACH

@@ -4,8 +4,6 @@ Typed by hand from the thesis, in its own symbols. A vector is a column (i, j), 
 pivot of its side: O for theta > 0, O' for theta < 0.
 """
 
-from __future__ import annotations
-
 from sympy import Derivative, Matrix, Rational, cos, sign, sin
 
 from rockeom.thesis.chapter_5 import THETA_OF_MODEL_C, U_OF_MODEL_C

@@ -1,7 +1,5 @@
 """All equations of the thesis, by number, in its order."""
 
-from __future__ import annotations
-
 from types import MappingProxyType
 
 from rockeom.numbers.checks import InputError

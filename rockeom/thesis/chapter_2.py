@@ -3,8 +3,6 @@
 Typed by hand from the thesis, in its own symbols.
 """
 
-from __future__ import annotations
-
 import sympy as sp
 from sympy import acosh, cos, log, pi, sign, sin, sqrt
 

@@ -3,8 +3,6 @@
 Typed by hand from the thesis, in its own symbols.
 """
 
-from __future__ import annotations
-
 from sympy import Abs, Float, Q, Rational, cos, sin, sqrt
 
 from rockeom.thesis.equation import POSITIVE, Domain, Equation, Kind, says

@@ -5,8 +5,6 @@ equations without numbers hold in any consistent units. The 3.551 mm of the expo
 epsilon, its symbol in 4-8; its value is in 4-7.
 """
 
-from __future__ import annotations
-
 from sympy import (
     Abs,
     And,

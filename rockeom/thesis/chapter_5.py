@@ -3,8 +3,6 @@
 Typed by hand from the thesis, in its own symbols.
 """
 
-from __future__ import annotations
-
 from sympy import Abs, Float, Matrix, Min, Piecewise, asin, atan, cos, log, pi, sin, sqrt, tanh
 
 from rockeom.thesis.equation import NEGATIVE, POSITIVE, Equation, Kind, says

@@ -8,8 +8,6 @@ The rest are polynomials in sines and cosines; division by sin**2 + cos**2 - 1 d
 is zero. None of the engine's simplification is used for it.
 """
 
-from __future__ import annotations
-
 import math
 import random
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """An equation of the thesis: as printed and, where that is wrong, as it should be."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any

@@ -9,8 +9,6 @@ All are let go at rest at the first peak of Table A-1. Compared are its first 13
 energies Figure 4-29 has; see `measured_peaks`.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

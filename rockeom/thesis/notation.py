@@ -4,8 +4,6 @@ As in the thesis's Notations, one letter may mean different things in different 
 has an entry for each. Rates are symbols of their own, as the thesis writes them with dots.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

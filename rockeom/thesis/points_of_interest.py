@@ -1,7 +1,5 @@
 """Peaks of a noisy trace by the window score of section 3.2, and by SciPy's peak finder."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 from typing import NamedTuple
 

@@ -3,8 +3,6 @@
 Units of the tables are those of the page; the specimens are in SI units.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass

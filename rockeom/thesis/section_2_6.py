@@ -3,8 +3,6 @@
 Typed by hand from the thesis, in its own symbols.
 """
 
-from __future__ import annotations
-
 from sympy import Derivative, DiracDelta, Integral, Ne, Piecewise, exp, log, pi, sign, sqrt, tanh
 
 from rockeom.thesis.equation import POSITIVE, Equation, Kind, says

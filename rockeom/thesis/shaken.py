@@ -8,8 +8,6 @@ degrees, the latter N76W; today's libraries have both 30 degrees less, 164 and 2
 The direction of a record on the table is not stated: its reversal changes the sign of every peak.
 """
 
-from __future__ import annotations
-
 import math
 from functools import cache
 from typing import NamedTuple

@@ -6,8 +6,6 @@ for table in side_by_side("2-1"):
     print(table.heading, table.columns, table.rows)
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import NamedTuple
 

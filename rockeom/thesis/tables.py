@@ -8,8 +8,6 @@
 Units are those of the page. This module needs no SymPy.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Callable, Mapping

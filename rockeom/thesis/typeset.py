@@ -1,7 +1,5 @@
 """The thesis's equations in LaTeX, factors and terms in the order in which engineers write them."""
 
-from __future__ import annotations
-
 import re
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Every equation decided, by its checks."""
 
-from __future__ import annotations
-
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator

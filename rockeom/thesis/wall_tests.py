@@ -3,8 +3,6 @@
 The numbers in them were fitted to that wall, so that they serve no other.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

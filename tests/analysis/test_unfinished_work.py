@@ -1,7 +1,5 @@
 """Work that an interrupt ends early, or that gives no answer: nothing that follows is a verdict."""
 
-from __future__ import annotations
-
 import ast
 import functools
 import shutil

@@ -1,7 +1,5 @@
 """Will it overturn? Compared with closed forms, plain simulations and intervals of scipy."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np

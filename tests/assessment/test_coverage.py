@@ -1,7 +1,5 @@
 """Intervals of an assessment hold the truth as often as they say: simulation with known truth."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """The guide "Will it overturn?": each script is short, complete, and says what the guide says."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

@@ -1,7 +1,5 @@
 """Uplift, sliding and restraint of structures at rest, by equilibrium of the forces on them."""
 
-from __future__ import annotations
-
 import dataclasses
 import math
 

@@ -3,8 +3,6 @@
 python -m tests.browser        list those whose bits differ; a few minutes
 """
 
-from __future__ import annotations
-
 import sys
 
 import pytest

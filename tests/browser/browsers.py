@@ -6,8 +6,6 @@ A page is served by this process with a few lines more, which run the motions an
 any browser does that opens an address; it needs no driver.
 """
 
-from __future__ import annotations
-
 import base64
 import contextlib
 import hashlib

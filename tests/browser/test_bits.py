@@ -1,7 +1,5 @@
 """The program of a page has the bits of machine code, whatever runs it."""
 
-from __future__ import annotations
-
 import importlib
 
 import pytest

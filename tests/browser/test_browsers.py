@@ -1,7 +1,5 @@
 """Motions of a page have the bits of machine code in every browser that is installed."""
 
-from __future__ import annotations
-
 import shutil
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Menus, presets, questions, sizes, statics and code of a page say what Python says."""
 
-from __future__ import annotations
-
 import re
 
 import numpy as np

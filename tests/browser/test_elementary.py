@@ -1,7 +1,5 @@
 """Elementary functions of a page are near the exact ones, and the same in machine code."""
 
-from __future__ import annotations
-
 import math
 import random
 from types import FunctionType, SimpleNamespace

@@ -1,7 +1,5 @@
 """Lessons mark right what is right, in the teacher's words, and say so in any language."""
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import json

@@ -1,7 +1,5 @@
 """A page is one file that runs by itself, and its motions are those of `rk.simulate`."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

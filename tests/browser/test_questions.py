@@ -3,8 +3,6 @@
 In machine code, which has the bits of the page.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

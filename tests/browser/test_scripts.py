@@ -1,7 +1,5 @@
 """The scripts of a page keep their types and their form, and its texts are in one table."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

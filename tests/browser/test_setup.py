@@ -1,7 +1,5 @@
 """The set-up of a page is that of Python, or there is no page."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """`rockeom thesis figure`."""
 
-from __future__ import annotations
-
 import importlib.util
 
 import matplotlib.image

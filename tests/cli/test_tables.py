@@ -1,7 +1,5 @@
 """`rockeom thesis tables`."""
 
-from __future__ import annotations
-
 import pytest
 
 from rockeom.cli import main

@@ -1,7 +1,5 @@
 """`rockeom thesis equations` and `rockeom thesis verify`."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """Structures that no file of the package declares, to be derived in tests."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cache
 

@@ -6,8 +6,6 @@ of all closed points together, solved by numpy. From the generated module come M
 gaps and rows alone, which `tests.contact.test_modes` compares with their declaration.
 """
 
-from __future__ import annotations
-
 from types import ModuleType
 from typing import NamedTuple
 

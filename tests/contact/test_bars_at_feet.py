@@ -4,8 +4,6 @@ Their elongation and its rate vanish but for rounding while the foot stands; a g
 rounding would fall and rise at every step.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cache
 

@@ -1,7 +1,5 @@
 """What cannot be meant is refused, by a text that names the item and the remedy."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -4,8 +4,6 @@ A rectangular block stands on its left foot, which sticks until the right corner
 the sine and cosine of alpha, tan alpha = b/h; no letter of the derivation.
 """
 
-from __future__ import annotations
-
 import sympy as sp
 
 import rockeom as rk

@@ -1,7 +1,5 @@
 """Springs and dampers that press and never pull: their states, forces and guards."""
 
-from __future__ import annotations
-
 import importlib
 from functools import cache
 

@@ -1,7 +1,5 @@
 """The states of events, given back: what a motion passed through can be asked, and goes on."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The structure on feet and a pad that the guide declares."""
 
-from __future__ import annotations
-
 from tests.pages import GUIDE, blocks, names_of
 
 

@@ -4,8 +4,6 @@ The ground accelerates to the right, a > 0: the block begins about its left foot
 slides to the left, sigma = -1. Half-dimensions b, h; g' = g + a_y; a homogeneous rectangle.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import pytest

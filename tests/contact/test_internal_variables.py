@@ -4,8 +4,6 @@ References are the closed form of a linear motion (a matrix exponential) and a m
 written by hand and integrated by scipy.
 """
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 from itertools import pairwise

@@ -4,8 +4,6 @@ Accelerations, normal forces and friction of every mode against one system of eq
 solved by numpy (`tests.contact.kkt`), at random states that fit it and random parameters.
 """
 
-from __future__ import annotations
-
 import importlib
 from functools import cache
 

@@ -4,8 +4,6 @@ The values stand for a random state of a mode, its accelerations and forces solv
 (`tests.contact.kkt`), and rates after an impact by the same equations in impulses.
 """
 
-from __future__ import annotations
-
 import re
 from functools import cache
 

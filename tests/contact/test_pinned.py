@@ -1,7 +1,5 @@
 """Feet that are pinned: a free structure on them is the rocking structure of the same masses."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A block that slides, bounces and flies, under random shaking from random starts."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

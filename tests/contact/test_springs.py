@@ -1,7 +1,5 @@
 """Springs and dampers that always act: what follows from them, and what a response calls them."""
 
-from __future__ import annotations
-
 import importlib
 from dataclasses import replace
 

@@ -4,8 +4,6 @@ The reference is the gap of each spring by hand: above its spring a foot carries
 fast it comes down.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cache
 

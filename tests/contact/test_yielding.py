@@ -4,8 +4,6 @@ References are closed forms: an elastic, perfectly plastic oscillator in free fl
 goes slack, and the moments of a wall on one of its feet.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cache
 

@@ -6,8 +6,6 @@ Digests kept on disk would depend on the processor for which the machine code is
 commit computes the motions that it names itself, if it has this package, or else those of today.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

@@ -4,8 +4,6 @@ sweeps with and without lanes, and derivatives.
 python -m tests.golden.motions FOLDER [PART]    writes arrays of those whose name has PART
 """
 
-from __future__ import annotations
-
 import sys
 import warnings
 from collections.abc import Callable, Iterator

@@ -1,7 +1,5 @@
 """python -m tests.impacts [COUNT]: gains of energy in random landings, and the package."""
 
-from __future__ import annotations
-
 import sys
 import time
 

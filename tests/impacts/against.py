@@ -1,7 +1,5 @@
 """The laws of the package on the impacts of these tests: impulses from numbers alone."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rockeom.codes import NEVER_SLIPS

@@ -11,8 +11,6 @@ kinetic energy for P_r >= e P_c, and P_r = P_c would give that before the impact
 With friction by its two problems it cannot gain where G - E G E has no negative eigenvalue.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from typing import NamedTuple

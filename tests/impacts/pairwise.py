@@ -1,7 +1,5 @@
 """Contacts that take their impulses one after the other, each as if it were alone."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

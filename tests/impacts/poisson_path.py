@@ -6,8 +6,6 @@ uniform rate, and more where its gap would close. In between rates are straight 
 ends where a slip stops or a contact is reached. For one contact this is Routh's path.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 

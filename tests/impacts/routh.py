@@ -5,8 +5,6 @@ sticks, mu G_tt >= |G_nt|, or turns. The rates are pieces of straight lines in P
 three restitutions ends them: by rates (Newton), by impulses (Poisson) or by work (Stronge 1990).
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 

@@ -1,7 +1,5 @@
 """Landings of the block on level feet by the compiled package, and by the references."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from functools import cache

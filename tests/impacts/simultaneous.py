@@ -7,8 +7,6 @@ Each law is one or two problems of the same kind. Impulses R >= 0 and Q, and fin
 which a pattern (each contact loaded or not, each slip stopped or to one side) makes linear.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 

@@ -12,8 +12,6 @@ Zhao and Brogliato 2008), or where it has come back to the place at which it ope
 (gaps="followed": springs as they are).
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Iterator

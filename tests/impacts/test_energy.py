@@ -1,7 +1,5 @@
 """No law gains where it is stated not to, and each that can gain has an example."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

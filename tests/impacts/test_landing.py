@@ -1,7 +1,5 @@
 """A block lands on its second corner while the first is still closed: by each law, by hand."""
 
-from __future__ import annotations
-
 import math
 
 import mpmath

@@ -1,7 +1,5 @@
 """The package's laws of impact against the references of this folder."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The references themselves: springs in time against closed forms, energies, limits."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -4,8 +4,6 @@ None is silent, and none is answered by Python, NumPy or another library: the er
 file of the package, and its message names the argument, the value or what to write instead.
 """
 
-from __future__ import annotations
-
 import traceback
 from collections import Counter
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """The motion of a floor of an elastic building, compared with other integrations of the same."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import numpy as np

@@ -3,8 +3,6 @@
 Motions of them, and of a dozen declared structures, check every index.
 """
 
-from __future__ import annotations
-
 import sys
 import time
 

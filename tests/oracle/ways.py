@@ -3,8 +3,6 @@
 With contraction off each operation is rounded by itself, and all ways give the same bits.
 """
 
-from __future__ import annotations
-
 import ast
 import math
 import warnings

@@ -1,7 +1,5 @@
 """python -m tests.soak: run many seeds, one seed again, or many with a fault planted."""
 
-from __future__ import annotations
-
 import argparse
 import os
 import sys

@@ -1,7 +1,5 @@
 """Programs that check every index, on random motions of every kind of structure."""
 
-from __future__ import annotations
-
 import os
 import warnings
 from collections.abc import Callable, Iterator

@@ -5,8 +5,6 @@ for each violation. Bounds follow from the tolerances of the run: a state may be
 times what a step is allowed, and an energy or a gap by what such an error makes of it.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """What needs no motion: names of a declaration, feet of a declaration, statics."""
 
-from __future__ import annotations
-
 import types
 from collections.abc import Iterator
 from dataclasses import replace

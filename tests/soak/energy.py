@@ -6,8 +6,6 @@ Ordinary structures of engineering, on feet that lift, are shaken so that they r
 is left to the default. Kinetic energies before and after each impact are compared.
 """
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from collections.abc import Iterable

@@ -5,8 +5,6 @@ that one whole number fixes all of a motion, as with the structures of `tests.so
 programs are compiled: sizes, friction and restitution are parameters.
 """
 
-from __future__ import annotations
-
 import functools
 import math
 from collections.abc import Callable, Sequence

@@ -4,8 +4,6 @@
 what is compiled, which takes a minute or more; the cheap ones are among the tests.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

@@ -18,8 +18,6 @@ Each check yields a line for each violation; its first words name the kind. The 
   accelerations: all patterns of open, sticking and slipping points are tried.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -4,8 +4,6 @@ Energies, powers and guards of each mode as NumPy functions of arrays. SymPy der
 once for a model; the text is kept beside the compiled programs, where later processes find it.
 """
 
-from __future__ import annotations
-
 import functools
 import hashlib
 import importlib

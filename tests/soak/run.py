@@ -1,7 +1,5 @@
 """Many seeds in worker processes, each run watched: compiled code that hangs hears no signal."""
 
-from __future__ import annotations
-
 import collections
 import multiprocessing
 import queue

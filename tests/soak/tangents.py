@@ -1,7 +1,5 @@
 """Derivatives of a motion of the soak, along a direction in which all its numbers change."""
 
-from __future__ import annotations
-
 import dataclasses
 import math
 from collections.abc import Iterator

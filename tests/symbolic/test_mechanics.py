@@ -1,7 +1,5 @@
 """Bodies of sympy.physics.mechanics as models: equations, motions, and declarations refused."""
 
-from __future__ import annotations
-
 from functools import cache
 from typing import Any, NamedTuple
 

@@ -7,8 +7,6 @@ catalogue of the thesis. Of an equation of the catalogue the first occurrence in
 replaced, which is in its printed form.
 """
 
-from __future__ import annotations
-
 import contextlib
 import inspect
 import sys

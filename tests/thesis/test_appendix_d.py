@@ -1,7 +1,5 @@
 """Slips of Appendix D that the check of a single equation does not show."""
 
-from __future__ import annotations
-
 import pytest
 import sympy as sp
 

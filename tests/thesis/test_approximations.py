@@ -1,7 +1,5 @@
 """Approximations of the thesis that the checks of single equations do not reach."""
 
-from __future__ import annotations
-
 import pytest
 import sympy as sp
 

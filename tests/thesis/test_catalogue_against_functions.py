@@ -3,8 +3,6 @@
 The two were typed apart. Each is evaluated at random points, the equation by SymPy.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Mapping
 

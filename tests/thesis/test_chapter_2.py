@@ -1,7 +1,5 @@
 """The checks of chapter 2 notice an equation that is slightly wrong."""
 
-from __future__ import annotations
-
 import pytest
 import sympy as sp
 

@@ -1,7 +1,5 @@
 """The checks of chapter 4 and appendix B notice a slightly wrong equation; the tables of both."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The checks notice an equation that is slightly wrong: nothing is decided by looking away."""
 
-from __future__ import annotations
-
 import pytest
 import sympy as sp
 

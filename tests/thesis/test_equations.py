@@ -3,8 +3,6 @@
 Where the thesis is wrong, what is printed differs from what is derived, and by the stated excess.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

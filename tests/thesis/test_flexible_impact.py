@@ -5,8 +5,6 @@ none: the angular momentum about the new pivot and the momentum m_e (u' + H_e th
 superstructure across the column are both conserved.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from fractions import Fraction
 from random import Random

@@ -1,7 +1,5 @@
 """The comparison with the thesis notices a derivation or a structure that is slightly wrong."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 

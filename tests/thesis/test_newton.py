@@ -5,8 +5,6 @@ of inertia forces and weights are summed. SymPy only puts numbers into the thesi
 engine has no part in this.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

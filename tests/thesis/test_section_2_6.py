@@ -1,7 +1,5 @@
 """The impact as a force, beyond the checks of single equations."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

@@ -1,7 +1,5 @@
 """Statics of Model B beyond single equations: where the base is held, continuity, and numbers."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Relations of the thesis made slightly wrong, and whether the checks notice."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import sympy as sp

@@ -17,8 +17,6 @@ of that damping has the target displacement gives the stiffness, and this the ba
 (Priestley, Calvi and Kowalsky 2007).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 

@@ -12,8 +12,6 @@ The thesis proposes it where r is unknown, and rejects it: the peak is no slowly
 r (Figure 4-71). `conservative` is the part of the analyses that reach a known response.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 

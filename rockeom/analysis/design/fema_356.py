@@ -21,8 +21,6 @@ damping. Here delta is the displacement of the centroid and theta = delta/R, as 
 are small compared with alpha's complement; another arm may be given.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

@@ -13,8 +13,6 @@ step may be of any length and the force is exact. The memory of a rule is an arr
 springs, so that a time integration may try a step and reject it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple

@@ -8,8 +8,6 @@
 Source: thesis section 5.3.3.1, Figure 5-45.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import NamedTuple

@@ -26,8 +26,6 @@ looks every half period, at every second look into a mirror: such a motion is a 
 and where its symmetry breaks a multiplier is -1.
 """
 
-from __future__ import annotations
-
 import contextlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field

@@ -8,8 +8,6 @@
 Its tendons and its rotation centre, too, are of `rockeom.structures.shipped.tendoned_wall`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

@@ -5,8 +5,6 @@ displacement over that at yield, 1 or more; a stiffness_ratio is k_p/k_i, the st
 yield over the initial one.
 """
 
-from __future__ import annotations
-
 import difflib
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -5,8 +5,6 @@ from the centre line moves down by x times the rotation. The moment is that of t
 mat; the overturning moment of the weight on a structure that leans (P-delta) is no part of it.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Strength of masonry walls that rock in their plane."""
 
-from __future__ import annotations
-
 from numpy.typing import ArrayLike
 
 from rockeom.numbers.checks import numbers, positive, require

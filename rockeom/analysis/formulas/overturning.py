@@ -10,8 +10,6 @@ impact if q, which starts from -alpha where the ground reaches g alpha, is posit
 Source: Housner (1963).
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

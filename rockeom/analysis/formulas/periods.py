@@ -4,8 +4,6 @@ Both start from rest. p = sqrt(m g R/I_o) is the frequency parameter [rad/s],
 `RigidBlock.frequency_parameter`; alpha is the rotation of unstable equilibrium [rad].
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

@@ -10,8 +10,6 @@ find r of a measured record by the derived energies, and `velocity_ratio` of the
 square root of the predicted r.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

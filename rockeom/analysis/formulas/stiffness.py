@@ -1,7 +1,5 @@
 """Stiffness of columns, from their material and their section."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

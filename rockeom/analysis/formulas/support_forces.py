@@ -6,8 +6,6 @@ R is the distance from a foot to the centroid, alpha the angle of that line from
 measured. They are finite between impacts, and do not contain the impact itself.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

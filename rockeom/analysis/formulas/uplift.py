@@ -1,7 +1,5 @@
 """Uplift of a structure, and its vibration after it."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

@@ -1,7 +1,5 @@
 """Rotation, stiffness and damping coefficient of a model from measured quantities."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

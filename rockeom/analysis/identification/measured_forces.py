@@ -4,8 +4,6 @@ Between impacts they are those of 3-8 and 3-9. About an impact they depend on th
 differentiation of the record more than on the impact: see `impact_forces_of_record`.
 """
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 import numpy as np

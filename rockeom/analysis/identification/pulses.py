@@ -13,8 +13,6 @@ of its phase angle. A search over periods, envelopes and all centres at once (a 
 the best of them, from which least squares continue.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 

@@ -4,8 +4,6 @@ A wall that has slid by s is upright at a displacement s. Its uplifts and the fo
 against the displacement are then the curves of before, shifted by s; thesis Figures 4-57 to 4-59.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import NamedTuple
 

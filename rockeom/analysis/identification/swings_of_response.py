@@ -1,7 +1,5 @@
 """The swings of a simulated free vibration: peaks and crossings, and their derivatives."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from itertools import pairwise
 from typing import NamedTuple

@@ -7,8 +7,6 @@ found = identification.moving_window(record, "displacement", excitation="table")
 found.time, found.frequency, found.amplitude, found.dominant
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -3,8 +3,6 @@
 Observed fractions and the curve each have an interval of confidence.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Reliability diagrams: how often motions overturn to which a model gives one probability."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

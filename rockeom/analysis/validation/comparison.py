@@ -5,8 +5,6 @@ which compares each test with its own simulations. The others take two independe
 as those of two laboratories.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """How many tests a claim needs: for a probability, a mean, a distribution."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

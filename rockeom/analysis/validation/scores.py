@@ -1,7 +1,5 @@
 """Proper scores of predictions: in expectation none is better than the true distribution's."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

@@ -1,7 +1,5 @@
 """A page of derived equations as text for a terminal."""
 
-from __future__ import annotations
-
 import re
 import textwrap
 import unicodedata

@@ -1,7 +1,5 @@
 """``rockeom thesis equations``: the equations of the thesis."""
 
-from __future__ import annotations
-
 import argparse
 import textwrap
 

@@ -1,7 +1,5 @@
 """``rockeom thesis figure``: figures of the thesis, drawn again."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 import textwrap

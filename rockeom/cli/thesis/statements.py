@@ -1,7 +1,5 @@
 """``rockeom thesis statements``: sentences of the thesis with a number, judged."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 import textwrap

@@ -1,7 +1,5 @@
 """``rockeom thesis tables``: tables of the thesis, printed and computed."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 import textwrap

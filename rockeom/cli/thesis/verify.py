@@ -1,7 +1,5 @@
 """``rockeom thesis verify``: every equation of the thesis decided."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 import textwrap

@@ -14,8 +14,6 @@ No lane's numbers depend on another's, nor on its place: so the results are the 
 bit for any order and number of motions.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The text of one step of many lanes, for the vectoriser of the compiler."""
 
-from __future__ import annotations
-
 from textwrap import indent
 from typing import NamedTuple
 

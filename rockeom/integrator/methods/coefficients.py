@@ -4,8 +4,6 @@ They are SciPy's to the last bit, under its names (`scipy.integrate.RK45` and `D
 what each is), and stand here since SciPy takes about as long to import as a program to compile.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 

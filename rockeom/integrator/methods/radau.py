@@ -13,8 +13,6 @@ and are solved by Newton's method with the Jacobian at the start of the step, Jq
 and Jv by velocities: its matrix is I - h a Jv - h^2 a^2 Jq, in blocks.
 """
 
-from __future__ import annotations
-
 from decimal import Decimal, localcontext
 from fractions import Fraction
 from functools import cache

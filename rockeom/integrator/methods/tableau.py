@@ -4,8 +4,6 @@ A tableau proves its order conditions when it is built. Writing a step out, each
 lets the compiler drop zero coefficients and keep the rest as constants.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """The sum of infinitely many impacts of structures with declared modes, and how they stand."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Points that meet in an impact, and the forces that fit at an instant of it, by Coulomb's law."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

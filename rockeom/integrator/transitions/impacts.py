@@ -12,8 +12,6 @@ laws differ in normal forces:
               together, see `one_by_one`
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The impact of points that touch by springs: the law of Liu, Zhao and Brogliato."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """The end of events without end: infinitely many impacts to come, or any events at one instant."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """The check of ground motions against the spectrum of a code, by the rule of Eurocode 8."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

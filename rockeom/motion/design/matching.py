@@ -7,8 +7,6 @@ response of each of many oscillators to its target (Al Atik and Abrahamson 2010,
 26, 601-617).
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Closed forms that all blocks with their centroid above the middle of the base share."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from rockeom.numbers.functions import mathematics

@@ -1,7 +1,5 @@
 """Closed forms of the block whose impacts are forces."""
 
-from __future__ import annotations
-
 from rockeom.numbers.checks import InputError
 from rockeom.structures.shipped.declarations import dirac_delta_block as declared
 

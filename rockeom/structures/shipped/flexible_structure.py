@@ -1,7 +1,5 @@
 """The flexible structure of two masses, on any support."""
 
-from __future__ import annotations
-
 import math
 from typing import Any, Self
 

@@ -1,7 +1,5 @@
 """The rigid structure of two lumped masses, on any support."""
 
-from __future__ import annotations
-
 from rockeom.structures.shipped.declarations import lumped_mass_structure as declared
 from rockeom.structures.supports import SupportedStructure
 

@@ -1,7 +1,5 @@
 """Closed forms of the block without dimensions."""
 
-from __future__ import annotations
-
 from rockeom.structures.shipped.declarations import nondimensional_block as declared
 
 

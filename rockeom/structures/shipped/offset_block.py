@@ -1,7 +1,5 @@
 """Closed forms of the block with its centroid off the middle of the base."""
 
-from __future__ import annotations
-
 from rockeom.numbers.checks import InputError
 from rockeom.numbers.functions import mathematics
 from rockeom.structures.shipped.declarations import offset_block as declared

@@ -1,7 +1,5 @@
 """Closed forms of Housner's block."""
 
-from __future__ import annotations
-
 from typing import Self
 
 from rockeom.motion.units import STANDARD_GRAVITY

@@ -1,7 +1,5 @@
 """The wall as Housner's block about the edges of its base, made as the one about its centre."""
 
-from __future__ import annotations
-
 from rockeom.structures.shipped.declarations import simplified_substitute_gravity_wall as declared
 from rockeom.structures.shipped.substitute_gravity_wall import SubstituteGravityWall
 

@@ -1,7 +1,5 @@
 """Closed forms of the block that slides and bounces: those of the rigid one."""
 
-from __future__ import annotations
-
 from rockeom.structures.shipped.declarations import sliding_block as declared
 from rockeom.structures.shipped.rigid_block import RigidBlock
 

@@ -1,7 +1,5 @@
 """Two blocks on one another, of the parameters of each or of two blocks."""
 
-from __future__ import annotations
-
 import functools
 from typing import Any
 

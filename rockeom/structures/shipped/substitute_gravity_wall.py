@@ -1,7 +1,5 @@
 """The controlled wall as Housner's block, made from a wall of the thesis or of the analysis."""
 
-from __future__ import annotations
-
 from typing import Self
 
 from rockeom.structures.shipped.declarations import substitute_gravity_wall as declared

@@ -1,7 +1,5 @@
 """Controlled rocking walls: their parameters, their tendon, and their equilibrium."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

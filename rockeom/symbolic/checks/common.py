@@ -1,7 +1,5 @@
 """Words that checks of declarations share: names of a response, and symbols by what they are."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple, NoReturn
 

@@ -1,7 +1,5 @@
 """Checks of contacts and elements, of which modes are derived."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from itertools import combinations
 

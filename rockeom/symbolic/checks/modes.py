@@ -1,7 +1,5 @@
 """Checks of declared modes, and of the transitions between them."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import sympy as sp

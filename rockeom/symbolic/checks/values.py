@@ -3,8 +3,6 @@
 Each check raises ValueError, which names the declaration, the item and the remedy.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 

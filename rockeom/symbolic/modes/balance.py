@@ -1,7 +1,5 @@
 """Forces of a mode: its equations of motion, and the forces of its contacts."""
 
-from __future__ import annotations
-
 from functools import cached_property
 
 import sympy as sp

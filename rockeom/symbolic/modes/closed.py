@@ -1,7 +1,5 @@
 """Closed contacts: the configuration in which all gaps of a mode are zero."""
 
-from __future__ import annotations
-
 from functools import cached_property
 
 import sympy as sp

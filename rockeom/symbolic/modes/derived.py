@@ -1,7 +1,5 @@
 """The mode that some closed points make, from its kinematics to its impacts."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import cached_property
 

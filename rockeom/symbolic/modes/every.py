@@ -1,7 +1,5 @@
 """Which modes a declaration has, and the equations of each: patterns of points, states, names."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import product

@@ -1,7 +1,5 @@
 """Impacts that end in a mode: the rates after them, and the impulses of its contacts."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import cached_property
 

@@ -1,7 +1,5 @@
 """How a mode may move: its constraints, the motions they leave, and what slips together."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from functools import cached_property
 from itertools import combinations

@@ -1,7 +1,5 @@
 """The beginning of a mode, which shows whether it is the one that follows."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import NamedTuple
 

@@ -5,8 +5,6 @@ that were set: generalised speeds play no part. Nothing of `sympy.physics` is im
 whoever has such bodies has imported it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import fields, is_dataclass
 from typing import Any

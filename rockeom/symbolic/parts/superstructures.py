@@ -1,7 +1,5 @@
 """Superstructures on a rigid base: masses as functions of the motion of the base."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Supports of a base: its motions, and the forces on it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from inspect import signature

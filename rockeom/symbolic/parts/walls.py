@@ -1,7 +1,5 @@
 """A rigid wall under a constant axial force on a bed that does not pull, and crushes."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from rockeom.symbolic import valid

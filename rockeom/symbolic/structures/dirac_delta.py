@@ -5,8 +5,6 @@ its edge, sgn(x) becomes tanh(x/n); the loss is a force F(x, v) = delta_n(x) g(v
 delta as the Gaussian delta_n.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """Flexible structure of two masses on rigid ground (thesis Model C, 5.3.3 and Appendix D)."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from rockeom.symbolic.parts.superstructures import MAY_VANISH, elastic_column

@@ -1,7 +1,5 @@
 """Rigid structure of two lumped masses on rigid ground (thesis Model A, 5.3.1)."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from rockeom.symbolic.parts.superstructures import MAY_VANISH, rigid

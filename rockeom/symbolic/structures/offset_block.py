@@ -1,7 +1,5 @@
 """The rigid block whose centroid is not above the middle of its base."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from rockeom.symbolic.model import Body, Parameter, turned

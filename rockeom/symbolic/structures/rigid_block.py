@@ -1,7 +1,5 @@
 """Housner's block, and its slender and non-dimensional forms (thesis 2.2 and 2.5.1)."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import sympy as sp

@@ -1,7 +1,5 @@
 """A beam on columns that are not joined to it, nor to the ground (Makris and Vassiliou 2013)."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE

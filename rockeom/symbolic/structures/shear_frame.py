@@ -1,7 +1,5 @@
 """A frame of any number of storeys that rocks on rigid ground."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from rockeom.symbolic import valid

@@ -1,7 +1,5 @@
 """The rigid block that slides, bounces and flies: Shenton's five modes."""
 
-from __future__ import annotations
-
 from rockeom.symbolic.contact_model import Model
 from rockeom.symbolic.contacts import Rigid, feet
 from rockeom.symbolic.model import Body, rectangle, turned

@@ -1,7 +1,5 @@
 """Two rigid blocks on one another (Psycharis 1990; Spanos, Roussis and Politis 2001)."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from rockeom.symbolic.contact_model import Model

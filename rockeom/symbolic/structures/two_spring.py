@@ -1,7 +1,5 @@
 """Rigid lumped-mass structure on two compression-only springs (thesis Model B, 5.3.2)."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cache, partial
 

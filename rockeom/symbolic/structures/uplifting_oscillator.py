@@ -1,7 +1,5 @@
 """Chopra and Yim's flexible structure of one mass on a massless base (thesis 2.4.1)."""
 
-from __future__ import annotations
-
 import sympy as sp
 
 from rockeom.symbolic.algebra import truncated

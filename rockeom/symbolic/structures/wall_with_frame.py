@@ -1,7 +1,5 @@
 """A rocking wall beside an elastic frame, linked to it."""
 
-from __future__ import annotations
-
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.model import GROUND_Y, Body, Member, coordinate, parameter, rectangle, turned

@@ -1,7 +1,5 @@
 """The page of a structure whose modes are derived from its contacts: each mode's equations."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 
 import sympy as sp

@@ -5,8 +5,6 @@ coordinates, radii, brackets, sines and cosines, velocities, accelerations. Term
 accelerations, velocities, ground acceleration and gravity; within each, mass by mass.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from functools import lru_cache

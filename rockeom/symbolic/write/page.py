@@ -3,8 +3,6 @@
 Text holds mathematics between dollar signs and code between backquotes.
 """
 
-from __future__ import annotations
-
 import html
 import re
 import unicodedata

@@ -3,8 +3,6 @@
 B = R sin(alpha),  H = R cos(alpha)
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import sympy as sp

@@ -1,7 +1,5 @@
 """The beginning of each page: symbols, functions and constants; and energies of a mode."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable
 

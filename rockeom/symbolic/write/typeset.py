@@ -1,7 +1,5 @@
 """Derived equations for people: LaTeX and Markdown, as one would write them in a paper."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 import sympy as sp

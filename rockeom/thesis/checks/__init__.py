@@ -1,7 +1,5 @@
 """The checks of each equation, by its number."""
 
-from __future__ import annotations
-
 from rockeom.thesis.checks import (
     appendix_b,
     appendix_d,

@@ -1,7 +1,5 @@
 """Checks of the equations of appendix B, with the wall of those of chapter 4."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 

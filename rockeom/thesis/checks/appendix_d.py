@@ -1,7 +1,5 @@
 """Checks of the equations of Appendix D that the engine alone does not decide."""
 
-from __future__ import annotations
-
 import cmath
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """Checks of the equations of chapter 2 that the engine alone does not decide; not of 2.6."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from functools import cache

@@ -1,7 +1,5 @@
 """Checks of the equations of chapter 3 that the engine alone does not decide."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """Checks of 4-5, 4-17 to 4-26 and 4-44: quarter periods and motion without losses."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from functools import cache

@@ -1,7 +1,5 @@
 """Checks of 4-1 to 4-16 but 4-5: the centre of rotation, the uplift and the tendon of the wall."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 

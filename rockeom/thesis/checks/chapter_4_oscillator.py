@@ -1,7 +1,5 @@
 """Checks of 4-27 to 4-31, 4-39 and 4-41 to 4-43: the equivalent oscillator of the wall."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Iterator
 

@@ -1,7 +1,5 @@
 """Checks of 4-32 to 4-38 and 4-40: the wall as a rocking block with substitute gravity."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from functools import cache

@@ -1,7 +1,5 @@
 """Checks of the equations of chapter 5 that the engine alone does not decide."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import cache
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Checks of an equation: findings on its printed form, and on the corrected one."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import Enum

@@ -5,8 +5,6 @@ symbols: the value of the thesis's left side where that is a single symbol, the 
 minus right side of an equation of motion otherwise.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache

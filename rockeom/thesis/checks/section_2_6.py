@@ -4,8 +4,6 @@ With the velocity v as a function of the rotation, x'' = v dv/dx, so that delta(
 dv/dx = delta(x) g(v) / v: separable, and with g = C v**2 solved by v_f = v_0 exp(C).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import cache
 

@@ -4,8 +4,6 @@ The equation of motion of a structure, with its functions put in, has to be that
 the forces and energies of the thesis put in. Tendons are elastic and on the centreline.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from functools import partial
 

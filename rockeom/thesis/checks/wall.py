@@ -5,8 +5,6 @@ on its base. Lengths are in mm where the numbers of the thesis are, with forces 
 in J.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from functools import cache

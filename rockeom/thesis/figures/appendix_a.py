@@ -4,8 +4,6 @@ The motions of the table are lost. Drawn are the records that were meant, with t
 table reached; Tabas and Llolleo are not at hand.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.figure import Figure
 

@@ -1,7 +1,5 @@
 """Figures of chapter 2: uplifting oscillators, mats, and impacts as forces."""
 
-from __future__ import annotations
-
 import math
 from itertools import pairwise
 

@@ -5,8 +5,6 @@ calls r a ratio of kinetic energies in 2-4, and in Figure 2-12, after Hogan (198
 speeds: there it is 0.5 as a ratio of speeds.
 """
 
-from __future__ import annotations
-
 import math
 from functools import cache
 from typing import Any

@@ -1,7 +1,5 @@
 """Figures of 2.7, controlled rocking: hysteresis and its equivalent damping."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -6,8 +6,6 @@ second, with noise of 0.01 degrees, and with an r for each foot: the means of th
 gives.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Figures of 3.2.3: support forces of the free rocking block, of equations and of records."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

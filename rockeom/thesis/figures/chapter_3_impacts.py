@@ -1,7 +1,5 @@
 """Figures of 3.2.4: the energy that impacts of the free rocking block lose."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

@@ -5,8 +5,6 @@ acceleration between them. They are drawn as points: no curve between them is pr
 a number had to be guessed are left out.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from typing import Any, NamedTuple
 

@@ -5,8 +5,6 @@ The motions of the table and the traces are lost. El Centro 180 (runs 1, 2 and 7
 4-40 (MHSG), as for Tables 4-3 and 4-5; of the tests, these tables have the peaks.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure

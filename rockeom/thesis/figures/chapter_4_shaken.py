@@ -5,8 +5,6 @@ The record of test run 4 is Northridge 1994, Sylmar 360, in 0.6 of its time. The
 and 122 degrees in FEMA P695's near-field set give it the peak of Table 4-1, 8.273 m/s2.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cache
 from itertools import groupby

@@ -3,8 +3,6 @@
 The wall starts at rest at the first peak of Table A-1.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cache
 from typing import Any, NamedTuple

@@ -6,8 +6,6 @@ step of two samples. It does not state Kaiser's beta, here 6, nor the segments o
 one here, for 2.3 Hz at best, which beta makes 3.4 Hz.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

@@ -6,8 +6,6 @@ The motions of the table and the traces are lost. El Centro 180 (runs 1, 2 and 7
 displacements and tendon forces.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

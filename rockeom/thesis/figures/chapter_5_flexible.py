@@ -4,8 +4,6 @@ Stiffness and damping are those of 5-1 and 5-36, 571.8 kN/m and 502.4 N s/m. At 
 angular velocity is multiplied by the root of r and the column's rate is left, as the thesis does.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

@@ -5,8 +5,6 @@ motions of the shaking table are not available: in their place stand the records
 El Centro 180 with 0.8 g and Pacoima Dam 254 with 2.4 g, their time scaled to 1/5.
 """
 
-from __future__ import annotations
-
 from functools import cache
 from itertools import pairwise
 from typing import NamedTuple

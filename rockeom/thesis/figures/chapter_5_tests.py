@@ -4,8 +4,6 @@ Printed are the peaks and zeros of Figures 5-6 and 5-10. The traces of displacem
 acceleration between them are lost; where a line is drawn it says what it is.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

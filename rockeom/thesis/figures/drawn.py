@@ -1,7 +1,5 @@
 """A figure of the thesis: a function that draws it, and what it is drawn from."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum

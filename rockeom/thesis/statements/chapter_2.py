@@ -1,7 +1,5 @@
 """Statements of chapter 2: restitution, uplift, non-linear dynamics, impacts as forces."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

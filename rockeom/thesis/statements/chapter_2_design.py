@@ -1,7 +1,5 @@
 """Statements of section 2.7 on controlled rocking: hysteresis and its equivalent damping."""
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Sequence
 

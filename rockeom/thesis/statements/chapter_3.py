@@ -1,7 +1,5 @@
 """Statements of chapter 3 on the free rocking block."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Statements of sections 4.5.1 and 4.7 on the measured free vibration of the wall."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

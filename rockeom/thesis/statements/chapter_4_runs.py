@@ -5,8 +5,6 @@ their ranges are those of `rockeom.thesis.shaken.wall_motions`: the peak that wa
 the table, each within 10 %, and for Sylmar the time scale of Tabas.
 """
 
-from __future__ import annotations
-
 from functools import partial
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Statements of section 4.8 on the free vibration of the wall simulated."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rockeom.thesis.figures import FIGURES, NOT_DRAWN

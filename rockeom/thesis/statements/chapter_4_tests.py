@@ -1,7 +1,5 @@
 """Statements of 4.4, 4.9, 4.9.1 to 4.9.1.2, 4.9.2 and Appendix A on tests of the shaken wall."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Statements of sections 4.2 to 4.7 and B.2 on the wall, its tendon and its inertia."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from functools import cache

@@ -4,8 +4,6 @@ The motion of the shaking table is lost: runs 3 and 4 are simulated with the rec
 meant, and their ranges are those of the component and of 15 % of the peak.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from typing import Any

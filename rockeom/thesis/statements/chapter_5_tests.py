@@ -1,7 +1,5 @@
 """Statements of section 5.2 on the tests of the steel column."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
