@@ -6,7 +6,7 @@ Typed by hand from the thesis, in its own symbols; see chapter_4.py for the unit
 from sympy import Abs, Add, Expr, Float, Integral, Mul, Pow, Rational, cos, sin
 
 from rockeom.thesis.chapter_4 import LEVEL, REACH
-from rockeom.thesis.equation import POSITIVE, Equation, Kind, Relations, says
+from rockeom.thesis.equation import POSITIVE, Kind, Relations, says, section
 from rockeom.thesis.notation import (
     L_T,
     A_tendon,
@@ -54,69 +54,34 @@ def inertia(added_mass_from: Expr) -> Relations:
     return says(I_o, _kept(Add, _kept(Add, 686, wall), _kept(Add, 442, added)))
 
 
-APPENDIX_B: tuple[Equation, ...] = (
-    Equation(
+POTENTIAL_ENERGY = section(
+    "B.1",
+    Kind.CLOSED_FORM(
         "B-1",
-        "B.1",
-        Kind.CLOSED_FORM,
         "uplift of the base at the tendon, on the centreline",
         says(u_tendon, u_edge - B * sin(theta)),
         sides=POSITIVE,
     ),
-    Equation(
-        "B-2",
-        "B.1",
-        Kind.CLOSED_FORM,
-        "B-1 by the displacement",
-        says(u_tendon, u_edge - B * Abs(Delta) / H),
-    ),
-    Equation(
-        "B-3",
-        "B.1",
-        Kind.CLOSED_FORM,
-        "B-2 with 4-9",
-        says(u_tendon, RISE),
-    ),
-    Equation(
+    Kind.CLOSED_FORM("B-2", "B-1 by the displacement", says(u_tendon, u_edge - B * Abs(Delta) / H)),
+    Kind.CLOSED_FORM("B-3", "B-2 with 4-9", says(u_tendon, RISE)),
+    Kind.APPROXIMATION(
         "B-4",
-        "B.1",
-        Kind.APPROXIMATION,
         "gravitational energy, as 4-18",
         says(U_of, m_T * g * RISE),
         remark="In mJ where lengths are in mm.",
     ),
-    Equation(
-        "B-5",
-        "B.2",
-        Kind.DEFINITION,
-        "rotation by the displacement",
-        says(sin(theta), Delta / H),
+)
+
+KINETIC_ENERGY = section(
+    "B.2",
+    Kind.DEFINITION("B-5", "rotation by the displacement", says(sin(theta), Delta / H)),
+    Kind.CLOSED_FORM("B-6", "its rate", says(theta_d, Delta_d / (H * cos(theta)), Delta_d / LEVEL)),
+    Kind.APPROXIMATION("B-7", "the same for a small rotation", says(theta_d, Delta_d / H)),
+    Kind.APPROXIMATION(
+        "B-8", "kinetic energy, as 4-19", says(E_k_of, Rational(1, 2) / H**2 * I_o * Delta_d**2)
     ),
-    Equation(
-        "B-6",
-        "B.2",
-        Kind.CLOSED_FORM,
-        "its rate",
-        says(theta_d, Delta_d / (H * cos(theta)), Delta_d / LEVEL),
-    ),
-    Equation(
-        "B-7",
-        "B.2",
-        Kind.APPROXIMATION,
-        "the same for a small rotation",
-        says(theta_d, Delta_d / H),
-    ),
-    Equation(
-        "B-8",
-        "B.2",
-        Kind.APPROXIMATION,
-        "kinetic energy, as 4-19",
-        says(E_k_of, Rational(1, 2) / H**2 * I_o * Delta_d**2),
-    ),
-    Equation(
+    Kind.DEFINITION(
         "B-9",
-        "B.2",
-        Kind.DEFINITION,
         "moment of inertia about the centre of rotation, of the wall and of the added mass",
         inertia(d_lifted),
         inertia(d_lifted - B),
@@ -126,24 +91,22 @@ APPENDIX_B: tuple[Equation, ...] = (
         excess=(Float("1438.5") * B * (2 * d_lifted - B),),
         remark="Lengths in m. The text does not say what the 686 kg m2 are.",
     ),
-    Equation(
+)
+
+TENDON_ENERGY = section(
+    "B.3",
+    Kind.DEFINITION(
         "B-10",
-        "B.3",
-        Kind.DEFINITION,
         "elastic energy stored between two extensions",
         says(energy_stored, Integral(k * x, (x, x_1, x_2))),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "B-11",
-        "B.3",
-        Kind.CLOSED_FORM,
         "extension of the tendon by its force",
         says(x_2, P_tendon * L_T / (E_tendon * A_tendon)),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "B-12",
-        "B.3",
-        Kind.CLOSED_FORM,
         "elastic energy of the tendon before it yields",
         says(
             U_E_of,
@@ -152,10 +115,8 @@ APPENDIX_B: tuple[Equation, ...] = (
         ),
         remark="The line between the two has 6.4564E-03, which is the same in metres.",
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "B-13",
-        "B.3",
-        Kind.CLOSED_FORM,
         "elastic energy of the tendon after it has yielded",
         says(
             U_E_of,
@@ -170,3 +131,5 @@ APPENDIX_B: tuple[Equation, ...] = (
         "has 160 kN and 177 mm2.",
     ),
 )
+
+APPENDIX_B = (*POTENTIAL_ENERGY, *KINETIC_ENERGY, *TENDON_ENERGY)

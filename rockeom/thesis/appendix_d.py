@@ -7,7 +7,7 @@ pivot of its side: O for theta > 0, O' for theta < 0.
 from sympy import Derivative, Matrix, Rational, cos, sign, sin
 
 from rockeom.thesis.chapter_5 import THETA_OF_MODEL_C, U_OF_MODEL_C
-from rockeom.thesis.equation import NEGATIVE, POSITIVE, Equation, Kind, says
+from rockeom.thesis.equation import NEGATIVE, POSITIVE, Kind, says, section
 from rockeom.thesis.notation import (
     DISSIPATION,
     LAGRANGIAN,
@@ -140,19 +140,16 @@ V_OF_MODEL_C = (
     + Rational(1, 2) * k * u**2
 )
 
-STEPS = (
-    Equation(
+STEPS = section(
+    "Appendix D",
+    Kind.DEFINITION(
         "D-1",
-        "Appendix D",
-        Kind.DEFINITION,
         "position of the superstructure from O",
         says(r_e, Matrix([X_E, R_e * cos(alpha_e - theta) - u * sin(theta)])),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-2",
-        "Appendix D",
-        Kind.DEFINITION,
         "position of the base structure from O",
         says(r_b, Matrix([-R_b * sin(alpha_e - theta), R_b * cos(alpha_e - theta)])),
         says(r_b, Matrix([X_B, R_b * cos(alpha_b - theta)])),
@@ -163,10 +160,8 @@ STEPS = (
         ),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "D-3",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "velocity of the superstructure",
         says(
             v_e,
@@ -183,10 +178,8 @@ STEPS = (
         ),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "D-4",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "velocity of the base structure",
         says(
             v_b,
@@ -203,10 +196,8 @@ STEPS = (
         ),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-5",
-        "Appendix D",
-        Kind.DEFINITION,
         "Lagrange's equation with a dissipation function",
         says(
             Derivative(Derivative(LAGRANGIAN(q_t, q_t.diff(t)), q_t.diff(t)), t)
@@ -215,14 +206,10 @@ STEPS = (
             Q_i,
         ),
     ),
-    Equation("D-6", "Appendix D", Kind.DEFINITION, "Lagrangian", says(L, T - V), sides=POSITIVE),
-    Equation(
-        "D-7", "Appendix D", Kind.DEFINITION, "kinetic energy", says(T, T_e + T_b), sides=POSITIVE
-    ),
-    Equation(
+    Kind.DEFINITION("D-6", "Lagrangian", says(L, T - V), sides=POSITIVE),
+    Kind.DEFINITION("D-7", "kinetic energy", says(T, T_e + T_b), sides=POSITIVE),
+    Kind.CLOSED_FORM(
         "D-8",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "kinetic energy of the superstructure",
         says(
             T_e,
@@ -243,38 +230,27 @@ STEPS = (
         ),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-9",
-        "Appendix D",
-        Kind.DEFINITION,
         "sine of a sum",
         says(
             sin(A_angle + PM * B_angle),
             sin(A_angle) * cos(B_angle) + PM * cos(A_angle) * sin(B_angle),
         ),
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-10",
-        "Appendix D",
-        Kind.DEFINITION,
         "cosine of a sum",
         says(
             cos(A_angle + PM * B_angle),
             cos(A_angle) * cos(B_angle) - PM * sin(A_angle) * sin(B_angle),
         ),
     ),
-    Equation(
-        "D-11",
-        "Appendix D",
-        Kind.CLOSED_FORM,
-        "kinetic energy of the superstructure",
-        says(T_e, T_E),
-        sides=POSITIVE,
+    Kind.CLOSED_FORM(
+        "D-11", "kinetic energy of the superstructure", says(T_e, T_E), sides=POSITIVE
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "D-12",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "kinetic energy of the base structure",
         says(T_b, T_B_FIRST, T_B),
         says(T_b, T_B_FIRST, T_B_CORRECTED),
@@ -282,18 +258,9 @@ STEPS = (
         excess=(0, Rational(1, 2) * m_b * (R_b - R_b**2) * theta_d**2),
         sides=POSITIVE,
     ),
-    Equation(
-        "D-13",
-        "Appendix D",
-        Kind.CLOSED_FORM,
-        "potential energy",
-        says(V, V_OF_MODEL_C),
-        sides=POSITIVE,
-    ),
-    Equation(
+    Kind.CLOSED_FORM("D-13", "potential energy", says(V, V_OF_MODEL_C), sides=POSITIVE),
+    Kind.CLOSED_FORM(
         "D-14",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "Lagrangian written out",
         says(L, T_E + T_B - V_OF_MODEL_C),
         says(L, T_E + T_B_CORRECTED - V_OF_MODEL_C),
@@ -301,17 +268,13 @@ STEPS = (
         excess=(Rational(1, 2) * m_b * (R_b - R_b**2) * theta_d**2,),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-15",
-        "Appendix D",
-        Kind.DEFINITION,
         "dissipation function (the thesis calls it a force)",
         says(F_nc, Rational(1, 2) * c * u_d**2),
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-16",
-        "Appendix D",
-        Kind.DEFINITION,
         "generalised forces of the d'Alembert loads -m a_g i",
         (),
         (
@@ -323,10 +286,8 @@ STEPS = (
         "Not legible; the definition of a generalised force, of which D-17 and D-18 follow.",
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "D-17",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "generalised force of the rotation",
         says(
             Q_theta,
@@ -335,18 +296,14 @@ STEPS = (
         ),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "D-18",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "generalised force of the deformation",
         says(Q_u, -m_e * a_g * cos(theta)),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.MOTION(
         "D-19",
-        "Appendix D",
-        Kind.MOTION,
         "Model C for theta > 0: rotation",
         (),
         says(
@@ -369,10 +326,8 @@ STEPS = (
         "Not legible; D-5 with D-14 (corrected), D-15 and D-17.",
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.MOTION(
         "D-20",
-        "Appendix D",
-        Kind.MOTION,
         "Model C for theta > 0: deformation",
         (),
         says(
@@ -387,10 +342,8 @@ STEPS = (
         "Not legible; D-5 with D-14 (corrected), D-15 and D-18.",
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-21",
-        "Appendix D",
-        Kind.DEFINITION,
         "position of the superstructure from O'",
         says(
             r_e,
@@ -403,10 +356,8 @@ STEPS = (
         ),
         sides=NEGATIVE,
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-22",
-        "Appendix D",
-        Kind.DEFINITION,
         "position of the base structure from O'",
         says(r_b, Matrix([R_b * sin(alpha_e + theta), R_b * cos(alpha_e + theta)])),
         says(r_b, Matrix([R_b * sin(alpha_b + theta), R_b * cos(alpha_b + theta)])),
@@ -417,10 +368,8 @@ STEPS = (
         ),
         sides=NEGATIVE,
     ),
-    Equation(
+    Kind.MOTION(
         "D-23",
-        "Appendix D",
-        Kind.MOTION,
         "Model C for theta < 0: rotation",
         says(
             (
@@ -462,10 +411,8 @@ STEPS = (
         excess=(2 * m_e * g * u * cos(theta),),
         sides=NEGATIVE,
     ),
-    Equation(
+    Kind.MOTION(
         "D-24",
-        "Appendix D",
-        Kind.MOTION,
         "Model C for theta < 0: deformation",
         says(
             m_e * u_dd
@@ -478,8 +425,8 @@ STEPS = (
         ),
         sides=NEGATIVE,
     ),
-    Equation("D-25", "Appendix D", Kind.MOTION, "Model C: rotation, as 5-34", THETA_OF_MODEL_C),
-    Equation("D-26", "Appendix D", Kind.MOTION, "Model C: deformation, as 5-35", U_OF_MODEL_C),
+    Kind.MOTION("D-25", "Model C: rotation, as 5-34", THETA_OF_MODEL_C),
+    Kind.MOTION("D-26", "Model C: deformation, as 5-35", U_OF_MODEL_C),
 )
 
 # --- the first-order form
@@ -508,32 +455,19 @@ def rotation_row(deformation, rate):
     )
 
 
-FIRST_ORDER = (
-    Equation(
+FIRST_ORDER = section(
+    "Appendix D",
+    Kind.PROCEDURE(
         "D-27",
-        "Appendix D",
-        Kind.PROCEDURE,
         "Model C as a system of first order, y = (u, u', theta, theta')",
         says(M_matrix * y_d_column, f_column),
         remark="f is a function of t and y; so is M, which D-28 shows.",
     ),
-    Equation(
+    Kind.PROCEDURE(
         "D-28",
-        "Appendix D",
-        Kind.PROCEDURE,
         "its rows",
-        (
-            *says(y_1d, y_2),
-            *DEFORMATION_ROW,
-            *says(y_3d, y_4),
-            *rotation_row(u, u_d),
-        ),
-        (
-            *says(y_1d, y_2),
-            *DEFORMATION_ROW,
-            *says(y_3d, y_4),
-            *rotation_row(y_1, y_2),
-        ),
+        (*says(y_1d, y_2), *DEFORMATION_ROW, *says(y_3d, y_4), *rotation_row(u, u_d)),
+        (*says(y_1d, y_2), *DEFORMATION_ROW, *says(y_3d, y_4), *rotation_row(y_1, y_2)),
         "In the first bracket of the last row u and u' stand for y_1 and y_2: two notations mixed.",
         excess=(
             0,
@@ -542,10 +476,8 @@ FIRST_ORDER = (
             2 * m_e * y_4 * (u * u_d - y_1 * y_2 - S_Y * R_e * sin(alpha_e) * (u_d - y_2)),
         ),
     ),
-    Equation(
+    Kind.PROCEDURE(
         "D-29",
-        "Appendix D",
-        Kind.PROCEDURE,
         "the coefficients of its last row",
         (
             *says(f_1, m_e * R_e * cos(alpha_e)),
@@ -562,4 +494,4 @@ FIRST_ORDER = (
     ),
 )
 
-APPENDIX_D: tuple[Equation, ...] = (*STEPS, *FIRST_ORDER)
+APPENDIX_D = (*STEPS, *FIRST_ORDER)

@@ -6,7 +6,7 @@ Typed by hand from the thesis, in its own symbols.
 import sympy as sp
 from sympy import acosh, cos, log, pi, sign, sin, sqrt
 
-from rockeom.thesis.equation import POSITIVE, Equation, Kind, says
+from rockeom.thesis.equation import POSITIVE, Kind, says, section
 from rockeom.thesis.notation import (
     M_AE,
     M_ED,
@@ -68,20 +68,21 @@ from rockeom.thesis.notation import (
     zeta_r,
 )
 
-CHAPTER_2: tuple[Equation, ...] = (
-    Equation(
+UPLIFT = section(
+    "2.1",
+    Kind.CLOSED_FORM(
         "2-1",
-        "2.1",
-        Kind.CLOSED_FORM,
         "ground acceleration beyond which a rectangular block starts to rock",
         (sp.Gt(a_peak, g * B / H),),
         remark="Needed for overturning, but not enough for it. B and H are the whole width and "
         "height; only their ratio counts.",
     ),
-    Equation(
+)
+
+FREE_BLOCK = section(
+    "2.2",
+    Kind.MOTION(
         "2-2",
-        "2.2",
-        Kind.MOTION,
         "free rocking of a rigid block about its edge",
         says(
             I_o * theta_dd,
@@ -92,72 +93,61 @@ CHAPTER_2: tuple[Equation, ...] = (
         ),
     ),
     # 2-3 has I_o as 2-2 and 2-5 do; the scanned text reads I_alpha there.
-    Equation(
+    Kind.APPROXIMATION(
         "2-3",
-        "2.2",
-        Kind.APPROXIMATION,
         "the same for a slender block and theta > 0",
         says(I_o * theta_dd - m * g * R * theta, -m * g * R * alpha),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.DEFINITION(
         "2-4",
-        "2.2",
-        Kind.DEFINITION,
         "apparent coefficient of restitution, the ratio of kinetic energies",
         says(r, (theta_d2 / theta_d1) ** 2),
         remark="The angular velocity is multiplied by sqrt(r) at an impact. Figure 2-12 and the "
         "text of 5.3.1.1 multiply it by r.",
     ),
-    Equation(
+    Kind.APPROXIMATION(
         "2-5",
-        "2.2",
-        Kind.APPROXIMATION,
         "period of free rocking from rest at theta_0, of a slender block without losses",
-        (
-            *says(period, 4 / p * acosh(1 / (1 - theta_0 / alpha))),
-            *says(p, sqrt(m * g * R / I_o)),
-        ),
+        (*says(period, 4 / p * acosh(1 / (1 - theta_0 / alpha))), *says(p, sqrt(m * g * R / I_o))),
         remark="With losses it holds for each quarter, with the peak that the quarter starts from "
         "or ends at.",
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.RESTITUTION(
         "2-6",
-        "2.2",
-        Kind.RESTITUTION,
         "ratio of kinetic energies at an impact, by angular momentum about the new pivot",
         says(r, (1 - m * R**2 / I_o * (1 - cos(2 * alpha))) ** 2),
     ),
-    Equation(
+)
+
+FLEXIBLE = section(
+    "2.4.1",
+    Kind.MOTION(
         "2-7",
-        "2.4.1",
-        Kind.MOTION,
         "deformation of a flexible structure on a massless base while a foot is lifted",
         says(u_dd + 2 * zeta_r * lambda_r * u_d + lambda_r**2 * u, -(a_g - PM * g * H / B)),
         remark="Small displacements, without P-delta and without rotary inertia of the mass.",
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "2-8a",
-        "2.4.1",
-        Kind.CLOSED_FORM,
         "its natural frequency",
         says(lambda_r, omega_n * (R / B)),
         remark="B is half the width of the base, and R**2 = B**2 + H**2.",
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "2-8b",
-        "2.4.1",
-        Kind.CLOSED_FORM,
         "its damping ratio",
         says(zeta_r, xi * (R / B)),
         remark="B is half the width of the base. R/B depends on the slenderness alone, not on the "
         "size of the structure.",
     ),
-    Equation(
+)
+
+SHAKEN_BLOCK = section(
+    "2.5.1",
+    Kind.MOTION(
         "2-9",
-        "2.5.1",
-        Kind.MOTION,
         "block under horizontal ground acceleration",
         says(
             I_o * theta_dd
@@ -175,25 +165,13 @@ CHAPTER_2: tuple[Equation, ...] = (
         "the centroid, R cos(alpha -+ theta), with the same angle as in the sine.",
         excess=(-2 * m * a_g * R * sin(alpha) * sin(PM * theta),),
     ),
-    Equation("2-10", "2.5.1", Kind.DEFINITION, "non-dimensional rotation", says(x, theta / alpha)),
-    Equation(
-        "2-11",
-        "2.5.1",
-        Kind.DEFINITION,
-        "non-dimensional frequency",
-        says(omega, Omega * sqrt(I_o / (m * g * R))),
+    Kind.DEFINITION("2-10", "non-dimensional rotation", says(x, theta / alpha)),
+    Kind.DEFINITION(
+        "2-11", "non-dimensional frequency", says(omega, Omega * sqrt(I_o / (m * g * R)))
     ),
-    Equation(
-        "2-12",
-        "2.5.1",
-        Kind.DEFINITION,
-        "non-dimensional time",
-        says(t, sqrt(m * g * R / I_o) * tau),
-    ),
-    Equation(
+    Kind.DEFINITION("2-12", "non-dimensional time", says(t, sqrt(m * g * R / I_o) * tau)),
+    Kind.MOTION(
         "2-13",
-        "2.5.1",
-        Kind.MOTION,
         "block under harmonic ground acceleration, non-dimensional",
         says(
             alpha * x_dd + PM * sin(alpha * (1 - PM * x)),
@@ -211,83 +189,63 @@ CHAPTER_2: tuple[Equation, ...] = (
             * (cos(alpha**2 * (1 - PM * x)) - cos(alpha * (1 - PM * x))),
         ),
     ),
-    Equation(
+    Kind.APPROXIMATION(
         "2-14",
-        "2.5.1",
-        Kind.APPROXIMATION,
         "the same for a slender block",
         (),
         says(x_dd - x + sign(x), -beta * cos(omega * t)),
         "Not legible; the limit of 2-13 as alpha goes to zero, which 2-17 repeats.",
     ),
-    Equation(
+    Kind.FIT(
         "2-15",
-        "2.5.1",
-        Kind.FIT,
         "equivalent damping of rocking after FEMA 356",
         says(xi_eq, sp.Mul(0.4, 1 - sqrt(r), evaluate=False)),
         remark="The text calls it up to 10 % less than 2-16: it is 41 to 51 % less for r from 1 to "
         "0.49, by at most 12 percentage points of damping.",
     ),
-    Equation(
+    Kind.FIT(
         "2-16",
-        "2.5.1",
-        Kind.FIT,
         "equivalent damping of rocking after Priestley et al. (1978)",
         says(xi_eq, -0.34 * log(r)),
         remark="r is the ratio of energies, 2-4. Table 2-3 puts the ratio of velocities in, which "
         "halves the damping. The text also cites 2-16 where it turns displacements into rotations.",
     ),
-    Equation(
+)
+
+CONTROLLED = section(
+    "2.7",
+    Kind.DEFINITION(
         "2-30",
-        "2.7",
-        Kind.DEFINITION,
         "ratio of the moments that re-centre a controlled rocking system to those that dissipate",
         says(recentring, (M_AE + M_N) / M_ED),
     ),
-    Equation(
+    Kind.DEFINITION(
         "2-31",
-        "2.7",
-        Kind.DEFINITION,
         "equivalent damping, the sum of the elastic and the hysteretic one",
         says(xi_eq, xi_el + xi_hyst),
         remark="The text refers to it once as 2-30.",
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "2-32a",
-        "2.7",
-        Kind.CLOSED_FORM,
         "hysteretic damping of the bilinear rule",
-        says(
-            xi_bilinear,
-            (mu - 1) * (1 - k_p / k_i) * 2 / (pi * mu * (1 + k_p / k_i * (mu - 1))),
-        ),
+        says(xi_bilinear, (mu - 1) * (1 - k_p / k_i) * 2 / (pi * mu * (1 + k_p / k_i * (mu - 1)))),
         remark="2-32a to 2-32c go with the secant stiffness at the largest displacement, although "
         "the text introduces them with the initial one.",
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "2-32b",
-        "2.7",
-        Kind.CLOSED_FORM,
         "hysteretic damping of the Takeda rule",
-        says(
-            xi_takeda,
-            (1 - (1 - k_p / k_i) * mu ** (alpha_T - 1) - k_p / k_i * mu**alpha_T) / pi,
-        ),
+        says(xi_takeda, (1 - (1 - k_p / k_i) * mu ** (alpha_T - 1) - k_p / k_i * mu**alpha_T) / pi),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "2-32c",
-        "2.7",
-        Kind.CLOSED_FORM,
         "hysteretic damping of the flag-shaped rule",
         says(xi_flag, beta_FS * (mu - 1) / (pi * mu * (1 + k_p / k_i * (mu - 1)))),
         remark="beta_FS is the gap between loading and unloading at the same displacement. Where "
         "it is the drop along the elastic branch, a factor 1 - k_p/k_i is missing.",
     ),
-    Equation(
+    Kind.FIT(
         "2-33",
-        "2.7",
-        Kind.FIT,
         "equivalent damping by the analysis expression of Grant et al. (2005)",
         says(
             xi_eq,
@@ -298,18 +256,14 @@ CHAPTER_2: tuple[Equation, ...] = (
         remark="One of the two elastic dampings is zero. Factors of EPP and flag stand apart, not "
         "of bilinear and flag as the text says.",
     ),
-    Equation(
+    Kind.FIT(
         "2-34",
-        "2.7",
-        Kind.FIT,
         "the same without the period",
         says(xi_eq, xi_v + C_i * ((mu - 1) / (pi * mu))),
         remark="The thesis gives no values of C_i.",
     ),
-    Equation(
+    Kind.FIT(
         "2-35",
-        "2.7",
-        Kind.FIT,
         "equivalent damping by the design expression of Grant et al. (2005)",
         says(
             xi_eq,
@@ -319,3 +273,5 @@ CHAPTER_2: tuple[Equation, ...] = (
         "factors counts, and b is given to one digit: its damping beyond 5 % is good to 8 %.",
     ),
 )
+
+CHAPTER_2 = (*UPLIFT, *FREE_BLOCK, *FLEXIBLE, *SHAKEN_BLOCK, *CONTROLLED)

@@ -5,7 +5,7 @@ Typed by hand from the thesis, in its own symbols.
 
 from sympy import Abs, Float, Q, Rational, cos, sin, sqrt
 
-from rockeom.thesis.equation import POSITIVE, Domain, Equation, Kind, says
+from rockeom.thesis.equation import POSITIVE, Domain, Kind, says, section
 from rockeom.thesis.notation import (
     F_H,
     F_V,
@@ -51,25 +51,18 @@ PEAK_BEFORE = m * g * R * (cos(alpha - Abs(theta_before)) - cos(alpha))
 PEAK_AFTER = m * g * R * (cos(alpha - Abs(theta_after)) - cos(alpha))
 """3-2 at the peaks before and after an impact."""
 
-ENERGIES = (
-    Equation(
-        "3-1",
-        "3.2.2",
-        Kind.DEFINITION,
-        "kinetic energy of the block",
-        says(E_k, Rational(1, 2) * I_o * theta_d**2),
+ENERGIES = section(
+    "3.2.2",
+    Kind.DEFINITION(
+        "3-1", "kinetic energy of the block", says(E_k, Rational(1, 2) * I_o * theta_d**2)
     ),
-    Equation(
+    Kind.DEFINITION(
         "3-2",
-        "3.2.2",
-        Kind.DEFINITION,
         "gravitational energy above that of the upright block",
         says(U, m * g * R * (cos(alpha - Abs(theta)) - cos(alpha))),
     ),
-    Equation(
+    Kind.RESTITUTION(
         "3-3",
-        "3.2.2",
-        Kind.RESTITUTION,
         "ratio of kinetic energies at an impact from the peaks before and after it",
         says(
             r,
@@ -79,27 +72,22 @@ ENERGIES = (
             / (cos(alpha - Abs(theta_before)) - cos(alpha)),
         ),
     ),
-    Equation(
+    Kind.DEFINITION(
         "3-4",
-        "3.2.2",
-        Kind.DEFINITION,
         "energy of a hypothetical rotational spring",
         says(U_rot, Rational(1, 2) * k_rot * theta**2),
     ),
 )
 
-SUPPORT_FORCES = (
-    Equation(
+SUPPORT_FORCES = section(
+    "3.2.3",
+    Kind.DEFINITION(
         "3-5",
-        "3.2.3",
-        Kind.DEFINITION,
         "acceleration of the centroid: of the ground, and of the turn about the pivot",
         says(u_c_dd, a_g + u_cg_dd),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-6",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "horizontal acceleration of the centroid",
         says(
             u_cx_dd,
@@ -108,20 +96,16 @@ SUPPORT_FORCES = (
             + R * theta_dd * cos(alpha - Abs(theta)),
         ),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-7",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "vertical acceleration of the centroid",
         says(
             u_cy_dd,
             -R * theta_d**2 * cos(alpha - Abs(theta)) + s * R * theta_dd * sin(alpha - Abs(theta)),
         ),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-8",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "horizontal force of the support",
         says(
             F_H,
@@ -133,10 +117,8 @@ SUPPORT_FORCES = (
             ),
         ),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-9",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "vertical force of the support",
         says(
             F_V,
@@ -148,17 +130,13 @@ SUPPORT_FORCES = (
             ),
         ),
     ),
-    Equation(
+    Kind.APPROXIMATION(
         "3-10",
-        "3.2.3",
-        Kind.APPROXIMATION,
         "angular acceleration next to an impact, rectangular block, from 2-3",
         says(theta_dd_impact, -s * 3 * g / (4 * R) * alpha),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-11",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "horizontal force next to an impact",
         says(
             FH_impact,
@@ -168,10 +146,8 @@ SUPPORT_FORCES = (
             ),
         ),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-12",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "vertical force next to an impact",
         says(
             FV_impact,
@@ -187,18 +163,14 @@ SUPPORT_FORCES = (
         "sgn(theta) in the last term is too much: that of 3-9 and that of 3-10 cancel, as in 3-15.",
         excess=((1 - s) * Rational(3, 4) * m * g * alpha * sin(alpha),),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-13",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "largest speed at an impact, after release at alpha",
         says(theta_d_max, PM * sqrt(3 * g / (2 * R) * (1 - cos(alpha)))),
         remark="The sign is that of the velocity: the upper one for an impact on the right edge.",
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-14",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "horizontal force next to an impact as the speed vanishes",
         says(FH_limit, 3 * m * g / 4 * alpha * cos(alpha)),
         says(FH_limit, -s * 3 * m * g / 4 * alpha * cos(alpha)),
@@ -206,20 +178,17 @@ SUPPORT_FORCES = (
         excess=((1 + s) * Rational(3, 4) * m * g * alpha * cos(alpha),),
         domain=Domain("theta < 0", (Q.negative(theta),), (Q.positive(theta),)),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-15",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "vertical force next to an impact as the speed vanishes",
         says(FV_limit, m * g * (1 - Rational(3, 4) * alpha * sin(alpha))),
     ),
 )
 
-DISSIPATION = (
-    Equation(
+DISSIPATION = section(
+    "3.2.4",
+    Kind.RESTITUTION(
         "3-16",
-        "3.2.4",
-        Kind.RESTITUTION,
         "3-3 with the energy of the rotational spring",
         says(
             r,
@@ -227,10 +196,8 @@ DISSIPATION = (
             / (PEAK_BEFORE + Rational(1, 2) * k_rot * theta_before**2),
         ),
     ),
-    Equation(
+    Kind.FIT(
         "3-17",
-        "3.2.4",
-        Kind.FIT,
         "change of the energy at an impact, in J, fitted to the impacts of both edges",
         says(
             energy_change,
@@ -243,10 +210,8 @@ DISSIPATION = (
         "The measured r of Figure 3-3 agree within 0.036, and its mean within 0.013 with the "
         "bunches of section 3.3: that bears the coefficients out within 5, 2 and 20 %.",
     ),
-    Equation(
+    Kind.FIT(
         "3-18",
-        "3.2.4",
-        Kind.FIT,
         "the same for the second trend, impacts on the right edge",
         says(
             energy_change,
@@ -261,4 +226,4 @@ DISSIPATION = (
     ),
 )
 
-CHAPTER_3: tuple[Equation, ...] = (*ENERGIES, *SUPPORT_FORCES, *DISSIPATION)
+CHAPTER_3 = (*ENERGIES, *SUPPORT_FORCES, *DISSIPATION)

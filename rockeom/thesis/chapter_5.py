@@ -5,7 +5,7 @@ Typed by hand from the thesis, in its own symbols.
 
 from sympy import Abs, Float, Matrix, Min, Piecewise, asin, atan, cos, log, pi, sin, sqrt, tanh
 
-from rockeom.thesis.equation import NEGATIVE, POSITIVE, Equation, Kind, says
+from rockeom.thesis.equation import NEGATIVE, POSITIVE, Kind, says, section
 from rockeom.thesis.notation import (
     I_O,
     B,
@@ -95,30 +95,29 @@ def rotation(alpha_measured, arm, radius):
     )
 
 
-TESTS = (
-    Equation(
+COLUMN = section(
+    "5.2",
+    Kind.CLOSED_FORM(
         "5-1",
-        "5.2",
-        Kind.CLOSED_FORM,
         "stiffness of the column from its period on a fixed base",
         says(k, 4 * pi**2 / T_fixed**2 * m_e, Float("571.8e3")),
         remark="T_fixed is the 0.092 s of the rubber pad, also where the feet are of steel (runs "
         "1 and 3); with their 0.112 s k is 385.8 kN/m.",
     ),
-    Equation(
+)
+
+STEEL_FEET = section(
+    "5.2.1",
+    Kind.CLOSED_FORM(
         "5-2",
-        "5.2.1",
-        Kind.CLOSED_FORM,
         "rotation from the measured displacement",
         (
             *says(theta, rotation(alpha_measured, B_measured, R_measured)),
             *says(alpha_measured, atan(B_measured / H_measured)),
         ),
     ),
-    Equation(
+    Kind.DEFINITION(
         "5-3",
-        "5.2.1",
-        Kind.DEFINITION,
         "gravitational energy above that of the upright structure",
         says(
             U_grav,
@@ -126,27 +125,25 @@ TESTS = (
             + m_b * g * R_b * (cos(alpha_b - Abs(theta)) - cos(alpha_b)),
         ),
     ),
-    Equation(
+    Kind.RESTITUTION(
         "5-4",
-        "5.2.1",
-        Kind.RESTITUTION,
         "ratio of kinetic energies at an impact from the peaks before and after it",
         says(r_i, E_after / E_before, U_after / U_before, E_PEAK_AFTER / E_PEAK_BEFORE),
         remark="The list of symbols has R_e and alpha_e twice, the second time for R_b, alpha_b.",
     ),
-    Equation(
+)
+
+RUBBER_FEET = section(
+    "5.2.2",
+    Kind.FIT(
         "5-5",
-        "5.2.2",
-        Kind.FIT,
         "distance of the centre of rotation from the left edge, on rubber, in mm",
         says(x_centre, Float("220.1") * tanh(Float("0.1276") * Delta) + 300),
         assumption="Fitted to rotation centres that are not in the text.",
         remark="For the column of McManus on rubber and displacements up to 29 mm.",
     ),
-    Equation(
+    Kind.APPROXIMATION(
         "5-6",
-        "5.2.2",
-        Kind.APPROXIMATION,
         "5-2 about the centre of rotation of that moment",
         (
             *says(
@@ -159,16 +156,16 @@ TESTS = (
         remark="Written out; the thesis has alpha', B' and R' as functions of x and y, and H for "
         "H' once. The present centre counts as the pivot of the whole rotation.",
     ),
-    Equation(
+    Kind.APPROXIMATION(
         "5-7",
-        "5.2.2",
-        Kind.APPROXIMATION,
         "equivalent viscous damping ratio of a cycle",
         says(xi_i, 1 / (2 * pi) * log(Delta_i / Delta_next)),
         remark="The average of 0.104 is of the whole record; the cycles of Figure 5-10 have 0.052 "
         "to 0.083.",
     ),
 )
+
+TESTS = (*COLUMN, *STEEL_FEET, *RUBBER_FEET)
 
 # --- 5.3.1: Model A, two rigid lumped masses on rigid ground
 
@@ -178,18 +175,15 @@ VELOCITY_RATIO = ((m_e * (H_e**2 - B**2) + I_eg) + (m_b * (H_b**2 - B**2) + I_bg
 )
 """theta_d2 / theta_d1, printed above 5-14."""
 
-MODEL_A = (
-    Equation(
+MODEL_A = section(
+    "5.3.1",
+    Kind.DEFINITION(
         "5-8",
-        "5.3.1",
-        Kind.DEFINITION,
         "moment of inertia about either pivot",
         says(I_O, (I_eg + m_e * R_e**2) + (I_bg + m_b * R_b**2)),
     ),
-    Equation(
+    Kind.MOTION(
         "5-9",
-        "5.3.1",
-        Kind.MOTION,
         "Model A for theta > 0",
         (),
         says(
@@ -201,10 +195,8 @@ MODEL_A = (
         sides=POSITIVE,
     ),
     # 5-10 and 5-11 write M_e and M_b for m_e and m_b.
-    Equation(
+    Kind.MOTION(
         "5-10",
-        "5.3.1",
-        Kind.MOTION,
         "Model A for theta < 0",
         says(
             theta_dd,
@@ -213,10 +205,8 @@ MODEL_A = (
         ),
         sides=NEGATIVE,
     ),
-    Equation(
+    Kind.MOTION(
         "5-11",
-        "5.3.1",
-        Kind.MOTION,
         "Model A",
         says(
             theta_dd,
@@ -255,10 +245,8 @@ MODEL_A = (
             ),
         ),
     ),
-    Equation(
+    Kind.RESTITUTION(
         "5-12",
-        "5.3.1",
-        Kind.RESTITUTION,
         "angular momentum about the impending pivot, before an impact",
         says(
             L_before,
@@ -271,10 +259,8 @@ MODEL_A = (
             ((m_e * (H_e**2 - B**2) + I_eg) + (m_b * (H_b**2 - B**2) + I_bg)) * theta_d1,
         ),
     ),
-    Equation(
+    Kind.RESTITUTION(
         "5-13",
-        "5.3.1",
-        Kind.RESTITUTION,
         "angular momentum about the new pivot, after an impact",
         says(
             L_after,
@@ -287,131 +273,69 @@ MODEL_A = (
             ((m_e * (H_e**2 + B**2) + I_eg) + (m_b * (H_b**2 + B**2) + I_bg)) * theta_d2,
         ),
     ),
-    Equation(
-        "5-14",
-        "5.3.1",
-        Kind.RESTITUTION,
-        "ratio of kinetic energies at an impact",
-        says(
-            r,
-            VELOCITY_RATIO**2,
-        ),
-    ),
+    Kind.RESTITUTION("5-14", "ratio of kinetic energies at an impact", says(r, VELOCITY_RATIO**2)),
 )
 
 
 # --- 5.3.2: Model B, the rigid structure on two springs that only push
 
-MODEL_B = (
-    Equation(
-        "5-15",
-        "5.3.2",
-        Kind.MOTION,
-        "equivalent cart",
-        says((m_e + m_b) * u_dd + k_u, P_t),
+MODEL_B = section(
+    "5.3.2",
+    Kind.MOTION("5-15", "equivalent cart", says((m_e + m_b) * u_dd + k_u, P_t)),
+    Kind.CLOSED_FORM("5-16", "settlement under self-weight", says(delta_0, W / (2 * k_f))),
+    Kind.DEFINITION("5-17", "weight", says(W, (m_e + m_b) * g)),
+    Kind.CLOSED_FORM("5-18", "displacement of the superstructure", says(u, H_e * sin(theta))),
+    Kind.APPROXIMATION(
+        "5-19", "change of a spring's length, small theta", says(delta_change, B * theta)
     ),
-    Equation(
-        "5-16",
-        "5.3.2",
-        Kind.CLOSED_FORM,
-        "settlement under self-weight",
-        says(delta_0, W / (2 * k_f)),
+    Kind.CLOSED_FORM(
+        "5-20", "force of the left spring, small theta", says(f_L, W / 2 - k_f * B * theta)
     ),
-    Equation("5-17", "5.3.2", Kind.DEFINITION, "weight", says(W, (m_e + m_b) * g)),
-    Equation(
-        "5-18",
-        "5.3.2",
-        Kind.CLOSED_FORM,
-        "displacement of the superstructure",
-        says(u, H_e * sin(theta)),
+    Kind.CLOSED_FORM(
+        "5-21", "force of the right spring, small theta", says(f_R, W / 2 + k_f * B * theta)
     ),
-    Equation(
-        "5-19",
-        "5.3.2",
-        Kind.APPROXIMATION,
-        "change of a spring's length, small theta",
-        says(delta_change, B * theta),
+    Kind.CLOSED_FORM(
+        "5-22", "rotation at lift-off, small theta", says(theta_crit, W / (2 * k_f * B))
     ),
-    Equation(
-        "5-20",
-        "5.3.2",
-        Kind.CLOSED_FORM,
-        "force of the left spring, small theta",
-        says(f_L, W / 2 - k_f * B * theta),
-    ),
-    Equation(
-        "5-21",
-        "5.3.2",
-        Kind.CLOSED_FORM,
-        "force of the right spring, small theta",
-        says(f_R, W / 2 + k_f * B * theta),
-    ),
-    Equation(
-        "5-22",
-        "5.3.2",
-        Kind.CLOSED_FORM,
-        "rotation at lift-off, small theta",
-        says(theta_crit, W / (2 * k_f * B)),
-    ),
-    Equation(
-        "5-23",
-        "5.3.2",
-        Kind.APPROXIMATION,
-        "displacement at lift-off",
-        says(u_crit, W * H_e / (2 * k_f * B)),
-    ),
-    Equation(
+    Kind.APPROXIMATION("5-23", "displacement at lift-off", says(u_crit, W * H_e / (2 * k_f * B))),
+    Kind.CLOSED_FORM(
         "5-24",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "pushover force with both springs pressed, small theta",
         says(P, (2 * k_f * B**2 / H_e - g * (m_e + m_b * H_b / H_e)) * theta),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-25",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "the same by the displacement",
         says(P, (2 * k_f * B**2 - m_e * g * H_e - m_b * g * H_b) / H_e**2 * u),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-26",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "force at lift-off",
         says(P_crit, W * B / H_e - g * (m_e + m_b * H_b / H_e) * W / (2 * k_f * B)),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-27",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "5-25 with the centroid of the system",
         says(P, (2 * k_f * B**2 - W * H_c) / H_e**2 * u),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-28",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "5-24 with the centroid of the system",
         (),
         says(P, (2 * k_f * B**2 - W * H_c) / H_e * theta),
         "Not legible. The text simplifies 5-24 to 5-26; 5-27 is 5-25 and 5-29 is 5-26: "
         "there remains 5-24, with W H_c for g (m_e H_e + m_b H_b) by 5-17 and 5-30.",
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-29",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "5-26 with the centroid of the system",
         says(P_crit, W / H_e * (B - W * H_c / (2 * k_f * B)) * u),
         says(P_crit, W / H_e * (B - W * H_c / (2 * k_f * B))),
         "The factor u is too much: with it the right-hand side is not a force.",
         excess=(W / H_e * (B - W * H_c / (2 * k_f * B)) * (u - 1),),
     ),
-    Equation(
+    Kind.DEFINITION(
         "5-30",
-        "5.3.2",
-        Kind.DEFINITION,
         "centroid of the system",
         (
             *says(H_c, (m_e * H_e + m_b * H_b) / (m_e + m_b)),
@@ -426,10 +350,8 @@ MODEL_B = (
         "The arctangent of the angle is missing.",
         excess=(0, B / H_c - atan(B / H_c), 0),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-31",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "force after lift-off",
         says(P, W * R_c * sin(alpha_c - theta) / (R_e * cos(alpha_e - theta))),
         remark="Exact where the pressed foot is held horizontally, about which the moments are "
@@ -437,10 +359,8 @@ MODEL_B = (
         "force is greater by the factor 1 + (B/H_e) tan(theta).",
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-32",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "force just after lift-off",
         says(
             P_crit2,
@@ -448,10 +368,8 @@ MODEL_B = (
         ),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.APPROXIMATION(
         "5-33",
-        "5.3.2",
-        Kind.APPROXIMATION,
         "displacement of zero force, and the straight line to it from lift-off",
         (
             *says(u_overturn, R_e * (sin(alpha_e) + sin(alpha_c - alpha_e))),
@@ -485,30 +403,32 @@ U_OF_MODEL_C = says(
 )
 
 MODEL_C = (
-    Equation("5-34", "5.3.3", Kind.MOTION, "Model C: rotation", THETA_OF_MODEL_C),
-    Equation("5-35", "5.3.3", Kind.MOTION, "Model C: deformation", U_OF_MODEL_C),
-    Equation(
-        "5-36",
-        "5.3.3.1",
-        Kind.CLOSED_FORM,
-        "viscous coefficient of the column, 3 % of the critical one",
-        says(c, Float("0.03") * 2 * sqrt(m_e * k), Float("502.4")),
+    *section(
+        "5.3.3",
+        Kind.MOTION("5-34", "Model C: rotation", THETA_OF_MODEL_C),
+        Kind.MOTION("5-35", "Model C: deformation", U_OF_MODEL_C),
     ),
-    Equation(
-        "5-37",
+    *section(
         "5.3.3.1",
-        Kind.CLOSED_FORM,
-        "displacement of the superstructure from its upright position",
-        says(
-            displacement,
-            Matrix(
-                [
-                    s * R_e * (sin(alpha_e) - sin(alpha_e - s * theta)) + u * cos(theta),
-                    R_e * (cos(alpha_e - s * theta) - cos(alpha_e)) - u * sin(theta),
-                ]
+        Kind.CLOSED_FORM(
+            "5-36",
+            "viscous coefficient of the column, 3 % of the critical one",
+            says(c, Float("0.03") * 2 * sqrt(m_e * k), Float("502.4")),
+        ),
+        Kind.CLOSED_FORM(
+            "5-37",
+            "displacement of the superstructure from its upright position",
+            says(
+                displacement,
+                Matrix(
+                    [
+                        s * R_e * (sin(alpha_e) - sin(alpha_e - s * theta)) + u * cos(theta),
+                        R_e * (cos(alpha_e - s * theta) - cos(alpha_e)) - u * sin(theta),
+                    ]
+                ),
             ),
         ),
     ),
 )
 
-CHAPTER_5: tuple[Equation, ...] = (*TESTS, *MODEL_A, *MODEL_B, *MODEL_C)
+CHAPTER_5 = (*TESTS, *MODEL_A, *MODEL_B, *MODEL_C)
