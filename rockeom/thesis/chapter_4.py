@@ -5,124 +5,37 @@ equations without numbers hold in any consistent units. The 3.551 mm of the expo
 epsilon, its symbol in 4-8; its value is in 4-7.
 """
 
-from sympy import (
-    Abs,
-    And,
-    Derivative,
-    Float,
-    Function,
-    Integral,
-    Piecewise,
-    Q,
-    Rational,
-    acosh,
-    cos,
-    exp,
-    log,
-    pi,
-    sign,
-    sin,
-    sqrt,
-    tan,
-)
+import sympy as sp
+from sympy import Abs, And, Float, Function, Piecewise, Q, acosh, cos, exp, log, pi, sign, sin, sqrt
 
+from rockeom.thesis import notation as th
 from rockeom.thesis.equation import POSITIVE, Domain, Kind, Relations, says, section
-from rockeom.thesis.notation import (
-    C_1,
-    C_2,
-    F_D,
-    L_T,
-    L_T0,
-    A_tendon,
-    B,
-    Delta,
-    Delta_d,
-    Delta_dd,
-    Delta_end,
-    Delta_limit,
-    Delta_peak,
-    Delta_start,
-    E_k_of,
-    E_tendon,
-    F_damp,
-    F_k,
-    H,
-    I_o,
-    M_e,
-    P_e,
-    P_initial,
-    P_tendon,
-    R,
-    T_fixed_base,
-    U_E_limit,
-    U_E_of,
-    U_E_peak,
-    U_E_start,
-    U_limit,
-    U_of,
-    U_peak,
-    U_start,
-    U_total,
-    U_total_0,
-    Z,
-    a_g,
-    alpha,
-    b_moving,
-    d_lifted,
-    d_tendon,
-    dDelta,
-    distance,
-    dU,
-    dU_E,
-    extension,
-    g,
-    m,
-    m_T,
-    n,
-    penalty,
-    period,
-    r,
-    s,
-    speed_limit,
-    step,
-    t,
-    tau_t,
-    theta,
-    theta_d,
-    theta_dd,
-    u_edge,
-    u_L,
-    u_L_edge,
-    u_R,
-    u_R_edge,
-    u_tendon,
-    x,
-    y_centre,
-)
+from rockeom.thesis.notation import Delta, Delta_d, H, M_e, P_tendon, extension, theta, u_L, u_R
 
-BELL = exp(-((Delta / penalty) ** 2))
+BELL = exp(-((Delta / th.penalty) ** 2))
 LEVEL = sqrt(H**2 - Delta**2)
 speed = Abs(Delta_d)
 
 REACH = 920 - 412 * BELL
 """d cos(theta) by the numbers of 4-7."""
 
-EXTENSION = H * Abs(Delta) / (H**2 - Delta**2) * REACH - B * Abs(Delta) / LEVEL
+EXTENSION = H * Abs(Delta) / (H**2 - Delta**2) * REACH - th.B * Abs(Delta) / LEVEL
 """4-15."""
 
 
 def elastic_energy(before: str, after: str) -> Relations:
     """4-20 and 4-44, with the constants of each branch."""
-    elastic = L_T / (2 * E_tendon * A_tendon) * P_tendon**2 - Float(before)
+    elastic = th.L_T / (2 * th.E_tendon * th.A_tendon) * P_tendon**2 - Float(before)
     yielding = Float("159.03") * extension - Float(after)
-    return says(U_E_of, Piecewise((elastic, P_tendon < Float("159.03")), (yielding, True)))
+    return says(th.U_E_of, Piecewise((elastic, P_tendon < Float("159.03")), (yielding, True)))
 
 
 def damping_force(factor: int) -> Relations:
     """4-28, the factor its sign."""
-    bell = exp(-((Delta / n) ** 2))
+    bell = exp(-((Delta / th.n) ** 2))
     return says(
-        F_damp, factor * M_e * log(sqrt(r)) / (n * sqrt(pi)) * Delta_d**2 * bell * sign(Delta_d)
+        th.F_damp,
+        factor * M_e * log(sqrt(th.r)) / (th.n * sqrt(pi)) * Delta_d**2 * bell * sign(Delta_d),
     )
 
 
@@ -131,8 +44,8 @@ MEASURED_BASE = section(
     Kind.DEFINITION(
         "4-1",
         "distance from the left gauge to the centre of rotation, of a straight base",
-        says(x, 1076 * Abs(u_L) / (Abs(u_L) + Abs(u_R))),
-        says(x, 1076 * u_L / (u_L - u_R)),
+        says(th.x, 1076 * Abs(u_L) / (Abs(u_L) + Abs(u_R))),
+        says(th.x, 1076 * u_L / (u_L - u_R)),
         "The absolute values are right for readings of opposite signs only. With two "
         "positive readings, of a wall that bounces, they put the centre between the gauges; "
         "section 4.9.1 finds it outside, at negative distances.",
@@ -144,23 +57,25 @@ MEASURED_BASE = section(
         ),
     ),
     Kind.DEFINITION(
-        "4-2", "distance from the right gauge to the centre of rotation", says(y_centre, 1076 - x)
+        "4-2",
+        "distance from the right gauge to the centre of rotation",
+        says(th.y_centre, 1076 - th.x),
     ),
     Kind.DEFINITION(
         "4-3",
         "uplift of the left edge, 30 mm inside the gauge",
-        says(u_L_edge, u_L * (x - 30) / x),
+        says(th.u_L_edge, u_L * (th.x - 30) / th.x),
         remark="The text says that this takes off up to 26 % of the toe's compression; of the "
         "first row of Table A-1 it takes 38 %.",
     ),
     Kind.DEFINITION(
-        "4-4", "uplift of the right edge", says(u_R_edge, u_R * (y_centre - 30) / y_centre)
+        "4-4", "uplift of the right edge", says(th.u_R_edge, u_R * (th.y_centre - 30) / th.y_centre)
     ),
     Kind.FIT(
         "4-5",
         "quarter period from a peak, fitted to the free vibration",
         # the scanned text reads Lambda for Delta
-        says(period / 4, Float("0.505") * acosh(1 / (1 - Delta / 5155)) + Float("0.01")),
+        says(th.period / 4, Float("0.505") * acosh(1 / (1 - Delta / 5155)) + Float("0.01")),
         remark="Delta in mm, its size where the peak is negative. The length of 5155 mm is none "
         "of the wall: what counts is the factor of sqrt(Delta), 0.00995 s/sqrt(mm).",
         sides=POSITIVE,
@@ -168,13 +83,16 @@ MEASURED_BASE = section(
     Kind.CLOSED_FORM(
         "4-6",
         "uplift of the edge of a rigid wall that turns about a point of its base",
-        says(u_edge, Abs(Delta) * d_lifted / H),
+        says(th.u_edge, Abs(Delta) * th.d_lifted / H),
         remark="Exact, though the text calls it approximate: Delta = H sin(theta).",
     ),
     Kind.FIT(
         "4-7",
         "distance from the pressed edge to the centre of rotation",
-        (*says(1016 - d_lifted * cos(theta), 412 * BELL + 96), *says(penalty, Float("3.551"))),
+        (
+            *says(1016 - th.d_lifted * cos(theta), 412 * BELL + 96),
+            *says(th.penalty, Float("3.551")),
+        ),
         assumption="The 96 mm is chosen as the mean distance of Table A-1 at positive "
         "displacements, the 412 mm so that the wall at rest turns about its centreline.",
         remark="The distances of Table A-1 are those from the uplift gauge, 30 mm outside the "
@@ -186,14 +104,14 @@ MEASURED_BASE = section(
     Kind.DEFINITION(
         "4-8",
         "general form of 4-7",
-        says(distance, C_1 * BELL + C_2),
+        says(th.distance, th.C_1 * BELL + th.C_2),
         remark="C_1 + C_2 = B, so that the wall at rest turns about its centreline. epsilon is "
         "called n from 4.8 on.",
     ),
     Kind.CLOSED_FORM(
         "4-9",
         "uplift of the edge, 4-6 with the printed 4-7",
-        says(u_edge, Abs(Delta) / LEVEL * REACH),
+        says(th.u_edge, Abs(Delta) / LEVEL * REACH),
     ),
 )
 
@@ -202,37 +120,40 @@ TENDON = section(
     Kind.APPROXIMATION(
         "4-10",
         "extension of a tendon that its duct holds in place",
-        says(extension, u_tendon / cos(theta)),
+        says(extension, th.u_tendon / cos(theta)),
     ),
     Kind.CLOSED_FORM(
         "4-11",
         "4-10 by the uplift of the edge, with similar triangles",
-        says(extension, u_edge / cos(theta) * d_tendon / d_lifted),
+        says(extension, th.u_edge / cos(theta) * th.d_tendon / th.d_lifted),
     ),
     Kind.CLOSED_FORM(
         "4-12",
         "4-11 for a tendon on the centreline",
-        says(extension, u_edge / cos(theta) * (1 - B / d_lifted)),
+        says(extension, th.u_edge / cos(theta) * (1 - th.B / th.d_lifted)),
     ),
     Kind.CLOSED_FORM(
-        "4-13", "4-12 by the rotation", says(extension, (d_lifted - B) * tan(theta)), sides=POSITIVE
+        "4-13",
+        "4-12 by the rotation",
+        says(extension, (th.d_lifted - th.B) * sp.tan(theta)),
+        sides=POSITIVE,
     ),
     Kind.CLOSED_FORM(
         "4-14",
         "4-13 by the displacement and the uplift of the edge",
-        says(extension, u_edge * H / LEVEL - B * Abs(Delta) / LEVEL),
+        says(extension, th.u_edge * H / LEVEL - th.B * Abs(Delta) / LEVEL),
     ),
     Kind.CLOSED_FORM("4-15", "4-14 with 4-9", says(extension, EXTENSION)),
     Kind.CLOSED_FORM(
         "4-16",
         "force of the elastic tendon, and the length of the tendon",
         (
-            *says(P_tendon, P_initial + E_tendon * A_tendon / L_T0 * EXTENSION),
-            *says(L_T0, Float("3106.6")),
+            *says(P_tendon, th.P_initial + th.E_tendon * th.A_tendon / th.L_T0 * EXTENSION),
+            *says(th.L_T0, Float("3106.6")),
         ),
         (
-            *says(P_tendon, P_initial + E_tendon * A_tendon / L_T0 * EXTENSION),
-            *says(L_T0, Float("3093.54")),
+            *says(P_tendon, th.P_initial + th.E_tendon * th.A_tendon / th.L_T0 * EXTENSION),
+            *says(th.L_T0, Float("3093.54")),
         ),
         "The tendon without a force is shorter than the 3100 mm between its anchors, by the "
         "6.4564 mm that the initial force stretches it, as in B.3; 3106.6 mm is longer.",
@@ -247,9 +168,10 @@ DYNAMICS = section(
         "4-17",
         "quarter period from a peak: the tendon's force taken as weight, and a fixed base",
         says(
-            period / 4,
-            sqrt(I_o / (R * (m * g + P_tendon))) * acosh(1 / (1 - Delta / (d_lifted * cos(theta))))
-            + T_fixed_base / 4,
+            th.period / 4,
+            sqrt(th.I_o / (th.R * (th.m * th.g + P_tendon)))
+            * acosh(1 / (1 - Delta / (th.d_lifted * cos(theta))))
+            + th.T_fixed_base / 4,
         ),
         remark="Delta is its size where the peak is negative. The force is that at the peak, "
         "during the whole fall. I_o and R are those of the corner.",
@@ -258,11 +180,11 @@ DYNAMICS = section(
     Kind.APPROXIMATION(
         "4-18",
         "gravitational energy",
-        says(U_of, m_T * g * (Abs(Delta) / LEVEL * REACH - B * Abs(Delta) / H)),
+        says(th.U_of, th.m_T * th.g * (Abs(Delta) / LEVEL * REACH - th.B * Abs(Delta) / H)),
         remark="In mJ where lengths are in mm.",
     ),
     Kind.APPROXIMATION(
-        "4-19", "kinetic energy", says(E_k_of, Rational(1, 2) / H**2 * I_o * Delta_d**2)
+        "4-19", "kinetic energy", says(th.E_k_of, sp.Rational(1, 2) / H**2 * th.I_o * Delta_d**2)
     ),
     Kind.CLOSED_FORM(
         "4-20",
@@ -274,21 +196,28 @@ DYNAMICS = section(
     Kind.DEFINITION(
         "4-21",
         "total energy of a wall at rest, at its release",
-        says(U_total_0, U_start + U_E_start),
+        says(th.U_total_0, th.U_start + th.U_E_start),
     ),
     Kind.DEFINITION(
-        "4-22", "total energy of the wall in motion", says(U_total, U_of + U_E_of + E_k_of)
+        "4-22",
+        "total energy of the wall in motion",
+        says(th.U_total, th.U_of + th.U_E_of + th.E_k_of),
     ),
     Kind.CLOSED_FORM(
         "4-23",
         "speed after a release from rest, without losses",
-        says(Delta_d, sqrt(2 * H**2 / I_o * (U_start + U_E_start - U_of - U_E_of))),
+        says(Delta_d, sqrt(2 * H**2 / th.I_o * (th.U_start + th.U_E_start - th.U_of - th.U_E_of))),
         remark="The speed; until the next rest the velocity has the sign of -Delta_0.",
     ),
     Kind.CLOSED_FORM(
         "4-24",
         "time between two displacements of such a motion",
-        says(Integral(1 / Function(r"\dot{\Delta}")(Delta), (Delta, Delta_start, Delta_end)), step),
+        says(
+            sp.Integral(
+                1 / Function(r"\dot{\Delta}")(Delta), (Delta, th.Delta_start, th.Delta_end)
+            ),
+            th.step,
+        ),
         remark="With the velocity, not the speed of 4-23. It vanishes at the release, where the "
         "integral converges all the same.",
     ),
@@ -296,7 +225,7 @@ DYNAMICS = section(
         "4-25",
         "displacement at which the loss of energy begins, on the way back from a peak",
         (),
-        says(Delta_limit, Delta_peak / 4),
+        says(th.Delta_limit, th.Delta_peak / 4),
         "Not in the text. The text says that the wall keeps its energy until its displacement is "
         "25 % of the peak.",
         undetermined="The equation is not printed. Its number, words and symbols are; that energy "
@@ -306,7 +235,10 @@ DYNAMICS = section(
         "4-26",
         "speed at that displacement",
         (),
-        says(speed_limit, sqrt(2 * H**2 / I_o * (U_peak + U_E_peak - U_limit - U_E_limit))),
+        says(
+            th.speed_limit,
+            sqrt(2 * H**2 / th.I_o * (th.U_peak + th.U_E_peak - th.U_limit - th.U_E_limit)),
+        ),
         "Not in the text. The text says that until there the wall follows 4-23.",
         undetermined="The equation is not printed; this is what its words and 4-23 give.",
     ),
@@ -317,7 +249,7 @@ EQUIVALENT_OSCILLATOR = section(
     Kind.MOTION(
         "4-27",
         "equivalent oscillator",
-        says(M_e * Delta_dd + F_k + F_damp, P_e),
+        says(M_e * th.Delta_dd + th.F_k + th.F_damp, th.P_e),
         remark="With the thesis's M_e, the whole mass of 2016 kg, the inertia is that of 4-19 "
         "within 3.5 %: I_o/H**2 is 1948 kg upright and 2006 kg once rocking is developed.",
     ),
@@ -332,21 +264,25 @@ EQUIVALENT_OSCILLATOR = section(
         excess=(
             2
             * M_e
-            * log(sqrt(r))
-            / (n * sqrt(pi))
+            * log(sqrt(th.r))
+            / (th.n * sqrt(pi))
             * Delta_d**2
-            * exp(-((Delta / n) ** 2))
+            * exp(-((Delta / th.n) ** 2))
             * sign(Delta_d),
         ),
     ),
     Kind.DEFINITION(
-        "4-29", "work of a slow push at the height of Delta", says(dU_E + dU, F_k * dDelta)
+        "4-29",
+        "work of a slow push at the height of Delta",
+        says(th.dU_E + th.dU, th.F_k * th.dDelta),
     ),
     Kind.DEFINITION(
         "4-30",
         "elastic restoring force",
         says(
-            F_k, Derivative(Function("U_E")(Delta), Delta) + Derivative(Function("U")(Delta), Delta)
+            th.F_k,
+            sp.Derivative(Function("U_E")(Delta), Delta)
+            + sp.Derivative(Function("U")(Delta), Delta),
         ),
         remark="Upright both it and its stiffness vanish, where the centre of rotation moves by "
         "4-7 and the tendon is on the centreline.",
@@ -355,9 +291,9 @@ EQUIVALENT_OSCILLATOR = section(
         "4-31",
         "ratio of energies of a passage by the speed, for the equivalent oscillator",
         says(
-            r,
+            th.r,
             Piecewise(
-                (Rational(1, 45) * speed + Float("0.85"), And(speed > 0, speed < Float("0.3"))),
+                (sp.Rational(1, 45) * speed + Float("0.85"), And(speed > 0, speed < Float("0.3"))),
                 (Float("0.81"), And(speed > Float("0.3"), speed < Float("0.47"))),
                 (Float("0.852"), And(speed > Float("0.47"), speed < Float("0.78"))),
                 (Float("0.95"), speed > Float("0.78")),
@@ -373,7 +309,10 @@ SUBSTITUTE_GRAVITY = section(
     Kind.MOTION(
         "4-32",
         "block that rocks about its corners, the tendon's force taken as weight",
-        says(I_o * theta_dd, -s * (m * g + P_tendon) * R * sin(alpha - s * theta)),
+        says(
+            th.I_o * th.theta_dd,
+            -th.s * (th.m * th.g + P_tendon) * th.R * sin(th.alpha - th.s * theta),
+        ),
     ),
     Kind.DEFINITION(
         "4-33",
@@ -382,16 +321,16 @@ SUBSTITUTE_GRAVITY = section(
         remark="Exact for the point above the centre of rotation, by which section 1.4 defines "
         "Delta, though printed as approximate.",
     ),
-    Kind.CLOSED_FORM("4-34", "its rate", says(Delta_d, H * cos(theta) * theta_d)),
+    Kind.CLOSED_FORM("4-34", "its rate", says(Delta_d, H * cos(theta) * th.theta_d)),
     Kind.CLOSED_FORM(
         "4-35",
         "its second derivative",
-        says(Delta_dd, H * (theta_dd * cos(theta) - theta_d**2 * sin(theta))),
+        says(th.Delta_dd, H * (th.theta_dd * cos(theta) - th.theta_d**2 * sin(theta))),
     ),
     Kind.FIT(
         "4-36",
         "ratio of energies of a passage by the speed, for 4-32",
-        says(r, Float("0.0441") * speed + Float("0.865")),
+        says(th.r, Float("0.0441") * speed + Float("0.865")),
         undetermined="The text wants r between 0.88 and 0.91, once in this order of the speeds "
         "and once in the other. As printed 0.91 is reached at 1.02 m/s, faster than any passage. "
         "The slope is 0.03 over the 0.68 m/s from 0.10 to 0.78 m/s, for which the constant would "
@@ -401,7 +340,7 @@ SUBSTITUTE_GRAVITY = section(
     Kind.FIT(
         "4-37",
         "distance from the centreline to the centre of rotation, for 4-32",
-        says(b_moving, 508 * (1 - BELL)),
+        says(th.b_moving, 508 * (1 - BELL)),
         assumption="The rotation centre moves from the centreline to the edge, at the rate of 4-7.",
         remark="4-7 has it move 412 mm, and Table A-1 442 mm: the developed lever is 23 % and 15 % "
         "longer here.",
@@ -410,7 +349,7 @@ SUBSTITUTE_GRAVITY = section(
         "4-38",
         "ratio of energies of a passage by the speed, with 4-37",
         says(
-            r,
+            th.r,
             Piecewise(
                 (speed + Float("0.445"), And(speed > 0, speed < Float("0.365"))),
                 (Float("0.81"), And(speed > Float("0.365"), speed < Float("0.47"))),
@@ -426,14 +365,18 @@ BASE_EXCITATION = (
     *section(
         "4.9.1.3",
         Kind.APPROXIMATION(
-            "4-39", "effective driving force of the ground's motion", says(P_e, -M_e * a_g)
+            "4-39", "effective driving force of the ground's motion", says(th.P_e, -M_e * th.a_g)
         ),
         Kind.MOTION(
             "4-40",
             "4-32 under ground motion, and the moment of that",
             (
-                *says(I_o * theta_dd, -s * (m * g + P_tendon) * R * sin(alpha - s * theta) - tau_t),
-                *says(tau_t, M_e * a_g * R * cos(alpha - s * theta)),
+                *says(
+                    th.I_o * th.theta_dd,
+                    -th.s * (th.m * th.g + P_tendon) * th.R * sin(th.alpha - th.s * theta)
+                    - th.tau_t,
+                ),
+                *says(th.tau_t, M_e * th.a_g * th.R * cos(th.alpha - th.s * theta)),
             ),
             remark="M_e is the mass m here. R and alpha depend on theta where 4-37 is used.",
         ),
@@ -443,12 +386,12 @@ BASE_EXCITATION = (
         Kind.MOTION(
             "4-41",
             "equivalent oscillator under ground motion, its damping by the velocity",
-            says(M_e * Delta_dd + F_k + F_D, -M_e * a_g),
+            says(M_e * th.Delta_dd + th.F_k + th.F_D, -M_e * th.a_g),
         ),
         Kind.CLOSED_FORM(
             "4-42",
             "restoring force at an instant without velocity",
-            says(F_k, -M_e * (a_g + Delta_dd)),
+            says(th.F_k, -M_e * (th.a_g + th.Delta_dd)),
             remark="For a damping force that vanishes with the velocity.",
         ),
     ),
@@ -458,7 +401,7 @@ BASE_EXCITATION = (
             "4-43",
             "equivalent oscillator under harmonic ground motion",
             (),
-            says(M_e * Delta_dd + F_k + F_damp, -M_e * Z * sin(16 * pi * t)),
+            says(M_e * th.Delta_dd + th.F_k + th.F_damp, -M_e * th.Z * sin(16 * pi * th.t)),
             "The scanned text has lost the dots of the first term.",
             remark="8 Hz, in seconds.",
         ),

@@ -5,33 +5,11 @@ Typed by hand from the thesis, in its own symbols.
 
 from sympy import Derivative, DiracDelta, Integral, Ne, Piecewise, exp, log, pi, sign, sqrt, tanh
 
+from rockeom.thesis import notation as th
 from rockeom.thesis.equation import POSITIVE, Kind, says, section
-from rockeom.thesis.notation import (
-    DISPLACEMENT_FUNCTION,
-    VELOCITY_FUNCTION,
-    F_delta,
-    K,
-    above_zero,
-    below_zero,
-    delta_n,
-    dt,
-    dx,
-    dx_d,
-    exponent,
-    n,
-    r,
-    t_scaled,
-    x,
-    x_0,
-    x_d,
-    x_d0,
-    x_dd,
-    x_df,
-    x_f,
-    x_t,
-)
+from rockeom.thesis.notation import F_delta, K, dt, dx_d, exponent, n, r, x, x_d, x_d0, x_dd
 
-f, g = DISPLACEMENT_FUNCTION(x), VELOCITY_FUNCTION(x_d)
+f, g = th.DISPLACEMENT_FUNCTION(x), th.VELOCITY_FUNCTION(x_d)
 DELTA_N = exp(-(x**2) / n**2) / (n * sqrt(pi))
 """2-20."""
 
@@ -63,19 +41,19 @@ SECTION_2_6 = section(
     Kind.DEFINITION(
         "2-19c",
         "and has the integral one",
-        says(Integral(DiracDelta(x), (x, below_zero, above_zero)), 1),
+        says(Integral(DiracDelta(x), (x, th.below_zero, th.above_zero)), 1),
         remark="The interval contains zero: a < 0 < b.",
     ),
     Kind.DEFINITION(
         "2-20",
         "normal distribution that stands for the delta",
-        says(delta_n, DELTA_N),
+        says(th.delta_n, DELTA_N),
         remark="It is the delta in the limit n -> 0.",
     ),
     Kind.MOTION(
         "2-21a",
         "the block during an impact, gravity neglected",
-        says(Derivative(x_t, (t_scaled, 2)), F_delta),
+        says(Derivative(th.x_t, (th.t_scaled, 2)), F_delta),
     ),
     Kind.MOTION(
         "2-21b",
@@ -94,12 +72,16 @@ SECTION_2_6 = section(
     Kind.MOTION(
         "2-21d",
         "the same, velocity and rotation on different sides",
-        says(x_d / g * dx_d, DiracDelta(x) * dx),
+        says(x_d / g * dx_d, DiracDelta(x) * th.dx),
     ),
     Kind.CLOSED_FORM(
         "2-22",
         "what the function of the velocity must satisfy",
-        says(Integral(x_d / g, (x_d, x_d0, x_df)), Integral(DiracDelta(x), (x, -x_0, x_f)), 1),
+        says(
+            Integral(x_d / g, (x_d, x_d0, th.x_df)),
+            Integral(DiracDelta(x), (x, -th.x_0, th.x_f)),
+            1,
+        ),
         remark="For a passage in the direction of +x; in that of -x both limits of x change sign "
         "and the integrals are -1, hence the signum in 2-27.",
         sides=POSITIVE,
