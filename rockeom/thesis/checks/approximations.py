@@ -17,7 +17,7 @@ from sympy import cos, sign
 from rockeom.symbolic.model import GROUND_X
 from rockeom.symbolic.statics import pushover
 from rockeom.thesis import notation as th, printed
-from rockeom.thesis.checks.check import Check, Finding, Means, close, vanishes
+from rockeom.thesis.checks.check import Check, Finding, close, derived, vanishes
 from rockeom.thesis.checks.engine import (
     THETA,
     acceleration,
@@ -31,7 +31,7 @@ from rockeom.thesis.checks.engine import (
     shipped,
 )
 from rockeom.thesis.comparison import ALPHA, BLOCK, PIER, SCALED, R, in_engine_notation, normal_form
-from rockeom.thesis.equation import Equation, Relations
+from rockeom.thesis.equation import Equation
 
 s = sign(th.theta)
 STIFFNESS = in_engine_notation(th.k_f, 1)
@@ -306,7 +306,7 @@ def taylor(expr: sp.Expr, small: tuple[sp.Symbol, ...], order: int) -> list[sp.E
     return terms
 
 
-def _find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _find(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
     case = APPROXIMATIONS[equation.number]
     for side in equation.sides:
         (relation,) = relations
@@ -330,7 +330,7 @@ def _find(equation: Equation, relations: Relations) -> Iterator[Finding]:
 def _checks() -> Iterator[tuple[str, Check]]:
     for number, case in APPROXIMATIONS.items():
         route = "leading Taylor term of the exact expression of the engine"
-        yield number, Check(Means.DERIVED, route, _find, case.words)
+        yield number, derived(route, _find, case.words)
 
 
 CHECKS: dict[str, Check] = dict(_checks())

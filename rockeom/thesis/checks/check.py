@@ -8,7 +8,6 @@ from typing import Any
 import sympy as sp
 
 from rockeom.thesis.comparison import differs_somewhere
-from rockeom.thesis.equation import Equation, Relations
 
 
 class Means(Enum):
@@ -42,7 +41,8 @@ class Finding:
     comparable: bool = True
 
 
-Find = Callable[[Equation, Relations], Iterable[Finding]]
+Find = Callable[..., Iterable[Finding]]
+"""Function of an equation and each of its relations."""
 
 
 @dataclass(frozen=True)
@@ -77,6 +77,11 @@ def derived(route: str, find: Find, error: str = "") -> Check:
 def reproduced(route: str, find: Find, error: str = "") -> Check:
     """A check by numbers of a table, a figure or the text."""
     return Check(Means.REPRODUCED, route, find, error)
+
+
+def transcribed(route: str, find: Find) -> Check:
+    """A check of what the thesis fitted or chose, typed a second time: no evidence by itself."""
+    return Check(Means.TRANSCRIBED, route, find)
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ from rockeom.symbolic.statics import LOAD, equilibrium, pushover
 from rockeom.symbolic.structures.two_spring import bilinear_pushover
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks.check import Check, Finding, Means, vanishes
+from rockeom.thesis.checks.check import Check, Finding, derived, vanishes
 from rockeom.thesis.comparison import (
     ALPHA,
     BLOCK,
@@ -32,7 +32,7 @@ from rockeom.thesis.comparison import (
     differences,
     normal_form,
 )
-from rockeom.thesis.equation import Equation, Relations
+from rockeom.thesis.equation import Equation
 
 MODE = {1: "right", -1: "left"}
 THETA, THETA_D, THETA_DD = PIER["theta"], PIER["theta_d"], PIER["theta_dd"]
@@ -407,16 +407,16 @@ _ROUTES = {
 }
 
 
-def _find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _find(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
     for side in equation.sides:
         yield from compared(equation.number, relations, side)
 
 
 def _checks() -> Iterator[tuple[str, Check]]:
     route_of = {n: route for route, numbers in _ROUTES.items() for n in numbers.split()}
-    for number, derived in DERIVED.items():
-        route = f"{route_of[number]}: {derived.structure}"
-        yield number, Check(Means.DERIVED, route, _find)
+    for number, entry in DERIVED.items():
+        route = f"{route_of[number]}: {entry.structure}"
+        yield number, derived(route, _find)
 
 
 CHECKS: dict[str, Check] = dict(_checks())

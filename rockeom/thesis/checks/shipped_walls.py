@@ -18,7 +18,7 @@ from rockeom.thesis.checks.check import Check, Finding, derived, vanishes
 from rockeom.thesis.checks.engine import residual, shipped
 from rockeom.thesis.checks.wall import HALF_WIDTH, REMAINS, placed, reduced, right
 from rockeom.thesis.comparison import symbols_of
-from rockeom.thesis.equation import BOTH, Equation, Relations
+from rockeom.thesis.equation import BOTH, Equation
 
 OSCILLATOR = "controlled_wall_oscillator"
 ABOUT_CORNERS, ABOUT_MOVING_CENTRE = "simplified_substitute_gravity_wall", "substitute_gravity_wall"
@@ -81,19 +81,19 @@ def of_function(structure: str, name: str) -> Callable[[int], sp.Expr]:
 # --- the rotation centre and the tendon
 
 
-def _rotation_centre(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _rotation_centre(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
     numbers = {th.C_1: HALF_WIDTH - REMAINS, th.C_2: REMAINS}
     stated = HALF_WIDTH - relations[0].rhs.subs(numbers)
     for structure in (OSCILLATOR, ABOUT_MOVING_CENTRE, ABOUT_CORNERS, "controlled_wall"):
         yield from agree(f"b of {structure}", stated, of_function(structure, "rotation_centre"))
 
 
-def _moving_lever(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _moving_lever(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
     lever = of_function(ABOUT_MOVING_CENTRE, "lever")
     yield from agree(f"lever of {ABOUT_MOVING_CENTRE}", relations[0].rhs, lever)
 
 
-def _tendon_force(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _tendon_force(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
     stated = relations[0].rhs.subs(th.B, HALF_WIDTH)
     for structure in (OSCILLATOR, ABOUT_MOVING_CENTRE, ABOUT_CORNERS):
         model = shipped(structure)
@@ -116,9 +116,8 @@ def _motion(model: RockingModel, side: int) -> sp.Expr:
     return in_thesis_symbols(model, motion, side)
 
 
-def _oscillator(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _oscillator(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
     """4-27 with the energies of 4-18 and 4-16, and with 4-28 and 4-39."""
-    (relation,) = relations
     model = shipped(OSCILLATOR)
     numbers = {th.m_T: th.m, th.B: HALF_WIDTH}
     stiffness = th.E_tendon * th.A_tendon / th.L_T0
@@ -136,8 +135,7 @@ def _oscillator(equation: Equation, relations: Relations) -> Iterator[Finding]:
 def _substitute_gravity(structure: str) -> Callable:
     """The relations with the lever of the structure as R sin(alpha), and M_e as its mass."""
 
-    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
-        motion, *moment = relations
+    def find(equation: Equation, motion: sp.Eq, *moment: sp.Eq) -> Iterator[Finding]:
         model = shipped(structure)
         lever = sp.Dummy("lever", positive=True)
         own = symbols_of(model)

@@ -21,7 +21,7 @@ from rockeom.analysis.identification.free_vibration import (
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.checks.check import Finding, vanishes
-from rockeom.thesis.equation import Equation, Relations
+from rockeom.thesis.equation import Equation
 
 # --- the wall of the tests
 
@@ -166,7 +166,7 @@ def lifted() -> sp.Expr:
 def by_geometry(exact: Callable[[int], sp.Expr], **by_symbol: Callable[[int], sp.Expr]) -> Callable:
     """Check that the right side equals `exact(side)`, once `by_symbol` replaces its symbols."""
 
-    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    def find(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
         for side in equation.sides:
             put = {getattr(th, name): value(side) for name, value in by_symbol.items()}
             for relation in relations:

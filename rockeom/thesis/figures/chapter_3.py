@@ -18,12 +18,8 @@ from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
 from rockeom.symbolic import Body, coordinate, parameter, rocking_structure, turned
+from rockeom.thesis import points_of_interest
 from rockeom.thesis.figures.drawn import Source, thesis_figure
-from rockeom.thesis.points_of_interest import (
-    importance_scores,
-    points_by_prominence,
-    points_by_score,
-)
 from rockeom.thesis.printed import BLOCK as BLOCK_VALUES, FIGURE_3_3
 
 BLOCK = rk.RigidBlock(**BLOCK_VALUES)
@@ -181,9 +177,9 @@ def figure_3_4() -> Figure:
     the noise instead.
     """
     data = record()
-    scores = importance_scores(data["theta"], 500)
-    scored = points_by_score(data, "theta")
-    by_prominence = points_by_prominence(data, "theta")
+    scores = points_of_interest.importance_scores(data["theta"], 500)
+    scored = points_of_interest.points_by_score(data, "theta")
+    by_prominence = points_of_interest.points_by_prominence(data, "theta")
     figure = style.new_figure(7.2, 4.4)
     trace, score = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1.0))
     trace.plot(data.time, np.degrees(data["theta"]), lw=0.8, color=style.INK)

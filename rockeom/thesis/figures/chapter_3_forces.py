@@ -8,16 +8,7 @@ from matplotlib.figure import Figure
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
-from rockeom.thesis.figures.chapter_3 import (
-    BLOCK,
-    NOISE,
-    R_HOUSNER,
-    RATE,
-    RUNS,
-    SHAPE,
-    housner,
-    rocking,
-)  # fmt: skip
+from rockeom.thesis.figures import chapter_3
 from rockeom.thesis.figures.drawn import Source, thesis_figure
 
 WINDOW = 0.03
@@ -35,7 +26,7 @@ def draw_forces(
     ):
         ax.plot(time, force / 1e3, lw=0.8, color=style.LINES[0])
         ax.set_ylabel(f"{name} force [kN]")
-    weight = BLOCK.mass * BLOCK.gravity / 1e3
+    weight = chapter_3.BLOCK.mass * chapter_3.BLOCK.gravity / 1e3
     axes[1].axhline(weight, color=style.INK, ls="--", lw=0.8, label="weight")
     axes[1].legend(loc="lower right")
     axes[1].set(xlabel="time [s]", xlim=(0, until))
@@ -51,7 +42,9 @@ def figure_3_12() -> Figure:
     its rotation is differentiated twice over a window of 0.03 s, which spreads the jumps of the
     rate at the impacts to spikes.
     """
-    forces = identification.support_forces_of_record(calm_record(*RUNS[0]), window=WINDOW, **SHAPE)
+    forces = identification.support_forces_of_record(
+        calm_record(*chapter_3.RUNS[0]), window=WINDOW, **chapter_3.SHAPE
+    )
     return draw_forces(forces.time, forces.horizontal, forces.vertical, 4.9)
 
 
@@ -62,7 +55,7 @@ def figure_3_13() -> Figure:
     r is 0.879, of 2-6; that of the figure is not printed. The forces at the impacts, infinite for
     no time, are not drawn.
     """
-    run = housner(R_HOUSNER, 14.0)
+    run = chapter_3.housner(chapter_3.R_HOUSNER, 14.0)
     vertical = run["left_reaction"] + run["right_reaction"]
     return draw_forces(run.t, run["horizontal_reaction"], vertical, 10.0)
 
@@ -74,12 +67,16 @@ def figure_3_14() -> Figure:
     Up to the largest speed of free rocking, 3-13. Positive speed: the right foot lands. The angle
     is that of the resultant from the vertical.
     """
-    most = float(formulas.impact_speed(BLOCK.alpha, alpha=BLOCK.alpha, radius=BLOCK.radius))
+    most = float(
+        formulas.impact_speed(
+            chapter_3.BLOCK.alpha, alpha=chapter_3.BLOCK.alpha, radius=chapter_3.BLOCK.radius
+        )
+    )
     speed = np.linspace(-most, most, 401)
     figure = style.new_figure(7.6, 3.0)
     axes = figure.subplots(1, 3)
     for side, label, line in ((1, "on the right foot", "-"), (-1, "on the left foot", "--")):
-        h, v = formulas.block_reactions_at_impact(speed, side, slender=True, **SHAPE)
+        h, v = formulas.block_reactions_at_impact(speed, side, slender=True, **chapter_3.SHAPE)
         angle = np.degrees(np.arctan2(h, v))
         for ax, y in zip(axes, (h / 1e3, v / 1e3, angle), strict=True):
             ax.plot(speed, y, line, label=label)
@@ -96,9 +93,9 @@ def figure_3_14() -> Figure:
 @cache
 def calm_record(release: float, seed: int) -> analysis.MeasuredRecord:
     """A simulated record from a release [deg], with a tenth of the noise of the others."""
-    motion = rocking(BLOCK, float(np.radians(release)), 5.0)
-    t = np.arange(5 * RATE) / RATE
-    noise = np.random.default_rng(seed).normal(0.0, NOISE / 10, len(t))
+    motion = chapter_3.rocking(chapter_3.BLOCK, float(np.radians(release)), 5.0)
+    t = np.arange(5 * chapter_3.RATE) / chapter_3.RATE
+    noise = np.random.default_rng(seed).normal(0.0, chapter_3.NOISE / 10, len(t))
     return analysis.MeasuredRecord(t, {"theta": motion.at(t)["theta"] + noise})
 
 
@@ -106,8 +103,8 @@ def calm_record(release: float, seed: int) -> analysis.MeasuredRecord:
 def impact_forces() -> identification.ImpactForces:
     """Impacts of the four runs in kind above 0.15 rad/s, with a tenth of the noise."""
     forces = [
-        identification.impact_forces_of_record(calm_record(*run), window=WINDOW, **SHAPE)
-        for run in RUNS
+        identification.impact_forces_of_record(calm_record(*run), window=WINDOW, **chapter_3.SHAPE)
+        for run in chapter_3.RUNS
     ]
     columns = [np.concatenate(column) for column in zip(*forces, strict=True)]
     fast = np.abs(columns[1]) > 0.15
@@ -169,10 +166,10 @@ def figure_3_15() -> Figure:
 def vertical_before_impacts() -> np.ndarray:
     """Vertical support force of the records, a window before each impact of `impact_forces` [N]."""
     forces_before = []
-    for release, seed in RUNS:
+    for release, seed in chapter_3.RUNS:
         calm = calm_record(release, seed)
-        forces = identification.support_forces_of_record(calm, window=WINDOW, **SHAPE)
-        impacts = identification.impact_forces_of_record(calm, window=WINDOW, **SHAPE)
+        forces = identification.support_forces_of_record(calm, window=WINDOW, **chapter_3.SHAPE)
+        impacts = identification.impact_forces_of_record(calm, window=WINDOW, **chapter_3.SHAPE)
         time = impacts.time[np.abs(impacts.speed) > 0.15]
         forces_before.append(np.interp(time - WINDOW, forces.time, forces.vertical))
     return np.concatenate(forces_before)
