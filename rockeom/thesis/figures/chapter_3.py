@@ -19,7 +19,7 @@ from rockeom.analysis import formulas, identification
 from rockeom.plots import style
 from rockeom.symbolic import Body, coordinate, parameter, rocking_structure, turned
 from rockeom.thesis import points_of_interest
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_panels
 from rockeom.thesis.printed import BLOCK as BLOCK_VALUES, FIGURE_3_3
 
 BLOCK = rk.RigidBlock(**BLOCK_VALUES)
@@ -146,8 +146,8 @@ def housner(ratio: float, duration: float = 5.0) -> rk.Response:
 # --- the motion
 
 
-@thesis_figure(Source.PRINTED)
-def figure_3_3() -> Figure:
+@thesis_axes(Source.PRINTED, 7.2, 3.2)
+def figure_3_3(ax: Axes) -> None:
     """Rotation of the block after a release: the thirteen printed points.
 
     The line is a simulated block in kind, its r that of the printed peaks of each foot. The block
@@ -156,7 +156,6 @@ def figure_3_3() -> Figure:
     _, rotation = points()
     run = rocking(BLOCK, float(rotation[0]), 3.2)
     late = release_delay()
-    figure, ax = style.new_axes(7.2, 3.2)
     left, right = (feet()[f] for f in ("left", "right"))
     label = f"simulated, r = {left:.2f} and {right:.2f} (left, right foot lands)"
     held = np.append(rotation[0], run["theta"])
@@ -164,11 +163,10 @@ def figure_3_3() -> Figure:
     mark_points(ax)
     ax.set(xlim=(0, 3.2), xlabel="time [s]", ylabel=r"rotation $\theta$ [deg]")
     style.legend_above(ax)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_3_4() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.2, 4.4)
+def figure_3_4(figure: Figure) -> None:
     """How the thesis's algorithm finds peaks: the score of each sample, and SciPy's finder.
 
     A window of 500 samples moves along; its largest and its smallest sample have a point each. The
@@ -180,7 +178,6 @@ def figure_3_4() -> Figure:
     scores = points_of_interest.importance_scores(data["theta"], 500)
     scored = points_of_interest.points_by_score(data, "theta")
     by_prominence = points_of_interest.points_by_prominence(data, "theta")
-    figure = style.new_figure(7.2, 4.4)
     trace, score = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1.0))
     trace.plot(data.time, np.degrees(data["theta"]), lw=0.8, color=style.INK)
     for rows, mark, color, label in (
@@ -201,11 +198,10 @@ def figure_3_4() -> Figure:
         textcoords="offset points", va="center",
     )  # fmt: skip
     score.set(ylabel="score [-]", xlabel="time [s]", xlim=(0, 5))
-    return figure
 
 
-@thesis_figure(Source.PRINTED)
-def figure_3_5() -> Figure:
+@thesis_axes(Source.PRINTED, 6.2, 3.6)
+def figure_3_5(ax: Axes) -> None:
     """Quarter periods against the peak rotation: Figure 3-3, 2-5, and the block of any rotation.
 
     A quarter ends or begins at a printed peak. The first one of the test is 0.07 s too long: the
@@ -216,7 +212,6 @@ def figure_3_5() -> Figure:
     peaks = np.abs(np.where(rotation[:-1] != 0, rotation[:-1], rotation[1:]))
     p, alpha = BLOCK.frequency_parameter, BLOCK.alpha
     x = np.linspace(0.0, 0.8, 200)
-    figure, ax = style.new_axes(6.2, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     ax.plot(x, formulas.quarter_period(x, p), label="2-5, slender")
     ax.fill_between(
@@ -236,11 +231,10 @@ def figure_3_5() -> Figure:
         ylim=(0, 0.6),
     )
     ax.legend(loc="upper left")
-    return figure
 
 
-@thesis_figure(Source.PRINTED)
-def figure_3_6() -> Figure:
+@thesis_axes(Source.PRINTED, 7.2, 3.2)
+def figure_3_6(ax: Axes) -> None:
     """Rotation in time: the printed points of Figure 3-3 and Housner's block with two r.
 
     r is the 0.89 of section 3.3, and 0.88 of it. The measured points are moved by the 0.07 s by
@@ -249,7 +243,6 @@ def figure_3_6() -> Figure:
     """
     time, rotation = points()
     late = release_delay()
-    figure, ax = style.new_axes(7.2, 3.2)
     for ratio, line in ((PRINTED_HOUSNER, "-"), (0.88 * PRINTED_HOUSNER, "--")):
         run = housner(ratio, 14.0)
         label = f"simulated, r = {ratio:.3f}"
@@ -261,17 +254,15 @@ def figure_3_6() -> Figure:
     )  # fmt: skip
     ax.set(xlim=(0, 6), xlabel="time after the release [s]", ylabel=r"rotation $\theta$ [deg]")
     style.legend_above(ax)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_3_7() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.6, 3.6)
+def figure_3_7(figure: Figure) -> None:
     """Phase diagrams of the record in kind and of Housner's block with two r.
 
     The rate of the record is found by differentiation (a polynomial of degree 4 over 0.05 s), which
     rounds the jumps at the impacts. A is the first quarter, B the return half a cycle later.
     """
-    figure = style.new_figure(7.6, 3.6)
     derived = record().with_derivatives("theta", 0.05)
     inside = derived.time < 2.4
     for ax, ratio in zip(
@@ -291,7 +282,6 @@ def figure_3_7() -> Figure:
         style.legend_above(ax)
         if not ax.get_subplotspec().colspan.start:
             ax.set_ylabel(r"rate $\dot\theta$ [rad/s]")
-    return figure
 
 
 # --- energy
@@ -310,8 +300,8 @@ KINETIC = {"color": style.LINES[2], "lw": 0.9}
 TOTAL = {"color": style.LINES[1], "lw": 1.2}
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_3_8() -> Figure:
+@thesis_axes(Source.COMPUTED, 7.0, 3.2)
+def figure_3_8(ax: Axes) -> None:
     """Idealised energy of a rocking cycle: Housner's block, released as in Figure 3-3.
 
     A to D are those of 3-3: peak, just before the impact, just after it, next peak.
@@ -320,7 +310,6 @@ def figure_3_8() -> Figure:
     upright = BLOCK.energies({}, mode="both")["gravitational_energy"]
     end = run.t <= run.impacts[1].time + 0.4
     potential, kinetic = run["gravitational_energy"] - upright, run["kinetic_energy"]
-    figure, ax = style.new_axes(7.0, 3.2)
     draw_energies(
         ax,
         run.t[end],
@@ -341,7 +330,6 @@ def figure_3_8() -> Figure:
         ax.annotate(name, (at, height), (5, 4), textcoords="offset points")
     ax.set_ylim(0, 1.15 * start)
     style.legend_above(ax)
-    return figure
 
 
 @cache
@@ -351,8 +339,8 @@ def energies_in_kind() -> tuple[analysis.MeasuredRecord, identification.Energies
     return derived, identification.record_energies(derived, BLOCK)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_3_9() -> Figure:
+@thesis_axes(Source.IN_KIND, 7.0, 3.4)
+def figure_3_9(ax: Axes) -> None:
     """Energy of the block in a record in kind, whose block has a spring that nobody knows of.
 
     The text suspects the steel mechanism to be a rotational spring and does not print its
@@ -361,7 +349,6 @@ def figure_3_9() -> Figure:
     """
     derived, energies = energies_in_kind()
     end = derived.time < 3
-    figure, ax = style.new_axes(7.0, 3.4)
     draw_energies(
         ax,
         derived.time[end],
@@ -374,11 +361,10 @@ def figure_3_9() -> Figure:
     start = float(identification.static_energy(BLOCK, np.radians(7.876)))
     ax.axhline(start, color=style.INK, lw=0.7, ls="--", label="at the release")
     style.legend_above(ax)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_3_10() -> Figure:
+@thesis_axes(Source.IN_KIND, 7.0, 3.4)
+def figure_3_10(ax: Axes) -> None:
     """The same with the energy of the hypothetical spring, fitted to the record, 3-4.
 
     Fitted is the stiffness with which the total changes least within each half-cycle. The thesis
@@ -388,7 +374,6 @@ def figure_3_10() -> Figure:
     fit = identification.fitted_rotational_spring(derived, BLOCK, count=5)
     stored = formulas.spring_energy(derived["theta"], fit.stiffness)
     end = derived.time < 3
-    figure, ax = style.new_axes(7.0, 3.4)
     draw_energies(
         ax,
         derived.time[end],
@@ -401,4 +386,3 @@ def figure_3_10() -> Figure:
         ],
     )
     style.legend_above(ax)
-    return figure

@@ -9,7 +9,7 @@ from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
 from rockeom.thesis.figures import chapter_3
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.drawn import Source, thesis_figure, thesis_panels
 
 WINDOW = 0.03
 """Window of the derivatives that give impact forces [s]; the thesis does not state its own."""
@@ -60,8 +60,8 @@ def figure_3_13() -> Figure:
     return draw_forces(run.t, run["horizontal_reaction"], vertical, 10.0)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_3_14() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.6, 3.0)
+def figure_3_14(figure: Figure) -> None:
     """Support forces just before and after an impact against the speed: 3-11 and 3-12.
 
     Up to the largest speed of free rocking, 3-13. Positive speed: the right foot lands. The angle
@@ -73,7 +73,6 @@ def figure_3_14() -> Figure:
         )
     )
     speed = np.linspace(-most, most, 401)
-    figure = style.new_figure(7.6, 3.0)
     axes = figure.subplots(1, 3)
     for side, label, line in ((1, "on the right foot", "-"), (-1, "on the left foot", "--")):
         h, v = formulas.block_reactions_at_impact(speed, side, slender=True, **chapter_3.SHAPE)
@@ -87,7 +86,6 @@ def figure_3_14() -> Figure:
     for ax in axes:
         ax.set_xlabel(r"speed $\dot\theta$ [rad/s]")
     axes[2].legend(loc="center")
-    return figure
 
 
 @cache
@@ -122,8 +120,8 @@ def feet_of(speed: np.ndarray) -> list[tuple[str, str, np.ndarray]]:
     return [("left", "<", speed < 0), ("right", ">", speed > 0)]
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_3_15() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.4, 5.4)
+def figure_3_15(figure: Figure) -> None:
     """Forces about each impact of records in kind against the speed, and the baseline.
 
     Upper row: the largest vertical force about an impact, and the horizontal one where it is
@@ -134,7 +132,6 @@ def figure_3_15() -> Figure:
     the others.
     """
     forces, before = impact_forces(), vertical_before_impacts()
-    figure = style.new_figure(7.4, 5.4)
     (a, b), (c, d) = figure.subplots(2, 2, sharex=True)
     base = {"color": style.INK, "ms": 6, "ls": "", "marker": "_", "label": "baseline"}
     for ax, values, baseline, chosen, name in (
@@ -159,7 +156,6 @@ def figure_3_15() -> Figure:
         ax.set_title(letter, loc="left", fontsize=9)
     handles, labels = a.get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=3)
-    return figure
 
 
 @cache
@@ -175,15 +171,14 @@ def vertical_before_impacts() -> np.ndarray:
     return np.concatenate(forces_before)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_3_16() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.4, 3.2)
+def figure_3_16(figure: Figure) -> None:
     """Magnitude and direction of the largest forces of Figure 3-15 against the speed; in kind.
 
     The angle is that of the resultant from the vertical.
     """
     forces = impact_forces()
     angle = np.degrees(forces.angle)
-    figure = style.new_figure(7.4, 3.2)
     axes = figure.subplots(1, 2)
     for foot, side, mark in (("left", -1, "<"), ("right", 1, ">")):
         one = np.sign(forces.speed) == side
@@ -197,4 +192,3 @@ def figure_3_16() -> Figure:
     for ax in axes:
         ax.set_xlabel(r"speed $\dot\theta$ before the impact [rad/s]")
     axes[0].legend(loc="lower center")
-    return figure

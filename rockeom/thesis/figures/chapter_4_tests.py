@@ -22,7 +22,7 @@ from rockeom.thesis.figures.chapter_4_runs import displacement, oscillator_run
 from rockeom.thesis.figures.chapter_4_shaken import CYCLES, forces_when_still
 from rockeom.thesis.figures.chapter_4_spectra import NOISE, RATE
 from rockeom.thesis.figures.chapter_4_wall import MM, draw_measured, overview_and_origin, symmetric
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.printed import TABLE_4_2
 
@@ -86,8 +86,8 @@ def figure_4_6() -> Figure:
     return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_7() -> Figure:
+@thesis_axes(Source.IN_KIND, 6.0, 3.6)
+def figure_4_7(ax: Axes) -> None:
     """Response spectra of the tests and the elastic design spectrum of NZS 1170.5.
 
     Spectra of the motions intended, damped by 5 %, without those of Tabas and Llolleo, which are
@@ -95,7 +95,6 @@ def figure_4_7() -> Figure:
     very soft soil is class E, and Z R is at most 0.7. It is second-hand, by a public program for
     the standard. The band holds the rocking periods.
     """
-    figure, ax = style.new_axes(6.0, 3.6)
     runs = {"1": "run 1", "2": "runs 2, 7", "4": "runs 4, 9"}
     for run, label in runs.items():
         draw_spectrum(ax, run, f"{label}: {shaken.MOTION_NAMES[run]}")
@@ -106,7 +105,6 @@ def figure_4_7() -> Figure:
     ax.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2], ["0.05", "0.1", "0.2", "0.5", "1", "2"])
     ax.set(xlabel="period [s]", ylabel=r"spectral acceleration [m/s$^2$]")
     ax.legend(loc="upper right", fontsize=7.5)
-    return figure
 
 
 # --- moving windows
@@ -214,8 +212,8 @@ def settled() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return last["u"], last["u_dot"], speeds
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_72() -> Figure:
+@thesis_axes(Source.COMPUTED, 4.6, 3.6)
+def figure_4_72(ax: Axes) -> None:
     """Phase diagram of the oscillator under 5.88 sin(16 pi t), when it has settled.
 
     From rest, after 120 cycles of the ground, four cycles; r = 0.852. The oscillator is that of
@@ -223,20 +221,18 @@ def figure_4_72() -> Figure:
     of mass. Dots are passages through upright, the points of Figure 4-73.
     """
     u, v, speeds = settled()
-    figure, ax = style.new_axes(4.6, 3.6)
     ax.plot(u * MM, v, lw=1.0)
     ax.plot(np.zeros_like(speeds), speeds, "o", ms=4, color=style.LINES[1])
     ax.axvline(0.0, color=style.INK, lw=0.5)
     ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel=r"velocity $\dot\Delta$ [m/s]")
-    return figure
 
 
 BESIDE = 0.1e-3
 """How far from upright the second of two runs begins [m]."""
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_74() -> Figure:
+@thesis_axes(Source.IN_KIND, 7.2, 3.2)
+def figure_4_74(ax: Axes) -> None:
     """The same motion twice, the wall once upright and once 0.1 mm from it.
 
     The two tests are lost, runs 18 and 19 of another study with the same motion and prestress; what
@@ -247,12 +243,10 @@ def figure_4_74() -> Figure:
     again = rk.simulate(first.structure, first.motion, initial={"u": BESIDE})
     t = np.arange(0.0, 15.0, 2e-3)
     one, other = displacement(first, t), displacement(again, t)
-    figure, ax = style.new_axes(7.2, 3.2)
     ax.plot(t, one * MM, lw=0.9, label="from upright")
     ax.plot(t, other * MM, lw=0.9, label="from 0.1 mm next to it")
     ax.set(xlim=(0, 15), xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     style.legend_above(ax)
-    return figure
 
 
 # --- uplifts and tendon forces, sections 4.9.1.1 and 4.9.2
@@ -376,8 +370,8 @@ def figure_4_58() -> Figure:
     return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_75() -> Figure:
+@thesis_axes(Source.IN_KIND, 6.0, 3.6)
+def figure_4_75(ax: Axes) -> None:
     """Distance of the rotation centre from the edge: 4-7, and what Table 4-2 says of the tests.
 
     The uplifts measured are lost. The points follow from the largest tendon force and displacement
@@ -386,7 +380,6 @@ def figure_4_75() -> Figure:
     sliding is part of it the centre comes out too near the middle. 4-7 is drawn as seen from the
     edge, 442 and 66 mm, and as printed, from the gauge.
     """
-    figure, ax = style.new_axes(6.0, 3.6)
     d = np.linspace(0.0, 0.03, 600)
     edge, gauge = formulas.RotationCentre.thesis_edge(), formulas.RotationCentre.thesis_gauge()
     ax.plot(d * MM, edge.distance_from_edge(d) * MM, label="4-7 from the edge")
@@ -395,32 +388,28 @@ def figure_4_75() -> Figure:
     draw_read(ax, "from_edge", 1e-3)
     ax.set_ylabel("distance from the edge [mm]")
     ax.legend()
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_76() -> Figure:
+@thesis_axes(Source.IN_KIND, 6.0, 3.6)
+def figure_4_76(ax: Axes) -> None:
     """Uplift of the edge against the displacement: 4-9, and what Table 4-2 says of the tests.
 
     As Figure 4-75: the uplift of the edge follows from the tendon's extension and the rotation,
     without the bending of the wall.
     """
-    figure, ax = style.new_axes(6.0, 3.6)
     d = np.linspace(0.0, 0.03, 600)
     ax.plot(d * MM, MORE.uplift(d) * MM, label="4-9")
     draw_read(ax, "uplift", 1e-3)
     ax.set_ylabel("uplift $u'$ [mm]")
     ax.legend()
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_77() -> Figure:
+@thesis_axes(Source.IN_KIND, 6.0, 3.6)
+def figure_4_77(ax: Axes) -> None:
     """Tendon force against the displacement with 110 kN: 4-16, and the largest of each test.
 
     The traces are lost; Table 4-2 has the largest displacement and tendon force of each test.
     """
-    figure, ax = style.new_axes(6.0, 3.6)
     d = symmetric(0.012)
     for wall, label, color in (
         (MORE, "4-16, 111 kN", style.LINES[1]), (WALL, "4-16, 75.6 kN", style.INK),
@@ -433,7 +422,6 @@ def figure_4_77() -> Figure:
                 mfc="white", label=f"tests with {label}")  # fmt: skip
     ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel="tendon force $P$ [kN]", ylim=(70, 150))
     ax.legend(loc="upper center", ncols=2, fontsize=7.5)
-    return figure
 
 
 @thesis_figure(Source.IN_KIND)

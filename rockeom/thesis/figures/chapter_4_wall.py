@@ -17,7 +17,7 @@ from matplotlib.figure import Figure
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import free_body as fb, style
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_figure, thesis_panels
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.wall_tests import back_calculated_force, quarter_period_fit
 
@@ -74,8 +74,8 @@ def overview_and_origin(width: float = 7.6) -> tuple[Figure, Axes, Axes]:
 # --- the rotation centre, the uplift and the tendon
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_17() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.6, 3.6)
+def figure_4_17(ax: Axes) -> None:
     """Distance of the rotation centre from the edge against the displacement: 4-7 and Table A-1.
 
     The distances of the table count from the uplift gauge, 30 mm outside the edge: at the peaks
@@ -85,7 +85,6 @@ def figure_4_17() -> Figure:
     measured = identification.FreeVibration.table_a1()
     d = symmetric(0.032)
     printed, edge = formulas.RotationCentre.thesis_gauge(), formulas.RotationCentre.thesis_edge()
-    figure, ax = style.new_axes(6.6, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     ax.plot(d * MM, printed.distance_from_edge(d) * MM, label="4-7 as printed: 412, 96 mm")
     ax.plot(d * MM, (edge.distance_from_edge(d) + GAUGE) * MM, "--", label="442, 66 mm, plus 30 mm")
@@ -100,7 +99,6 @@ def figure_4_17() -> Figure:
         xlabel=r"displacement $\Delta$ [mm]", ylabel="distance from the gauge [mm]", ylim=(0, 600)
     )
     ax.legend(loc="upper left", fontsize=7.5)
-    return figure
 
 
 @thesis_figure(Source.COMPUTED)
@@ -155,14 +153,13 @@ def tilted_wall(ax: Axes, b: float, theta: float) -> dict[str, np.ndarray]:
     return points | {"centre": centre}
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_19() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.4, 4.2)
+def figure_4_19(figure: Figure) -> None:
     """Geometry of the extension of the tendon: the wall turned about O in its base.
 
     Drawn to scale, but turned much further than in any of the tests. The base is straight and the
     pressed edge enters the ground, as 4-1 has it.
     """
-    figure = style.new_figure(7.4, 4.2)
     whole, base = figure.subplots(1, 2, width_ratios=(1.0, 1.75))
     b, anchor = 0.32, np.array([0.0, -0.32])
     for ax, theta in ((whole, 0.16), (base, 0.26)):
@@ -193,7 +190,6 @@ def figure_4_19() -> Figure:
     fb.dimension(base, (0.0, -0.2), (b, -0.2), "$b$", offset=(0, -8))
     base.annotate("tendon", anchor, (9, -3), textcoords="offset points", color=fb.FORCE)
     base.set(xlim=(-0.85, 0.95), ylim=(-0.42, 0.95))
-    return figure
 
 
 class TendonOfTable(NamedTuple):
@@ -259,8 +255,8 @@ def figure_4_20() -> Figure:
 # --- quarter periods and conservative motion
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_24() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.0, 3.6)
+def figure_4_24(ax: Axes) -> None:
     """Quarter periods against the peak: 4-17, the fit 4-5, quadrature, and Table A-1.
 
     The thesis does not have the time of a conservative motion to upright, 4-24. It ends at D = 0,
@@ -268,7 +264,6 @@ def figure_4_24() -> Figure:
     """
     peak, time = quarters()
     d = np.linspace(1e-3, 0.032, 200)
-    figure, ax = style.new_axes(6.0, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     heavier = replace(WALL, inertia=13215.0)
     printed = r"4-17, $I_o$ = 13 215 kg m$^2$ (B-9 as printed)"
@@ -291,18 +286,16 @@ def figure_4_24() -> Figure:
         ylim=(0, 0.085),
     )
     ax.legend(loc="lower right", fontsize=7.5)
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_32() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.4, 4.0)
+def figure_4_32(ax: Axes) -> None:
     """Trajectories without losses from measured peaks, 4-23, and the measured zero crossings.
 
     Table A-1 has only both ends of the measured trajectories. Their distance from the
     curves at the zero crossing is the energy lost by then: about half of r.
     """
     measured = identification.FreeVibration.table_a1()
-    figure, ax = style.new_axes(6.4, 4.0)
     for color, row in zip(style.LINES, (0, 4, 8, 12, 16, 20), strict=True):
         for start, line in ((row, "-"), (row + 2, "--")):
             d0 = measured.displacement[start]
@@ -319,11 +312,10 @@ def figure_4_32() -> Figure:
     ax.axvline(0.0, color=style.INK, lw=0.6)
     ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel=r"velocity $\dot\Delta$ [m/s]")
     ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=7.5)
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_33() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.4, 3.6)
+def figure_4_33(ax: Axes) -> None:
     """Displacement in time without losses, 4-24, from five measured peaks to upright.
 
     The thesis does not say which five; here the 1st, 5th, 9th, 13th and 17th peak of Table A-1,
@@ -331,7 +323,6 @@ def figure_4_33() -> Figure:
     ahead of the curve, which the 6 % more of F_k in 4.8.1 make up for in part.
     """
     measured = identification.FreeVibration.table_a1()
-    figure, ax = style.new_axes(6.4, 3.6)
     for color, start in zip(style.LINES, (0, 8, 16, 24, 32), strict=False):
         d0 = measured.displacement[start]
         d = np.abs(d0) * np.cos(np.linspace(0.1, np.pi / 2, 40))
@@ -351,7 +342,6 @@ def figure_4_33() -> Figure:
         ylim=(0, None),
     )
     ax.legend()
-    return figure
 
 
 @thesis_figure(Source.COMPUTED)

@@ -18,7 +18,7 @@ from rockeom.analysis import identification
 from rockeom.plots import free_body as fb, style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.drawn import Source, thesis_figure, thesis_panels
 from rockeom.thesis.printed import COLUMN, GAUGE, TABLES
 
 MM = 1e3
@@ -170,8 +170,7 @@ def figure_5_22() -> Figure:
     """
     run = released(shaken.MODEL_A, 0.74)
     by_rate = released(shaken.MODEL_A, 0.74**2)
-    figure = draw_decay("Figure 5-6", ("r = 0.74", run), ("rate times 0.74", by_rate), uplift=run)
-    return figure
+    return draw_decay("Figure 5-6", ("r = 0.74", run), ("rate times 0.74", by_rate), uplift=run)
 
 
 @thesis_figure(Source.COMPUTED)
@@ -261,13 +260,12 @@ def figure_5_25() -> Figure:
 # --- on two springs
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_5_28() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.4, 3.8)
+def figure_5_28(figure: Figure) -> None:
     """Forces on the column on two springs: both press, one is about to lift, one has lifted.
 
     Drawn to scale, but turned much further than the column of the tests, and on springs 0.2 m long.
     """
-    figure = style.new_figure(7.4, 3.8)
     half, height = COLUMN["half_width"], COLUMN["height"]
     for ax, theta, (left, right), title in zip(
         figure.subplots(1, 3), (0.05, 0.12, 0.28), ((0.35, 0.65), (0.0, 1.0), (0.0, 1.0)),
@@ -303,7 +301,6 @@ def figure_5_28() -> Figure:
         fb.line(ax, (axis[0][0], 0.2), (axis[0][0], 0.2 + height))
         fb.pivot(ax, pivot)
         ax.set(xlim=(-0.68, 0.75), ylim=(-0.42, 1.5))
-    return figure
 
 
 def approximation(k_f: float) -> dict[str, float]:
@@ -323,15 +320,14 @@ def approximation(k_f: float) -> dict[str, float]:
     }  # fmt: skip
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_5_29() -> Figure:
+@thesis_panels(Source.COMPUTED, 6.0, 3.5)
+def figure_5_29(figure: Figure) -> None:
     """Restoring force against displacement of a rigid structure on two springs: 5-25 and 5-33.
 
     The column has k_f = 550 kN/m. The thesis's closed form jumps at lift-off from P_crit to
     P_crit2; the exact characteristic does not, it is an artefact of the linearisation.
     """
     a = approximation(550e3)
-    figure = style.new_figure(6.0, 3.5)
     ax = figure.subplots()
     ax.plot([0, a["u_crit"] * MM], [0, a["P_crit"]], color=style.LINES[0], label="5-25")
     ax.plot(
@@ -355,7 +351,6 @@ def figure_5_29() -> Figure:
         ylim=(0, None),
     )
     style.legend_above(ax)
-    return figure
 
 
 def exact_pushover(k_f: float) -> tuple[np.ndarray, np.ndarray]:
@@ -374,8 +369,8 @@ def approximate_force(k_f: float, u: np.ndarray) -> np.ndarray:
     return np.where(u < a["u_crit"], a["P_crit"] * u / a["u_crit"], falling)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_5_31() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.2, 3.4)
+def figure_5_31(figure: Figure) -> None:
     """Restoring force of the column on two springs: exact pushover, 5-25 and 5-33.
 
     The exact one replaces the simulation with Working Model 2D: the rigid structure on two
@@ -383,7 +378,6 @@ def figure_5_31() -> Figure:
     550 kN/m.
     """
     u, force = exact_pushover(550e3)
-    figure = style.new_figure(7.2, 3.4)
     whole, start = figure.subplots(1, 2)
     for ax, far in ((whole, 300), (start, 10)):
         ax.plot(u * MM, force, color=style.LINES[0], lw=2.4, alpha=0.45, label="exact pushover")
@@ -392,7 +386,6 @@ def figure_5_31() -> Figure:
         ax.set(xlabel="displacement $u$ [mm]", xlim=(0, far), ylim=(0, None))
     whole.set_ylabel("restoring force $P$ [N]")
     style.legend_above(whole)
-    return figure
 
 
 @cache
@@ -412,13 +405,12 @@ def figure_5_32() -> Figure:
     """
     run = released_on_springs(550e3)
     best = min(RATIOS, key=lambda r: errors_on_rubber()[r])
-    figure = draw_decay(
+    return draw_decay(
         "Figure 5-10",
         ("r = 0.74", run),
         (f"r = {best:.2f}", released_on_springs(550e3, best)),
         uplift=run,
     )
-    return figure
 
 
 @thesis_figure(Source.COMPUTED)
@@ -428,8 +420,7 @@ def figure_5_33() -> Figure:
     As Figure 5-32, with r = 0.74.
     """
     runs = {k: released_on_springs(k * 1e3) for k in (550, 275, 825)}
-    figure = draw_decay("Figure 5-10", *((f"$k_f$ = {k} kN/m", run) for k, run in runs.items()))
-    return figure
+    return draw_decay("Figure 5-10", *((f"$k_f$ = {k} kN/m", run) for k, run in runs.items()))
 
 
 # --- shaken on rubber
@@ -448,8 +439,7 @@ def figure_5_34() -> Figure:
     the measured trace is printed.
     """
     run = run_4(shaken.model_b())
-    figure = draw_shaken(("Model B, 550 kN/m", run), peak=float(RUN_4 or 0), uplift=run, end=8.0)
-    return figure
+    return draw_shaken(("Model B, 550 kN/m", run), peak=float(RUN_4 or 0), uplift=run, end=8.0)
 
 
 @thesis_figure(Source.IN_KIND)
@@ -459,10 +449,9 @@ def figure_5_35() -> Figure:
     As Figure 5-34.
     """
     run, soft = run_4(shaken.model_b(10e6)), run_4(shaken.model_b())
-    figure = draw_shaken(
+    return draw_shaken(
         ("Model B, 10 MN/m", run), ("550 kN/m", soft), peak=float(RUN_4 or 0), uplift=run, end=8.0
     )
-    return figure
 
 
 @thesis_figure(Source.IN_KIND)
@@ -472,7 +461,6 @@ def figure_5_36() -> Figure:
     As Figure 5-34.
     """
     run, cart = run_4(shaken.MODEL_A), run_4(shaken.model_b(10e6))
-    figure = draw_shaken(
+    return draw_shaken(
         ("Model A", run), ("Model B, 10 MN/m", cart), peak=float(RUN_4 or 0), uplift=run, end=8.0
     )
-    return figure
