@@ -14,80 +14,92 @@ from rockeom.thesis.notation import R_b, R_e, alpha_b, alpha_e, m_b, m_e, theta,
 X_E = -R_e * sin(alpha_e - theta) + u * cos(theta)
 X_B = -R_b * sin(alpha_b - theta)
 
-D_8_BRACKETS = (
-    Rational(1, 2)
-    * m_e
-    * (
-        (R_e * theta_d * cos(alpha_e - theta) - theta_d * u * sin(theta) + u_d * cos(theta)) ** 2
-        + (R_e * theta_d * sin(alpha_e - theta) - theta_d * u * cos(theta) + u_d * sin(theta)) ** 2
-    )
-    + Rational(1, 2) * th.I_eg * theta_d**2
-)
-D_8_BRACKETS_CORRECTED = (
-    Rational(1, 2)
-    * m_e
-    * (
-        (R_e * theta_d * cos(alpha_e - theta) - theta_d * u * sin(theta) + u_d * cos(theta)) ** 2
-        + (R_e * theta_d * sin(alpha_e - theta) - theta_d * u * cos(theta) - u_d * sin(theta)) ** 2
-    )
-    + Rational(1, 2) * th.I_eg * theta_d**2
-)
-# The last line of D-8, the square of each bracket by itself: slips that cancel between the two
-# are seen only there.
-D_8_SQUARES = (
-    R_e**2 * theta_d**2 * cos(alpha_e - theta) ** 2
-    - 2 * R_e * u * theta_d**2 * sin(theta) * cos(alpha_e - theta)
-    + 2 * u_d * R_e * theta_d * cos(alpha_e - theta) * cos(theta)
-    + u**2 * theta_d**2 * sin(theta) ** 2
-    - 2 * u * u_d * sin(theta) * cos(theta)
-    + u_d**2 * cos(theta) ** 2,
-    R_e**2 * theta_d**2 * sin(alpha_e - theta) ** 2
-    - 2 * R_e * u * theta_d**2 * cos(theta) * sin(alpha_e - theta)
-    - 2 * u_d * R_e * theta_d * sin(alpha_e - theta) * sin(theta)
-    + u**2 * theta_d**2 * cos(theta) ** 2
-    + 2 * u * u_d * sin(theta) * cos(theta)
-    + u_d**2 * cos(theta) ** 2,
-)
-D_8_SQUARES_CORRECTED = (
-    R_e**2 * theta_d**2 * cos(alpha_e - theta) ** 2
-    - 2 * R_e * u * theta_d**2 * sin(theta) * cos(alpha_e - theta)
-    + 2 * u_d * R_e * theta_d * cos(alpha_e - theta) * cos(theta)
-    + u**2 * theta_d**2 * sin(theta) ** 2
-    - 2 * u * u_d * theta_d * sin(theta) * cos(theta)
-    + u_d**2 * cos(theta) ** 2,
-    R_e**2 * theta_d**2 * sin(alpha_e - theta) ** 2
-    - 2 * R_e * u * theta_d**2 * cos(theta) * sin(alpha_e - theta)
-    - 2 * u_d * R_e * theta_d * sin(alpha_e - theta) * sin(theta)
-    + u**2 * theta_d**2 * cos(theta) ** 2
-    + 2 * u * u_d * theta_d * sin(theta) * cos(theta)
-    + u_d**2 * sin(theta) ** 2,
-)
 
-T_E = (
-    Rational(1, 2)
-    * m_e
-    * (
-        R_e**2 * theta_d**2
-        + u**2 * theta_d**2
-        + u_d**2
-        - 2 * R_e * u * theta_d**2 * sin(alpha_e)
-        + 2 * u_d * R_e * theta_d * cos(alpha_e)
+def kinetic(mass, squared_speed, inertia):
+    """Kinetic energy of one of the masses."""
+    return Rational(1, 2) * mass * squared_speed + Rational(1, 2) * inertia * theta_d**2
+
+
+def d_8_brackets(sign):
+    """The first line of D-8, with the sign of u' sin(theta) in its second bracket."""
+    return kinetic(
+        m_e,
+        (R_e * theta_d * cos(alpha_e - theta) - theta_d * u * sin(theta) + u_d * cos(theta)) ** 2
+        + (
+            R_e * theta_d * sin(alpha_e - theta)
+            - theta_d * u * cos(theta)
+            + sign * u_d * sin(theta)
+        )
+        ** 2,
+        th.I_eg,
     )
-    + Rational(1, 2) * th.I_eg * theta_d**2
+
+
+def d_8_squares(rate, last):
+    """The last line of D-8, the square of each bracket by itself.
+
+    Slips that cancel between the two are seen only there: `rate` stands for theta' in both terms
+    of u u', and `last` is the function squared in the last one.
+    """
+    return (
+        R_e**2 * theta_d**2 * cos(alpha_e - theta) ** 2
+        - 2 * R_e * u * theta_d**2 * sin(theta) * cos(alpha_e - theta)
+        + 2 * u_d * R_e * theta_d * cos(alpha_e - theta) * cos(theta)
+        + u**2 * theta_d**2 * sin(theta) ** 2
+        - 2 * u * u_d * rate * sin(theta) * cos(theta)
+        + u_d**2 * cos(theta) ** 2,
+        R_e**2 * theta_d**2 * sin(alpha_e - theta) ** 2
+        - 2 * R_e * u * theta_d**2 * cos(theta) * sin(alpha_e - theta)
+        - 2 * u_d * R_e * theta_d * sin(alpha_e - theta) * sin(theta)
+        + u**2 * theta_d**2 * cos(theta) ** 2
+        + 2 * u * u_d * rate * sin(theta) * cos(theta)
+        + u_d**2 * last(theta) ** 2,
+    )
+
+
+T_E = kinetic(
+    m_e,
+    R_e**2 * theta_d**2
+    + u**2 * theta_d**2
+    + u_d**2
+    - 2 * R_e * u * theta_d**2 * sin(alpha_e)
+    + 2 * u_d * R_e * theta_d * cos(alpha_e),
+    th.I_eg,
 )
-T_B_FIRST = (
-    Rational(1, 2)
-    * m_b
-    * ((R_b * theta_d * cos(alpha_b - theta)) ** 2 + (R_b * theta_d * sin(alpha_b - theta)) ** 2)
-    + Rational(1, 2) * th.I_bg * theta_d**2
+T_B_FIRST = kinetic(
+    m_b,
+    (R_b * theta_d * cos(alpha_b - theta)) ** 2 + (R_b * theta_d * sin(alpha_b - theta)) ** 2,
+    th.I_bg,
 )
-T_B = Rational(1, 2) * m_b * R_b * theta_d**2 + Rational(1, 2) * th.I_bg * theta_d**2
-T_B_CORRECTED = Rational(1, 2) * m_b * R_b**2 * theta_d**2 + Rational(1, 2) * th.I_bg * theta_d**2
+T_B = kinetic(m_b, R_b * theta_d**2, th.I_bg)
+T_B_CORRECTED = kinetic(m_b, R_b**2 * theta_d**2, th.I_bg)
 V_OF_MODEL_C = (
     m_e * th.g * (R_e * cos(alpha_e - theta) - u * sin(theta))
     + m_b * th.g * (R_b * cos(alpha_b - theta))
     + Rational(1, 2) * th.k * u**2
 )
+
+
+def rotation_of_model_c(side, sway):
+    """D-19 or D-23, by the sign of theta and that of u cos(theta) in the gravity term."""
+    return says(
+        (
+            m_e * R_e**2
+            + m_e * u**2
+            - side * 2 * m_e * u * R_e * sin(alpha_e)
+            + th.I_eg
+            + m_b * R_b**2
+            + th.I_bg
+        )
+        * th.theta_dd
+        + (2 * m_e * u * u_d - side * 2 * m_e * u_d * R_e * sin(alpha_e)) * theta_d
+        + m_e * th.u_dd * R_e * cos(alpha_e)
+        + side * m_e * th.g * (R_e * sin(alpha_e - side * theta) + sway * u * cos(theta))
+        + side * m_b * th.g * R_b * sin(alpha_b - side * theta),
+        -m_e * th.a_g * (R_e * cos(alpha_e - side * theta) - u * sin(theta))
+        - m_b * th.a_g * R_b * cos(alpha_b - side * theta),
+    )
+
 
 STEPS = section(
     "Appendix D",
@@ -162,17 +174,8 @@ STEPS = section(
     Kind.CLOSED_FORM(
         "D-8",
         "kinetic energy of the superstructure",
-        says(
-            th.T_e,
-            D_8_BRACKETS,
-            Rational(1, 2) * m_e * sum(D_8_SQUARES) + Rational(1, 2) * th.I_eg * theta_d**2,
-        ),
-        says(
-            th.T_e,
-            D_8_BRACKETS_CORRECTED,
-            Rational(1, 2) * m_e * sum(D_8_SQUARES_CORRECTED)
-            + Rational(1, 2) * th.I_eg * theta_d**2,
-        ),
+        says(th.T_e, d_8_brackets(1), kinetic(m_e, sum(d_8_squares(1, cos)), th.I_eg)),
+        says(th.T_e, d_8_brackets(-1), kinetic(m_e, sum(d_8_squares(theta_d, sin)), th.I_eg)),
         "Four slips: + u' sin(theta) for - u' sin(theta) in the second bracket; theta' missing "
         "in both terms 2 u u' sin(theta) cos(theta); u'^2 cos(theta)^2 for u'^2 sin(theta)^2 in "
         "the square of the second bracket.",
@@ -259,23 +262,7 @@ STEPS = section(
         "D-19",
         "Model C for theta > 0: rotation",
         (),
-        says(
-            (
-                m_e * R_e**2
-                + m_e * u**2
-                - 2 * m_e * u * R_e * sin(alpha_e)
-                + th.I_eg
-                + m_b * R_b**2
-                + th.I_bg
-            )
-            * th.theta_dd
-            + (2 * m_e * u * u_d - 2 * m_e * u_d * R_e * sin(alpha_e)) * theta_d
-            + m_e * th.u_dd * R_e * cos(alpha_e)
-            + m_e * th.g * (R_e * sin(alpha_e - theta) - u * cos(theta))
-            + m_b * th.g * R_b * sin(alpha_b - theta),
-            -m_e * th.a_g * (R_e * cos(alpha_e - theta) - u * sin(theta))
-            - m_b * th.a_g * R_b * cos(alpha_b - theta),
-        ),
+        rotation_of_model_c(1, -1),
         "Not legible; D-5 with D-14 (corrected), D-15 and D-17.",
         sides=POSITIVE,
     ),
@@ -324,40 +311,8 @@ STEPS = section(
     Kind.MOTION(
         "D-23",
         "Model C for theta < 0: rotation",
-        says(
-            (
-                m_e * R_e**2
-                + m_e * u**2
-                + 2 * m_e * u * R_e * sin(alpha_e)
-                + th.I_eg
-                + m_b * R_b**2
-                + th.I_bg
-            )
-            * th.theta_dd
-            + (2 * m_e * u * u_d + 2 * m_e * u_d * R_e * sin(alpha_e)) * theta_d
-            + m_e * th.u_dd * R_e * cos(alpha_e)
-            - m_e * th.g * (R_e * sin(alpha_e + theta) - u * cos(theta))
-            - m_b * th.g * R_b * sin(alpha_b + theta),
-            -m_e * th.a_g * (R_e * cos(alpha_e + theta) - u * sin(theta))
-            - m_b * th.a_g * R_b * cos(alpha_b + theta),
-        ),
-        says(
-            (
-                m_e * R_e**2
-                + m_e * u**2
-                + 2 * m_e * u * R_e * sin(alpha_e)
-                + th.I_eg
-                + m_b * R_b**2
-                + th.I_bg
-            )
-            * th.theta_dd
-            + (2 * m_e * u * u_d + 2 * m_e * u_d * R_e * sin(alpha_e)) * theta_d
-            + m_e * th.u_dd * R_e * cos(alpha_e)
-            - m_e * th.g * (R_e * sin(alpha_e + theta) + u * cos(theta))
-            - m_b * th.g * R_b * sin(alpha_b + theta),
-            -m_e * th.a_g * (R_e * cos(alpha_e + theta) - u * sin(theta))
-            - m_b * th.a_g * R_b * cos(alpha_b + theta),
-        ),
+        rotation_of_model_c(-1, -1),
+        rotation_of_model_c(-1, 1),
         "In the gravity term the sign of u cos(theta) is wrong: a deformation u > 0 moves the "
         "weight to the right on either side, so that D-19, D-23 and D-25 alike have "
         "-m_e g u cos(theta).",

@@ -114,6 +114,12 @@ VELOCITY_RATIO = ((m_e * (H_e**2 - B**2) + th.I_eg) + (m_b * (th.H_b**2 - B**2) 
 )
 """theta_d2 / theta_d1, printed above 5-14."""
 
+
+def turning(mass, radius, angle, side):
+    """Angular acceleration by the moments of one of the masses."""
+    return -mass * radius * g / th.I_O * (th.a_g / g * cos(angle) + side * sin(angle))
+
+
 MODEL_A = section(
     "5.3.1",
     Kind.DEFINITION(
@@ -127,8 +133,7 @@ MODEL_A = section(
         (),
         says(
             th.theta_dd,
-            -m_e * R_e * g / th.I_O * (th.a_g / g * cos(alpha_e - theta) + sin(alpha_e - theta))
-            - m_b * R_b * g / th.I_O * (th.a_g / g * cos(alpha_b - theta) + sin(alpha_b - theta)),
+            turning(m_e, R_e, alpha_e - theta, 1) + turning(m_b, R_b, alpha_b - theta, 1),
         ),
         "Not legible; the moments about O, in the form of 5-10.",
         sides=POSITIVE,
@@ -139,8 +144,7 @@ MODEL_A = section(
         "Model A for theta < 0",
         says(
             th.theta_dd,
-            -m_e * R_e * g / th.I_O * (th.a_g / g * cos(alpha_e + theta) - sin(alpha_e + theta))
-            - m_b * R_b * g / th.I_O * (th.a_g / g * cos(alpha_b + theta) - sin(alpha_b + theta)),
+            turning(m_e, R_e, alpha_e + theta, -1) + turning(m_b, R_b, alpha_b + theta, -1),
         ),
         sides=NEGATIVE,
     ),
@@ -149,29 +153,11 @@ MODEL_A = section(
         "Model A",
         says(
             th.theta_dd,
-            -m_e
-            * R_e
-            * g
-            / th.I_O
-            * (th.a_g / g * cos(alpha_e + s * theta) + s * sin(alpha_e + s * theta))
-            - m_b
-            * R_b
-            * g
-            / th.I_O
-            * (th.a_g / g * cos(alpha_b + s * theta) + s * sin(alpha_b + s * theta)),
+            turning(m_e, R_e, alpha_e + s * theta, s) + turning(m_b, R_b, alpha_b + s * theta, s),
         ),
         says(
             th.theta_dd,
-            -m_e
-            * R_e
-            * g
-            / th.I_O
-            * (th.a_g / g * cos(alpha_e - s * theta) + s * sin(alpha_e - s * theta))
-            - m_b
-            * R_b
-            * g
-            / th.I_O
-            * (th.a_g / g * cos(alpha_b - s * theta) + s * sin(alpha_b - s * theta)),
+            turning(m_e, R_e, alpha_e - s * theta, s) + turning(m_b, R_b, alpha_b - s * theta, s),
         ),
         "The angles are alpha - sgn(theta) theta, as in 5-34; for theta < 0 that is 5-10.",
         excess=(

@@ -246,7 +246,7 @@ PRINTED = {
     "chapter_5": (
         ("5-2", "atan(th.B_measured / th.H", "atan(th.H_measured / th.B"),
         ("5-7", "1 / (2 * pi)", "1 / pi"),
-        ("5-11", "s * sin(alpha_e + s * theta)", "sin(alpha_e + s * theta)"),
+        ("5-11", "alpha_e + s * theta, s)", "alpha_e + s * theta, 1)"),
         ("5-12", "- m_b * R_b", "+ m_b * R_b"),
         ("5-20", "W / 2 - th.k_f", "W / 2 + th.k_f"),
         ("5-29", "(2 * th.k_f * B)", "(th.k_f * B)"),
@@ -262,12 +262,12 @@ PRINTED = {
         ("D-2", "R_b * cos(alpha_e", "R_e * cos(alpha_e"),
         ("D-3", "- u_d * sin", "+ u_d * sin"),
         ("D-4", "R_b * sin(alpha_e", "R_b * sin(alpha_b"),
-        ("D-8", "Rational(1, 2) * th.I_eg", "th.I_eg"),
+        ("D-8", "th.I_eg", "2 * th.I_eg"),
         ("D-12", "T_B_FIRST, T_B)", "T_B_FIRST, 2 * T_B)"),
         ("D-14", "- V_OF", "+ V_OF"),
         ("D-17", "- u * sin(theta)", "+ u * sin(theta)"),
         ("D-22", "cos(alpha_e + theta)", "cos(alpha_e - theta)"),
-        ("D-23", "- u * cos(theta)", "- 2 * u * cos(theta)"),
+        ("D-23", "of_model_c(-1, -1)", "of_model_c(-1, -2)"),
         ("D-28", "rotation_row(u, u_d)", "rotation_row(u, 2 * u_d)"),
     ),
 }  # fmt: skip
