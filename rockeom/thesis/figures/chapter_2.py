@@ -13,6 +13,7 @@ from rockeom.analysis.formulas.restitution import energy_ratio_of_block
 from rockeom.analysis.formulas.uplift import uplift_displacement, uplifted_frequency
 from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_panels
+from rockeom.thesis.free_vibration_table import let_go
 
 OMEGA_OF_2_6 = 56.10
 """Angular frequency of the column of Figure 2-6 on a fixed base [rad/s]."""
@@ -49,12 +50,7 @@ def figure_2_6(figure: Figure) -> None:
         (small, "small displacements (2-7)", {"color": style.LINES[0]}),
         (exact, "exact kinematics, P-delta", {"color": style.LINES[1], "ls": "--", "lw": 0.8}),
     ):
-        run = rk.simulate(
-            structure,
-            rk.GroundMotion.none(2.0),
-            impact=rk.Impulsive(),
-            initial={"theta": 0.05 * crit, "u": u_c},
-        )
+        run = let_go(structure, 2.0, rk.Impulsive(), theta=0.05 * crit, u=u_c)
         top.plot(run.t, run["theta"] / crit, label=label, **line)
         bottom.plot(run.t, run["u"] / u_c, **line)
     for level in (-1.0, 1.0):
@@ -131,18 +127,13 @@ def figure_2_15(ax: Axes) -> None:
 def released(n: float, duration: float = 8.0) -> rk.Response:
     """The 1:3 block of Figures 2-16 and 2-17, its impacts spread over the width n."""
     block = rk.DiracDeltaBlock(alpha=math.atan(1 / 3), energy_ratio=ENERGY_RATIO, regularisation=n)
-    return rk.simulate(block, rk.GroundMotion.none(duration), initial={"x": START})
+    return let_go(block, duration, x=START)
 
 
 def released_with_impacts(duration: float = 8.0) -> rk.Response:
     """The same with impacts in no time; p = 1 rad/s, so that seconds are scaled time."""
     block = rk.SlenderBlock.from_frequency(p=1.0, alpha=math.atan(1 / 3))
-    return rk.simulate(
-        block,
-        rk.GroundMotion.none(duration),
-        impact=rk.EnergyRatio(ENERGY_RATIO),
-        initial={"theta": block.alpha * START},
-    )
+    return let_go(block, duration, rk.EnergyRatio(ENERGY_RATIO), theta=block.alpha * START)
 
 
 def peaks_between(run: rk.Response) -> np.ndarray:

@@ -28,6 +28,7 @@ from rockeom.analysis.formulas.restitution import energy_ratio_of_block
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.plots import style
 from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_panels
+from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import TABLE_2_1
 
 # --- 2.2 restitution
@@ -66,12 +67,7 @@ UNIT = rk.SlenderBlock.from_frequency(p=1.0, alpha=0.1)
 
 def free_portrait(start: float, law: rk.EnergyRatio, duration: float) -> rk.Response:
     """Free rocking of 2-14 from rest at x."""
-    return rk.simulate(
-        UNIT,
-        rk.GroundMotion.none(duration),
-        impact=law,
-        initial={"theta": start * UNIT.alpha},
-    )
+    return let_go(UNIT, duration, law, theta=start * UNIT.alpha)
 
 
 def bare_portrait(ax: Axes, reach: float) -> None:

@@ -19,7 +19,8 @@ from rockeom.analysis import formulas, identification
 from rockeom.plots import style
 from rockeom.symbolic import Body, coordinate, parameter, rocking_structure, turned
 from rockeom.thesis import points_of_interest
-from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_panels
+from rockeom.thesis.figures.drawn import OPEN, Source, thesis_axes, thesis_panels
+from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import BLOCK as BLOCK_VALUES, FIGURE_3_3
 
 BLOCK = rk.RigidBlock(**BLOCK_VALUES)
@@ -70,10 +71,14 @@ def release_delay() -> float:
 def mark_points(ax: Axes, label: str = "Figure 3-3, measured") -> None:
     """The printed peaks and zeros, in degrees."""
     time, rotation = points()
-    ax.plot(
-        time, np.degrees(rotation), "o", color=style.INK, mfc="white", mew=0.9, ms=4, zorder=5,
-        label=label,
-    )  # fmt: skip
+    ax.plot(time, np.degrees(rotation), "o", ms=4, zorder=5, label=label, **OPEN)
+
+
+def mark_quarters(ax: Axes, ratio: np.ndarray, quarters: np.ndarray, of: str) -> None:
+    """Quarter periods (n,) against the peak that they begin or end at, in turn."""
+    for first, mark, name in ((0, "o", "from a peak"), (1, "s", "to a peak")):
+        label = f"{of}, {name}"
+        ax.plot(ratio[first::2], quarters[first::2], mark, ms=4, label=label, **OPEN)
 
 
 # --- records in kind
@@ -81,12 +86,7 @@ def mark_points(ax: Axes, label: str = "Figure 3-3, measured") -> None:
 
 def rocking(structure: rk.Structure, release: float, duration: float) -> rk.Response:
     """A free decay from a release [rad] whose r is that of the foot that lands."""
-    return rk.simulate(
-        structure,
-        rk.GroundMotion.none(duration),
-        impact=rk.EnergyRatio(**feet()),
-        initial={"theta": release},
-    )
+    return let_go(structure, duration, rk.EnergyRatio(**feet()), theta=release)
 
 
 @cache
@@ -135,12 +135,7 @@ RUNS = ((7.876, 1), (6.5, 2), (5.0, 3), (3.5, 4))
 @cache
 def housner(ratio: float, duration: float = 5.0) -> rk.Response:
     """Housner's block released as that of Figure 3-3."""
-    return rk.simulate(
-        BLOCK,
-        rk.GroundMotion.none(duration),
-        impact=rk.EnergyRatio(ratio),
-        initial={"theta": float(points()[1][0])},
-    )
+    return let_go(BLOCK, duration, rk.EnergyRatio(ratio), theta=float(points()[1][0]))
 
 
 # --- the motion
@@ -219,11 +214,7 @@ def figure_3_5(ax: Axes) -> None:
         lw=0, label="within 10 %",
     )  # fmt: skip
     ax.plot(x, formulas.exact_quarter_period(x * alpha, alpha, p), "--", label="any rotation")
-    for first, mark, label in ((0, "o", "from a peak"), (1, "s", "to a peak")):
-        ax.plot(
-            peaks[first::2] / alpha, quarters[first::2], mark, color=style.INK, mfc="white",
-            mew=0.9, ms=4, label=f"Figure 3-3, {label}",
-        )  # fmt: skip
+    mark_quarters(ax, peaks / alpha, quarters, "Figure 3-3")
     ax.set(
         xlabel=r"peak rotation $|\theta_0|/\alpha$ [-]",
         ylabel="quarter period [s]",
@@ -248,10 +239,7 @@ def figure_3_6(ax: Axes) -> None:
         label = f"simulated, r = {ratio:.3f}"
         ax.plot(run.t, np.degrees(run["theta"]), line, lw=0.9, label=label)
     moved = np.maximum(time - late, 0.0)
-    ax.plot(
-        moved, np.degrees(rotation), "o", color=style.INK, mfc="white", mew=0.9, ms=4,
-        label="Figure 3-3, measured",
-    )  # fmt: skip
+    ax.plot(moved, np.degrees(rotation), "o", ms=4, label="Figure 3-3, measured", **OPEN)
     ax.set(xlim=(0, 6), xlabel="time after the release [s]", ylabel=r"rotation $\theta$ [deg]")
     style.legend_above(ax)
 

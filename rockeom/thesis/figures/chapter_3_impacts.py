@@ -22,7 +22,7 @@ from rockeom.thesis.figures.chapter_3 import (
     record,
 )  # fmt: skip
 from rockeom.thesis.figures.chapter_3_forces import WINDOW, calm_record
-from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_panels
+from rockeom.thesis.figures.drawn import OPEN, Source, thesis_axes, thesis_panels
 
 THRESHOLD = 6.0
 """Energy below which the thesis leaves impacts out [J]."""
@@ -150,8 +150,7 @@ def figure_3_21(ax: Axes) -> None:
     """r against the speed at the impact: runs in kind, and the printed points of Figure 3-3."""
     impacts, printed = filtered(), measured_impacts()
     draw_by_foot(ax, impacts, impacts.speed, impacts.energy_ratio)
-    ax.plot(printed.speed, printed.energy_ratio, "o", color=style.INK, mfc="white", mew=0.9, ms=5,
-            label="Figure 3-3, measured")  # fmt: skip
+    ax.plot(printed.speed, printed.energy_ratio, "o", ms=5, label="Figure 3-3, measured", **OPEN)
     mark_housner(ax)
     ax.set(
         xlabel=r"speed $\dot\theta$ at the impact [rad/s]",
@@ -182,10 +181,7 @@ def figure_3_22(ax: Axes) -> None:
     ax.plot(right, fitted_change("3-18", right), "--", label="3-18, right edge")
     kind = impacts_in_kind()
     ax.plot(kind.speed, kind.energy_change, "x", ms=4, color="0.6", label="in kind")
-    ax.plot(
-        impacts.speed, impacts.energy_change, "o", color=style.INK, mfc="white", mew=0.9, ms=4.5,
-        label="Figure 3-3, measured",
-    )  # fmt: skip
+    ax.plot(impacts.speed, impacts.energy_change, "o", ms=4.5, label="Figure 3-3, measured", **OPEN)
     ax.set(
         xlabel=r"speed $\dot\theta$ at the impact [rad/s]",
         ylabel=r"change of energy $\Delta E$ [J]",

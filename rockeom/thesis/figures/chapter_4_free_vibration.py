@@ -14,8 +14,14 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
-from rockeom.thesis.figures.chapter_4_wall import GAUGE, MM, draw_measured, legible, quarters
-from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_figure, thesis_panels
+from rockeom.thesis.figures.chapter_4_wall import (
+    GAUGE,
+    draw_measured,
+    draw_sides,
+    legible,
+    quarters,
+)
+from rockeom.thesis.figures.drawn import MM, Source, thesis_axes, thesis_figure, thesis_panels
 from rockeom.thesis.free_vibration_table import PEAKS, WALL
 from rockeom.thesis.printed import FIGURE_4_29
 from rockeom.thesis.wall_tests import quarter_period_fit
@@ -151,16 +157,6 @@ def figure_4_13(ax: Axes) -> None:
         ylim=(0, 0.08),
     )
     ax.legend(loc="lower right")
-
-
-def draw_sides(ax: Axes, peak: np.ndarray, y: np.ndarray) -> None:
-    """Draw values at peaks [m], with one mark for peaks to the right and one for the left."""
-    for side, mark, name in ((1, ">", "from peaks to the right"), (-1, "<", "to the left")):
-        rows = np.sign(peak) == side
-        ax.plot(
-            np.abs(peak[rows]) * MM, y[rows], mark, color=style.INK, ms=4, mfc="white", mew=0.9,
-            label=name,
-        )  # fmt: skip
 
 
 def draw_uplifts_and_force(close: bool) -> Figure:

@@ -13,8 +13,7 @@ import rockeom as rk
 from rockeom.plots import style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
-from rockeom.thesis.figures.chapter_4_wall import MM
-from rockeom.thesis.figures.drawn import Source, ThesisFigure, thesis_axes, thesis_panels
+from rockeom.thesis.figures.drawn import MM, Source, ThesisFigure, thesis_axes, thesis_panels
 from rockeom.thesis.printed import TABLE_4_2, TABLE_4_3, TABLE_4_4
 
 CONSTANT = 0.835

@@ -19,8 +19,8 @@ import rockeom as rk
 from rockeom.analysis import design, dynamics, formulas
 from rockeom.plots import style
 from rockeom.thesis.figures.chapter_2_blocks import draw_branch
-from rockeom.thesis.figures.chapter_4_wall import MM, overview_and_origin, symmetric
-from rockeom.thesis.figures.drawn import Source, thesis_figure, thesis_panels
+from rockeom.thesis.figures.chapter_4_wall import overview_and_origin, symmetric
+from rockeom.thesis.figures.drawn import MM, Source, thesis_figure, thesis_panels
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.shaken import oscillator_of, wall_motion
 from rockeom.thesis.wall_tests import back_calculated_force, energy_ratio_4_31

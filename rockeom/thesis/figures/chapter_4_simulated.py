@@ -16,10 +16,10 @@ from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import free_body as fb, style
 from rockeom.structures.impact_laws import ImpactLaw
-from rockeom.thesis.figures.chapter_4_free_vibration import HOUSNER, draw_sides
-from rockeom.thesis.figures.chapter_4_wall import MM, legible, symmetric, tilted_wall
-from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_figure, thesis_panels
-from rockeom.thesis.free_vibration_table import STIFFER, WALL, measured_peaks
+from rockeom.thesis.figures.chapter_4_free_vibration import HOUSNER, MEASURED
+from rockeom.thesis.figures.chapter_4_wall import draw_sides, legible, symmetric, tilted_wall
+from rockeom.thesis.figures.drawn import MM, OPEN, Source, thesis_axes, thesis_figure, thesis_panels
+from rockeom.thesis.free_vibration_table import STIFFER, WALL, let_go, measured_peaks
 
 FIXED = rk.SimplifiedSubstituteGravityWall.from_wall(WALL)
 """The wall of 4-32, about its corners."""
@@ -46,7 +46,7 @@ def released(structure: rk.Structure, law: ImpactLaw | None = None) -> History:
     start = float(identification.FreeVibration.table_a1().displacement[0])
     oscillates = isinstance(structure, rk.ControlledWallOscillator)
     initial = {"u": start} if oscillates else {"theta": float(WALL.rotation(start))}
-    run = rk.simulate(structure, rk.GroundMotion.none(2.0), impact=law, initial=initial)
+    run = let_go(structure, 2.0, law, **initial)
     if oscillates:
         mass = structure.parameters()["effective_mass"]
         return History(run.t, run["u"], run["u_dot"], run["horizontal_reaction"] / mass)
@@ -70,10 +70,7 @@ def draw_histories(curves: list[tuple[str, History, dict[str, Any]]]) -> Figure:
             ax.plot(history.time, y * unit, label=label, **line)
     columns = (measured.displacement * MM, measured.velocity, measured.acceleration)
     for ax, y in zip(axes, columns, strict=True):
-        ax.plot(
-            measured.time[chosen], y[chosen], "o", color=style.INK, mfc="white", mew=0.8, ms=3.2,
-            label="Table A-1", zorder=5,
-        )  # fmt: skip
+        ax.plot(measured.time[chosen], y[chosen], ms=3.2, label="Table A-1", **MEASURED)
     names = (r"$\Delta$ [mm]", r"$\dot\Delta$ [m/s]", r"$\ddot\Delta$ [m/s$^2$]")
     for ax, name in zip(axes, names, strict=True):
         ax.set_ylabel(name)
@@ -99,10 +96,8 @@ def draw_displacements(curves: list[tuple[str, History]]) -> Figure:
                 history.time, reference.time, reference.displacement
             )
             below.plot(history.time, off * MM, **kind)
-    ax.plot(
-        measured.time[chosen], measured.displacement[chosen] * MM, "o", color=style.INK,
-        mfc="white", mew=0.8, ms=3.0, label="Table A-1", zorder=5,
-    )  # fmt: skip
+    time, displacement = measured.time[chosen], measured.displacement[chosen] * MM
+    ax.plot(time, displacement, ms=3.0, label="Table A-1", **MEASURED)
     below.axhline(0.0, color=style.LINES[0], lw=0.8)
     below.set_xlabel("time [s]")
     ax.set_ylabel(r"displacement $\Delta$ [mm]")
@@ -251,9 +246,7 @@ def figure_4_40(figure: Figure) -> None:
     by_speed, by_peak = figure.subplots(1, 2, sharey=True)
     for side, mark in ((1, ">"), (-1, "<")):
         rows = np.sign(peak) == side
-        by_speed.plot(
-            speed[rows], r[rows], mark, color=style.INK, ms=4, mfc="white", mew=0.9
-        )  # fmt: skip
+        by_speed.plot(speed[rows], r[rows], mark, ms=4, **OPEN)
     draw_sides(by_peak, peak, r)
     by_speed.set_xlabel(r"speed at the impact $|\dot\Delta|$ [m/s]")
     by_peak.set_xlabel(r"peak before $|\Delta_0|$ [mm]")
@@ -316,8 +309,7 @@ class Miss(NamedTuple):
 def miss(law: rk.EnergyRatio | rk.EnergyRatioAtSpeed) -> Miss:
     """Free vibration of the wall about fixed corners, as in `thesis.free_vibration_table`."""
     time, peak = measured_peaks()
-    start = {"theta": float(WALL.rotation(peak[0]))}
-    run = rk.simulate(FIXED, rk.GroundMotion.none(1.6), impact=law, initial=start)
+    run = let_go(FIXED, 1.6, law, theta=float(WALL.rotation(peak[0])))
     simulated = identification.swings(run, "theta", len(peak))
     off = WALL.height * np.sin(simulated.peak) - peak, simulated.peak_time - time
     return Miss(*(float(np.sqrt(np.mean(x**2)) * MM) for x in off))

@@ -16,9 +16,8 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import identification
 from rockeom.plots import style
-from rockeom.thesis.figures.chapter_4_wall import MM
-from rockeom.thesis.figures.drawn import Source, thesis_panels
-from rockeom.thesis.free_vibration_table import STIFFER, WALL
+from rockeom.thesis.figures.drawn import MM, Source, thesis_panels
+from rockeom.thesis.free_vibration_table import STIFFER, WALL, let_go
 
 RATE, NOISE = 200.0, 0.05e-3
 START = -0.03041
@@ -43,8 +42,7 @@ def sampled(run: rk.Response, duration: float, **more: np.ndarray) -> analysis.M
 
 @cache
 def free_decay() -> analysis.MeasuredRecord:
-    run = rk.simulate(oscillator(), rk.GroundMotion.none(3.5), initial={"u": START})
-    return sampled(run, 3.5)
+    return sampled(let_go(oscillator(), 3.5, u=START), 3.5)
 
 
 @cache

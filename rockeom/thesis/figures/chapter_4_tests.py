@@ -21,8 +21,8 @@ from rockeom.thesis import shaken
 from rockeom.thesis.figures.chapter_4_runs import displacement, oscillator_run
 from rockeom.thesis.figures.chapter_4_shaken import CYCLES, forces_when_still
 from rockeom.thesis.figures.chapter_4_spectra import NOISE, RATE
-from rockeom.thesis.figures.chapter_4_wall import MM, draw_measured, overview_and_origin, symmetric
-from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_figure
+from rockeom.thesis.figures.chapter_4_wall import draw_measured, overview_and_origin, symmetric
+from rockeom.thesis.figures.drawn import MM, Source, thesis_axes, thesis_figure
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.printed import TABLE_4_2
 

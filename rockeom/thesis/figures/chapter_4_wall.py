@@ -17,11 +17,10 @@ from matplotlib.figure import Figure
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import free_body as fb, style
-from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_figure, thesis_panels
+from rockeom.thesis.figures.drawn import MM, OPEN, Source, thesis_axes, thesis_figure, thesis_panels
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.wall_tests import back_calculated_force, quarter_period_fit
 
-MM = 1e3
 GAUGE = 0.030
 """Distance from the edge of the wall outward to the uplift gauge [m]."""
 
@@ -53,6 +52,19 @@ def draw_measured(ax: Axes, column: str, unit: float, label: str = "") -> None:
     ):
         rows = rows & chosen
         ax.plot(x[rows] * MM, y[rows] / unit, mfc=face, ms=ms, label=f"{label}{name}", **marks)
+
+
+def draw_sides(
+    ax: Axes,
+    peak: np.ndarray,
+    y: np.ndarray,
+    right: str = "from peaks to the right",
+    left: str = "to the left",
+) -> None:
+    """Draw values at peaks [m], with one mark for peaks to the right and one for the left."""
+    for side, mark, label in ((1, ">", right), (-1, "<", left)):
+        rows = np.sign(peak) == side
+        ax.plot(np.abs(peak[rows]) * MM, y[rows], mark, ms=4, label=label, **OPEN)
 
 
 def symmetric(largest: float, number: int = 1201) -> np.ndarray:
@@ -273,12 +285,9 @@ def figure_4_24(ax: Axes) -> None:
     ax.plot(d * MM, heavier.quarter_period_substitute_gravity(d), ":", label=printed)
     ax.plot(d * MM, quarter_period_fit(d), "--", label="4-5, fitted")
     ax.plot(d * MM, WALL.quarter_period_exact(d), "-.", label="4-24, no losses, to upright")
-    for side, mark, name in ((1, ">", "to the right"), (-1, "<", "to the left")):
-        rows = np.sign(peak) == side
-        ax.plot(
-            np.abs(peak[rows]) * MM, time[rows], mark, color=style.INK, ms=4, mfc="white", mew=0.9,
-            label=f"Table A-1, from peaks {name}",
-        )  # fmt: skip
+    draw_sides(
+        ax, peak, time, *(f"Table A-1, from peaks to the {side}" for side in ("right", "left"))
+    )
     ax.set(
         xlabel=r"peak displacement $|\Delta_0|$ [mm]",
         ylabel="quarter period [s]",
@@ -363,10 +372,8 @@ def figure_4_35() -> Figure:
         ax.plot(d * MM, stronger.restoring_force(d) / 1e3, ":", label="4-30, 111 kN")
         near = rows & (np.abs(measured.displacement) < far)
         force = back_calculated_force(WALL.mass, measured.acceleration)
-        ax.plot(
-            measured.displacement[near] * MM, force[near] / 1e3, "o", color=style.INK, ms=3.6,
-            mfc="white", mew=0.9, label="measured, 75.6 kN",
-        )  # fmt: skip
+        at = measured.displacement[near] * MM
+        ax.plot(at, force[near] / 1e3, "o", ms=3.6, label="measured, 75.6 kN", **OPEN)
     d = np.linspace(2e-3, 0.012, 2001)
     force = WALL.restoring_force(d)
     top = int(force[: len(d) // 2].argmax())

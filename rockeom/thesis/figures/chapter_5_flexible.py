@@ -16,8 +16,8 @@ from rockeom.analysis import design
 from rockeom.plots import style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
-from rockeom.thesis.figures.chapter_5_rigid import MM, RUN_3, draw_decay, draw_shaken, released
-from rockeom.thesis.figures.drawn import Source, thesis_figure, thesis_panels
+from rockeom.thesis.figures.chapter_5_rigid import RUN_3, draw_decay, draw_shaken, released
+from rockeom.thesis.figures.drawn import MM, Source, thesis_figure, thesis_panels
 
 MODEL_C = shaken.model_c()
 STILL = 0.1e-3

@@ -18,10 +18,10 @@ from rockeom.analysis import identification
 from rockeom.plots import free_body as fb, style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
-from rockeom.thesis.figures.drawn import Source, thesis_figure, thesis_panels
+from rockeom.thesis.figures.drawn import MM, OPEN, Source, thesis_figure, thesis_panels
+from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import COLUMN, GAUGE, TABLES
 
-MM = 1e3
 WEIGHT = (COLUMN["mass"] + COLUMN["base_mass"]) * 9.81
 RATIOS = (0.74, 0.76, 0.78, 0.80, 0.82, 0.84)
 """Energy ratios of which Figure 5-32 seeks the best."""
@@ -36,24 +36,14 @@ def released(structure: rk.Structure, r: float, duration: float = 4.0) -> Respon
     """Run 1 by a structure on rigid ground: let go at rest from the first peak of Figure 5-6."""
     start = float(TABLES["Figure 5-6"].rows[0][1] or 0.0) / MM
     theta = float(identification.rotation_from_displacement(start, *GAUGE))
-    return rk.simulate(
-        structure,
-        rk.GroundMotion.none(duration),
-        impact=rk.EnergyRatio(r),
-        initial={"theta": theta},
-    )
+    return let_go(structure, duration, rk.EnergyRatio(r), theta=theta)
 
 
 @cache
 def released_on_springs(foundation_stiffness: float, r: float = 0.74) -> Response:
     """Run 2 by the cart on two springs."""
     start = float(TABLES["Figure 5-10"].rows[0][1] or 0.0) / MM
-    return rk.simulate(
-        shaken.model_b(foundation_stiffness),
-        rk.GroundMotion.none(2.2),
-        impact=rk.EnergyRatio(r),
-        initial={"u": start},
-    )
+    return let_go(shaken.model_b(foundation_stiffness), 2.2, rk.EnergyRatio(r), u=start)
 
 
 def measured(number: str) -> tuple[np.ndarray, np.ndarray]:
@@ -107,10 +97,7 @@ def draw_decay(
         top.plot(
             run.t + shift(run, number), MM * run["displacement"], line, color=color, label=label
         )
-    top.plot(
-        *measured(number), "o", color=style.INK, mfc="white", ms=3.8, mew=0.9, zorder=5,
-        label=f"measured ({number})",
-    )  # fmt: skip
+    top.plot(*measured(number), "o", ms=3.8, zorder=5, label=f"measured ({number})", **OPEN)
     top.set_ylabel("displacement [mm]")
     style.legend_above(top)
     if uplift is not None:

@@ -14,10 +14,11 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
-from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_figure, thesis_panels
+from rockeom.thesis.figures.chapter_3 import mark_quarters
+from rockeom.thesis.figures.drawn import MM, OPEN, Source, thesis_axes, thesis_figure, thesis_panels
+from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import COLUMN as COLUMN_VALUES, FIGURE_5_6, FIGURE_5_10, GAUGE
 
-MM = 1e3
 RIGID = rk.LumpedMassStructure(**COLUMN_VALUES)
 FLEXIBLE = rk.FlexibleStructure(**COLUMN_VALUES, stiffness=571.8e3, damping=502.4)
 ALPHA = float(np.arctan2(RIGID.half_width, RIGID.height))
@@ -44,10 +45,7 @@ def smooth_trace(run: int, n: int = 1200) -> tuple[np.ndarray, np.ndarray]:
 
 def mark_points(ax: Axes, run: int, label: str = "printed") -> None:
     time, displacement = points(run)
-    ax.plot(
-        time, displacement * MM, "o", color=style.INK, mfc="white", mew=0.9, ms=4, zorder=5,
-        label=label,
-    )  # fmt: skip
+    ax.plot(time, displacement * MM, "o", ms=4, zorder=5, label=label, **OPEN)
 
 
 @cache
@@ -96,11 +94,7 @@ def draw_quarters(run: int, peaks: np.ndarray, label: str) -> Figure:
     p = np.sqrt(-RIGID.accelerations({"theta": alpha / 2})["theta"] / np.sin(alpha / 2))
     figure, ax = style.new_axes(6.2, 3.6)
     ax.plot(own / ALPHA, formulas.exact_quarter_period(own, alpha, p), label=label)
-    for first, mark, name in ((0, "o", "from a peak"), (1, "s", "to a peak")):
-        ax.plot(
-            size[first::2] / ALPHA, quarters[first::2], mark, color=style.INK, mfc="white",
-            mew=0.9, ms=4, label=f"printed points, {name}",
-        )  # fmt: skip
+    mark_quarters(ax, size / ALPHA, quarters, "printed points")
     ax.set(
         xlabel=r"peak rotation $|\theta_0|/\alpha_e$ [-]",
         ylabel="quarter period [s]",
@@ -247,9 +241,7 @@ def figure_5_15(figure: Figure) -> None:
     one foot.
     """
     start = float(identification.rotation_from_displacement(0.02858, **MEASURED_AT))
-    run = rk.simulate(
-        FLEXIBLE, rk.GroundMotion.none(2.5), initial={"theta": start}, impact=rk.Impulsive()
-    )
+    run = let_go(FLEXIBLE, 2.5, rk.Impulsive(), theta=start)
     t = np.arange(2500) / 1000
     x = run.at(t, names=["displacement"])["displacement"]
     record = analysis.MeasuredRecord(t, {"x": x}, {"x": 0.0}).with_derivatives("x", 0.008)

@@ -4,12 +4,19 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 from types import ModuleType
+from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.plots import style
 from rockeom.thesis.equation import place_of
+
+MM = 1e3
+"""Millimetres of a metre."""
+
+OPEN: dict[str, Any] = {"color": style.INK, "mfc": "white", "mew": 0.9}
+"""Look of measured points."""
 
 
 class Source(Enum):

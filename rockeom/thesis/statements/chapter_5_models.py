@@ -15,6 +15,7 @@ from rockeom.analysis import formulas, identification
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.thesis import shaken
 from rockeom.thesis.figures import chapter_5_flexible as flexible, chapter_5_rigid as rigid
+from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import COLUMN, FIGURE_5_6, GAUGE, TABLE_5_1
 from rockeom.thesis.statements import statement as st
 
@@ -427,10 +428,7 @@ def _error_of_column(law: rk.EnergyRatio | rk.VelocityRatio) -> float:
     """Root mean square of the errors of the peaks in Figure 5-6 [mm]."""
     peaks = np.abs([float(row[1]) for row in FIGURE_5_6.rows if row[1]])
     start = float(identification.rotation_from_displacement(peaks[0] / 1e3, *GAUGE))
-    run = rk.simulate(
-        rk.LumpedMassStructure(**COLUMN), rk.GroundMotion.none(4.0), impact=law,
-        initial={"theta": start},
-    )  # fmt: skip
+    run = let_go(rk.LumpedMassStructure(**COLUMN), 4.0, law, theta=start)
     zeros = [0.0, *(event.time for event in run.impacts)]
     turns = [0.0, *(0.5 * (a + b) for a, b in itertools.pairwise(zeros[1:]))][: len(peaks)]
     own = identification.displacement_from_rotation(
@@ -446,9 +444,7 @@ def _error_of_column(law: rk.EnergyRatio | rk.VelocityRatio) -> float:
     slip=True,
 )  # fmt: skip
 def rate_of_bending_at_an_impact() -> st.Finding:
-    run = rk.simulate(
-        shaken.model_c(), rk.GroundMotion.none(1.0), impact=rk.Impulsive(), initial={"theta": 0.03}
-    )
+    run = let_go(shaken.model_c(), 1.0, rk.Impulsive(), theta=0.03)
     first = run.impacts[0]
     change = first.after["u_dot"] - first.before["u_dot"]
     return st.finding(
