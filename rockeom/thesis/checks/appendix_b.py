@@ -1,33 +1,27 @@
 """Checks of the equations of appendix B, with the wall of those of chapter 4."""
 
 import math
-from collections.abc import Iterator
 
 import numpy as np
 import sympy as sp
 from sympy import Rational
 
 from rockeom.thesis import notation as th
-from rockeom.thesis.checks import wall
+from rockeom.thesis.checks import chapter_4_free_vibration, check, wall
 from rockeom.thesis.checks.approximations import taylor
-from rockeom.thesis.checks.chapter_4_free_vibration import (
-    DESCENT,
-    MOVING_INERTIA,
-    kinetic_energy,
-    rise_of_centroid,
-)
-from rockeom.thesis.checks.check import Check, Finding, close, derived, reproduced, vanishes
+from rockeom.thesis.checks.chapter_4_free_vibration import DESCENT, kinetic_energy, rise_of_centroid
+from rockeom.thesis.checks.check import Checks, Finding, Findings, close, derived, vanishes
 from rockeom.thesis.comparison import with_fractions
 from rockeom.thesis.equation import Equation
 
 
-def _sine(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _sine(equation: Equation, relation: sp.Eq) -> Findings:
     for side in equation.sides:
         rest = wall.placed(relation.lhs - relation.rhs, side)
         yield vanishes("left minus right side", rest, wall.reduced)
 
 
-def _rate(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _rate(equation: Equation, *relations: sp.Eq) -> Findings:
     """Both sides of B-5, differentiated by time."""
     angle = sp.Function("theta")(th.t)
     rate = sp.sin(angle).diff(th.t) / angle.diff(th.t)
@@ -39,7 +33,7 @@ def _rate(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
             )
 
 
-def _small_rate(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _small_rate(equation: Equation, *relations: sp.Eq) -> Findings:
     exact = wall.right("B-6").subs(th.theta, sp.asin(th.Delta / th.H))
     *below, leading = taylor(exact - relations[0].rhs, (th.Delta,), 2)
     for order, term in enumerate(below):
@@ -57,7 +51,7 @@ CORNER, DEVELOPED, UPRIGHT = (
 """Lengths d that have lifted [m]."""
 
 
-def _inertia(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _inertia(equation: Equation, relation: sp.Eq) -> Findings:
     total = float(wall.MASS)
 
     def about(d: float) -> float:
@@ -74,7 +68,7 @@ def _inertia(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
     yield close("r of 2-6 about the corner, 0.835 by 4.9.2.1", (1 - arm) ** 2, 0.835, 5e-4)
 
 
-def _parallel_axes(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _parallel_axes(equation: Equation, relation: sp.Eq) -> Findings:
     """A panel that has lifted up to its far edge, and a mass on its centreline."""
     across, up = sp.symbols("across up")
     panel = sp.integrate(
@@ -86,14 +80,14 @@ def _parallel_axes(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
     yield vanishes("thesis minus both by the theorem of Steiner", rest, sp.expand)
 
 
-def _work(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _work(equation: Equation, *relations: sp.Eq) -> Findings:
     """The mean of the forces at both ends, times the way."""
     trapezium = (th.k * th.x_1 + th.k * th.x_2) / 2 * (th.x_2 - th.x_1)
     rest = sp.expand(relations[0].rhs.doit() - trapezium)
     yield vanishes("thesis minus the area below the force", rest)
 
 
-def _extension(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _extension(equation: Equation, *relations: sp.Eq) -> Findings:
     stated = relations[0].rhs
     strain = stated / th.L_T
     rest = strain * th.E_tendon * th.A_tendon - th.P_tendon
@@ -103,7 +97,7 @@ def _extension(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
         yield close(f"extension in mm at {float(force)} kN", by_equation, extension, 5e-5)
 
 
-def _before_yield(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _before_yield(equation: Equation, *relations: sp.Eq) -> Findings:
     """Work against the elastic force since the 75.6 kN."""
     exact = (th.P_tendon**2 - wall.FORCE**2) / (2 * wall.STIFFNESS)
     for relation in relations:
@@ -113,7 +107,7 @@ def _before_yield(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
             yield close(f"thesis minus work in J at {float(force)} kN", gap, 0, 0.005)
 
 
-def _after_yield(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _after_yield(equation: Equation, *relations: sp.Eq) -> Findings:
     """Work of an elastic and of a constant force."""
     reserve = (wall.YIELD - wall.FORCE) / wall.STIFFNESS
     exact = (wall.YIELD**2 - wall.FORCE**2) / (2 * wall.STIFFNESS) + wall.YIELD * (
@@ -127,7 +121,7 @@ def _after_yield(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
             yield close(what, gap, 0, 0.005)
 
 
-CHECKS: dict[str, Check | tuple[Check, ...]] = {
+CHECKS: Checks = {
     "B-1": derived(wall.TURNED, wall.by_geometry(wall.tendon_uplift, u_edge=wall.edge_uplift)),
     "B-2": derived(wall.TURNED, wall.by_geometry(wall.tendon_uplift, u_edge=wall.edge_uplift)),
     "B-3": derived(
@@ -138,11 +132,13 @@ CHECKS: dict[str, Check | tuple[Check, ...]] = {
     "B-6": derived("derivative of B-5", _rate),
     "B-7": derived("Taylor series of B-6", _small_rate, "order 2 in Delta/H: 0.008 % at 30.41 mm"),
     "B-8": derived(
-        "kinetic energy of the wall about a fixed and a moving O", kinetic_energy, MOVING_INERTIA
+        "kinetic energy of the wall about a fixed and a moving O",
+        kinetic_energy,
+        chapter_4_free_vibration.MOVING_INERTIA,
     ),
     "B-9": (
         derived("a panel, and a mass on its centreline", _parallel_axes),
-        reproduced("what the text says of I_o, I_o/R and r", _inertia),
+        check.reproduced("what the text says of I_o, I_o/R and r", _inertia),
     ),
     "B-10": derived("area below the force", _work),
     "B-11": derived("Hooke's law; the extensions of B.3", _extension),

@@ -1,7 +1,6 @@
 """Checks of the equations of Appendix D that the engine alone does not decide."""
 
 import cmath
-from collections.abc import Iterator
 
 import numpy as np
 import sympy as sp
@@ -9,7 +8,7 @@ import sympy as sp
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, turned
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks.check import Check, Finding, close, derived, vanishes
+from rockeom.thesis.checks.check import Checks, Finding, Findings, close, derived, vanishes
 from rockeom.thesis.checks.engine import MODE, residual, shipped
 from rockeom.thesis.comparison import PIER, at_side, in_engine_notation, normal_form
 from rockeom.thesis.equation import Equation
@@ -48,7 +47,7 @@ def lagranges_equation(
     return left - statement.rhs.subs(th.Q_i, force)
 
 
-def _lagrange(equation: Equation, statement: sp.Eq) -> Iterator[Finding]:
+def _lagrange(equation: Equation, statement: sp.Eq) -> Findings:
     lagrangian = EQUATIONS["D-14"].right[0].rhs
     for row, (coordinate, force) in enumerate(((theta_t, "D-17"), (u_t, "D-18"))):
         stated = EQUATIONS[force].right[0].rhs
@@ -61,7 +60,7 @@ def _lagrange(equation: Equation, statement: sp.Eq) -> Iterator[Finding]:
 # --- angles
 
 
-def _sum_of_angles(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _sum_of_angles(equation: Equation, relation: sp.Eq) -> Findings:
     """One turn after another, and the argument of a complex number."""
     axis = ("D-9", "D-10").index(equation.number)
     for side in equation.sides:
@@ -94,7 +93,7 @@ def coefficients(side: int) -> dict[sp.Symbol, sp.Expr]:
     return {x.lhs: in_engine_notation(x.rhs, side, STATES) for x in EQUATIONS["D-29"].right}
 
 
-def _rows(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _rows(equation: Equation, *relations: sp.Eq) -> Findings:
     mixed = set().union(*(x.free_symbols for x in relations)) & set(IN_TIME)
     yield Finding("coordinates besides the states y", mixed, not mixed)
     for side in equation.sides:
@@ -105,7 +104,7 @@ def _rows(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
             yield vanishes(f"row {i} minus engine", rest, normal_form)
 
 
-def _coefficients(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _coefficients(equation: Equation, *relations: sp.Eq) -> Findings:
     for side in equation.sides:
         inertia = shipped(MODEL_C).equations(MODE[side]).mass_matrix
         for relation, exact in zip(relations, (inertia[0, 1], inertia[0, 0]), strict=True):
@@ -113,7 +112,7 @@ def _coefficients(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
             yield vanishes(f"{relation.lhs} minus the engine's inertia", rest, normal_form)
 
 
-def _first_order(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _first_order(equation: Equation, relation: sp.Eq) -> Findings:
     """Its rows are D-28; at states chosen at random the solution is the engine's acceleration."""
     rows = sp.Matrix([x.lhs - x.rhs for x in EQUATIONS["D-28"].right])
     matrix, right = sp.linear_eq_to_matrix(list(rows), RATES)
@@ -147,7 +146,7 @@ def _first_order(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
 
 _ENGINE = "equations of motion of flexible_structure"
 
-CHECKS: dict[str, Check | tuple[Check, ...]] = {
+CHECKS: Checks = {
     "D-5": derived(f"with D-14, D-15, D-17 and D-18: {_ENGINE}", _lagrange),
     "D-9": derived("one turn after another; complex numbers", _sum_of_angles),
     "D-10": derived("one turn after another; complex numbers", _sum_of_angles),

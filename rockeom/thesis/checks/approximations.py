@@ -17,19 +17,9 @@ from sympy import cos, sign
 from rockeom.symbolic.model import GROUND_X
 from rockeom.symbolic.statics import pushover
 from rockeom.thesis import notation as th, printed
-from rockeom.thesis.checks.check import Check, Finding, close, derived, vanishes
-from rockeom.thesis.checks.engine import (
-    THETA,
-    acceleration,
-    foot_force,
-    force,
-    in_polar,
-    lift_off_sine,
-    nondimensional,
-    rectangular,
-    residual,
-    shipped,
-)
+from rockeom.thesis.checks import engine
+from rockeom.thesis.checks.check import Check, Findings, close, derived, vanishes
+from rockeom.thesis.checks.engine import THETA, foot_force, force, in_polar, lift_off_sine, shipped
 from rockeom.thesis.comparison import ALPHA, BLOCK, PIER, SCALED, R, in_engine_notation, normal_form
 from rockeom.thesis.equation import Equation
 
@@ -140,8 +130,8 @@ def on_lifting(mode: str) -> sp.Expr:
 
 def start(side: int) -> sp.Expr:
     """Exact angular acceleration of the rectangular block at theta = 0."""
-    exact = acceleration(shipped("rigid_block"), side).subs({THETA: 0, GROUND_X: 0})
-    return rectangular(in_polar(exact))
+    exact = engine.acceleration(shipped("rigid_block"), side).subs({THETA: 0, GROUND_X: 0})
+    return engine.rectangular(in_polar(exact))
 
 
 def impact_force(side: int, axis: int) -> sp.Expr:
@@ -155,7 +145,7 @@ def resting_force(side: int, axis: int) -> sp.Expr:
 
 APPROXIMATIONS: dict[str, Approximation] = {
     "2-3": Approximation(
-        lambda side: in_polar(residual(shipped("rigid_block"), side)).subs(GROUND_X, 0),
+        lambda side: in_polar(engine.residual(shipped("rigid_block"), side)).subs(GROUND_X, 0),
         (THETA, ALPHA),
         3,
         -th.m * th.g * th.R * (th.alpha - th.theta) ** 3 / 6,
@@ -163,7 +153,7 @@ APPROXIMATIONS: dict[str, Approximation] = {
         size=7.1e-3,
     ),
     "2-14": Approximation(
-        lambda side: nondimensional(shipped("nondimensional_block"), side),
+        lambda side: engine.nondimensional(shipped("nondimensional_block"), side),
         (ALPHA,),
         3,
         -(th.alpha**3)
@@ -306,7 +296,7 @@ def taylor(expr: sp.Expr, small: tuple[sp.Symbol, ...], order: int) -> list[sp.E
     return terms
 
 
-def _find(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _find(equation: Equation, *relations: sp.Eq) -> Findings:
     case = APPROXIMATIONS[equation.number]
     for side in equation.sides:
         (relation,) = relations

@@ -1,7 +1,7 @@
 """Checks of 4-5, 4-17 to 4-26 and 4-44: quarter periods and motion without losses."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -12,17 +12,9 @@ from sympy import Rational, cos, sin
 from rockeom.analysis.formulas.controlled_wall import Wall
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks import wall
+from rockeom.thesis.checks import check, wall
 from rockeom.thesis.checks.approximations import taylor
-from rockeom.thesis.checks.check import (
-    Check,
-    Finding,
-    close,
-    derived,
-    reproduced,
-    transcribed,
-    vanishes,
-)
+from rockeom.thesis.checks.check import Finding, Findings, close, derived, reproduced, vanishes
 from rockeom.thesis.equation import Equation
 from rockeom.thesis.printed import TABLES
 from rockeom.thesis.wall_tests import quarter_period_fit
@@ -47,7 +39,7 @@ def restoring_force() -> Callable:
     return sp.lambdify(size, sp.diff(whole, size).subs(wall.WALL), "numpy")
 
 
-def rise_of_centroid(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def rise_of_centroid(equation: Equation, relation: sp.Eq) -> Findings:
     """U = m g times the rise of the centroid; 4-18 omits its descent on the circle."""
     for side in equation.sides:
         rise = wall.turned(side, th.d_lifted - th.B, th.H_c)[1]
@@ -87,7 +79,7 @@ def inertia_over_height() -> tuple[float, float, float, float]:
     return float(values[0]), float(values[top]), float(at[top]), float(values[-1])
 
 
-def kinetic_energy(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def kinetic_energy(equation: Equation, relation: sp.Eq) -> Findings:
     fixed = th.I_o * (th.Delta_d / (th.H * cos(th.theta))) ** 2 / 2
     exact = fixed.subs(th.theta, sp.asin(th.Delta / th.H))
     *below, leading = taylor(sp.simplify(exact) - relation.rhs, (th.Delta,), 2)
@@ -113,7 +105,7 @@ def kinetic_energy(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
 def _elastic(start: sp.Rational) -> Callable:
     """Check the work of the elastic-plastic tendon from the force `start` on."""
 
-    def find(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+    def find(equation: Equation, relation: sp.Eq) -> Findings:
         (before, condition), (after, _) = sp.piecewise_fold(relation.rhs).args
         stiffness = th.E_tendon * th.A_tendon / th.L_T
         rest = sp.diff(before, th.P_tendon) * stiffness - th.P_tendon
@@ -131,7 +123,7 @@ def _elastic(start: sp.Rational) -> Callable:
     return find
 
 
-def _energies_at_peaks(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _energies_at_peaks(equation: Equation, *relations: sp.Eq) -> Findings:
     """Check the list of Figure 4-29 with the displacements and forces of Table A-1."""
     record = wall.measured()
     rows = np.flatnonzero(record.at_peak)
@@ -146,7 +138,7 @@ def _energies_at_peaks(equation: Equation, *relations: sp.Eq) -> Iterator[Findin
         yield close(f"energy at {record.time[row]:.3f} s in J", computed, stated, 1.1)
 
 
-def _conserved(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _conserved(equation: Equation, relation: sp.Eq) -> Findings:
     """Check that the energy 4-22 with 4-19 is constant in the motion 4-27 under 4-30 alone."""
     path = sp.Function("Delta")(th.t)
     U, U_E = (sp.Function(name) for name in ("U", "U_E"))
@@ -163,7 +155,7 @@ def _conserved(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
     yield vanishes("rate of the total energy", power.subs(acceleration, solved).doit(), sp.simplify)
 
 
-def _release_at_rest(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _release_at_rest(equation: Equation, *relations: sp.Eq) -> Findings:
     total = wall.right("4-22").subs(th.E_k_of, wall.right("4-19").subs(th.Delta_d, 0))
     total = total.subs({th.U_of: th.U_start, th.U_E_of: th.U_E_start})
     yield vanishes("4-21 minus 4-22 at rest", relations[0].rhs - total)
@@ -172,7 +164,7 @@ def _release_at_rest(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]
 # --- 4-23 to 4-26: the motion without losses
 
 
-def _trajectory(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _trajectory(equation: Equation, relation: sp.Eq) -> Findings:
     kinetic = wall.right("4-19").subs(th.Delta_d, relation.rhs)
     yield vanishes(
         "4-22 minus 4-21",
@@ -181,7 +173,7 @@ def _trajectory(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
     )
 
 
-def _time(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _time(equation: Equation, relation: sp.Eq) -> Findings:
     (step,) = sp.solve(relation.lhs - relation.rhs, th.step)
     velocity = relation.lhs.atoms(sp.Integral).pop().function ** -1
     at_end = velocity.subs(th.Delta, th.Delta_end)
@@ -218,7 +210,7 @@ def fall_in_time(begin: float, end: float) -> tuple[float, float]:
     return float(run.t_events[0][0]), -float(run.y_events[0][0][1])
 
 
-def _speed_of_motion(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _speed_of_motion(equation: Equation, *relations: sp.Eq) -> Findings:
     """The root of 4-23 and 4-26 is the positive one: the speed of 4-27 at a quarter of the peak."""
     end = wall.FALL / 4
     energy = potential_energy()
@@ -234,7 +226,7 @@ def _speed_of_motion(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]
     yield close("speed in m/s, against the motion in time", stated, speed, 1e-8)
 
 
-def _time_of_motion(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _time_of_motion(equation: Equation, relation: sp.Eq) -> Findings:
     """Compare 4-24 by 4-23 with 4-27 integrated in time, from 30.41 mm to a quarter of it."""
     mass = wall.corner_inertia() / (wall.HEIGHT / 1e3) ** 2
     energy = potential_energy()
@@ -249,12 +241,12 @@ def _time_of_motion(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
     yield close("time in s, against the motion in time", by_energy, time, 1e-8)
 
 
-def _limit(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _limit(equation: Equation, relation: sp.Eq) -> Findings:
     computed = float(relation.rhs.subs(th.Delta_peak, wall.FALL)) / wall.FALL
     yield close("fraction of the peak, 25 % by 4.7", computed, 0.25, 1e-12)
 
 
-def _limit_speed(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _limit_speed(equation: Equation, relation: sp.Eq) -> Findings:
     at_limit = {th.U_of: th.U_limit, th.U_E_of: th.U_E_limit}
     total = wall.right("4-22").subs(at_limit)
     total = total.subs(th.E_k_of, wall.right("4-19").subs(th.Delta_d, relation.rhs))
@@ -277,7 +269,7 @@ def quarter(relation: sp.Eq) -> sp.Expr:
     return sp.solve(relation.lhs - th.t, th.period)[0].subs(th.t, relation.rhs) / 4
 
 
-def _quarter_fit(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _quarter_fit(equation: Equation, *relations: sp.Eq) -> Findings:
     stated = wall.of_displacement(quarter(relations[0]))
     peak, time = _quarters()
     yield close("R**2 of Table A-1", wall.r_squared(time, stated(peak)), 0.976, 0.006)
@@ -307,7 +299,7 @@ def conservative_quarter(start: float, mass: float) -> float:
     return quad(time, 0, 1, epsabs=1e-8)[0]
 
 
-def _substitute_gravity(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _substitute_gravity(equation: Equation, relation: sp.Eq) -> Findings:
     d = wall.lifted().subs(th.penalty, wall.PENALTY)
     numbers = {
         th.I_o: wall.corner_inertia(),
@@ -340,7 +332,7 @@ MOVING_INERTIA = (
 )
 TENDON_WORK = "work of the elastic-plastic tendon"
 
-CHECKS: dict[str, Check | tuple[Check, ...]] = {
+CHECKS: check.Checks = {
     "4-5": reproduced(
         "quarter periods of Table A-1",
         _quarter_fit,
@@ -369,7 +361,7 @@ CHECKS: dict[str, Check | tuple[Check, ...]] = {
         derived("derivative by its end", _time),
         derived("4-27 integrated in time", _time_of_motion),
     ),
-    "4-25": transcribed("the words of 4.7", _limit),
+    "4-25": check.transcribed("the words of 4.7", _limit),
     "4-26": (
         derived("4-22 there is that of the peak", _limit_speed),
         derived("4-27 integrated in time", _speed_of_motion),

@@ -1,7 +1,6 @@
 """Checks of 4-1 to 4-16 but 4-5: the centre of rotation, the uplift and the tendon of the wall."""
 
 import math
-from collections.abc import Iterator
 
 import numpy as np
 import sympy as sp
@@ -9,9 +8,9 @@ from sympy import Rational, cos, sin
 
 from rockeom.analysis.formulas.controlled_wall import Wall
 from rockeom.thesis import notation as th
-from rockeom.thesis.checks import wall
+from rockeom.thesis.checks import check, wall
 from rockeom.thesis.checks.approximations import taylor
-from rockeom.thesis.checks.check import Check, Finding, close, derived, reproduced, vanishes
+from rockeom.thesis.checks.check import Finding, Findings, close, derived, reproduced, vanishes
 from rockeom.thesis.equation import Equation
 from rockeom.thesis.wall_tests import corrected_uplifts
 
@@ -32,7 +31,7 @@ def _profile(place: sp.Expr, readings: tuple[sp.Expr, sp.Expr]) -> sp.Expr:
     return left + (other - left) * place / BETWEEN
 
 
-def _base(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _base(equation: Equation, relation: sp.Eq) -> Findings:
     right_sides = {n: wall.right(n) for n in ("4-1", "4-2")} | {equation.number: relation.rhs}
     places = {"4-1": 0, "4-2": BETWEEN, "4-3": 30, "4-4": BETWEEN - 30}
     for what, readings in SIGNS.items():
@@ -49,7 +48,7 @@ def _base(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
             yield vanishes(f"thesis minus uplift of the base, {what}", rest, sp.simplify)
 
 
-def _uplifts_again(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _uplifts_again(equation: Equation, *relations: sp.Eq) -> Findings:
     stated = relations[0].rhs
     right_sides = {n: wall.right(n) for n in ("4-1", "4-2")} | {equation.number: stated}
     for left, other in ((-0.6, 11.7), (11.0, -0.8), (0.3, 0.5)):
@@ -67,7 +66,7 @@ def _uplifts_again(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
         yield close(what, computed, 1e3 * float(reference), 1e-9)
 
 
-def _edges_of_table_a1(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _edges_of_table_a1(equation: Equation, *relations: sp.Eq) -> Findings:
     """Compare the last column of Table A-1 with x of the readings by the inverse of 4-3, 4-4."""
     record = wall.measured()
     rows = record.at_peak & (record.reading == "clean")
@@ -89,7 +88,7 @@ def _edges_of_table_a1(equation: Equation, *relations: sp.Eq) -> Iterator[Findin
 # --- 4-6 to 4-9: the path of the centre of rotation, and the uplift of the edge
 
 
-def _migration(equation: Equation, distance: sp.Eq, penalty: sp.Eq) -> Iterator[Finding]:
+def _migration(equation: Equation, distance: sp.Eq, penalty: sp.Eq) -> Findings:
     """Check the choices that the text states: upright, developed, and the penalty parameter."""
     width = distance.lhs + th.d_lifted * cos(th.theta)
     yield vanishes("width of the base minus twice B", width - 2 * wall.HALF_WIDTH)
@@ -106,7 +105,7 @@ def _migration(equation: Equation, distance: sp.Eq, penalty: sp.Eq) -> Iterator[
     yield close("epsilon, by 4.8.1", penalty.rhs, 3.551, 1e-12)
 
 
-def _general(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _general(equation: Equation, relation: sp.Eq) -> Findings:
     """Check the two fixed points of 4-8 that the text names, and 4-9 by 4-8."""
     yield vanishes("upright", relation.rhs.subs(th.Delta, 0) - th.C_1 - th.C_2)
     yield vanishes("developed", relation.rhs.subs(th.Delta, sp.oo) - th.C_2)
@@ -119,7 +118,7 @@ def _general(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
     )
 
 
-def _edge_uplifts(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _edge_uplifts(equation: Equation, *relations: sp.Eq) -> Findings:
     record = wall.measured()
     rows = record.at_peak & (record.reading == "clean")
     at = record.displacement[rows]
@@ -135,7 +134,7 @@ def _edge_uplifts(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
 # --- 4-10, 4-16: the tendon
 
 
-def _chord(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _chord(equation: Equation, relation: sp.Eq) -> Findings:
     """The mouth of the duct moves on a circle about O; the tendon follows the chord."""
     lever = sp.Dummy("b", positive=True)
     for side in equation.sides:
@@ -156,7 +155,7 @@ def _chord(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
         yield close("error over the extension at 30 mm", size, 5.7e-5, 0.1e-5)
 
 
-def _elastic_tendon(equation: Equation, force: sp.Eq, length: sp.Eq) -> Iterator[Finding]:
+def _elastic_tendon(equation: Equation, force: sp.Eq, length: sp.Eq) -> Findings:
     stiffness = th.E_tendon * th.A_tendon / th.L_T0
     for side in equation.sides:
         stretched = th.P_initial / stiffness + wall.with_numbers(wall.tendon_extension)(side)
@@ -166,7 +165,7 @@ def _elastic_tendon(equation: Equation, force: sp.Eq, length: sp.Eq) -> Iterator
     yield close("with the 6.4564 mm of B.3 between the anchors", length.rhs + 6.4564, 3100, 0.01)
 
 
-def _tendon_forces(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _tendon_forces(equation: Equation, *relations: sp.Eq) -> Findings:
     record = wall.measured()
     rows = record.at_peak & (record.reading == "clean")
     at = record.displacement[rows]
@@ -181,7 +180,7 @@ def _tendon_forces(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
 
 STRAIGHT_BASE = "a straight base between the gauges"
 
-CHECKS: dict[str, Check | tuple[Check, ...]] = {
+CHECKS: check.Checks = {
     "4-1": (
         derived(STRAIGHT_BASE, _base),
         reproduced("Table A-1, distances from its uplifts", _edges_of_table_a1),

@@ -1,7 +1,7 @@
 """Checks of 4-27 to 4-31, 4-39 and 4-41 to 4-43: the equivalent oscillator of the wall."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 
 import numpy as np
 import sympy as sp
@@ -11,24 +11,16 @@ from sympy import cos, sin
 from rockeom.analysis.formulas.controlled_wall import Wall, peak_sequence
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks import wall
+from rockeom.thesis.checks import check, wall
 from rockeom.thesis.checks.chapter_4_free_vibration import restoring_force
-from rockeom.thesis.checks.check import (
-    Check,
-    Finding,
-    close,
-    derived,
-    reproduced,
-    transcribed,
-    vanishes,
-)
+from rockeom.thesis.checks.check import Finding, Findings, close, derived, reproduced, vanishes
 from rockeom.thesis.equation import BOTH, Equation
 from rockeom.thesis.wall_tests import back_calculated_force, energy_ratio_4_31, harmonic_force
 
 # --- 4-27 to 4-30: the equation of motion and its forces
 
 
-def _oscillator(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _oscillator(equation: Equation, relation: sp.Eq) -> Findings:
     """Check Lagrange's equation of the mass with the power of the other two forces."""
     path, V = sp.Function("Delta")(th.t), sp.Function("V")
     lagrangian = th.M_e * path.diff(th.t) ** 2 / 2 - V(path)
@@ -38,7 +30,7 @@ def _oscillator(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
     yield vanishes("Lagrange's equation minus thesis", rest, sp.simplify)
 
 
-def _passage(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _passage(equation: Equation, relation: sp.Eq) -> Findings:
     """M_e v dv/dx = -F_Damp on the left of 4-27: separable, with ln(v) = -int F/(M_e v**2) dx."""
     (motion,) = EQUATIONS["4-27"].right
     force = sp.solve(motion.lhs.subs({th.F_k: 0, th.F_damp: relation.rhs}), th.Delta_dd)[0]
@@ -50,7 +42,7 @@ def _passage(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
         yield vanishes(what, sp.exp(growth) - sp.sqrt(th.r), sp.simplify)
 
 
-def _peaks_of_constant_r(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _peaks_of_constant_r(equation: Equation, *relations: sp.Eq) -> Findings:
     """Compare the peaks of 4-27, integrated with the force, with their closed form."""
     force = relations[0].rhs
     reference = peak_sequence(
@@ -103,7 +95,7 @@ def peaks_of_oscillator(
     return computed
 
 
-def _push(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _push(equation: Equation, relation: sp.Eq) -> Findings:
     """Check 4-29 by the moments of weight, tendon and push in equilibrium about a fixed O."""
     lever, load, pull, turn = sp.symbols("b mg P dtheta", positive=True)
     angle = sp.Symbol("theta", positive=True)
@@ -125,7 +117,7 @@ def _push(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
     yield vanishes("thesis with the force by moments", half, sp.simplify)
 
 
-def _gradient(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _gradient(equation: Equation, relation: sp.Eq) -> Findings:
     (work,) = EQUATIONS["4-29"].right
     (force,) = sp.solve(work.lhs - work.rhs, th.F_k)
     names = {th.dU: sp.Function("U"), th.dU_E: sp.Function("U_E")}
@@ -152,7 +144,7 @@ def _gradient(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
 # --- 4-31: energy ratio by bands of the speed
 
 
-def _one_band_for_each_speed(bands: sp.Piecewise, jumps: Iterable[float]) -> Iterator[Finding]:
+def _one_band_for_each_speed(bands: sp.Piecewise, jumps: Iterable[float]) -> Findings:
     """Check that the bands meet at the stated speeds and do not overlap."""
     inside = [sp.lambdify(th.Delta_d, condition, "math") for _, condition in bands.args]
     for band, speed in enumerate(jumps):
@@ -165,7 +157,7 @@ def _one_band_for_each_speed(bands: sp.Piecewise, jumps: Iterable[float]) -> Ite
 def bands(function: Callable, jumps: dict[float, float]) -> Callable:
     """Check a fit of r by bands of the speed: its values, and the jumps that the text states."""
 
-    def find(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+    def find(equation: Equation, relation: sp.Eq) -> Findings:
         yield from _one_band_for_each_speed(relation.rhs, jumps)
         stated = sp.lambdify(th.Delta_d, relation.rhs, "math")
         ends = [speed + aside for speed in jumps for aside in (-1e-6, 1e-6)]
@@ -181,7 +173,7 @@ def bands(function: Callable, jumps: dict[float, float]) -> Callable:
     return find
 
 
-def _simulated_decay(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _simulated_decay(equation: Equation, *relations: sp.Eq) -> Findings:
     """Compare 4-27 with F_k 6 % larger, as in Figure 4-37, with the peaks of Table A-1."""
     stated = sp.lambdify(th.Delta_d, relations[0].rhs, "math")
     computed = peaks_of_oscillator(wall.right("4-28"), stated, wall.FALL, 13, stiffer=1.06)
@@ -193,7 +185,7 @@ def _simulated_decay(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]
 # --- 4-39, 4-41 to 4-43: base excitation
 
 
-def _driving_force(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _driving_force(equation: Equation, relation: sp.Eq) -> Findings:
     """Check the work of -m a_g at the centroid for a change of Delta, upright, with M_e as m."""
     lever = sp.Dummy("b", positive=True)
     moved = wall.turned(1, lever, th.H_c)[0]
@@ -205,7 +197,7 @@ def _driving_force(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
     yield close("excess of the thesis", size, 0.122, 5e-4)
 
 
-def _newton(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _newton(equation: Equation, relation: sp.Eq) -> Findings:
     """Check Newton's second law with the total acceleration."""
     rest = th.M_e * (th.Delta_dd + th.a_g) + th.F_k + th.F_D - (relation.lhs - relation.rhs)
     yield vanishes("Newton's equation minus thesis", rest, sp.expand)
@@ -215,7 +207,7 @@ def _newton(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
     yield vanishes("4-27 with 4-39 minus thesis", rest, sp.expand)
 
 
-def _at_rest(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _at_rest(equation: Equation, *relations: sp.Eq) -> Findings:
     (motion,) = EQUATIONS["4-41"].right
     (force,) = sp.solve((motion.lhs - motion.rhs).subs(th.F_D, 0), th.F_k)
     yield vanishes("4-41 without damping minus thesis", force - relations[0].rhs, sp.expand)
@@ -224,7 +216,7 @@ def _at_rest(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
     yield close("against rockeom.analysis", float(stated), reference, 1e-9)
 
 
-def _harmonic(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _harmonic(equation: Equation, relation: sp.Eq) -> Findings:
     (motion,) = EQUATIONS["4-27"].right
     ground = th.Z * sin(2 * sp.pi * 8 * th.t)
     rest = (motion.lhs - motion.rhs).subs(th.P_e, wall.right("4-39").subs(th.a_g, ground))
@@ -239,7 +231,7 @@ def _harmonic(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
 
 # --- the checks of each equation
 
-CHECKS: dict[str, Check | tuple[Check, ...]] = {
+CHECKS: check.Checks = {
     "4-27": derived("Lagrange's equation", _oscillator),
     "4-28": (
         derived("the velocity after one passage, in 4-27", _passage),
@@ -248,7 +240,7 @@ CHECKS: dict[str, Check | tuple[Check, ...]] = {
     "4-29": derived("moments about O", _push),
     "4-30": derived("4-29", _gradient),
     "4-31": (
-        transcribed(
+        check.transcribed(
             "bands of the speed and their jumps",
             bands(energy_ratio_4_31, {0.3: -0.04 - 0.3 / 45, 0.47: 0.042, 0.78: 0.098}),
         ),

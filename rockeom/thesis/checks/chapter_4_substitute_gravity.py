@@ -1,7 +1,7 @@
 """Checks of 4-32 to 4-38 and 4-40: the wall as a rocking block with substitute gravity."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -11,18 +11,10 @@ from sympy import cos, sin
 
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks import wall
+from rockeom.thesis.checks import check, wall
 from rockeom.thesis.checks.approximations import taylor
 from rockeom.thesis.checks.chapter_4_oscillator import bands
-from rockeom.thesis.checks.check import (
-    Check,
-    Finding,
-    close,
-    derived,
-    reproduced,
-    transcribed,
-    vanishes,
-)
+from rockeom.thesis.checks.check import Finding, Findings, close, derived, transcribed, vanishes
 from rockeom.thesis.equation import BOTH, Equation
 from rockeom.thesis.wall_tests import energy_ratio_4_36, energy_ratio_4_38
 
@@ -42,7 +34,7 @@ def at_side(expr: sp.Expr, side: int) -> sp.Expr:
     return sp.expand(sp.expand_trig(expr.replace(sp.sign, lambda _: sp.Integer(side))))
 
 
-def _block(equation: Equation, motion: sp.Eq, *ground: sp.Eq) -> Iterator[Finding]:
+def _block(equation: Equation, motion: sp.Eq, *ground: sp.Eq) -> Findings:
     stated = motion.lhs - motion.rhs
     weight = th.m * th.g + th.P_tendon
     for side in equation.sides:
@@ -57,7 +49,7 @@ def _block(equation: Equation, motion: sp.Eq, *ground: sp.Eq) -> Iterator[Findin
         yield vanishes("thesis minus moments about O", at_side(whole - exact, side), sp.simplify)
 
 
-def _tendon_as_weight(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _tendon_as_weight(equation: Equation, *relations: sp.Eq) -> Findings:
     """The tendon pulls on the mouth of its duct; its lever is B cos(theta/2)."""
     for side in equation.sides:
         angle = sp.Dummy("angle", positive=True)
@@ -72,14 +64,14 @@ def _tendon_as_weight(equation: Equation, *relations: sp.Eq) -> Iterator[Finding
     yield close("the same at 30.41 mm, over B", size, 0.0534, 1e-4)
 
 
-def _top_of_wall(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _top_of_wall(equation: Equation, *relations: sp.Eq) -> Findings:
     for side in equation.sides:
         rest = relations[0].rhs - wall.turned(side, sp.S.Zero, th.H)[0]
         yield vanishes("thesis minus the displacement of the point above O", rest, sp.simplify)
 
 
 def _rate(order: int) -> Callable:
-    def find(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+    def find(equation: Equation, *relations: sp.Eq) -> Findings:
         path = sp.Function("theta")(th.t)
         rate = wall.right("4-33").subs(th.theta, path).diff(th.t, order)
         at_once = {path.diff(th.t, 2): th.theta_dd, path.diff(th.t): th.theta_d}
@@ -129,7 +121,7 @@ def peaks_of_block(
     return sizes, speeds
 
 
-def _linear_ratio(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _linear_ratio(equation: Equation, *relations: sp.Eq) -> Findings:
     stated = sp.lambdify(th.Delta_d, relations[0].rhs, "math")
     for speed in (0.1, 0.34, 0.78):
         for way in BOTH:
@@ -140,7 +132,7 @@ def _linear_ratio(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
     yield close("r = 0.91 is reached at, in m/s", (0.91 - stated(0.0)) / slope, 1.02, 0.005)
 
 
-def _block_decay(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _block_decay(equation: Equation, *relations: sp.Eq) -> Findings:
     """Compare 4-32 with impacts, as in Figure 4-43, with the peaks of Table A-1."""
     stated = sp.lambdify(th.Delta_d, relations[0].rhs, "math")
     reference = wall.sizes_of_peaks()
@@ -157,7 +149,7 @@ def _block_decay(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
     yield close("fastest passage in m/s", fastest, 0.87, 0.005)
 
 
-def _moving_decay(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
+def _moving_decay(equation: Equation, *relations: sp.Eq) -> Findings:
     """Compare 4-32 with 4-37 and impacts, as in Figure 4-45, with the first peaks of Table A-1."""
     stated = sp.lambdify(th.Delta_d, relations[0].rhs, "math")
     reference = wall.sizes_of_peaks()[:PEAKS]
@@ -169,7 +161,7 @@ def _moving_decay(equation: Equation, *relations: sp.Eq) -> Iterator[Finding]:
 # --- 4-37: the centre of rotation
 
 
-def _moving_lever(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
+def _moving_lever(equation: Equation, relation: sp.Eq) -> Findings:
     """Check the assumption: from the centreline to the edge, in the course of 4-7."""
     far = relation.rhs.subs(th.Delta, sp.oo)
     yield vanishes("once rocking is developed, minus B", far - wall.HALF_WIDTH)
@@ -182,7 +174,7 @@ def _moving_lever(equation: Equation, relation: sp.Eq) -> Iterator[Finding]:
 
 # --- the checks of each equation
 
-CHECKS: dict[str, Check | tuple[Check, ...]] = {
+CHECKS: check.Checks = {
     "4-32": (
         derived("moments about O", _block),
         derived(
@@ -197,11 +189,11 @@ CHECKS: dict[str, Check | tuple[Check, ...]] = {
     "4-35": derived("second derivative of 4-33", _rate(2)),
     "4-36": (
         transcribed("its numbers, and those of the words", _linear_ratio),
-        reproduced("peaks of Table A-1, as in Figure 4-43", _block_decay),
+        check.reproduced("peaks of Table A-1, as in Figure 4-43", _block_decay),
     ),
     "4-37": derived("its assumption, in the course of 4-7", _moving_lever),
     "4-38": (
-        reproduced("peaks of Table A-1, as in Figure 4-45", _moving_decay),
+        check.reproduced("peaks of Table A-1, as in Figure 4-45", _moving_decay),
         transcribed(
             "bands of the speed and their jumps",
             bands(energy_ratio_4_38, {0.365: 0.0, 0.47: 0.04, 0.78: 0.09}),

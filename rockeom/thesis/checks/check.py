@@ -1,6 +1,6 @@
 """Checks of an equation: findings on its printed form, and on the corrected one."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any
@@ -41,7 +41,8 @@ class Finding:
     comparable: bool = True
 
 
-Find = Callable[..., Iterable[Finding]]
+Findings = Iterator[Finding]
+Find = Callable[..., Findings]
 """Function of an equation and each of its relations."""
 
 
@@ -67,6 +68,10 @@ class Check:
     route: str
     find: Find
     error: str = ""
+
+
+Checks = dict[str, Check | tuple[Check, ...]]
+"""Checks of equations by their numbers."""
 
 
 def derived(route: str, find: Find, error: str = "") -> Check:

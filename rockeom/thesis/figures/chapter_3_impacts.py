@@ -12,15 +12,8 @@ from rockeom.analysis.identification import Impacts
 from rockeom.plots import style
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.figures.chapter_3 import (
-    BLOCK,
-    R_HOUSNER,
-    RUNS,
-    SHAPE,
-    SPRING,
-    measured_impacts,
-    record,
-)  # fmt: skip
+from rockeom.thesis.figures import chapter_3
+from rockeom.thesis.figures.chapter_3 import BLOCK, R_HOUSNER, RUNS, SHAPE, measured_impacts, record
 from rockeom.thesis.figures.chapter_3_forces import WINDOW, calm_record
 from rockeom.thesis.figures.drawn import OPEN, Source, thesis_axes, thesis_panels
 
@@ -34,7 +27,7 @@ def corrected_impacts(release: float, seed: int) -> tuple[Impacts, Impacts]:
     data = record(release, seed, spring=True)
     plain = Impacts.of_record(data, BLOCK)
     chosen = plain.energy_before >= THRESHOLD
-    corrected = Impacts.of_record(data, BLOCK, rotational_stiffness=SPRING)
+    corrected = Impacts.of_record(data, BLOCK, rotational_stiffness=chapter_3.SPRING)
     return plain.select(chosen), corrected.select(chosen)
 
 

@@ -7,18 +7,8 @@ import numpy as np
 from rockeom.analysis import formulas, identification
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.figures.chapter_3 import (
-    BLOCK,
-    PRINTED_HOUSNER,
-    R_HOUSNER,
-    RUNS,
-    SHAPE,
-    housner,
-    measured_impacts,
-    points,
-    record,
-    release_delay,
-)
+from rockeom.thesis.figures import chapter_3 as figures
+from rockeom.thesis.figures.chapter_3 import BLOCK, PRINTED_HOUSNER, R_HOUSNER, measured_impacts
 from rockeom.thesis.figures.chapter_3_forces import impact_forces
 from rockeom.thesis.figures.chapter_3_impacts import (
     THRESHOLD,
@@ -47,7 +37,7 @@ _POINTS = st.printed("Figure 3-3, thirteen points")
     figure="3-3",
 )  # fmt: skip
 def quarters_of_figure_3_3() -> st.Finding:
-    quarters = np.diff(points()[0])[::2]
+    quarters = np.diff(figures.points()[0])[::2]
     ratio = float((quarters[1:] / quarters[:-1]).max())
     return st.finding(ratio, f"{', '.join(f'{q:.3f}' for q in quarters)} s")
 
@@ -59,7 +49,7 @@ def quarters_of_figure_3_3() -> st.Finding:
     figure="3-4", lost=_TRACES,
 )  # fmt: skip
 def points_of_a_record() -> st.Finding:
-    scored = points_by_score(record(), "theta")
+    scored = points_by_score(figures.record(), "theta")
     n = len(scored.peaks) + len(scored.crossings)
     return st.finding(n, f"{len(scored.peaks)} peaks and {len(scored.crossings)} crossings in kind")
 
@@ -95,7 +85,7 @@ def sign_of_the_error_of_2_5() -> st.Finding:
 
 def _errors_of_quarters() -> np.ndarray:
     """Relative errors of 2-5 at the twelve quarters of Figure 3-3."""
-    time, rotation = points()
+    time, rotation = figures.points()
     peaks = np.abs(np.where(rotation[:-1] != 0, rotation[:-1], rotation[1:]))
     predicted = formulas.quarter_period(peaks / BLOCK.alpha, BLOCK.frequency_parameter)
     return predicted / np.diff(time) - 1
@@ -109,9 +99,9 @@ def _errors_of_quarters() -> np.ndarray:
     figure="3-6",
 )  # fmt: skip
 def crossings_with_less_restitution() -> st.Finding:
-    measured = points()[0][1::2] - release_delay()
+    measured = figures.points()[0][1::2] - figures.release_delay()
     off = [
-        float(np.abs([hit.time for hit in housner(r, 14.0).impacts[:6]] - measured).max())
+        float(np.abs([hit.time for hit in figures.housner(r, 14.0).impacts[:6]] - measured).max())
         for r in (PRINTED_HOUSNER, 0.88 * PRINTED_HOUSNER)
     ]
     return st.finding(
@@ -128,7 +118,7 @@ def crossings_with_less_restitution() -> st.Finding:
 )  # fmt: skip
 def end_with_less_restitution() -> st.Finding:
     ends = [
-        housner(r, 14.0).events.rest_time or math.inf
+        figures.housner(r, 14.0).events.rest_time or math.inf
         for r in (PRINTED_HOUSNER, 0.88 * PRINTED_HOUSNER)
     ]
     return st.finding(ends[1] / ends[0], f"at {ends[1]:.1f} s instead of {ends[0]:.1f} s")
@@ -143,7 +133,7 @@ def end_with_less_restitution() -> st.Finding:
 )  # fmt: skip
 def speed_at_the_second_impact() -> st.Finding:
     own = float(abs(measured_impacts().speed[1]))
-    predicted = abs(housner(PRINTED_HOUSNER, 14.0).impacts[1].before["theta_dot"])
+    predicted = abs(figures.housner(PRINTED_HOUSNER, 14.0).impacts[1].before["theta_dot"])
     return st.finding(
         own / predicted,
         f"from the printed peaks, without another energy, {own:.3f} rad/s; predicted "
@@ -161,7 +151,7 @@ def speed_at_the_second_impact() -> st.Finding:
     figure="3-7", lost=_TRACES,
 )  # fmt: skip
 def rate_by_resampling() -> st.Finding:
-    again = record().velocities_by_resampling("theta", 0.05)
+    again = figures.record().velocities_by_resampling("theta", 0.05)
     return st.finding(
         again.spread / again.noise,
         f"in kind, the rate at half and twice the sampling is off by {again.spread:.4f} rad/s "
@@ -176,7 +166,7 @@ def rate_by_resampling() -> st.Finding:
     figure="3-8",
 )  # fmt: skip
 def kinetic_energy_after_an_impact() -> st.Finding:
-    first = housner(R_HOUSNER).impacts[0]
+    first = figures.housner(R_HOUSNER).impacts[0]
     after = float(BLOCK.energies(first.after, mode="left")["kinetic_energy"])
     ratio = after / float(BLOCK.energies(first.before, mode="right")["kinetic_energy"])
     return st.finding(ratio, f"{ratio:.9f} of it, with r = {R_HOUSNER:.6f}")
@@ -225,9 +215,11 @@ def rotation_of_the_threshold() -> st.Finding:
     figure="3-13", lost="the speed of the typical run of Table 3-1 is not printed",
 )  # fmt: skip
 def baseline_of_table_3_1() -> st.Finding:
-    first = housner(R_HOUSNER, 14.0).impacts[0]
+    first = figures.housner(R_HOUSNER, 14.0).impacts[0]
     speed = abs(first.before["theta_dot"])
-    horizontal, vertical = formulas.block_reactions_at_impact(speed, 1, slender=True, **SHAPE)
+    horizontal, vertical = formulas.block_reactions_at_impact(
+        speed, 1, slender=True, **figures.SHAPE
+    )
     v, h = float(vertical) / 1e3, abs(float(horizontal)) / 1e3
     return st.finding([v, h], f"{v:.3f} and {h:.3f} kN at {speed:.3f} rad/s")
 
@@ -239,7 +231,7 @@ def baseline_of_table_3_1() -> st.Finding:
     figure="3-13",
 )  # fmt: skip
 def limit_of_the_vertical_force() -> st.Finding:
-    h, v = formulas.block_reactions_at_impact(0.0, 1, slender=True, **SHAPE)
+    h, v = formulas.block_reactions_at_impact(0.0, 1, slender=True, **figures.SHAPE)
     weight = BLOCK.mass * BLOCK.gravity
     return st.finding(
         float(v) / weight,
@@ -252,7 +244,7 @@ def _support_forces() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Speeds of impacts up to the largest [rad/s], with the forces H and V [N], (201,) each."""
     most = float(formulas.impact_speed(BLOCK.alpha, alpha=BLOCK.alpha, radius=BLOCK.radius))
     speed = np.linspace(0.0, most, 201)
-    return speed, *formulas.block_reactions_at_impact(speed, 1, slender=True, **SHAPE)
+    return speed, *formulas.block_reactions_at_impact(speed, 1, slender=True, **figures.SHAPE)
 
 
 @statement(
@@ -361,7 +353,7 @@ def restitution_by_foot() -> st.Finding:
 def effect_of_the_correction() -> st.Finding:
     changes = [
         np.abs(corrected.energy_ratio - plain.energy_ratio)
-        for plain, corrected in (corrected_impacts(*run) for run in RUNS)
+        for plain, corrected in (corrected_impacts(*run) for run in figures.RUNS)
     ]
     first = max(float(x[0]) for x in changes)
     later = max(float(x[2:].max()) for x in changes)

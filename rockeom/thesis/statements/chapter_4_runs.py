@@ -12,13 +12,9 @@ import numpy as np
 import rockeom as rk
 from rockeom.analysis import identification
 from rockeom.thesis import shaken
+from rockeom.thesis.figures import chapter_4_shaken
 from rockeom.thesis.figures.chapter_4_runs import CONSTANT, displacement, oscillator_run
-from rockeom.thesis.figures.chapter_4_shaken import (
-    MEASURED_PEAK,
-    peaks_by_ratio,
-    settled_speeds,
-    trials,
-)
+from rockeom.thesis.figures.chapter_4_shaken import MEASURED_PEAK, peaks_by_ratio, settled_speeds
 from rockeom.thesis.figures.chapter_4_tests import BESIDE, settled
 from rockeom.thesis.figures.chapter_4_wall import legible
 from rockeom.thesis.free_vibration_table import WALL
@@ -196,7 +192,7 @@ def run_4_with_a_constant_ratio() -> st.Finding:
     figure="4-70", lost=_TABLE,
 )  # fmt: skip
 def trials_of_run_4() -> st.Finding:
-    peaks = {name: 1e3 * float(run.peak) for name, run in trials().items()}
+    peaks = {name: 1e3 * float(run.peak) for name, run in chapter_4_shaken.trials().items()}
     error = min(abs(x / (1e3 * abs(MEASURED_PEAK)) - 1) for x in peaks.values())
     return st.finding(error, ", ".join(f"{name} {x:.1f} mm" for name, x in peaks.items()))
 
