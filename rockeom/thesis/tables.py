@@ -139,13 +139,7 @@ def _forces_at_impact() -> list[Row]:
 
 
 def _scaled_motions() -> list[Row]:
-    forces = dict(
-        zip(
-            printed.TABLE_4_2.column("run"),
-            printed.TABLE_4_2.column("tendon force before"),
-            strict=True,
-        )
-    )
+    forces = printed.TABLE_4_2.by_row("tendon force before")
     whole: dict[Cell, Row] = {}
     for row in printed.TABLE_4_1.rows:
         if row[5] == 1.0:
@@ -189,9 +183,7 @@ def _shaken_walls_with_more_prestress() -> list[Row]:
 
 def _with_peaks(table: PrintedTable, *simulations: Callable[[str], Any]) -> list[Row]:
     """Columns in threes: measured, and the peaks of two simulations where there is a record."""
-    measured = dict(
-        zip(printed.TABLE_4_2.column("run"), printed.TABLE_4_2.column(_LARGEST), strict=True)
-    )
+    measured = printed.TABLE_4_2.by_row(_LARGEST)
     rows: list[Row] = []
     for run, *_ in table.rows:
         runs = [_if_recorded(simulate, str(run)) for simulate in simulations]
@@ -214,9 +206,7 @@ def _if_recorded(simulate: Callable[[str], Any], run: str) -> Any:
 
 def _measured_displacements(table: PrintedTable, *runs: tuple[str, ...]) -> list[Row]:
     """The first columns after the name by Table 4-2, one for each row of `runs`."""
-    measured = dict(
-        zip(printed.TABLE_4_2.column("run"), printed.TABLE_4_2.column(_LARGEST), strict=True)
-    )
+    measured = printed.TABLE_4_2.by_row(_LARGEST)
     return [
         (row[0], *cells, *(None for _ in row[1 + len(cells) :]))
         for row, cells in zip(

@@ -275,17 +275,20 @@ def figure_3_7(figure: Figure) -> None:
 # --- energy
 
 
-def draw_energies(
-    ax: Axes, time: np.ndarray, curves: list[tuple[str, np.ndarray, dict[str, Any]]]
-) -> None:
-    for label, energy, line in curves:
-        ax.plot(time, energy, label=label, **line)
+CURVES: dict[str, dict[str, Any]] = {
+    "potential": {"label": "potential $U$", "color": style.LINES[0], "lw": 0.9},
+    "kinetic": {"label": "kinetic $E_k$", "color": style.LINES[2], "lw": 0.9},
+    "spring": {"label": "spring", "color": style.LINES[3], "lw": 0.9},
+    "total": {"label": "total", "color": style.LINES[1], "lw": 1.2},
+    "alone": {"label": "without the spring", "color": style.LINES[1], "lw": 0.8, "ls": ":"},
+}
+
+
+def draw_energies(ax: Axes, time: np.ndarray, rows: np.ndarray, **energies: np.ndarray) -> None:
+    """Energies (n,) by their names in `CURVES`, of some rows."""
+    for name, energy in energies.items():
+        ax.plot(time[rows], energy[rows], **CURVES[name])
     ax.set(xlabel="time [s]", ylabel="energy [J]", ylim=(0, None))
-
-
-POTENTIAL = {"color": style.LINES[0], "lw": 0.9}
-KINETIC = {"color": style.LINES[2], "lw": 0.9}
-TOTAL = {"color": style.LINES[1], "lw": 1.2}
 
 
 @thesis_axes(Source.COMPUTED, 7.0, 3.2)
@@ -298,15 +301,7 @@ def figure_3_8(ax: Axes) -> None:
     upright = BLOCK.energies({}, mode="both")["gravitational_energy"]
     end = run.t <= run.impacts[1].time + 0.4
     potential, kinetic = run["gravitational_energy"] - upright, run["kinetic_energy"]
-    draw_energies(
-        ax,
-        run.t[end],
-        [
-            ("potential $U$", potential[end], POTENTIAL),
-            ("kinetic $E_k$", kinetic[end], KINETIC),
-            ("total", (potential + kinetic)[end], TOTAL),
-        ],
-    )
+    draw_energies(ax, run.t, end, potential=potential, kinetic=kinetic, total=potential + kinetic)
     first = run.impacts[0].time
     peak = run.t[np.argmin(np.where(run.t < run.impacts[1].time, run["theta"], np.inf))]
     start = potential[0]
@@ -337,15 +332,8 @@ def figure_3_9(ax: Axes) -> None:
     """
     derived, energies = energies_in_kind()
     end = derived.time < 3
-    draw_energies(
-        ax,
-        derived.time[end],
-        [
-            ("potential $U$", energies.gravity[end], POTENTIAL),
-            ("kinetic $E_k$", energies.kinetic[end], KINETIC),
-            ("total", energies.total[end], TOTAL),
-        ],
-    )
+    parts = {"potential": energies.gravity, "kinetic": energies.kinetic}
+    draw_energies(ax, derived.time, end, **parts, total=energies.total)
     start = float(identification.static_energy(BLOCK, np.radians(7.876)))
     ax.axhline(start, color=style.INK, lw=0.7, ls="--", label="at the release")
     style.legend_above(ax)
@@ -362,15 +350,7 @@ def figure_3_10(ax: Axes) -> None:
     fit = identification.fitted_rotational_spring(derived, BLOCK, count=5)
     stored = formulas.spring_energy(derived["theta"], fit.stiffness)
     end = derived.time < 3
-    draw_energies(
-        ax,
-        derived.time[end],
-        [
-            ("potential $U$", energies.gravity[end], POTENTIAL),
-            ("kinetic $E_k$", energies.kinetic[end], KINETIC),
-            ("spring", stored[end], {"color": style.LINES[3], "lw": 0.9}),
-            ("total", (energies.total + stored)[end], TOTAL),
-            ("without the spring", energies.total[end], TOTAL | {"ls": ":", "lw": 0.8}),
-        ],
-    )
+    parts = {"potential": energies.gravity, "kinetic": energies.kinetic, "spring": stored}
+    total, alone = energies.total + stored, energies.total
+    draw_energies(ax, derived.time, end, **parts, total=total, alone=alone)
     style.legend_above(ax)

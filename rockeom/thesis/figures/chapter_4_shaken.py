@@ -20,7 +20,7 @@ from rockeom.analysis import design, dynamics, formulas
 from rockeom.plots import style
 from rockeom.thesis.figures.chapter_2_blocks import draw_branch
 from rockeom.thesis.figures.chapter_4_wall import overview_and_origin, symmetric
-from rockeom.thesis.figures.drawn import MM, Source, thesis_figure, thesis_panels
+from rockeom.thesis.figures.drawn import MM, Source, thesis_panels
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.shaken import oscillator_of, wall_motion
 from rockeom.thesis.wall_tests import back_calculated_force, energy_ratio_4_31
@@ -54,8 +54,8 @@ def forces_when_still(run: rk.Response) -> tuple[np.ndarray, np.ndarray]:
     return displacement, force
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_69() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.6, 3.4)
+def figure_4_69(figure: Figure) -> None:
     """The static restoring force, 4-30, and the force by 4-42 from a dynamic response.
 
     The traces are lost. `ControlledWall` replaces them, the wall by Lagrange's equations with all
@@ -64,7 +64,7 @@ def figure_4_69() -> Figure:
     below the curve with its prestress. M_e is the whole mass, as in the thesis.
     """
     motion = wall_motion("4")
-    figure, left, right = overview_and_origin()
+    left, right = overview_and_origin(figure)
     parts = []
     for scale, mark, color in ((1.0, "o", style.LINES[1]), (1.4, "^", style.LINES[2])):
         run = rk.simulate(
@@ -84,7 +84,6 @@ def figure_4_69() -> Figure:
         ax.set_xlim(-far * MM, far * MM)
     left.set_ylabel("restoring force $F_k$ [kN]")
     left.legend(loc="upper left", fontsize=7.5)
-    return figure
 
 
 # --- trials of 4.9.1.4

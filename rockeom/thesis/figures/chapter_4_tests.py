@@ -22,7 +22,7 @@ from rockeom.thesis.figures.chapter_4_runs import displacement, oscillator_run
 from rockeom.thesis.figures.chapter_4_shaken import CYCLES, forces_when_still
 from rockeom.thesis.figures.chapter_4_spectra import NOISE, RATE
 from rockeom.thesis.figures.chapter_4_wall import draw_measured, overview_and_origin, symmetric
-from rockeom.thesis.figures.drawn import MM, Source, thesis_axes, thesis_figure
+from rockeom.thesis.figures.drawn import MM, Source, thesis_axes, thesis_figure, thesis_panels
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.printed import TABLE_4_2
 
@@ -311,15 +311,15 @@ def draw_read(ax: Axes, quantity: str, unit: float) -> None:
     ax.set_xlabel(r"displacement $|\Delta|$ [mm]")
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_57() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.6, 3.4)
+def figure_4_57(figure: Figure) -> None:
     """Uplifts of both edges against the displacement on the shaking table: 4-9 and Table 4-2.
 
     The measured uplifts of the tests are lost. Points are what Table 4-2 says of them: the uplift
     of the edge at the largest displacement of each test with 75 kN, by the extension of the tendon,
     without and with the bending of the wall. The band is 2.5 mm of sliding to either side of 4-9.
     """
-    figure, *axes = overview_and_origin()
+    axes = overview_and_origin(figure)
     b = WALL.half_width
     for ax, far in zip(axes, (0.032, 0.008), strict=True):
         d = symmetric(far + SPREAD)
@@ -340,11 +340,10 @@ def figure_4_57() -> Figure:
     axes[0].set_ylabel("uplift $u'$ [mm]")
     axes[0].legend(loc="upper center", fontsize=7.5)
     axes[1].set_ylim(-0.6, 4.0)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_58() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.6, 3.4)
+def figure_4_58(figure: Figure) -> None:
     """Tendon force against the displacement: 4-16, and the largest of each test in Table 4-2.
 
     The traces are lost; the thesis prints the largest displacement and the largest tendon force of
@@ -352,7 +351,7 @@ def figure_4_58() -> Figure:
     of the curve is 75.6 kN.
     """
     tests = rows_of_75_kn()
-    figure, *axes = overview_and_origin()
+    axes = overview_and_origin(figure)
     for ax, far in zip(axes, (0.032, 0.012), strict=True):
         d = symmetric(far + SPREAD)
         force = WALL.tendon_force(d) / 1e3
@@ -367,7 +366,6 @@ def figure_4_58() -> Figure:
     axes[0].set(ylabel="tendon force $P$ [kN]", ylim=(70, 165))
     axes[1].set_ylim(72, 115)
     axes[0].legend(loc="upper center", fontsize=7)
-    return figure
 
 
 @thesis_axes(Source.IN_KIND, 6.0, 3.6)
@@ -424,15 +422,15 @@ def figure_4_77(ax: Axes) -> None:
     ax.legend(loc="upper center", ncols=2, fontsize=7.5)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_78() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.6, 3.4)
+def figure_4_78(figure: Figure) -> None:
     """Restoring force with 75.6 and with 111 kN, and what 4-42 reads from a dynamic response.
 
     The traces are lost. Points are those of `ControlledWall` with 111 kN and r = 0.852 under the
     motions of runs 7 and 9, where the wall turns back, as in Figure 4-69. The tendon of both yields
     at the same force.
     """
-    figure, *axes = overview_and_origin()
+    axes = overview_and_origin(figure)
     for run, mark, color in (("7", "^", style.LINES[2]), ("9", "o", style.LINES[4])):
         response = rk.simulate(
             rk.ControlledWall.from_wall(shaken.wall_of(run)), shaken.wall_motion(run),
@@ -455,4 +453,3 @@ def figure_4_78() -> Figure:
         ax.set_xlim(-far * MM, far * MM)
     axes[0].set_ylabel("restoring force $F_k$ [kN]")
     axes[0].legend(loc="upper left", fontsize=7.5)
-    return figure

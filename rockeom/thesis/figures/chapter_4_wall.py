@@ -17,7 +17,7 @@ from matplotlib.figure import Figure
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import free_body as fb, style
-from rockeom.thesis.figures.drawn import MM, OPEN, Source, thesis_axes, thesis_figure, thesis_panels
+from rockeom.thesis.figures.drawn import MM, OPEN, Source, thesis_axes, thesis_panels
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.wall_tests import back_calculated_force, quarter_period_fit
 
@@ -73,14 +73,13 @@ def symmetric(largest: float, number: int = 1201) -> np.ndarray:
     return largest * s * np.abs(s)
 
 
-def overview_and_origin(width: float = 7.6) -> tuple[Figure, Axes, Axes]:
-    """A figure of two axes side by side: all displacements, and those about zero."""
-    figure = style.new_figure(width, 3.4)
+def overview_and_origin(figure: Figure) -> tuple[Axes, Axes]:
+    """Two axes side by side: all displacements, and those about zero."""
     left, right = figure.subplots(1, 2)
     for ax, title in ((left, "a) all displacements"), (right, "b) about upright")):
         ax.set_title(title, fontsize=9)
         ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    return figure, left, right
+    return left, right
 
 
 # --- the rotation centre, the uplift and the tendon
@@ -113,14 +112,14 @@ def figure_4_17(ax: Axes) -> None:
     ax.legend(loc="upper left", fontsize=7.5)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_18() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.6, 3.4)
+def figure_4_18(figure: Figure) -> None:
     """Uplift of both edges of the base against the displacement: 4-9 and Table A-1.
 
     The curve of 4-9 continues to the pressed edge, whose uplift it makes -(B - b) sin(theta).
     """
     measured = identification.FreeVibration.table_a1()
-    figure, *axes = overview_and_origin()
+    axes = overview_and_origin(figure)
     b = WALL.half_width
     chosen = legible()
     for ax, far in zip(axes, (0.032, 0.005), strict=True):
@@ -140,7 +139,6 @@ def figure_4_18() -> Figure:
     axes[0].set_ylabel("uplift $u'$ [mm]")
     axes[0].legend(loc="upper center", fontsize=7.5)
     axes[1].set_xlim(-5, 5)
-    return figure
 
 
 def tilted_wall(ax: Axes, b: float, theta: float) -> dict[str, np.ndarray]:
@@ -239,8 +237,8 @@ def tendon_line(d: np.ndarray, start: float, factor: float) -> np.ndarray:
     return start + factor * WALL.tendons[0].stiffness * WALL.tendon_extension(d)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_20() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.6, 3.4)
+def figure_4_20(figure: Figure) -> None:
     """Force of the tendon against the displacement: 4-16 and Table A-1.
 
     With the stiffness of appendix B, an unstressed length of 3093.5 mm; 4-16 adds the extension
@@ -249,7 +247,7 @@ def figure_4_20() -> Figure:
     """
     measured = TendonOfTable.fitted()
     edge = replace(WALL, rotation_centre=formulas.RotationCentre.thesis_edge())
-    figure, *axes = overview_and_origin()
+    axes = overview_and_origin(figure)
     for ax, far in zip(axes, (0.032, 0.005), strict=True):
         d = symmetric(far)
         line = tendon_line(d, **measured.fit.values)
@@ -261,7 +259,6 @@ def figure_4_20() -> Figure:
     axes[0].set(ylabel="tendon force $P$ [kN]", ylim=(70, 175))
     axes[0].legend(loc="upper center", fontsize=7.5)
     axes[1].set(xlim=(-5, 5), ylim=(74, 88))
-    return figure
 
 
 # --- quarter periods and conservative motion
@@ -353,8 +350,8 @@ def figure_4_33(ax: Axes) -> None:
     ax.legend()
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_35() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.6, 3.4)
+def figure_4_35(figure: Figure) -> None:
     """Restoring force F_k of the wall against displacement, 4-30, and -M a at measured peaks.
 
     The force of 4-30 is the exact derivative of the energies, where the thesis has differences.
@@ -362,7 +359,7 @@ def figure_4_35() -> Figure:
     """
     measured = identification.FreeVibration.table_a1()
     rows = measured.at_peak & legible()
-    figure, left, right = overview_and_origin()
+    left, right = overview_and_origin(figure)
     stronger = analysis.Wall.thesis(111e3)
     for ax, far in ((left, 0.055), (right, 0.012)):
         d = symmetric(far)
@@ -395,4 +392,3 @@ def figure_4_35() -> Figure:
     )
     left.set_ylabel("restoring force $F_k$ [kN]")
     left.legend(loc="upper left", fontsize=7.5)
-    return figure
