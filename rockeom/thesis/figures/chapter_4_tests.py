@@ -124,10 +124,9 @@ def windows(run: str) -> tuple[analysis.MeasuredRecord, identification.MovingWin
     )
 
 
-def draw_windows(run: str, until: float) -> tuple[Figure, np.ndarray]:
-    """The trace and its spectrogram; the largest frequency of the windows that are shaken (n,)."""
+def draw_windows(figure: Figure, run: str, until: float) -> None:
+    """The trace and its spectrogram."""
     record, moving = windows(run)
-    figure = style.new_figure(7.2, 4.8)
     trace, ax = figure.subplots(2, 1, sharex=True, height_ratios=(1.0, 1.6))
     trace.plot(record.time, record["displacement"] * MM, lw=0.7)
     trace.set_ylabel(r"displacement $\Delta$ [mm]")
@@ -137,9 +136,14 @@ def draw_windows(run: str, until: float) -> tuple[Figure, np.ndarray]:
     ax.grid(visible=False)
     ax.set_xlim(0, until)
     style.legend_above(ax, markerscale=4)
+
+
+def frequencies(run: str, until: float) -> np.ndarray:
+    """The largest frequency of the windows that are shaken (n,) [Hz]."""
+    record, moving = windows(run)
     table = np.abs(np.interp(moving.time, record.time, envelope(record)))
     strong = (table > 0.1 * table.max()) & (moving.time < until)
-    return figure, moving.dominant[strong]
+    return moving.dominant[strong]
 
 
 def envelope(record: analysis.MeasuredRecord) -> np.ndarray:
@@ -153,13 +157,8 @@ def between(values: np.ndarray, low: float, high: float) -> float:
     return 100 * float(np.mean((values >= low) & (values <= high)))
 
 
-def of_el_centro(run: str, until: float) -> Figure:
-    figure, _ = draw_windows(run, until)
-    return figure
-
-
-@thesis_figure(Source.IN_KIND)
-def figure_4_52() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.2, 4.8)
+def figure_4_52(figure: Figure) -> None:
     """Moving window on test run 1: half of El Centro 180.
 
     Simulated by 4-27 with r of 4-31 and sampled as the tests were, 200 times a second, with noise
@@ -170,26 +169,25 @@ def figure_4_52() -> Figure:
     count as shaken where the table has more than a tenth of its largest mean acceleration. The
     oscillator cannot bend: its high frequencies are those of small turns about the middle.
     """
-    return of_el_centro("1", 30.0)
+    draw_windows(figure, "1", 30.0)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_53() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.2, 4.8)
+def figure_4_53(figure: Figure) -> None:
     """Moving window on test run 2: El Centro 180.
 
     As Figure 4-52. The caption is lost; the text has Figures 4-52 to 4-56 for the runs in order.
     """
-    return of_el_centro("2", 30.0)
+    draw_windows(figure, "2", 30.0)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_55() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.2, 4.8)
+def figure_4_55(figure: Figure) -> None:
     """Moving window on test run 4: Sylmar 360 in 0.6 of its time.
 
     As Figure 4-52, with the record that was meant in place of the table's own motion.
     """
-    figure, _ = draw_windows("4", 15.0)
-    return figure
+    draw_windows(figure, "4", 15.0)
 
 
 # --- sensitivity, section 4.9.1.5

@@ -16,7 +16,7 @@ from rockeom.analysis import design
 from rockeom.plots import style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
-from rockeom.thesis.figures.chapter_5_rigid import RUN_3, draw_decay, draw_shaken, released
+from rockeom.thesis.figures.chapter_5_rigid import draw_decay, draw_shaken, released
 from rockeom.thesis.figures.drawn import MM, Source, thesis_figure, thesis_panels
 
 MODEL_C = shaken.model_c()
@@ -107,9 +107,7 @@ def figure_5_43() -> Figure:
     Model C. The record and its scale are those of Figure 5-24.
     """
     run, rigid = shaken_column(), shaken.column_run("3", shaken.MODEL_A, 0.74)
-    return draw_shaken(
-        ("Model C", run), ("Model A", rigid), peak=float(RUN_3 or 0), uplift=run, end=4.5
-    )
+    return draw_shaken("3", ("Model C", run), ("Model A", rigid))
 
 
 @thesis_figure(Source.IN_KIND)

@@ -25,7 +25,8 @@ from rockeom.thesis.printed import COLUMN, GAUGE, TABLES
 WEIGHT = (COLUMN["mass"] + COLUMN["base_mass"]) * 9.81
 RATIOS = (0.74, 0.76, 0.78, 0.80, 0.82, 0.84)
 """Energy ratios of which Figure 5-32 seeks the best."""
-RUN_3, RUN_4 = (TABLES["5-1"].rows[i][2] for i in (2, 3))  # largest displacements [mm]
+END = {"3": 4.5, "4": 8.0}
+"""Until when runs of Table 5-1 are drawn [s]."""
 
 
 # --- releases
@@ -173,8 +174,9 @@ def figure_5_23() -> Figure:
 # --- shaken on steel feet
 
 
-def draw_shaken(*curves: tuple[str, Response], peak: float, uplift: Response, end: float) -> Figure:
-    """Displacements with the measured peak as a line, and the uplift of both feet."""
+def draw_shaken(number: str, *curves: tuple[str, Response]) -> Figure:
+    """Displacements in a run of Table 5-1, its measured peak, and the uplift of the first curve."""
+    peak = TABLES["5-1"].cell(number, "largest displacement")
     figure = style.new_figure(6.6, 4.6)
     top, below = figure.subplots(2, 1, sharex=True)
     for (label, run), color, line in zip(curves, style.LINES[0::3], ("-", "--"), strict=False):
@@ -184,8 +186,8 @@ def draw_shaken(*curves: tuple[str, Response], peak: float, uplift: Response, en
     top.plot([], [], ":", color=style.INK, lw=0.8, label="largest measured")
     top.set_ylabel("displacement [mm]")
     style.legend_above(top)
-    draw_uplifts(below, uplift)
-    below.set(xlabel="time [s]", xlim=(0, end))
+    draw_uplifts(below, curves[0][1])
+    below.set(xlabel="time [s]", xlim=(0, END[number]))
     return figure
 
 
@@ -222,7 +224,7 @@ def band(run: str, structure: rk.Structure, *ratios: float) -> np.ndarray:
 
 def run_3(r: float) -> Figure:
     run = shaken.column_run("3", shaken.MODEL_A, r)
-    return draw_shaken((f"Model A, r = {r:g}", run), peak=float(RUN_3 or 0), uplift=run, end=4.5)
+    return draw_shaken("3", (f"Model A, r = {r:g}", run))
 
 
 @thesis_figure(Source.IN_KIND)
@@ -425,8 +427,7 @@ def figure_5_34() -> Figure:
     component 164 would come near the displacement measured. Only that largest displacement of
     the measured trace is printed.
     """
-    run = run_4(shaken.model_b())
-    return draw_shaken(("Model B, 550 kN/m", run), peak=float(RUN_4 or 0), uplift=run, end=8.0)
+    return draw_shaken("4", ("Model B, 550 kN/m", run_4(shaken.model_b())))
 
 
 @thesis_figure(Source.IN_KIND)
@@ -436,9 +437,7 @@ def figure_5_35() -> Figure:
     As Figure 5-34.
     """
     run, soft = run_4(shaken.model_b(10e6)), run_4(shaken.model_b())
-    return draw_shaken(
-        ("Model B, 10 MN/m", run), ("550 kN/m", soft), peak=float(RUN_4 or 0), uplift=run, end=8.0
-    )
+    return draw_shaken("4", ("Model B, 10 MN/m", run), ("550 kN/m", soft))
 
 
 @thesis_figure(Source.IN_KIND)
@@ -448,6 +447,4 @@ def figure_5_36() -> Figure:
     As Figure 5-34.
     """
     run, cart = run_4(shaken.MODEL_A), run_4(shaken.model_b(10e6))
-    return draw_shaken(
-        ("Model A", run), ("Model B, 10 MN/m", cart), peak=float(RUN_4 or 0), uplift=run, end=8.0
-    )
+    return draw_shaken("4", ("Model A", run), ("Model B, 10 MN/m", cart))

@@ -303,7 +303,7 @@ def figure_of_the_typical_errors() -> st.Finding:
 
 def _shares(run: str, until: float) -> tuple[float, float]:
     """Parts of the shaken windows of a run from 3 to 5 and from 7 to 12 Hz [%]."""
-    _, dominant = figures.draw_windows(run, until)
+    dominant = figures.frequencies(run, until)
     return figures.between(dominant, 3, 5), figures.between(dominant, 7, 12)
 
 
