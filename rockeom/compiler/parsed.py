@@ -21,8 +21,6 @@ ANNOTATIONS: dict[str, Type] = {
     "Ints": Array(INT, 1), "Ints2": Array(INT, 2),
     "Duals": Array(DUAL, 1), "Duals2": Array(DUAL, 2), "Duals3": Array(DUAL, 3),
 }  # fmt: skip
-RULES = ("rule_of", "slope_of")
-"""Marks of a function that says the derivatives of the one that the mark names."""
 
 
 class Definition(NamedTuple):
@@ -99,7 +97,7 @@ class Texts(ABC):
         definition = Definition(tree, text, marks)
         self.definitions[text.name, name] = definition
         for mark in tree.decorator_list:
-            if isinstance(mark, ast.Call) and ast.unparse(mark.func) in RULES:
+            if isinstance(mark, ast.Call) and ast.unparse(mark.func) == "rule_of":
                 self.rules[ast.unparse(mark.args[0])] = definition
 
     @property

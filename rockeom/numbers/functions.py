@@ -129,7 +129,8 @@ IN_NUMPY = {
 IN_MATH = {name: here for here, name in IN_NUMPY.items()} | {"arctan2": "atan2"}
 """Names of `math` by those of NumPy."""
 
-_ARRAYS = SimpleNamespace(**{name: getattr(np, IN_NUMPY.get(name, name)) for name in CURVATURES})
+_NAMES = [function.__name__ for function in CURVATURES]
+_ARRAYS = SimpleNamespace(**{name: getattr(np, IN_NUMPY.get(name, name)) for name in _NAMES})
 
 
 def _of_arrays(derivative: Callable[..., Any]) -> Callable[[Any], Any]:
@@ -138,7 +139,9 @@ def _of_arrays(derivative: Callable[..., Any]) -> Callable[[Any], Any]:
 
 
 FUNCTIONS: dict[str, Derivatives] = {
-    name: Derivatives(vars(_ARRAYS)[name], _of_arrays(SLOPES[name]), _of_arrays(curvature))
-    for name, curvature in CURVATURES.items()
+    of.__name__: Derivatives(
+        vars(_ARRAYS)[of.__name__], _of_arrays(SLOPES[of]), _of_arrays(curvature)
+    )
+    for of, curvature in CURVATURES.items()
 } | {"fabs": Derivatives(np.abs, np.sign, lambda x: 0.0 * x)}
 """Functions by their names in `math`."""
