@@ -133,11 +133,12 @@ def _functions(node: ast.stmt) -> Iterator[ast.FunctionDef]:
     match node:
         case ast.FunctionDef():
             yield node
-        case ast.AnnAssign(target=ast.Name("SLOPES"), value=ast.Dict(keys, values)):
-            for key, slope in zip(keys, values, strict=True):
-                mark = ast.Call(ast.Name("rule_of"), [key], [])
-                body: list[ast.stmt] = [ast.Return(slope.body)]
-                function = ast.FunctionDef(f"{key.attr}_slope", slope.args, body, [mark])
+        case ast.AnnAssign(target=ast.Name("SLOPES"), value=ast.Dict(keys=keys, values=values)):
+            for of, slope in zip(keys, values, strict=True):
+                assert isinstance(of, ast.Attribute)
+                assert isinstance(slope, ast.Lambda)
+                mark, body = ast.Call(ast.Name("rule_of"), [of], []), ast.Return(slope.body)
+                function = ast.FunctionDef(f"{of.attr}_slope", slope.args, [body], [mark])
                 yield ast.copy_location(function, slope)
 
 

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
-from rockeom.numbers.functions import Compound
+from rockeom.numbers.functions import OPERATORS, Compound, boxed
 
 
 class Differs(BaseException):  # nothing is wrong, and `except Exception` must not keep it
@@ -57,8 +57,8 @@ class Many(NDArrayOperatorsMixin, Compound):
         return self if self.values.dtype == float else Many(self.values.astype(float))
 
     @classmethod
-    def of_function(cls, name: str, arguments: tuple[Any, ...]) -> Any:
-        return one_by_one(getattr(math, name))(*arguments)
+    def of_function(cls, function: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
+        return one_by_one(function)(*arguments)
 
     def one(self) -> Any:
         """The number that all cases have; raises Differs where they have several."""
@@ -165,17 +165,6 @@ def _apart(arguments: tuple[Any, ...]) -> Differs:
     return Differs([np.array([i]) for i in range(n)])
 
 
-OPERATORS: dict[np.ufunc, Callable[..., Any]] = {
-    np.add: operator.add, np.subtract: operator.sub, np.multiply: operator.mul,
-    np.true_divide: operator.truediv, np.floor_divide: operator.floordiv,
-    np.remainder: operator.mod, np.power: operator.pow, np.negative: operator.neg,
-    np.positive: operator.pos, np.absolute: abs, np.less: operator.lt,
-    np.less_equal: operator.le, np.equal: operator.eq, np.not_equal: operator.ne,
-    np.greater_equal: operator.ge, np.greater: operator.gt, np.bitwise_and: operator.and_,
-    np.bitwise_or: operator.or_, np.bitwise_xor: operator.xor,
-}  # fmt: skip
-"""NumPy's names of Python's operators, which know whole numbers of any size."""
-
 _DIVISIONS = {np.floor_divide, np.remainder}
 """Operators that NumPy may round otherwise than Python."""
 
@@ -183,13 +172,6 @@ _OF_TRUTHS = {
     np.bitwise_and, np.bitwise_or, np.bitwise_xor, np.invert, np.equal, np.not_equal,
     np.logical_and, np.logical_or, np.logical_not,
 }  # fmt: skip
-
-
-def boxed(x: Any) -> np.ndarray:
-    """An object as NumPy has it, which has no say any more in what NumPy does."""
-    box = np.empty((), dtype=object)
-    box[()] = x
-    return box
 
 
 def one_of(x: Any) -> Any:
