@@ -22,7 +22,6 @@ from rockeom.integrator.schema import (
     PRELUDE,
     PROVIDED,
     GeneratedModule,
-    has_points,
     impact_law,
     name_of_law,
 )
@@ -255,7 +254,7 @@ def _described(module: GeneratedModule) -> Described:
     prelude = without(module_text(PRELUDE), "sine_cosine"), Text("sine and cosine", _SINE_COSINE)
     own = Text(f"{module.NAME}.py", source(module))
     texts, provided = [*prelude, own], [own]
-    if has_points(module):
+    if getattr(module, "N_POINTS", 0):  # and does not move through elements alone
         texts.append(Text("impact", _OF_POINTS))
         which = "newton" if impact_law(module) == NEWTON else "impacts"
         provided.append(module_text(f"rockeom.integrator.transitions.{which}"))
