@@ -352,6 +352,12 @@ def names_of(node: ast.AST) -> Iterator[ast.Name]:
     return (n for n in ast.walk(node) if isinstance(n, ast.Name))
 
 
+@lru_cache(maxsize=20_000)  # asked for by every block around it
+def words(node: ast.AST) -> frozenset[str]:
+    """All names in a part of a function."""
+    return frozenset(n.id for n in names_of(node))
+
+
 def stored(node: ast.AST) -> set[str]:
     """Names that are given a value somewhere, or are arguments."""
     names = {n.id for n in names_of(node) if isinstance(n.ctx, ast.Store)}
