@@ -185,14 +185,14 @@ class Constants:
                 value = self.names.get(node.id)
                 if node.id not in self.variables and value is not None and not callable(value):
                     return value
-            case ast.BinOp() if type(node.op) in _OPERATORS:
-                return self._of_known(_OPERATORS[type(node.op)], node.left, node.right)
+            case ast.BinOp() if type(node.op) in OPERATORS:
+                return self._of_known(OPERATORS[type(node.op)], node.left, node.right)
             case ast.Subscript() if not isinstance(node.slice, ast.Slice):
                 return self._of_known(operator.getitem, node.value, node.slice)
-            case ast.UnaryOp() if type(node.op) in _OPERATORS:
-                return self._of_known(_OPERATORS[type(node.op)], node.operand)
-            case ast.Compare(ops=[op]) if type(op) in _OPERATORS:
-                return self._of_known(_OPERATORS[type(op)], node.left, *node.comparators)
+            case ast.UnaryOp() if type(node.op) in OPERATORS:
+                return self._of_known(OPERATORS[type(node.op)], node.operand)
+            case ast.Compare(ops=[op]) if type(op) in OPERATORS:
+                return self._of_known(OPERATORS[type(op)], node.left, *node.comparators)
             case ast.BoolOp(op=ast.And()):
                 if any(self.value(part) is False for part in node.values):
                     return False
@@ -231,7 +231,7 @@ def _as_tuple(*items: Any) -> tuple[Any, ...]:
     return items
 
 
-_OPERATORS: dict[type, Callable[..., Any]] = {
+OPERATORS: dict[type, Callable[..., Any]] = {
     ast.USub: operator.neg, ast.UAdd: operator.pos, ast.Not: operator.not_,
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Pow: operator.pow,
     ast.Div: operator.truediv, ast.FloorDiv: operator.floordiv, ast.Mod: operator.mod,

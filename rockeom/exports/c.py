@@ -80,9 +80,6 @@ class CWriter(Writer):
     def item(self, array: str, indices: Sequence[ast.expr]) -> str:
         return self.name(array) + "".join(f"[{self.text(i)}]" for i in indices)
 
-    def place(self, array: str, i: int) -> str:
-        return f"{array}[{i}]"
-
     def part(self, array: str, first: ast.expr) -> tuple[str, int]:
         return f"{self.name(array)} + {self.text(first, PRODUCT)}", SUM
 
@@ -128,7 +125,7 @@ class CWriter(Writer):
         return f"{word} {self.prefix}{self.names.of(function.name)}({', '.join(arguments)})"
 
     def block(self, body: Sequence[ast.stmt], names: Set[str]) -> None:
-        """Each name is declared where it is first assigned, in the innermost block that knows it."""
+        """Each is declared where it is first assigned, in the innermost block that knows it."""
         inside = {statement: words(statement) & names for statement in body}
         here: set[str] = set()
         before: dict[ast.stmt, list[str]] = {}
@@ -216,7 +213,7 @@ class CWriter(Writer):
                     value or self.function.tree, "a tuple is returned as it is written out"
                 )
             for i, item in enumerate(value.elts):
-                self.line(f"result[{i}] = {self.text(item)};")
+                self.line(f"{self.place('result', i)} = {self.text(item)};")
         self.line("return;")
 
     def name(self, name: str) -> str:

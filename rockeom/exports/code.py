@@ -8,13 +8,13 @@ contacts open, slide and bounce have the search for the mode after a landing as 
 import ast
 import textwrap
 import unicodedata
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
 from rockeom.codes import MOREAU, NEWTON
-from rockeom.compiler.modules import Modules, Text, module_text, without
+from rockeom.compiler.modules import Modules, Text, module_text, parsed, without
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
@@ -143,7 +143,8 @@ class Described:
             return of_argument[argument]
         if function.name in of_function:
             return of_function[function.name]
-        return 1 + max(_places(function, argument), default=-1)
+        indices = (getattr(i, "value", None) for i in _indices(function.tree, argument))
+        return 1 + max((i for i in indices if isinstance(i, int)), default=-1)
 
     def prepared(self) -> int:
         """How many numbers `prepare` gives."""
@@ -273,10 +274,10 @@ def _entries(texts: Sequence[Text], names: Sequence[str]) -> dict[str, list[Type
     names : those that are wanted of other texts than that of the structure.
     """
     trees = {
-        f.name: f
+        name: tree
         for i, text in enumerate(texts)
-        for f in ast.parse(text.source).body
-        if isinstance(f, ast.FunctionDef) and (i in (0, 2) or f.name in names)
+        for name, tree in parsed(text.source, text.name).functions.items()
+        if i in (0, 2) or name in names
     }
     inner = {name for name, f in trees.items() if f.decorator_list}
     inner |= {name for name in trees if name.startswith("impulse_") or name in _LEFT_OUT}
@@ -289,26 +290,15 @@ def _type(function: ast.FunctionDef, argument: str) -> Type:
     """The type of an argument of a function that is called from outside."""
     if argument in WHOLE:
         return INT
-    is_array = argument in ARRAYS or any(
-        isinstance(node, ast.Subscript)
-        and isinstance(node.value, ast.Name)
-        and node.value.id == argument
-        for node in ast.walk(function)
-    )
-    return Array(FLOAT, 1) if is_array else FLOAT
+    return Array(FLOAT, 1) if argument in ARRAYS or any(_indices(function, argument)) else FLOAT
 
 
-def _places(function: Function, argument: str) -> list[int]:
-    """The places of an array that are named by their number."""
-    return [
-        node.slice.value
-        for node in ast.walk(function.tree)
-        if isinstance(node, ast.Subscript)
-        and isinstance(node.value, ast.Name)
-        and node.value.id == argument
-        and isinstance(node.slice, ast.Constant)
-        and isinstance(node.slice.value, int)
-    ]
+def _indices(function: ast.FunctionDef, argument: str) -> Iterator[ast.expr]:
+    """The indices by which an argument is read and written."""
+    for node in ast.walk(function):
+        match node:
+            case ast.Subscript(value=ast.Name(id=name), slice=index) if name == argument:
+                yield index
 
 
 def _are_words(columns: Any) -> bool:
@@ -364,11 +354,8 @@ def _c(described: Described) -> str:
     for function in described.functions.ordered():
         entry = function.name in described.entries
         writer = c.CWriter(described.functions, function, names, prefix)
-        if entry:
-            arguments = [*function.arguments, *(["result"] if function.name == "prepare" else [])]
-            description = _explained(described, function, arguments)
-        else:
-            description = [printable(line) for line in function.doc.splitlines()]
+        arguments = [*function.arguments, *(["result"] if function.name == "prepare" else [])]
+        description = _explained(described, function, arguments if entry else ())
         bodies += ["", *_comment(description), *writer.write("" if entry else "static ")]
         used += [name for name in writer.constants if name not in used]
     tables = []
@@ -419,19 +406,17 @@ def _matlab(described: Described) -> str:
     for function in described.functions.ordered():
         writer = matlab.MatlabWriter(described.functions, function, names)
         lines = writer.write()
+        inputs = [a for a in function.arguments if a not in FILLED]
+        filled = [a for a in function.arguments if a in FILLED]
         entry = function.name in described.entries
+        description = _explained(described, function, [*inputs, *filled] if entry else ())
         if entry:
-            inputs = [a for a in function.arguments if a not in FILLED]
-            filled = [a for a in function.arguments if a in FILLED]
-            description = _explained(described, function, [*inputs, *filled])
             sizes = {a: f"zeros({described.size(function, a)}, 1)" for a in filled}
             call = ", ".join(sizes.get(a, names.of(a)) for a in function.arguments)
             handles.append(
                 f"    m.{names.of(function.name)} = @({', '.join(map(names.of, inputs))}) ..."
             )
             handles.append(f"        {names.of(function.name)}({call});")
-        else:
-            description = [printable(line) for line in function.doc.splitlines()]
         bodies += ["", lines[0], *(f"    % {line}".rstrip() for line in description), *lines[1:]]
     m = described.module
     head = [

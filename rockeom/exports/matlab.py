@@ -26,7 +26,7 @@ RESERVED = frozenset(_WORDS.split())
 class MatlabWriter(Writer):
     """One function of MATLAB. Arrays that it changes are given back, behind its value."""
 
-    not_, unequal, go_on = "~", "~=", " ..."
+    not_, unequal, go_on, at, first = "~", "~=", " ...", "{}({})", 1
     truths, nan, infinity = ("false", "true"), "NaN", "Inf"
     called: ClassVar = {"int": "fix"}
     if_, elif_, else_, while_, end = "if {}", "elseif {}", "else", "while {}", "end"
@@ -55,9 +55,6 @@ class MatlabWriter(Writer):
             alias = self.function.aliases[array]
             return f"{self.name(alias.array)}({self.index(indices[0], alias.first)})"
         return f"{self.name(array)}({', '.join(self.index(i) for i in indices)})"
-
-    def place(self, array: str, i: int) -> str:
-        return f"{array}({i + 1})"
 
     def part(self, array: str, first: ast.expr) -> tuple[str, int]:
         return f"{self.name(array)}({self.index(first)}:end)", ITEM

@@ -10,6 +10,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from rockeom.compiler.parsed import OPERATORS
 from rockeom.compiler.types import Type
 from rockeom.exports.closed import (
     Function,
@@ -23,6 +24,7 @@ from rockeom.exports.closed import (
     pairs,
     words,
 )
+from rockeom.numbers.functions import COMPARISONS, SIGNS
 
 EITHER, OR, AND, NOT, COMPARED, SUM, PRODUCT, SIGNED, POWER, ITEM = range(10)
 """How strongly the parts of an expression hold together."""
@@ -30,18 +32,17 @@ EITHER, OR, AND, NOT, COMPARED, SUM, PRODUCT, SIGNED, POWER, ITEM = range(10)
 WIDTH = 96
 STEP = "    "
 
-_SUMS: dict[type, tuple[str, int]] = {
-    ast.Add: ("+", SUM), ast.Sub: ("-", SUM), ast.Mult: ("*", PRODUCT), ast.Div: ("/", PRODUCT),
-}  # fmt: skip
-_COMPARISONS: dict[type, str] = {
-    ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!=",
-}  # fmt: skip
+_SIGNS = {
+    kind: sign
+    for kind, of in OPERATORS.items()
+    if (sign := {**SIGNS, **COMPARISONS}.get(of.__name__))
+}
 
 
 class Writer:
     """Writes one function into `lines`."""
 
-    and_, or_, not_, unequal = "&&", "||", "!", "!="
+    not_, unequal, at, first = "!", "!=", "{}[{}]", 0
     truths, nan, infinity = ("0", "1"), "NAN", "INFINITY"
     called: ClassVar[Mapping[str, str]] = {}
     """Functions that the language calls otherwise than Python."""
@@ -71,7 +72,7 @@ class Writer:
 
     def place(self, array: str, i: int) -> str:
         """A place of an array, from 0."""
-        raise NotImplementedError
+        return self.at.format(array, self.first + i)
 
     def part(self, array: str, first: ast.expr) -> tuple[str, int]:
         raise NotImplementedError
@@ -122,8 +123,9 @@ class Writer:
                 return self.name(name), ITEM
             case ast.BinOp(left=left, op=ast.Pow(), right=right):
                 return self.power(left, right)
-            case ast.BinOp(left=left, op=op, right=right) if type(op) in _SUMS:
-                sign, level = _SUMS[type(op)]
+            case ast.BinOp(left=left, op=op, right=right) if type(op) in _SIGNS:
+                sign = _SIGNS[type(op)]
+                level = SUM if sign in "+-" else PRODUCT
                 first = self.divided(left) if sign == "/" else self.text(left, level)
                 second = self.text(right, level + 1)
                 blank = " " if level == SUM else ""
@@ -137,12 +139,12 @@ class Writer:
             case ast.Compare():
                 return self.compared(node)
             case ast.BoolOp(op=op, values=values):
-                sign, level = (self.and_, AND) if isinstance(op, ast.And) else (self.or_, OR)
+                sign, level = ("&&", AND) if isinstance(op, ast.And) else ("||", OR)
                 return f" {sign} ".join(self.text(v, NOT) for v in values), level
             case ast.IfExp(test=test, body=body, orelse=orelse):
                 return self.either(test, body, orelse)
             case ast.Attribute():
-                return self.number(self.functions_value(node)), ITEM
+                return self.number(float(getattr(np, node.attr))), ITEM  # such as math.pi
             case ast.Subscript():
                 return self.subscript(node)
             case ast.Call(func=ast.Name(id="len")):
@@ -176,10 +178,6 @@ class Writer:
             nested = f"{function}({one}, {nested})"
         return nested, ITEM
 
-    def functions_value(self, node: ast.Attribute) -> float:
-        """math.pi, np.inf and the like."""
-        return float(getattr(np, node.attr))
-
     def divided(self, node: ast.expr) -> str:
         """A dividend, as a number that is not whole."""
         return self.text(node, PRODUCT)
@@ -201,15 +199,13 @@ class Writer:
         for op, right in zip(node.ops, node.comparators, strict=True):
             if isinstance(op, ast.In) and isinstance(right, ast.Tuple) and len(node.ops) == 1:
                 every = [f"{self.text(left, SUM)} == {self.text(x, SUM)}" for x in right.elts]
-                return f" {self.or_} ".join(every), OR
-            if type(op) in _COMPARISONS:
-                sign = _COMPARISONS[type(op)]
-                sign = self.unequal if sign == "!=" else sign
-                comparisons.append(f"{self.text(left, SUM)} {sign} {self.text(right, SUM)}")
-            else:
+                return " || ".join(every), OR
+            if type(op) not in _SIGNS:
                 self.function.refuse(node, f"{type(op).__name__} is not written")
+            sign = self.unequal if isinstance(op, ast.NotEq) else _SIGNS[type(op)]
+            comparisons.append(f"{self.text(left, SUM)} {sign} {self.text(right, SUM)}")
             left = right
-        return f" {self.and_} ".join(comparisons), COMPARED if len(comparisons) == 1 else AND
+        return " && ".join(comparisons), COMPARED if len(comparisons) == 1 else AND
 
     def subscript(self, node: ast.Subscript) -> tuple[str, int]:
         base = base_of(node)
@@ -253,7 +249,7 @@ class Writer:
             case ast.Assign():
                 self.assign(node)
             case ast.AugAssign(target=target, op=op, value=value):
-                self.change(target, _SUMS[type(op)][0], value)
+                self.change(target, _SIGNS[type(op)], value)
             case ast.If():
                 self.branches(node, names)
             case ast.While(test=test, body=body):
