@@ -98,6 +98,20 @@ def node_of(x: Any) -> Node | float:
     return x.node if isinstance(x, Traced) else float(x)
 
 
+def _refuse(what: str, remedy: str) -> NoReturn:
+    """Raise UntracedError with the line outside of the package that led here."""
+    frame: Any = sys._getframe(1)
+    while frame and (frame.f_code.co_filename.startswith(_LIBRARIES)):
+        frame = frame.f_back
+    where = f"{frame.f_code.co_filename}, line {frame.f_lineno}: " if frame else ""
+    raise UntracedError(f"{where}{what} cannot be part of a page: {remedy}")
+
+
+def _refused(what: str, remedy: str) -> Callable[..., NoReturn]:
+    """What a page cannot repeat of a number."""
+    return lambda *_: _refuse(what, remedy)
+
+
 class Traced(Compound):
     """A number of a tape. node : its operation. present : its value where the sliders are now."""
 
@@ -158,35 +172,18 @@ class Traced(Compound):
     def __bool__(self) -> bool:
         return bool(self != 0.0)
 
-    def __float__(self) -> NoReturn:
-        _refuse("float() or a function of `math` of a slider", "take the function of numpy")
-
-    def __int__(self) -> NoReturn:
-        _refuse("int() of a slider", "a whole number cannot follow it")
-
-    def __index__(self) -> NoReturn:
-        _refuse("a slider as an index, or as a count", "a whole number cannot follow it")
-
-    def __round__(self, digits: int | None = None) -> NoReturn:
-        _refuse("round() of a slider", "leave it out")
-
-    def __mod__(self, other: Any) -> NoReturn:
-        _refuse("a remainder, or a quotient rounded down, of a slider", "leave it out")
-
+    __float__ = _refused(
+        "float() or a function of `math` of a slider", "take the function of numpy"
+    )
+    __int__ = _refused("int() of a slider", "a whole number cannot follow it")
+    __index__ = _refused("a slider as an index, or as a count", "a whole number cannot follow it")
+    __round__ = _refused("round() of a slider", "leave it out")
+    __mod__ = _refused("a remainder, or a quotient rounded down, of a slider", "leave it out")
     __rmod__ = __floordiv__ = __rfloordiv__ = __divmod__ = __mod__
     __floor__ = __ceil__ = __trunc__ = __int__
 
 
 Real.register(Traced)
-
-
-def _refuse(what: str, remedy: str) -> NoReturn:
-    """Raise UntracedError with the line outside of the package that led here."""
-    frame: Any = sys._getframe(1)
-    while frame and (frame.f_code.co_filename.startswith(_LIBRARIES)):
-        frame = frame.f_back
-    where = f"{frame.f_code.co_filename}, line {frame.f_lineno}: " if frame else ""
-    raise UntracedError(f"{where}{what} cannot be part of a page: {remedy}")
 
 
 # --- as a text

@@ -32,6 +32,11 @@ class Differs(BaseException):  # nothing is wrong, and `except Exception` must n
         self.parts = parts
 
 
+def _of_one(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A function of the number that all cases have."""
+    return lambda many, *more: function(many.one(), *more)
+
+
 class Many(NDArrayOperatorsMixin, Compound):
     """A number of each case, or a truth.
 
@@ -107,38 +112,10 @@ class Many(NDArrayOperatorsMixin, Compound):
 
     # -- where one number is needed
 
-    def __float__(self) -> float:
-        return float(self.one())
-
-    def __int__(self) -> int:
-        return int(self.one())
-
-    def __index__(self) -> int:
-        return operator.index(self.one())
-
-    def __complex__(self) -> complex:
-        return complex(self.one())
-
-    def __hash__(self) -> int:
-        return hash(self.one())
-
-    def __str__(self) -> str:
-        return str(self.one())
-
-    def __format__(self, how: str) -> str:
-        return format(self.one(), how)
-
-    def __round__(self, digits: int | None = None) -> Any:
-        return round(self.one(), digits)
-
-    def __floor__(self) -> int:
-        return math.floor(self.one())
-
-    def __ceil__(self) -> int:
-        return math.ceil(self.one())
-
-    def __trunc__(self) -> int:
-        return math.trunc(self.one())
+    __float__, __int__, __index__ = _of_one(float), _of_one(int), _of_one(operator.index)
+    __complex__, __hash__ = _of_one(complex), _of_one(hash)
+    __str__, __format__, __round__ = _of_one(str), _of_one(format), _of_one(round)
+    __floor__, __ceil__, __trunc__ = _of_one(math.floor), _of_one(math.ceil), _of_one(math.trunc)
 
 
 Real.register(Many)

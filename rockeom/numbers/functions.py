@@ -207,26 +207,21 @@ class Derivatives(NamedTuple):
     curvature: Callable[[Any], Any]
 
 
-IN_NUMPY = {
-    "asin": "arcsin", "acos": "arccos", "atan": "arctan", "asinh": "arcsinh", "acosh": "arccosh",
-    "atanh": "arctanh",
+IN_MATH = {
+    "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh", "arccosh": "acosh",
+    "arctanh": "atanh", "arctan2": "atan2",
 }  # fmt: skip
-"""Names that NumPy has instead of those of `math`."""
-IN_MATH = {name: here for here, name in IN_NUMPY.items()} | {"arctan2": "atan2"}
-"""Names of `math` by those of NumPy."""
-
-_NAMES = [function.__name__ for function in CURVATURES]
-_ARRAYS = SimpleNamespace(**{name: getattr(np, IN_NUMPY.get(name, name)) for name in _NAMES})
+"""Names of `math` by those that NumPy has instead."""
 
 
 def _of_arrays(derivative: Callable[..., Any]) -> Callable[[Any], Any]:
     """A function of `rockeom.numbers.derivatives`, of arrays."""
-    return FunctionType(derivative.__code__, {"math": _ARRAYS})
+    return FunctionType(derivative.__code__, {"math": np})
 
 
 FUNCTIONS: dict[str, Derivatives] = {
     of.__name__: Derivatives(
-        vars(_ARRAYS)[of.__name__], _of_arrays(SLOPES[of]), _of_arrays(curvature)
+        getattr(np, of.__name__), _of_arrays(SLOPES[of]), _of_arrays(curvature)
     )
     for of, curvature in CURVATURES.items()
 } | {"fabs": Derivatives(np.abs, np.sign, lambda x: 0.0 * x)}
