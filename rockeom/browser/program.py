@@ -16,7 +16,9 @@ from rockeom.compiler.machine import Function, Loaded, compiled
 from rockeom.compiler.modules import Text, module_text
 from rockeom.compiler.printer import Program as Printed
 from rockeom.compiler.types import FLOAT, Entry
-from rockeom.integrator.program import LOOP, Program, printed, sizes_of
+from rockeom.integrator.linking import LOOP
+from rockeom.integrator.printing import printed, sizes_of
+from rockeom.integrator.program import Program
 from rockeom.integrator.schema import GeneratedModule
 
 METHOD = "DOP853"

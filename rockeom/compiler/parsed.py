@@ -202,8 +202,8 @@ class Constants:
                     return value
             case ast.Tuple():
                 return self._of_known(_as_tuple, *node.elts)
-            case ast.Call(func=ast.Name(id="len"), args=[of]):
-                return self._of_known(len, of)
+            case ast.Call(func=ast.Name(id="len" | "range" as name), args=of):
+                return self._of_known(len if name == "len" else range, *of)
         return UNKNOWN
 
     def _of_known(self, operation: Callable[..., Any], *nodes: ast.expr) -> Any:

@@ -11,7 +11,7 @@
 
 They are exact: nothing is moved by a little to see what it does. The same texts repeat the steps
 of the motion, printed for numbers with derivatives; what happens where a guard falls,
-`rockeom/integrator/variational.py` says.
+`rockeom/integrator/tangents/variational.py` says.
 """
 
 from __future__ import annotations
