@@ -124,25 +124,14 @@ class Described:
 
     def size(self, function: Function, argument: str) -> int:
         """How many numbers a function puts into an argument."""
-        m = self.module
-        of_argument = {
-            "dy": m.N_STATES,
-            "g": m.N_GUARDS + m.N_PARTS,
-            "matrix": (m.N_STATES // 2) ** 2,
-            "forces": m.N_STATES // 2,
-        }
-        of_function = {
-            "jump": m.N_STATES,
-            "impact": m.N_STATES,
-            "energies": len(m.ENERGIES),
-            "reactions": len(m.REACTIONS),
-            "kinematics": len(m.KINEMATICS),
-            "positions": 3 * len(m.POSITIONS),
-        }
-        if argument in of_argument:
-            return of_argument[argument]
-        if function.name in of_function:
-            return of_function[function.name]
+        m, half = self.module, self.module.N_STATES // 2
+        sizes = {"g": m.N_GUARDS + m.N_PARTS, "matrix": half**2, "forces": half}
+        sizes |= dict.fromkeys(("dy", "jump", "impact"), m.N_STATES)
+        sizes |= {"energies": len(m.ENERGIES), "reactions": len(m.REACTIONS)}
+        sizes |= {"kinematics": len(m.KINEMATICS), "positions": 3 * len(m.POSITIONS)}
+        for name in (argument, function.name):
+            if name in sizes:
+                return sizes[name]
         indices = (getattr(i, "value", None) for i in _indices(function.tree, argument))
         return 1 + max((i for i in indices if isinstance(i, int)), default=-1)
 
@@ -160,32 +149,19 @@ class Described:
             *([self.source] if self.source else []),
             "",
             "States y, in their order:",
-            *_rows(
-                (f"{i}", n, f"[{u}]")
-                for i, (n, u) in enumerate(zip(m.STATES, m.STATE_UNITS, strict=True))
-            ),
+            *_rows(m.STATES, _units(m.STATE_UNITS)),
             "",
             "Parameters, in their order:",
-            *_rows(
-                (f"{i}", n, f"[{u}]", meaning)
-                for i, (n, u, meaning) in enumerate(
-                    zip(m.PARAMETERS, m.PARAMETER_UNITS, m.PARAMETER_MEANINGS, strict=True)
-                )
-            ),
+            *_rows(m.PARAMETERS, _units(m.PARAMETER_UNITS), m.PARAMETER_MEANINGS),
             "",
             "Modes, and how many guards end each:",
-            *_rows((f"{i}", n, f"{m.GUARDS[i]}") for i, n in enumerate(m.MODES)),
+            *_rows(m.MODES, map(str, m.GUARDS)),
             "",
-            *self._use(),
-        ]
-        return [printable(line) for line in lines]
-
-    def _use(self) -> list[str]:
-        return [
             "`prepare` is called once for a set of parameters; it gives the p of all others.",
             "Within a mode integrate `rates` while all its `guards` are positive. Where",
             f"the first of them falls to zero, `{self.transition}` gives the state after it.",
         ]
+        return [printable(line) for line in lines]
 
     def arguments(self, function: Function, names: Sequence[str]) -> list[tuple[str, str]]:
         """Name and meaning of each; of arrays that are filled, their contents."""
@@ -197,7 +173,8 @@ class Described:
             if name in FILLED:
                 size = self.size(function, name)
                 columns: Any = getattr(m, function.name.upper(), None)
-                named = _are_words(columns) and len(columns) == size
+                named = isinstance(columns, tuple) and len(columns) == size
+                named = named and all(isinstance(x, str) for x in columns)
                 rows.append((name, f"({size}) {', '.join(columns) if named else 'what is found'}"))
             else:
                 many = f"({sizes[name]}) " if name in sizes else ""
@@ -301,20 +278,16 @@ def _indices(function: ast.FunctionDef, argument: str) -> Iterator[ast.expr]:
                 yield index
 
 
-def _are_words(columns: Any) -> bool:
-    return isinstance(columns, tuple) and all(isinstance(x, str) for x in columns)
+def _units(units: Iterable[str]) -> list[str]:
+    return [f"[{unit}]" for unit in units]
 
 
-def _rows(rows: Iterable[tuple[str, ...]]) -> list[str]:
-    """Aligned columns."""
-    table = list(rows)
-    if not table:
-        return ["  none"]
+def _rows(*columns: Iterable[str]) -> list[str]:
+    """Aligned columns, behind the numbers of their rows."""
+    table = [(str(i), *row) for i, row in enumerate(zip(*columns, strict=True))]
     widths = [max(map(len, column)) for column in zip(*table, strict=True)]
-    return [
-        "  " + "  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip()
-        for row in table
-    ]
+    cells = [[cell.ljust(w) for cell, w in zip(row, widths, strict=True)] for row in table]
+    return [f"  {'  '.join(row)}".rstrip() for row in cells] or ["  none"]
 
 
 def _explained(described: Described, function: Function, names: Sequence[str]) -> list[str]:
@@ -358,22 +331,14 @@ def _c(described: Described) -> str:
         description = _explained(described, function, arguments if entry else ())
         bodies += ["", *_comment(description), *writer.write("" if entry else "static ")]
         used += [name for name in writer.constants if name not in used]
-    tables = []
-    numbers = described.mode_constants
-    for mode, name in numbers.items():
-        tables += c.table(f"{prefix.upper()}{names.of(name)}", described.module.MODES.index(mode))
-    sizes = {
-        "N_STATES": described.module.N_STATES,
-        "N_PARAMETERS": len(described.module.PARAMETERS),
-        "N_PREPARED": described.prepared(),
-    }
-    for name, size in sizes.items():
-        tables += c.table(f"{prefix.upper()}{name}", size)
-    for name in used:
-        if name not in numbers.values() and name not in sizes:
-            tables += c.table(
-                f"{prefix.upper()}{names.of(name)}", described.functions.constants[name]
-            )
+    m = described.module
+    constants = {names.of(n): m.MODES.index(mode) for mode, n in described.mode_constants.items()}
+    constants |= {"N_STATES": m.N_STATES, "N_PARAMETERS": len(m.PARAMETERS)}
+    constants |= {"N_PREPARED": described.prepared()}
+    constants |= {names.of(name): described.functions.constants[name] for name in used}
+    tables: list[str] = []
+    for name, value in constants.items():
+        tables += c.table(f"{prefix.upper()}{name}", value)
     head = [
         *described.head(),
         "",
@@ -429,12 +394,8 @@ def _matlab(described: Described) -> str:
         "Modes, guards and impact laws are numbered from 0.",
     ]
     lines = [f"function m = {called}()", *(f"    % {line}".rstrip() for line in head)]
-    for field, words in (
-        ("states", m.STATES),
-        ("parameters", m.PARAMETERS),
-        ("modes", m.MODES),
-    ):
-        lines += _cells(f"    m.{field} = ", words)
+    for field in ("states", "parameters", "modes"):
+        lines += _cells(f"    m.{field} = ", getattr(m, field.upper()))
     for mode, name in described.mode_constants.items():
         lines.append(f"    m.{names.of(name)} = {m.MODES.index(mode)};")
     text = "\n".join([*lines, *handles, "end", *bodies, ""])
