@@ -50,7 +50,7 @@ class CWriter(Writer):
     def __init__(self, functions: Functions, function: Function, names: Names, prefix: str) -> None:
         super().__init__(functions, function, names, prefix)
         self.result_array = _array_given(function)
-        self.pending: list[set[str]] = []  # names by block, declared when they are first assigned
+        self.pending: set[str] = set()  # names that are declared when they are first assigned
         self.times = Counter(
             n.id for s in function.body for n in names_of(s) if isinstance(n.ctx, ast.Store)
         )
@@ -139,41 +139,27 @@ class CWriter(Writer):
             here.add(name)
             if not (isinstance(first, ast.Assign) and self.at_once(first, name)):
                 before.setdefault(first, []).append(name)
-        self.pending.append(set(here))
+        self.pending |= here
         self.depth += 1
         for statement in body:
             for name in before.get(statement, ()):
-                self.pending[-1].discard(name)
+                self.pending.discard(name)
                 self.line(f"{_word(self.function.types[name])} {self.names.of(name)} = 0;")
             self.inner = inside[statement] - here
             self.statement(statement)
         self.depth -= 1
-        self.pending.pop()
+        self.pending -= here
 
     def only_within(self, statement: ast.stmt, name: str) -> bool:
         """Whether only the blocks within a statement ask for a name, or a loop counts with it."""
-        if isinstance(statement, ast.For):
-            head = statement.iter
-        elif isinstance(statement, (ast.If, ast.While)):
-            head = statement.test
-        else:
-            return False
-        return name not in words(head)
-
-    def at_once(self, statement: ast.Assign, name: str) -> bool:
-        """Whether a statement gives a name its value before it asks for it."""
-        targets = [t for target in statement.targets for t in getattr(target, "elts", [target])]
-        return name not in words(statement.value) and any(
-            isinstance(t, ast.Name) and t.id == name for t in targets
-        )
+        head = getattr(statement, "iter", getattr(statement, "test", None))
+        return head is not None and name not in words(head)
 
     def is_pending(self, name: str) -> bool:
         """Whether a name is declared with its first value, which is now."""
-        for level in self.pending:
-            if name in level:
-                level.remove(name)
-                return True
-        return False
+        pending = name in self.pending
+        self.pending.discard(name)
+        return pending
 
     def declared(self, name: str) -> str:
         """A name as it stands where it is assigned, with its type where that is the first time."""

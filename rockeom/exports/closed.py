@@ -333,7 +333,7 @@ def _needed(
                     left = targets[0] if one else ast.Tuple(list(targets), ast.Store())
                     right = values[0] if one else ast.Tuple(list(values), ast.Load())
                     statement = ast.copy_location(ast.Assign([left], right), statement)
-                after = after - _given_names(statement) | _loads(statement)
+                after = after - given_names(statement) | _loads(statement)
             case ast.If(test=test, body=yes, orelse=no):
                 yes, before = _needed(functions, yes, after, looping)
                 no, otherwise = _needed(functions, no, after, looping)
@@ -354,7 +354,7 @@ def _loads(node: ast.AST) -> Live:
     return frozenset(loaded(node))
 
 
-def _given_names(statement: ast.Assign) -> Live:
+def given_names(statement: ast.Assign) -> Live:
     targets = [t for target in statement.targets for t in getattr(target, "elts", [target])]
     return frozenset(t.id for t in targets if isinstance(t, ast.Name))
 

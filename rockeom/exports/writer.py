@@ -17,6 +17,7 @@ from rockeom.exports.closed import (
     Functions,
     Names,
     base_of,
+    given_names,
     indices_of,
     is_row,
     made_array,
@@ -319,6 +320,10 @@ class Writer:
             kept = [self.keep(value) for _, value in several]
             for (one, _), text in zip(several, kept, strict=True):
                 self.put(one, text)
+
+    def at_once(self, statement: ast.Assign, name: str) -> bool:
+        """Whether a statement gives a name its value before it asks for it."""
+        return name not in words(statement.value) and name in given_names(statement)
 
     def assign_to_all(self, targets: Sequence[ast.expr], value: ast.expr) -> None:
         if isinstance(value, ast.Constant):
