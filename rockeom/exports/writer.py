@@ -227,15 +227,11 @@ class Writer:
     def line(self, text: str) -> None:
         """A line, wrapped at blanks where it is long."""
         indent = STEP * self.depth
-        if len(indent + text) <= WIDTH:
-            self.lines.append(indent + text)
-            return
-        parts = textwrap.wrap(
-            text, WIDTH - len(indent) - 8, break_long_words=False, break_on_hyphens=False
-        )
-        self.lines.append(f"{indent}{parts[0]}{self.go_on if len(parts) > 1 else ''}")
-        for i, part in enumerate(parts[1:], 2):
-            self.lines.append(f"{indent}{STEP}{part}{self.go_on if i < len(parts) else ''}")
+        wide = WIDTH - len(indent) - 8 if len(indent + text) > WIDTH else WIDTH
+        parts = textwrap.wrap(text, wide, break_long_words=False, break_on_hyphens=False)
+        for i, part in enumerate(parts, 1):
+            end = self.go_on if i < len(parts) else ""
+            self.lines.append(f"{indent}{STEP if i > 1 else ''}{part}{end}")
 
     def block(self, body: Sequence[ast.stmt], names: Set[str]) -> None:
         """names : those that nothing outside of it asks for."""

@@ -298,13 +298,8 @@ class Motion:
         for first in range(0, self.directions, WIDTH):
             some = self.order[first : first + WIDTH]
             shaken = some[self.shakes[some]]
-            rows = [
-                _dual(table, of, some) if shaken.size else _NO_ROWS
-                for table, of in (
-                    (q.horizontal, along.horizontal),
-                    (q.vertical, along.vertical),
-                )
-            ]
+            tables = (q.horizontal, along.horizontal), (q.vertical, along.vertical)
+            rows = [_dual(*table, some) if shaken.size else _NO_ROWS for table in tables]
             corners = any(x[:, :2, j].any() for x in self.grounds for j in shaken)
             y, told = _dual(q.y0, along.y0, some), np.zeros(1, np.int64)
             at_times, event_y, event_t = (np.full((*x, size), np.nan) for x in shapes[1:])
