@@ -5,12 +5,10 @@ every distribution is the normal one, whatever its range: reliability and identi
 sample there.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from scipy.special import ndtr
@@ -27,9 +25,7 @@ class RandomParameters:
     marginals: tuple[Any, ...]
 
     @classmethod
-    def of(
-        cls, where: str, random: Mapping[str, Any], argument: str = "random"
-    ) -> RandomParameters:
+    def of(cls, where: str, random: Mapping[str, Any], argument: str = "random") -> Self:
         """argument : of the function `where`, that holds the distributions, for its errors."""
         if not random:
             raise InputError(argument, {}, where).give("a distribution of each parameter")

@@ -76,8 +76,7 @@ def _listed(names: Sequence[str]) -> Sequence[str]:
     return names
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True, eq=False)
 class Response:
     """Motion of a structure under a ground motion, as sampled and at any time.

@@ -6,15 +6,13 @@ momentum is conserved. A new one is a class of this file that `LAWS` lists, and 
 and `after_impact` read by the same function.
 """
 
-from __future__ import annotations
-
 import inspect
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, is_dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol, Self
 
 import numpy as np
 
@@ -170,8 +168,7 @@ class TabulatedLaw:
         raise NotImplementedError
 
 
-@explained.attributes()
-@explained.calls(e="rk.VelocityRatio(e)", restitution="rk.VelocityRatio(e)")
+@explained.record(e="rk.VelocityRatio(e)", restitution="rk.VelocityRatio(e)")
 @dataclass(frozen=True, repr=False)
 class EnergyRatio(TabulatedLaw):
     """Prescribed ratio r of the rocking motion's kinetic energies after and before an impact.
@@ -256,8 +253,7 @@ class EnergyRatio(TabulatedLaw):
         return Table([Row(self.of_foot("left"))], [Row(self.of_foot("right"))])
 
 
-@explained.attributes()
-@explained.calls(r="rk.EnergyRatio(r)", restitution="e=")
+@explained.record(r="rk.EnergyRatio(r)", restitution="e=")
 @dataclass(frozen=True)
 class VelocityRatio:
     """Prescribed ratio e of the angular velocities after and before an impact, e = sqrt(r).
@@ -311,8 +307,7 @@ class VelocityRatio:
         return RATIO, self.e
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class AngularMomentum:
     """Impact law by which the angular momentum about the new pivot is conserved.
@@ -363,8 +358,7 @@ class AngularMomentum:
         return RATIO, velocity_ratio
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Impulsive:
     """Impulsive form of Lagrange's equations: exact for a flexible structure as well.
@@ -411,8 +405,7 @@ class Impulsive:
         return IMPULSIVE, math.nan
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class EnergyRatioAtSpeed(TabulatedLaw):
     """Energy ratio r that depends on the speed at the impact, in straight pieces.
@@ -465,7 +458,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
             raise InputError("pieces", self.pieces).give("positive limits, and a positive height")
 
     @classmethod
-    def equation_4_31(cls) -> EnergyRatioAtSpeed:
+    def equation_4_31(cls) -> Self:
         """Thesis 4-31, of the equivalent oscillator of a controlled wall.
 
         Returns
@@ -478,7 +471,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         )
 
     @classmethod
-    def equation_4_36(cls) -> EnergyRatioAtSpeed:
+    def equation_4_36(cls) -> Self:
         """Thesis 4-36, of the simplified substitute gravity; as printed.
 
         Returns
@@ -489,7 +482,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         return cls(((math.inf, 0.865, 0.0441),))
 
     @classmethod
-    def equation_4_38(cls) -> EnergyRatioAtSpeed:
+    def equation_4_38(cls) -> Self:
         """Thesis 4-38, of the substitute gravity with a rotation centre that moves.
 
         Returns
@@ -510,7 +503,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         limits: Sequence[float] = (),
         slopes: bool = True,
         height: float | None = None,
-    ) -> EnergyRatioAtSpeed:
+    ) -> Self:
         """Pieces fitted to measured impacts, each by least squares to those in its own band.
 
         Parameters
@@ -620,8 +613,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         return self._at_height(self.lever(structure))
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class EnergyLossAtSpeed(TabulatedLaw):
     """Energy that an impact takes, by the angular velocity w before it: ``a1 |w| + a2 w2 + a3
@@ -664,7 +656,7 @@ class EnergyLossAtSpeed(TabulatedLaw):
             object.__setattr__(self, foot, tuple(given))
 
     @classmethod
-    def equation_3_17(cls) -> EnergyLossAtSpeed:
+    def equation_3_17(cls) -> Self:
         """Thesis 3-17, fitted to all impacts of the block of chapter 3, of both feet.
 
         A cubic of the angular velocity with its sign: the left foot loses three times as much at 1
@@ -678,7 +670,7 @@ class EnergyLossAtSpeed(TabulatedLaw):
         return cls(left=(-0.6663, 9.661, 5.525), right=(0.6663, 9.661, -5.525))
 
     @classmethod
-    def equation_3_18(cls) -> EnergyLossAtSpeed:
+    def equation_3_18(cls) -> Self:
         """Thesis 3-18, the second trend of impacts on the right foot; the left one by 3-17.
 
         Returns
@@ -689,7 +681,7 @@ class EnergyLossAtSpeed(TabulatedLaw):
         return cls(left=(-0.6663, 9.661, 5.525), right=(0.0381, 7.576, -7.144))
 
     @classmethod
-    def from_data(cls, rate: Iterable[float], loss: Iterable[float]) -> EnergyLossAtSpeed:
+    def from_data(cls, rate: Iterable[float], loss: Iterable[float]) -> Self:
         """Law of measured impacts, each foot by itself, by least squares.
 
         Parameters
@@ -776,8 +768,7 @@ DRAWS = 500
 """How many ratios are drawn for a motion; behind the last the first one follows."""
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True, repr=False)
 class RandomEnergyRatio(TabulatedLaw):
     """Energy ratio r drawn at each impact from a measured distribution, by seed (thesis 6.4).
@@ -844,7 +835,7 @@ class RandomEnergyRatio(TabulatedLaw):
         object.__setattr__(self, "seed", int(self.seed))
 
     @classmethod
-    def normal(cls, mean: float, std: float, *, seed: int = 0) -> RandomEnergyRatio:
+    def normal(cls, mean: float, std: float, *, seed: int = 0) -> Self:
         """Law of a normal distribution, cut off at 0 and 1: a thousand equally likely values.
 
         Parameters
@@ -925,8 +916,7 @@ class RandomEnergyRatio(TabulatedLaw):
         return Table(self.drawn["left"].tolist(), self.drawn["right"].tolist())
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class EnergyRatioByImpact(TabulatedLaw):
     """Energy ratio r of the first impact, of the second, and so on.

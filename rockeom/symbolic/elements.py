@@ -42,8 +42,7 @@ class Ending(NamedTuple):
     back: int | None = None
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Unilateral:
     """Spring and damper that press, k d + c d', while d and that sum are positive.
@@ -161,8 +160,7 @@ class Unilateral:
         }
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Yielding:
     """Bar or tendon that is elastic up to a strength, and then yields.
@@ -345,8 +343,7 @@ class Yielding:
         }
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Spring:
     """Spring and damper that always act: a storey's columns, a bearing, a tendon that is tight.

@@ -15,14 +15,12 @@ All searches are in the standard normal deviates of the priors, in which the pri
 any parameter and no bound is met: of a parameter x with the distribution F, Phi(u) = F(x).
 """
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from scipy.special import gammaln, log_ndtr, ndtri, stdtr
@@ -91,7 +89,7 @@ class _Parts(NamedTuple):
     of_log_scale: np.ndarray
 
     @classmethod
-    def of(cls, test: Observed, predicted: np.ndarray, scale: np.ndarray, law: _Errors) -> _Parts:
+    def of(cls, test: Observed, predicted: np.ndarray, scale: np.ndarray, law: _Errors) -> Self:
         seen = np.abs(test.measured) < test.limit
         z = np.where(seen, test.measured - predicted, 0.0) / scale
         side, place = np.sign(test.measured), law.information

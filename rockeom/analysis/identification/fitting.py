@@ -14,12 +14,10 @@
 `fit` takes any function of some parameters; the other functions fit a simulation or a formula.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -287,7 +285,7 @@ class _LeastSquares:
         measured: ArrayLike,
         start: Mapping[str, float],
         uncertainty: ArrayLike | None,
-    ) -> _LeastSquares:
+    ) -> Self:
         """Raises ValueError for bad arguments of `fit`."""
         (y,) = numbers("fit", measured=measured)
         if y.ndim != 1 or not y.size:
@@ -487,7 +485,7 @@ class _MeasuredSwings(NamedTuple):
         offered: Mapping[str, ArrayLike | None],
         uncertainty: float | None,
         time_uncertainty: float | None,
-    ) -> _MeasuredSwings:
+    ) -> Self:
         where = "fit_free_vibration"
         values = measured_swings(where, offered)
         errors = [uncertainty if name == "peaks" else time_uncertainty for name in values]

@@ -10,12 +10,10 @@ parameters however many impacts come before it, so that their number does not ma
 overturns is held where it lies, so that its prediction stays continuous, and far from the record.
 """
 
-from __future__ import annotations
-
 import inspect
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -106,7 +104,7 @@ class Observed:
         cls, case: Case | Callable[..., Case], time: ArrayLike, values: ArrayLike, *,
         quantity: str = "theta", noise: float | str = "noise", limit: float = np.inf,
         options: SolverOptions | None = None,
-    ) -> Observed:  # fmt: skip
+    ) -> Self:  # fmt: skip
         """Record, sample by sample: of a free vibration or of a shaken structure.
 
         Parameters
@@ -173,7 +171,7 @@ class Observed:
         quantity: str = "theta", noise: float | str = "noise",
         time_noise: float | str = "time_noise", release_time: str | None = None,
         options: SolverOptions | None = None,
-    ) -> Observed:  # fmt: skip
+    ) -> Self:  # fmt: skip
         """Peaks and crossings of a free vibration, where there is no record of all of it.
 
         Parameters
@@ -235,7 +233,7 @@ class Observed:
     @classmethod
     def formula(
         cls, model: Callable[..., Any], values: ArrayLike, *, noise: float | str = "noise"
-    ) -> Observed:
+    ) -> Self:
         """Values that a formula predicts.
 
         Parameters
@@ -269,7 +267,7 @@ class Observed:
             raise InputError("values", y, where).give("a list of values")
         return cls(_Formula(model, len(y)), y, _noises(where, (noise, len(y))), takes=_takes(model))
 
-    def taking(self, names: tuple[str, ...]) -> Observed:
+    def taking(self, names: tuple[str, ...]) -> Self:
         """The same with a model that takes some parameters, where it names none itself.
 
         Parameters

@@ -11,12 +11,10 @@ The effect of a filter on white noise is known exactly: each step of the chain p
 so that its result has a stated one.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import lcm
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -135,7 +133,7 @@ class MeasuredRecord:
         time_column: str | int = "time",
         noise: Mapping[str, float] | None = None,
         gravity: float = STANDARD_GRAVITY,
-    ) -> MeasuredRecord:
+    ) -> Self:
         """Columns of a text file (commas, semicolons, tabs or blanks) with a line of headings.
 
         Parameters
@@ -182,7 +180,7 @@ class MeasuredRecord:
 
     def with_channel(
         self, name: str, values: ArrayLike, noise: float | Noise | None = None
-    ) -> MeasuredRecord:
+    ) -> Self:
         """Record with one more channel.
 
         Parameters
@@ -206,7 +204,7 @@ class MeasuredRecord:
             noise=others if noise is None else {**others, name: noise},
         )
 
-    def between(self, start: float, end: float) -> MeasuredRecord:
+    def between(self, start: float, end: float) -> Self:
         """Part of the record between two instants.
 
         Parameters
@@ -228,7 +226,7 @@ class MeasuredRecord:
 
     # -- the signal chain -------------------------------------------------------------------
 
-    def low_pass(self, cutoff: float, order: int = 4) -> MeasuredRecord:
+    def low_pass(self, cutoff: float, order: int = 4) -> Self:
         """All channels through a Butterworth filter, forward and backward: no phase is shifted.
 
         Parameters
@@ -303,9 +301,7 @@ class MeasuredRecord:
         require(f < 0.5 / self.step, where, "cutoff", f, rule)
         return butter(order, f, output="sos", fs=1 / self.step)
 
-    def with_derivatives(
-        self, channel: str, window: float | None = None, degree: int = 4
-    ) -> MeasuredRecord:
+    def with_derivatives(self, channel: str, window: float | None = None, degree: int = 4) -> Self:
         """Record with the rate and the second derivative of a channel, NAME_dot and NAME_ddot.
 
         Parameters
@@ -348,7 +344,7 @@ class MeasuredRecord:
             noise[name] = self.noise[channel].through(_kernel(half, degree, order, self.step))
         return replace(self, channels=channels, noise=noise)
 
-    def resampled(self, factor: float) -> MeasuredRecord:
+    def resampled(self, factor: float) -> Self:
         """Record at another rate of sampling.
 
         Parameters

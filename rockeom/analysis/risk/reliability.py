@@ -15,14 +15,12 @@ which the structure fails, and replaces the boundary there by a plane. Derivativ
 `rk.tangents`.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, Protocol
+from typing import Any, Protocol, Self
 
 import numpy as np
 from scipy.special import ndtr
@@ -565,7 +563,7 @@ class _Condition:
     limit: float | None = None
 
     @classmethod
-    def of(cls, where: str, demand: str | None, limit: float | None) -> _Condition:
+    def of(cls, where: str, demand: str | None, limit: float | None) -> Self:
         if (limit is None) != (demand is None):
             raise InputError("limit", limit, where).give("demand and limit, or neither")
         if limit is not None:

@@ -1,11 +1,9 @@
 """`DesignSpectrum`: the elastic spectrum of a code or a table, and motions that have it."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -110,7 +108,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         spectrum_type: int = 1,
         *,
         damping_ratio: float = 0.05,
-    ) -> DesignSpectrum:
+    ) -> Self:
         """Horizontal elastic spectrum of EN 1998-1:2004, 3.2.2.2, with the recommended values.
 
         It is defined up to 4 s.
@@ -153,7 +151,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         return cls(name, xi, 0.0, _EUROCODE_LONGEST, shape)
 
     @classmethod
-    def asce_7(cls, s_ds: Acceleration, s_d1: Acceleration, t_l: float) -> DesignSpectrum:
+    def asce_7(cls, s_ds: Acceleration, s_d1: Acceleration, t_l: float) -> Self:
         """Two-period design spectrum of ASCE 7-16, 11.4.6, for 5 % damping.
 
         Parameters
@@ -195,7 +193,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         units: str = "m/s2",
         damping_ratio: float = 0.05,
         name: str = "design spectrum",
-    ) -> DesignSpectrum:
+    ) -> Self:
         """Spectrum through points, linear between them.
 
         Parameters
