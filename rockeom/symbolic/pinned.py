@@ -13,7 +13,7 @@ from typing import NamedTuple
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side, tidy
-from rockeom.symbolic.checks.common import DeclarationError, naming
+from rockeom.symbolic.checks.common import ModelError, naming
 from rockeom.symbolic.contacts import ContactDeclaration, Pinned
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.mode import Mode
@@ -87,30 +87,30 @@ def _a_pair(model: ContactDeclaration) -> None:
     others = [c.name for c in model.contacts if not isinstance(c.law, Pinned)]
     names = ", ".join(c.name for c in model.contacts)
     if others:
-        raise DeclarationError(
+        raise ModelError(
             f"of its contacts {names} not all are Pinned(), {', '.join(others)} have another law: "
             "pinned feet are a pair, and stand alone",
         )
     if model.switching:
-        raise DeclarationError(
+        raise ModelError(
             f"the element {model.switching[0].name!r} stands next to pinned feet: declare a spring "
             "that never leaves as a Spring",
         )
     beside = [f"the force {f.name!r}" for f in model.forces]
     beside += [f"the internal variable {z.name!r}" for z in model.rates]
     if beside:
-        raise DeclarationError(
+        raise ModelError(
             f"{beside[0]} stands next to pinned feet: forces there are those of springs and "
             "dampers, and of `elastic_energy` and `dissipation`",
         )
     if sorted(c.side for c in model.contacts) != [-1, 1]:
-        raise DeclarationError(
+        raise ModelError(
             f"its pinned contacts are {names}: two feet, left and right, may be pinned, declared "
             "both by `feet(...)`",
         )
     wrong = [c.name for c in model.contacts if SIDES.get(c.name) != c.side]
     if wrong:
-        raise DeclarationError(f"its pinned feet are called {names}: call them left and right")
+        raise ModelError(f"its pinned feet are called {names}: call them left and right")
 
 
 def _closed(model: ContactDeclaration) -> _Closed:
@@ -121,7 +121,7 @@ def _closed(model: ContactDeclaration) -> _Closed:
     heights = {c.name: tidy(c.at(c.side)[0].subs(upright)) for c in model.contacts}
     if any(height != 0 for height in heights.values()):
         found = ", ".join(f"{height} of {name!r}" for name, height in heights.items())
-        raise DeclarationError(
+        raise ModelError(
             f"where all coordinates are zero the gaps of its pinned feet are {found}: both must "
             "stand on the ground there, at one height",
         )
@@ -137,7 +137,7 @@ def _closed(model: ContactDeclaration) -> _Closed:
         put = {c.position: e for c, e in zip(pair, places, strict=True)}
         put |= {c.velocity: rate(e, left) for c, e in zip(pair, places, strict=True)}
         return _Closed(pair, left, share, put)
-    raise DeclarationError(
+    raise ModelError(
         "no two coordinates are fixed by the gap and the slip of a pinned foot: declare the place "
         "of the base by two, in which both are linear, besides the rotation",
     )
@@ -149,7 +149,7 @@ def _stand(model: ContactDeclaration, closed: _Closed, feet: Mapping[str, Point]
     upright = {c.position: 0 for c in model.coordinates}
     left, right = (at_side(feet[foot][0], 1).subs(upright) for foot in ("left", "right"))
     if tidy(right - left).is_nonpositive:
-        raise DeclarationError(
+        raise ModelError(
             f"upright its left foot is at {tidy(left)} and the right one at {tidy(right)}: their "
             "slip must be their place along the ground, which grows to the right",
         )
@@ -160,12 +160,12 @@ def _stand(model: ContactDeclaration, closed: _Closed, feet: Mapping[str, Point]
             others = [x for x in closed.left if x != model.rotation]
             moved = [x.name for x in others if here.has(x.position)]
             if moved:
-                raise DeclarationError(
+                raise ModelError(
                     f"with the other foot pinned the {item} of the {c.name} one changes with "
                     f"{', '.join(moved)}: under pinned feet the rotation alone may move it",
                 )
             if tidy(here.subs(theta, 0) - stood) != 0:
-                raise DeclarationError(
+                raise ModelError(
                     f"where {model.rotation.name!r} is zero and the other foot pinned, the {item} "
                     f"of the {c.name} one is {tidy(here.subs(theta, 0))} instead of {stood}: "
                     "measure the rotation from where both feet stand",
@@ -182,7 +182,7 @@ def _follow(model: ContactDeclaration, closed: _Closed) -> None:
         of_place = any(sp.sympify(e).has(c.position) for e in given for c in closed.coordinates)
         if of_place or any(tidy(e) != 0 for e in carried - closed.share):
             names = " and ".join(c.name for c in closed.coordinates)
-            raise DeclarationError(
+            raise ModelError(
                 f"{names} do not move body {b.name!r} as they move the pinned feet: their ground "
                 "is level and carries all masses",
             )

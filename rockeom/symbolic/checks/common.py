@@ -41,7 +41,7 @@ class Names(NamedTuple):
     chosen: set[str]
 
 
-class DeclarationError(Exception):
+class ModelError(Exception):
     """What is wrong with a declaration, before the name of the model stands in front of it."""
 
 
@@ -50,7 +50,7 @@ def naming(model: str, remedy: str = "") -> Iterator[None]:
     """Make a fault a ValueError that names the model, and adds a remedy."""
     try:
         yield
-    except DeclarationError as fault:
+    except ModelError as fault:
         raise ValueError(f"{model}: {fault}{remedy}") from None
 
 

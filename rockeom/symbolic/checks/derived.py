@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from rockeom.symbolic.checks.common import DeclarationError, naming
+from rockeom.symbolic.checks.common import ModelError, naming
 from rockeom.symbolic.checks.modes import side_of, words_of
 from rockeom.symbolic.evaluate import array_function
 from rockeom.symbolic.hybrid import HybridModel
@@ -88,7 +88,7 @@ def _invertible(model: HybridModel, mode: Mode, sample: _Sample) -> None:
     matrices = matrices[np.isfinite(matrices).all(axis=(1, 2))]
     for i, c in enumerate(mode.coordinates):
         if len(matrices) and not (matrices[:, i, i] > 0).any():
-            raise DeclarationError(
+            raise ModelError(
                 f"the coordinate {c.name!r} moves no mass in mode {'/'.join(mode.sides)}: "
                 "its mass matrix is singular; give a body whose position contains it a mass",
             )
@@ -96,7 +96,7 @@ def _invertible(model: HybridModel, mode: Mode, sample: _Sample) -> None:
     with np.errstate(all="ignore"):
         lowest = np.linalg.eigvalsh(matrices / size[:, :, None] / size[:, None, :])[:, 0]
     if len(lowest) and not (lowest > 1e-12).any():
-        raise DeclarationError(
+        raise ModelError(
             f"the mass matrix of mode {'/'.join(mode.sides)} is singular: its coordinates "
             f"{', '.join(c.name for c in mode.coordinates)} move fewer masses than they are",
         )
@@ -115,7 +115,7 @@ def _one_ratio(model: HybridModel, sample: _Sample) -> None:
     ratios = sample(first.source, [model.velocity_ratio_at(t) for t in impacts])
     for t, ratio in zip(others, ratios[1:], strict=True):
         if not np.allclose(ratio, ratios[0], rtol=_NEGLIGIBLE, atol=0, equal_nan=True):
-            raise DeclarationError(
+            raise ModelError(
                 f"the ratio of the angular velocities differs between {words_of(first)} and "
                 f"{words_of(t)}: the feet are not equally far from the masses, which is not "
                 "modelled; make both sides alike, or give `rigid_velocity_ratio`, or declare a "
@@ -140,7 +140,7 @@ def _guards_open(model: HybridModel, sample: _Sample) -> None:
             values = found[t.guard]
             known = values[np.isfinite(values)]
             if known.size and not (known > 0).any():
-                raise DeclarationError(
+                raise ModelError(
                     f"the guard of {words_of(t)} is nowhere positive where {model.rotation.name!r} "
                     f"has the sign of {t.source!r}: it must be positive inside its source; turn "
                     "its sign",
@@ -172,7 +172,7 @@ def _rests(model: HybridModel, sample: _Sample) -> None:
             if c != model.rotation:
                 pushed[c.name] = pushed.get(c.name, True) and bool(found.any())
     for name in (name for name, always in pushed.items() if always):
-        raise DeclarationError(
+        raise ModelError(
             f"the elastic energy pushes {name!r} away from zero, where the structure "
             "rests: declare an energy such as k u**2/2, not a force",
         )
@@ -204,7 +204,7 @@ def _energies_are_even(model: HybridModel, sample: _Sample) -> None:
                     np.sign(gain) * (np.abs(gain) > 1e-12 * (np.abs(there) + np.abs(given)))
                 )
             if np.all(gains[0] * gains[1] < 0):
-                raise DeclarationError(
+                raise ModelError(
                     f"the elastic energy in {one!r} rises where {c.name!r} moves to one "
                     "side and falls on the other: it must grow to either side, as k u**2/2 does, "
                     "or k*SIDE*theta with rockeom.symbolic.SIDE, which has the sign of theta",

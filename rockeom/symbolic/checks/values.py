@@ -9,7 +9,7 @@ from typing import NamedTuple
 import sympy as sp
 
 from rockeom.codes import LEAST_RESTITUTION as LEAST
-from rockeom.symbolic.checks.common import DeclarationError, naming
+from rockeom.symbolic.checks.common import ModelError, naming
 from rockeom.symbolic.checks.derived import first_name
 from rockeom.symbolic.contacts import Contact
 from rockeom.symbolic.elements import Element
@@ -26,7 +26,7 @@ def check_values(model: HybridModel, values: Mapping[str, float]) -> None:
             if found > 0 or (found == 0 and size.may_vanish):
                 continue
             given = ", ".join(f"{name} = {values[name]}" for name in size.parameters)
-            raise DeclarationError(f"{size.what} is {float(found):g} with {given}: {size.remedy}")
+            raise ModelError(f"{size.what} is {float(found):g} with {given}: {size.remedy}")
 
 
 class Size(NamedTuple):

@@ -14,7 +14,7 @@ from sympy.core.function import AppliedUndef
 
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, tidy
-from rockeom.symbolic.checks.common import DeclarationError
+from rockeom.symbolic.checks.common import ModelError
 from rockeom.symbolic.contacts import Contact
 from rockeom.symbolic.model import (
     GROUND_X,
@@ -65,7 +65,7 @@ class Writer:
         rotation = declared.pop("rotation")
         if rotation not in self.coordinates:
             names = ", ".join(map(str, self.coordinates))
-            raise DeclarationError(f"rotation is {rotation!r}: name one of `coordinates`, {names}")
+            raise ModelError(f"rotation is {rotation!r}: name one of `coordinates`, {names}")
         gravity = self.expression("gravity", declared["gravity"])
         potential = sum(self.potential_energy(b, gravity) for b in bodies)
         declared["elastic_energy"] = declared.get("elastic_energy", sp.S.Zero) + potential
@@ -84,7 +84,7 @@ class Writer:
         internal = {z.symbol for z in declared.get("rates", ())}
         missing = self.symbols - {*parameters, *internal, SIDE, GROUND_X, GROUND_Y}
         if missing:
-            raise DeclarationError(
+            raise ModelError(
                 f"parameters lacks {', '.join(sorted(map(str, missing)))}: give each symbol its "
                 'name, unit and meaning, such as {m: ("mass", "kg", "mass of the block")}',
             )
@@ -93,21 +93,21 @@ class Writer:
     def _check_bodies(self, bodies: tuple[Any, ...], outlines: Mapping[Any, Outline]) -> None:
         for b in bodies:
             if not hasattr(b, "masscenter"):
-                raise DeclarationError(f"bodies holds {b!r}: give objects of RigidBody or Particle")
+                raise ModelError(f"bodies holds {b!r}: give objects of RigidBody or Particle")
             if getattr(b, "frame", None) == self.frame:
-                raise DeclarationError(
+                raise ModelError(
                     f"frame is {self.frame}, which is that of body {b.name!r}: give the inertial "
                     "frame, and each RigidBody one of its own; what never turns is a Particle",
                 )
         if unknown := [str(b) for b in outlines if b not in bodies]:
-            raise DeclarationError(f"outlines holds {', '.join(unknown)}: name objects of `bodies`")
+            raise ModelError(f"outlines holds {', '.join(unknown)}: name objects of `bodies`")
 
     def _check_coordinates(self, bodies: tuple[Body, ...]) -> None:
         there: set[sp.Basic] = set()
         there = there.union(*(e.free_symbols for b in bodies for e in (*b.position, b.rotation)))
         idle = [str(q) for q, c in self.coordinates.items() if c.position not in there]
         if idle:
-            raise DeclarationError(
+            raise ModelError(
                 f"coordinates holds {', '.join(idle)}, which no point and no frame of a body "
                 "contains: leave it out, as a generalised speed is; only coordinates move bodies",
             )
@@ -132,12 +132,12 @@ class Writer:
         valid.expressions(self.name, **{what: expr})
         expr = sp.sympify(expr).doit().xreplace(self._put)
         if others := sorted(map(str, expr.atoms(AppliedUndef))):
-            raise DeclarationError(
+            raise ModelError(
                 f"{what} contains {', '.join(others)}, none of `coordinates`: add what is a "
                 "coordinate, and write a generalised speed as the derivative that it is, q.diff()",
             )
         if self._time in expr.free_symbols:
-            raise DeclarationError(
+            raise ModelError(
                 f"{what} changes with the time {self._time}: write it from a point and a frame "
                 "that rest on the ground, whose acceleration is given to `simulate`",
             )
@@ -149,12 +149,10 @@ class Writer:
         try:
             vector = point.pos_from(self.origin).to_matrix(self.frame)
         except ValueError as error:
-            raise DeclarationError(
-                f"{what}: {error}: give it by `set_pos` or `locatenew`"
-            ) from error
+            raise ModelError(f"{what}: {error}: give it by `set_pos` or `locatenew`") from error
         x, y, z = (tidy(self.expression(what, e)) for e in vector)
         if z.free_symbols & {c.position for c in self.coordinates.values()}:
-            raise DeclarationError(f"{what} leaves the plane: along {self.frame}.z it is {z}")
+            raise ModelError(f"{what} leaves the plane: along {self.frame}.z it is {z}")
         return x, y
 
     def _angle(self, what: str, frame: Any) -> sp.Expr:
@@ -162,11 +160,11 @@ class Writer:
         try:
             matrix = self.frame.dcm(frame)
         except ValueError as error:
-            raise DeclarationError(f"{what}: {error}: orient its frame by `orient_axis`") from error
+            raise ModelError(f"{what}: {error}: orient its frame by `orient_axis`") from error
         what = f"orientation of {what}"
         matrix = matrix.applyfunc(lambda e: sp.expand_trig(self.expression(what, e)))
         if tidy(matrix[2, 2]) != 1:
-            raise DeclarationError(
+            raise ModelError(
                 f"{what} is not in the plane: turn {frame} about {self.frame}.z alone",
             )
         cosine, sine = matrix[0, 0], matrix[1, 0]
@@ -175,9 +173,7 @@ class Writer:
             by_q = tidy(cosine * sp.diff(sine, q) - sine * sp.diff(cosine, q))
             angle -= by_q * q
             if by_q.free_symbols & {c.position for c in self.coordinates.values()}:
-                raise DeclarationError(
-                    f"{what} is not linear in {q}: use the angle as a coordinate"
-                )
+                raise ModelError(f"{what} is not linear in {q}: use the angle as a coordinate")
         return angle
 
     def contacts(self, contacts: Any) -> tuple[Contact, ...]:
@@ -187,7 +183,7 @@ class Writer:
         found = []
         for name, pair in contacts.items():
             if not (isinstance(pair, tuple) and len(pair) == 2 and hasattr(pair[0], "pos_from")):
-                raise DeclarationError(f"contact {name!r} is {pair!r}: give (Point, law)")
+                raise ModelError(f"contact {name!r} is {pair!r}: give (Point, law)")
             slip, gap = self.place(f"position of contact {name!r}", pair[0])
             found.append(Contact(name, gap, slip, self.written(f"law of {name!r}", pair[1])))
         return tuple(found)
@@ -197,7 +193,7 @@ class Writer:
         energy = sp.sympify(body.potential_energy)
         twice = energy.free_symbols & (sp.sympify(body.mass).free_symbols | gravity.free_symbols)
         if twice:
-            raise DeclarationError(
+            raise ModelError(
                 f"the potential energy of body {body.name!r} contains "
                 f"{', '.join(sorted(map(str, twice)))}: leave its weight out, `gravity` gives it",
             )
@@ -224,19 +220,15 @@ class Writer:
 
 def _check_ground(frame: Any, origin: Any) -> None:
     if not hasattr(frame, "dcm"):
-        raise DeclarationError(
-            f"frame is {frame!r}: give the ReferenceFrame that rests on the ground"
-        )
+        raise ModelError(f"frame is {frame!r}: give the ReferenceFrame that rests on the ground")
     if not hasattr(origin, "pos_from"):
-        raise DeclarationError(
-            f"origin is {origin!r}: give the Point from which positions are measured"
-        )
+        raise ModelError(f"origin is {origin!r}: give the Point from which positions are measured")
     try:
         velocity = origin.vel(frame)
     except ValueError:  # none was set
         return
     if velocity != 0:
-        raise DeclarationError(
+        raise ModelError(
             f"origin is {origin}, which moves by {velocity}: give a point of the ground"
         )
 
@@ -246,7 +238,7 @@ def _coordinates(given: Mapping[sp.Expr, Words]) -> dict[sp.Expr, Coordinate]:
     _check_mapping("coordinates", given, example)
     for q in given:
         if not isinstance(q, AppliedUndef) or len(q.args) != 1:
-            raise DeclarationError(
+            raise ModelError(
                 f"coordinates holds {q!r}: give what `dynamicsymbols` returns, and no derivative",
             )
     return {q: coordinate(str(q.func), *_words(q, words)) for q, words in given.items()}
@@ -254,16 +246,16 @@ def _coordinates(given: Mapping[sp.Expr, Words]) -> dict[sp.Expr, Coordinate]:
 
 def _check_mapping(what: str, given: Any, example: str) -> None:
     if not isinstance(given, Mapping) or not given:
-        raise DeclarationError(f"{what} is {given!r}: give a mapping, such as {example}")
+        raise ModelError(f"{what} is {given!r}: give a mapping, such as {example}")
 
 
 def _items(what: str, given: Any) -> tuple[Any, ...]:
     if not isinstance(given, Iterable) or isinstance(given, str):
-        raise DeclarationError(f"{what} is {given!r}: give a list, [...]")
+        raise ModelError(f"{what} is {given!r}: give a list, [...]")
     return tuple(given)
 
 
 def _words(symbol: sp.Expr, words: Words) -> Words:
     if not isinstance(words, tuple) or len(words) != 3:
-        raise DeclarationError(f"{symbol} is described by {words!r}: give (name, unit, meaning)")
+        raise ModelError(f"{symbol} is described by {words!r}: give (name, unit, meaning)")
     return words
