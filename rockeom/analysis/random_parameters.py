@@ -72,3 +72,8 @@ class RandomParameters:
             name: Dual(x, direction)
             for (name, x), direction in zip(values.items(), np.diag(slopes), strict=True)
         }
+
+
+def in_words(values: Mapping[str, float]) -> str:
+    """Parameters with their values."""
+    return ", ".join(f"{name} = {x:.6g}" for name, x in values.items())

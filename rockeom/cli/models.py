@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from rockeom.cli.errors import UsageError, lists, numbers, words
+from rockeom.cli.options import add_pairs
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling.declared import module_of
 from rockeom.modelling.named import (
@@ -59,13 +60,11 @@ def run(args: argparse.Namespace) -> int:
 def add_structure(parser: argparse.ArgumentParser) -> None:
     """Arguments of a command that makes one: its name, and --set for its parameters."""
     parser.add_argument("name", metavar="NAME", help="a structure, as listed by: rockeom models")
-    parser.add_argument(
+    add_pairs(
+        parser,
         "--set",
-        nargs="+",
-        action="extend",
-        default=[],
-        metavar="NAME=VALUE",
-        help="parameters of the structure; a list as masses=20e3,20e3; its support as "
+        "NAME=VALUE",
+        "parameters of the structure; a list as masses=20e3,20e3; its support as "
         "support=winkler springs=4 foundation_stiffness=1e8 foundation_damping=1e5",
     )
 

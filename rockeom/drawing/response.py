@@ -100,8 +100,7 @@ def _overview(run: Response, figure: Figure | SubFigure | None) -> tuple[Figure 
     """The rows that this structure fills, below a title with the outcome."""
     rows = _rows(run)
     heights = [height for _, height in rows]
-    if figure is None:
-        figure = style.new_figure(7.2, 0.9 + 1.25 * sum(heights))
+    figure = figure or style.new_figure(7.2, 0.9 + 1.25 * sum(heights))
     axes = figure.subplots(len(rows), 1, sharex=True, gridspec_kw={"height_ratios": heights})
     for ax, (draw, _) in zip(axes, rows, strict=True):
         draw(ax, run)

@@ -57,8 +57,7 @@ def wall_envelopes(
         require_word("paths", name, paths, "wall_envelopes")
     columns = min(_COLUMNS, len(drawn))
     rows = -(-(len(drawn) + 1) // columns)
-    if figure is None:
-        figure = style.new_figure(2.0 * columns, 1.7 * rows)
+    figure = figure or style.new_figure(2.0 * columns, 1.7 * rows)
     axes = figure.subplots(rows, columns, sharex=True, squeeze=False)
     panels = axes.ravel()
     for ax, (name, test) in zip(panels, drawn.items(), strict=False):

@@ -140,17 +140,12 @@ class TabulatedLaw:
         ratio : float
             Ratio of the angular velocities, NaN where the table has it.
         """
-        return (self.code, math.nan) if self.table_needed else (RATIO, self.only_velocity_ratio)
+        return self.code, math.nan
 
     @property
     def table_needed(self) -> bool:
         """Whether the compiled loop reads the table of the law."""
         return True
-
-    @property
-    def only_velocity_ratio(self) -> float:
-        """e, where no table is needed."""
-        raise NotImplementedError
 
     def table(self, structure: Landing) -> Table:
         """Energy ratios r of the impacts of a structure.
@@ -227,10 +222,10 @@ class EnergyRatio(TabulatedLaw):
         """Whether the feet differ, so that the compiled loop reads the table of the law."""
         return self.r is None
 
-    @property
-    def only_velocity_ratio(self) -> float:
-        """The one ratio e of the angular velocities, where there is one."""
-        return mathematics.sqrt(self.r)
+    def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
+        if self.r is None:
+            return super().resolve(velocity_ratio, has_impulsive, name)
+        return RATIO, mathematics.sqrt(self.r)
 
     def of_foot(self, foot: str) -> float:
         """Energy ratio r where one of the feet lands.

@@ -28,7 +28,7 @@ from scipy.special import gammaln, log_ndtr, ndtri, stdtr
 from rockeom.analysis.identification.fitting import CONFIDENCE
 from rockeom.analysis.identification.observed import Observed, PredictedReadings
 from rockeom.analysis.identification.sampling import Draws, Ridge, hamiltonian_draws
-from rockeom.analysis.random_parameters import RandomParameters
+from rockeom.analysis.random_parameters import RandomParameters, in_words
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, require
 from rockeom.numbers.dual import tangent_of, value_of
@@ -357,7 +357,7 @@ class Posterior:
         least = float(np.linalg.eigvalsh(bend)[0])
         if not least > 0.0:
             raise ValueError(
-                f"laplace: the density does not fall off from {self._told(self.map)} in every "
+                f"laplace: the density does not fall off from {in_words(self.map)} in every "
                 "direction: it has no peak there; use `sample`, or other starts"
             )
         covariance = scale @ np.linalg.inv(bend) @ scale.T
@@ -442,11 +442,8 @@ class Posterior:
         values = dict(zip(self.space.names, self.space.columns(u), strict=True))
         return Draws(values, counts.pop("gradients"), dict(counts), diverging)
 
-    def _told(self, values: Mapping[str, float]) -> str:
-        return ", ".join(f"{name} = {x:.6g}" for name, x in values.items())
-
     def __repr__(self) -> str:
-        return f"Posterior({self._told(self.map)})"
+        return f"Posterior({in_words(self.map)})"
 
     def summary(self, confidence: float = CONFIDENCE) -> str:
         """Parameters in words, a line each, by Laplace's approximation.

@@ -225,7 +225,7 @@ class Observed:
         if release_time is not None and takes is not None:
             takes = (*takes, release_time)
         lengths = {name: len(x) for name, x in values.items()}
-        model = _Swings(case, lengths, quantity, release_time, options)
+        model = SwingsOfCase(case, lengths, quantity, release_time, options)
         return cls(
             model, np.concatenate(list(values.values())), _noises(where, *pairs), takes=takes
         )
@@ -401,7 +401,7 @@ def _answer(
     return PredictedReadings(values, np.where(lost, 0.0, along), mismatch)
 
 
-class _Swings(NamedTuple):
+class SwingsOfCase(NamedTuple):
     """The swings of a case; lengths : how many of each kind were measured, by their names."""
 
     case: Any

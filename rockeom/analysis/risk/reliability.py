@@ -25,7 +25,7 @@ from typing import Any, Protocol, Self
 import numpy as np
 from scipy.special import ndtr
 
-from rockeom.analysis.random_parameters import RandomParameters
+from rockeom.analysis.random_parameters import RandomParameters, in_words
 from rockeom.analysis.risk.fragility import proportion_interval
 from rockeom.analysis.sweeps import FALLS, exceedances, outcome_labels, unanswered
 from rockeom.numbers.checks import InputError, require
@@ -359,10 +359,6 @@ def monte_carlo(
     return MonteCarlo(int(fails.sum()), int(answered.sum()), int((~answered).sum()), sweep)
 
 
-def _told(values: Mapping[str, float]) -> str:
-    return ", ".join(f"{name} = {x:.6g}" for name, x in values.items())
-
-
 # -- the nearest point of a surface
 
 
@@ -489,7 +485,7 @@ class _Smooth:
         if not (math.isfinite(value) and np.all(np.isfinite(slope))):
             raise ValueError(
                 f"the limit state is {value} with the gradient {slope} at "
-                f"{_told(self.space.values(u))}: it must be finite there"
+                f"{in_words(self.space.values(u))}: it must be finite there"
             )
         return value, slope
 
@@ -609,8 +605,8 @@ class _Fates:
         if not answered.all():
             row = int(np.argmin(answered))
             raise ValueError(
-                f"with {_told(self.space.values(u[row]))} the motion gives no answer: its outcome "
-                f"is {outcome_labels(sweep).values[row]!r}"
+                f"with {in_words(self.space.values(u[row]))} the motion gives no answer: its "
+                f"outcome is {outcome_labels(sweep).values[row]!r}"
             )
         return fails
 

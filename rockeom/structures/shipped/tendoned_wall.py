@@ -204,59 +204,6 @@ class Tendon:
         )
 
     @classmethod
-    def between_anchors(
-        cls,
-        distance: float,
-        modulus: float,
-        area: float,
-        yield_stress: float,
-        initial_force: float,
-        eccentricity: float = 0.0,
-    ) -> Tendon:
-        """Tendon that has the force P0 between two anchors; thesis B-11.
-
-        Parameters
-        ----------
-        distance : float
-            Distance of the anchors [m].
-        modulus : float
-            Young's modulus E [Pa].
-        area : float
-            Area A [m2].
-        yield_stress : float
-            Yield stress [Pa].
-        initial_force : float
-            Initial force P0 [N].
-        eccentricity : float, optional
-            Place along the base, from the centreline, positive to the right [m].
-
-        Returns
-        -------
-        Tendon
-            Tendon.
-
-        Raises
-        ------
-        ValueError
-            For numbers that are not positive.
-
-        Notes
-        -----
-        Its unstressed length is distance/(1 + P0/(E A)), less than the distance: the 3106.6 mm of
-        4-16 add the extension to 3100 mm, where appendix B takes it off.
-        """
-        positive(
-            "Tendon.between_anchors",
-            distance=distance,
-            modulus=modulus,
-            area=area,
-            yield_stress=yield_stress,
-        )
-        rigidity = modulus * area
-        stiffness = (rigidity + initial_force) / distance
-        return cls(stiffness, initial_force, yield_stress * area, eccentricity)
-
-    @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> Tendon:
         """Tendon of thesis chapter 4.
 
