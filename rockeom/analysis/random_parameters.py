@@ -13,7 +13,7 @@ from typing import Any, Self
 import numpy as np
 from scipy.special import ndtr
 
-from rockeom.numbers.checks import InputError
+from rockeom.numbers.checks import InputError, require
 from rockeom.numbers.dual import Dual
 
 
@@ -27,8 +27,7 @@ class RandomParameters:
     @classmethod
     def of(cls, where: str, random: Mapping[str, Any], argument: str = "random") -> Self:
         """argument : of the function `where`, that holds the distributions, for its errors."""
-        if not random:
-            raise InputError(argument, {}, where).give("a distribution of each parameter")
+        require(bool(random), where, argument, {}, "give a distribution of each parameter")
         for name, marginal in random.items():
             if not all(hasattr(marginal, part) for part in ("ppf", "isf", "logpdf")):
                 raise InputError(argument, of=where).wrong(

@@ -1437,8 +1437,7 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> first.rotated(second, math.radians(-32)).peak  # m/s2  # doctest: +SKIP
         8.272833079011688
         """
-        if not isinstance(other, GroundMotion):
-            raise InputError("other", other).give("a GroundMotion")
+        require(isinstance(other, GroundMotion), "", "other", other, "give a GroundMotion")
         turn = finite_number("angle", angle)
         segments, samples = _processing().rotated(self, other, turn)
         name = (
@@ -1586,8 +1585,7 @@ def _from_record(
 ) -> GroundMotion:
     """A record as linear segments between samples."""
     dt = positive_number("dt", dt)
-    if len(a) < 2:
-        raise InputError("acceleration", a, source).give("two samples or more")
+    require(len(a) >= 2, source, "acceleration", a, "give two samples or more")
     largest = np.abs(a).max()
     if largest > _ABSURD_PEAK:
         warn_caller(

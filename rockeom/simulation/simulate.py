@@ -14,7 +14,7 @@ from rockeom.integrator.program import Program, program
 from rockeom.motion import GroundMotion
 from rockeom.motion.recording import Recording
 from rockeom.numbers import explained
-from rockeom.numbers.checks import InputError, InputTypeError
+from rockeom.numbers.checks import InputTypeError, require
 from rockeom.simulation.case import STILL, Case, Problem, without_duals
 from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.method_selection import chosen
@@ -117,8 +117,7 @@ def simulate(
     >>> print(f"{run.extremes('theta').peak:.4f} rad")
     0.1423 rad
     """
-    if keep not in KEEP:
-        raise InputError("keep", keep).so(f"choose {' or '.join(map(repr, KEEP))}")
+    require(keep in KEEP, "", "keep", keep, f"choose {' or '.join(map(repr, KEEP))}")
     parts: Any = motion, impact, initial, duration, vertical, mode
     case = structure if isinstance(structure, Case) else Case(structure, *parts)
     if case is structure and any(part is not None for part in parts):

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.integrator.texts import load_text, source
 from rockeom.numbers import explained
-from rockeom.numbers.checks import InputError, array_of
+from rockeom.numbers.checks import InputError, array_of, require
 from rockeom.numbers.functions import for_arrays
 
 FULL_CONTACT = "both"
@@ -210,8 +210,7 @@ def rayleigh_damping(periods: ArrayLike, ratios: ArrayLike) -> RayleighDamping:
     omega = 2.0 * np.pi / t
     if len(t) == 1:
         return RayleighDamping(0.0, float(2.0 * zeta[0] / omega[0]))
-    if t[0] == t[1]:
-        raise InputError("periods", periods, "rayleigh_damping").give("those of two modes")
+    require(bool(t[0] != t[1]), "rayleigh_damping", "periods", periods, "give those of two modes")
     alpha, beta = np.linalg.solve(np.column_stack([0.5 / omega, 0.5 * omega]), zeta)
     return RayleighDamping(float(alpha), float(beta))
 

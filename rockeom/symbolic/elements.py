@@ -13,7 +13,7 @@ from typing import ClassVar, NamedTuple, Self
 import sympy as sp
 
 from rockeom.numbers import explained
-from rockeom.numbers.checks import InputError
+from rockeom.numbers.checks import require
 from rockeom.symbolic import valid
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import Coordinate, InternalVariable, Point, internal_variable
@@ -220,8 +220,7 @@ class Yielding:
                 raise ValueError(
                     f"{what}: its {item} is zero: give a positive one, or leave it out"
                 )
-        if not isinstance(self.slack, bool):
-            raise InputError("slack", self.slack, what).give("True or False")
+        require(isinstance(self.slack, bool), what, "slack", self.slack, "give True or False")
         z = internal_variable(
             f"z_{self.name}", f"{self.name}_extension", "m", f"permanent extension of {self.name}"
         )

@@ -565,8 +565,7 @@ def model_probabilities(posteriors: Mapping[str, Posterior]) -> dict[str, float]
     lose.
     """
     found = list(posteriors.values())
-    if not found:
-        raise InputError("posteriors", posteriors).give("those that are compared")
+    require(bool(found), "", "posteriors", posteriors, "give those that are compared")
     readings = [np.concatenate([test.measured for test in one.tests]) for one in found]
     for name, other in zip(posteriors, readings, strict=True):
         if not np.array_equal(readings[0], other):

@@ -288,10 +288,8 @@ class _LeastSquares:
     ) -> Self:
         """Raises ValueError for bad arguments of `fit`."""
         (y,) = numbers("fit", measured=measured)
-        if y.ndim != 1 or not y.size:
-            raise InputError("measured", y, "fit").give("a list of values")
-        if not start:
-            raise InputError("start", {}, "fit").give("a first guess of each parameter, by name")
+        require(y.ndim == 1 and y.size > 0, "fit", "measured", y, "give a list of values")
+        require(bool(start), "fit", "start", {}, "give a first guess of each parameter, by name")
         first = np.array([float(numbers("fit", **{name: start[name]})[0]) for name in start])
         (sigma,) = positive("fit", uncertainty=1.0 if uncertainty is None else uncertainty)
         if sigma.shape not in ((), y.shape):

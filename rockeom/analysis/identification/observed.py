@@ -263,8 +263,7 @@ class Observed:
         """
         where = "Observed.formula"
         (y,) = numbers(where, values=values)
-        if y.ndim != 1 or not y.size:
-            raise InputError("values", y, where).give("a list of values")
+        require(y.ndim == 1 and y.size > 0, where, "values", y, "give a list of values")
         return cls(_Formula(model, len(y)), y, _noises(where, (noise, len(y))), takes=_takes(model))
 
     def taking(self, names: tuple[str, ...]) -> Self:

@@ -93,8 +93,7 @@ class MeasuredRecord:
     def __post_init__(self) -> None:
         where = "MeasuredRecord"
         (t,) = numbers(where, time=self.time)
-        if t.ndim != 1 or len(t) < 8:
-            raise InputError("time", t, where).give("at least 8 instants")
+        require(t.ndim == 1 and len(t) >= 8, where, "time", t, "give at least 8 instants")
         require(np.diff(t) > 0, where, "time", t[1:], "times must increase")
         mean = (t[-1] - t[0]) / (len(t) - 1)
         even = np.abs(t - t[0] - mean * np.arange(len(t))) < 0.1 * mean

@@ -211,8 +211,7 @@ class _Row:
     def number(self, column: str, unit: float = 1.0, may_lack: bool = False) -> float:
         """The number in a cell, positive, in SI; nan where it may lack and does."""
         value = self.signed(column, unit, may_lack)
-        if value <= 0:
-            raise InputError(column, self.values[column], self.where).give("a positive number")
+        require(not value <= 0, self.where, column, self.values[column], "give a positive number")
         return value
 
     def signed(self, column: str, unit: float, may_lack: bool = False) -> float:
@@ -276,8 +275,7 @@ def wall_tests(
     (24, 1.0, 1.05)
     """
     if walls is None:
-        if envelopes is not None:
-            raise InputError("walls", walls, "wall_tests").give("both files, or none")
+        require(envelopes is None, "wall_tests", "walls", walls, "give both files, or none")
         data = files("rockeom.analysis").joinpath("data")
         sources = [data.joinpath(n) for n in ("stone_walls.csv", "dry_wall_envelopes.csv")]
     else:

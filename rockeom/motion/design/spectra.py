@@ -17,7 +17,7 @@ from rockeom.motion.synthetic import JenningsEnvelope, factors
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration, factor
 from rockeom.numbers import explained
 from rockeom.numbers.callers import warn_caller
-from rockeom.numbers.checks import InputError, array_of, positive_number, whole_number
+from rockeom.numbers.checks import InputError, array_of, positive_number, require, whole_number
 
 _STRONG_PART = JenningsEnvelope(rise=3.0, until=13.0, decay=0.3)
 """With the 10 s of stationary motion that EN 1998-1:2004, 3.2.3.1.2(3), asks for."""
@@ -178,8 +178,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         at_one = positive_number("s_d1", acceleration("s_d1", s_d1))
         _question(s_ds, "s_ds", _CATEGORY_A, "seismic design category A, ASCE 7-16, table 11.6-1")
         t_s, last = at_one / short, positive_number("t_l", t_l)
-        if last <= t_s:
-            raise InputError("t_l", last).give(f"T_L, above s_d1/s_ds = {t_s:.4g} s")
+        require(last > t_s, "", "t_l", last, f"give T_L, above s_d1/s_ds = {t_s:.4g} s")
         name = f"ASCE 7, S_DS {short:.4g} m/s2, S_D1 {at_one:.4g} m/s2"
         shape = _Branches(0.4 * short, short, 0.2 * t_s, t_s, last)
         return cls(name, 0.05, 0.0, math.inf, shape)
@@ -373,8 +372,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         ----------
         Al Atik and Abrahamson (2010), Earthquake Spectra 26, 601-617.
         """
-        if not isinstance(record, GroundMotion):
-            raise InputError("record", record).give("a GroundMotion")
+        require(isinstance(record, GroundMotion), "", "record", record, "give a GroundMotion")
         target = self._target(between)
         found = self._told(self._matched(record, target), target)
         return replace(found, name=f"{record.name}, matched", is_vertical=record.is_vertical)
@@ -392,8 +390,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
                 f"of {first:g} s: give between=({2.0 * record.dt:g}, {last:g})"
             )
         own = record.response_spectrum(target.periods, self.damping_ratio).pseudo_acceleration
-        if not (own > 0.0).all():
-            raise InputError("record", record.name).give("a motion that shakes")
+        require(bool((own > 0.0).all()), "", "record", record.name, "give a motion that shakes")
         scale = math.exp(float(np.log(target.accelerations / own).mean()))
         samples = matching.matched(record.samples * scale, record.dt, target)
         made = GroundMotion.from_array(samples, record.dt, name=record.name)
@@ -431,8 +428,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
             first, last = (positive_number("between", t) for t in between)
         except (TypeError, ValueError) as error:
             raise InputError("between", between).give("a shorter and a longer period") from error
-        if not first < last:
-            raise InputError("between", first).give(f"less than the second period, {last:g} s")
+        require(first < last, "", "between", first, f"give less than the second period, {last:g} s")
         least, most = _MATCHED
         if not least <= self.damping_ratio <= most:
             raise InputError("damping_ratio", self.damping_ratio).says(
@@ -481,10 +477,8 @@ class DesignSpectrum(metaclass=explained.Constructors):
             raise InputError("motions", motions).give("three ground motions or more")
         several = list(motions)
         for one in several:
-            if not isinstance(one, GroundMotion):
-                raise InputError("motions", one).give("GroundMotions alone")
-            if one.is_vertical:
-                raise InputError("motions", one.name).give("horizontal components")
+            require(isinstance(one, GroundMotion), "", "motions", one, "give GroundMotions alone")
+            require(not one.is_vertical, "", "motions", one.name, "give horizontal components")
         if not several:
             raise InputError("motions").says("there are no motions to check: give three or more")
         periods = np.geomspace(BAND[0] * t_1, BAND[1] * t_1, _CHECKED)
