@@ -8,15 +8,8 @@ from typing import Any
 from rockeom.cli.errors import UsageError, lists, numbers, words
 from rockeom.cli.options import add_pairs
 from rockeom.integrator.schema import GeneratedModule
+from rockeom.modelling import named
 from rockeom.modelling.declared import module_of
-from rockeom.modelling.named import (
-    FAMILIES,
-    SUPPORTS,
-    class_named,
-    parameters_of,
-    structure,
-    takes_support,
-)
 from rockeom.numbers.checks import InputTypeError
 from rockeom.structures.base import Structure
 from rockeom.structures.classes import SHIPPED
@@ -52,7 +45,7 @@ def run(args: argparse.Namespace) -> int:
     if args.name is None:
         print(_list())
         return 0
-    made = class_named(args.name)
+    made = named.class_named(args.name)
     print(_explain(made, details(args.arguments) or _EXAMPLES.get(args.name, {})))
     return 0
 
@@ -88,13 +81,13 @@ def details(pairs: list[str]) -> dict[str, int | str]:
 
 def made(args: argparse.Namespace, **others: Any) -> Structure:
     """The structure of the arguments of `add_structure`; others : values in place of theirs."""
-    of, example = class_named(args.name), "mass=122.6"
+    of, example = named.class_named(args.name), "mass=122.6"
     values: dict[str, Any] = {}
     for name, text in words(args.set, "--set", example).items():
         said = f"--set {name}={text}"
         if name in of.of_each:
             values[name] = lists(text, said, "--set", f"{name}=20e3,20e3")
-        elif name in ("support", "guided", "law") and takes_support(of):
+        elif name in ("support", "guided", "law") and named.takes_support(of):
             values[name] = text
         else:
             values |= numbers([f"{name}={text}"], "--set", example)
@@ -102,7 +95,7 @@ def made(args: argparse.Namespace, **others: Any) -> Structure:
     try:
         if dimensions_of(of, values):
             return _of_dimensions(of, values)
-        return structure(args.name, **values)
+        return named.structure(args.name, **values)
     except InputTypeError as error:
         raise UsageError(
             f"{error}. Write --set NAME=VALUE ...; rockeom models {args.name} explains them"
@@ -132,11 +125,11 @@ def _list() -> str:
     rows = [("NAME", "TITLE")]
     rows += [(name, _title(_module(of, {}))) for name, of in SHIPPED.items()]
     notes = []
-    for name, of in FAMILIES.items():
+    for name, of in named.FAMILIES.items():
         arguments = " ".join(f"{n}=N" for n in _EXAMPLES[name])
         rows.append((name, (of.__doc__ or "").partition(",")[0]))
         notes.append(f"  {name} takes {arguments}, and is derived for each")
-    standing = [n for n, s in {**SHIPPED, **FAMILIES}.items() if takes_support(s)]
+    standing = [n for n, s in {**SHIPPED, **named.FAMILIES}.items() if named.takes_support(s)]
     notes += [f"  {', '.join(standing)} take a support:"]
     notes += [f"    {line}" for line in _aligned(_supports())]
     return "\n".join(
@@ -153,10 +146,10 @@ def _list() -> str:
 def _supports() -> list[tuple[str, str]]:
     """Each support and its parameters, those in brackets that may be left out."""
     supports = []
-    for support in SUPPORTS:
+    for support in named.SUPPORTS:
         names = [
             f"{name}=" if default is dataclasses.MISSING else f"[{name}={default}]"
-            for name, default in parameters_of(support).items()
+            for name, default in named.parameters_of(support).items()
         ]
         supports.append((f"support={support}", " ".join(names) or "(if not given)"))
     return supports
@@ -206,7 +199,7 @@ def _of_support(
     of: type[Structure], module: GeneratedModule, arguments: Mapping[str, int | str]
 ) -> list[str]:
     """Supports of a structure, and the parameters of each."""
-    if not takes_support(of):
+    if not named.takes_support(of):
         return []
     support = str(arguments.get("support", "pinned"))
     words = {
@@ -215,7 +208,7 @@ def _of_support(
             module.PARAMETERS, module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True
         )
     }
-    rows = [(name, *words[name]) for name in parameters_of(support) if name in words]
+    rows = [(name, *words[name]) for name in named.parameters_of(support) if name in words]
     own = ["", *_aligned([("OF ITS SUPPORT", "UNIT", "MEANING"), *rows])] if rows else []
     return [*own, "", "It may stand on", *(f"  {line}" for line in _aligned(_supports()))]
 

@@ -12,20 +12,10 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from rockeom.symbolic import valid
+from rockeom.symbolic import model, valid
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.checks.common import ModelError
 from rockeom.symbolic.contacts import Contact
-from rockeom.symbolic.model import (
-    GROUND_X,
-    GROUND_Y,
-    Body,
-    Coordinate,
-    Outline,
-    Parameter,
-    Point,
-    coordinate,
-)
 
 Words = tuple[str, str, str]
 """(name, unit, meaning) of a coordinate or a parameter."""
@@ -55,7 +45,7 @@ class Writer:
         bodies: Iterable[Any],
         parameters: Mapping[sp.Symbol, Words],
         contacts: Any,
-        outlines: Mapping[Any, Outline],
+        outlines: Mapping[Any, model.Outline],
         declared: dict[str, Any],
     ) -> dict[str, Any]:
         """Arguments of `Model`, see `Model.from_mechanics`."""
@@ -76,13 +66,14 @@ class Writer:
             "bodies": moving,
             "contacts": self.contacts(contacts),
             "parameters": tuple(
-                Parameter(symbol, *_words(symbol, words)) for symbol, words in parameters.items()
+                model.Parameter(symbol, *_words(symbol, words))
+                for symbol, words in parameters.items()
             ),
             "rotation": self.coordinates[rotation],
             **{item: self.written(item, value) for item, value in declared.items()},
         }
         internal = {z.symbol for z in declared.get("rates", ())}
-        missing = self.symbols - {*parameters, *internal, SIDE, GROUND_X, GROUND_Y}
+        missing = self.symbols - {*parameters, *internal, SIDE, model.GROUND_X, model.GROUND_Y}
         if missing:
             raise ModelError(
                 f"parameters lacks {', '.join(sorted(map(str, missing)))}: give each symbol its "
@@ -90,7 +81,7 @@ class Writer:
             )
         return result
 
-    def _check_bodies(self, bodies: tuple[Any, ...], outlines: Mapping[Any, Outline]) -> None:
+    def _check_bodies(self, bodies: tuple[Any, ...], outlines: Mapping[Any, model.Outline]) -> None:
         for b in bodies:
             if not hasattr(b, "masscenter"):
                 raise ModelError(f"bodies holds {b!r}: give objects of RigidBody or Particle")
@@ -102,7 +93,7 @@ class Writer:
         if unknown := [str(b) for b in outlines if b not in bodies]:
             raise ModelError(f"outlines holds {', '.join(unknown)}: name objects of `bodies`")
 
-    def _check_coordinates(self, bodies: tuple[Body, ...]) -> None:
+    def _check_coordinates(self, bodies: tuple[model.Body, ...]) -> None:
         there: set[sp.Basic] = set()
         there = there.union(*(e.free_symbols for b in bodies for e in (*b.position, b.rotation)))
         idle = [str(q) for q, c in self.coordinates.items() if c.position not in there]
@@ -112,13 +103,13 @@ class Writer:
                 "contains: leave it out, as a generalised speed is; only coordinates move bodies",
             )
 
-    def body(self, body: Any, outline: Outline) -> Body:
+    def body(self, body: Any, outline: model.Outline) -> model.Body:
         what = f"body {body.name!r}"
         rotation = inertia = sp.S.Zero
         if hasattr(body, "frame"):
             rotation = self._angle(what, body.frame)
             inertia = tidy(self.frame.z.dot(body.central_inertia).dot(self.frame.z))
-        return Body(
+        return model.Body(
             body.name,
             self.expression(f"mass of {what}", body.mass),
             self.place(f"position of {what}", body.masscenter),
@@ -144,7 +135,7 @@ class Writer:
         self.symbols |= expr.free_symbols - {*self._put.values()}
         return expr
 
-    def place(self, what: str, point: Any) -> Point:
+    def place(self, what: str, point: Any) -> model.Point:
         """(x, y) of a point."""
         try:
             vector = point.pos_from(self.origin).to_matrix(self.frame)
@@ -201,7 +192,7 @@ class Writer:
 
     def written(self, what: str, value: Any) -> Any:
         """A value of `Model` in the symbols of the coordinates, items within it as well."""
-        if isinstance(value, Coordinate):
+        if isinstance(value, model.Coordinate):
             return value
         if hasattr(value, "pos_from"):
             return self.place(what, value)
@@ -233,7 +224,7 @@ def _check_ground(frame: Any, origin: Any) -> None:
         )
 
 
-def _coordinates(given: Mapping[sp.Expr, Words]) -> dict[sp.Expr, Coordinate]:
+def _coordinates(given: Mapping[sp.Expr, Words]) -> dict[sp.Expr, model.Coordinate]:
     example = '{theta: ("theta", "rad", "rotation, positive clockwise")}'
     _check_mapping("coordinates", given, example)
     for q in given:
@@ -241,7 +232,7 @@ def _coordinates(given: Mapping[sp.Expr, Words]) -> dict[sp.Expr, Coordinate]:
             raise ModelError(
                 f"coordinates holds {q!r}: give what `dynamicsymbols` returns, and no derivative",
             )
-    return {q: coordinate(str(q.func), *_words(q, words)) for q, words in given.items()}
+    return {q: model.coordinate(str(q.func), *_words(q, words)) for q, words in given.items()}
 
 
 def _check_mapping(what: str, given: Any, example: str) -> None:
