@@ -14,8 +14,6 @@ from sample to sample (Nigam and Jennings 1969); under an analytic motion Gauss'
 places integrates each step.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -217,12 +215,6 @@ def _damping(where: str, value: float) -> float:
     return float(xi)
 
 
-def _oscillator(motion: pieces.Motion, period: float, xi: float) -> _Oscillator:
-    if motion.samples is not None and motion.dt is not None:
-        return _UnderRecord(period, xi, motion.samples, motion.dt)
-    return _UnderSegments(period, xi, motion.segments)
-
-
 class _Oscillator:
     """One oscillator, at rest when the accelerations begin.
 
@@ -377,6 +369,12 @@ class _UnderSegments(_Oscillator):
         grown = np.exp(self.rate * (time - at)) * pushes.reshape(at.shape)
         z = np.exp(self.rate * time) * self.z[k] + 0.5 * time * (weights @ grown)
         return z, -pieces.acceleration(rows, self.begin[k] + time)
+
+
+def _oscillator(motion: pieces.Motion, period: float, xi: float) -> _Oscillator:
+    if motion.samples is not None and motion.dt is not None:
+        return _UnderRecord(period, xi, motion.samples, motion.dt)
+    return _UnderSegments(period, xi, motion.segments)
 
 
 def _recursion(growth: complex, gained: np.ndarray) -> np.ndarray:

@@ -1,7 +1,5 @@
 """Simulate a structure under a ground motion."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -185,25 +183,6 @@ def run(
         idle.append(bench)
 
 
-@cache
-def _benches(compiled: Program, keep: bool) -> list[_Bench]:
-    """Benches of a program that nobody uses now."""
-    return []
-
-
-_STEPS, _EVENTS = 1024, 4096
-"""How many are recorded before the record is emptied."""
-
-_TINY = float(np.finfo(float).tiny)
-
-
-def _at_the_start(problem: Problem) -> Steps:
-    """The record of a motion that has not begun."""
-    powers = np.zeros((1, 8, len(problem.y0)))
-    powers[0, 0] = problem.y0
-    return Steps(np.array([[0.0, _TINY]]), np.array([problem.mode]), powers)
-
-
 class _Bench:
     """The arrays in which one motion at a time is integrated, and the functions bound to them.
 
@@ -265,3 +244,22 @@ class _Bench:
         if self.falls():
             return Outcome.OVERTURNED
         return Outcome.CAME_TO_REST if self.at_rest() else Outcome.COMPLETED
+
+
+@cache
+def _benches(compiled: Program, keep: bool) -> list[_Bench]:
+    """Benches of a program that nobody uses now."""
+    return []
+
+
+_STEPS, _EVENTS = 1024, 4096
+"""How many are recorded before the record is emptied."""
+
+_TINY = float(np.finfo(float).tiny)
+
+
+def _at_the_start(problem: Problem) -> Steps:
+    """The record of a motion that has not begun."""
+    powers = np.zeros((1, 8, len(problem.y0)))
+    powers[0, 0] = problem.y0
+    return Steps(np.array([[0.0, _TINY]]), np.array([problem.mode]), powers)

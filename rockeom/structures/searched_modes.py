@@ -5,8 +5,6 @@ the modes is that of the loop, `rockeom/integrator/transitions/candidates.py`. T
 `rockeom.structures.modes` lists are those of `rockeom.structures.declared_modes`, too.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any, NamedTuple
@@ -33,6 +31,17 @@ _CLOSED = 1e-9
 """Relative to the terms of a gap, or of its rate: smaller ones are zero, in a motion."""
 _LANDED = 1e-13
 """The same of a gap that an impact has closed, as far as rounding lets it."""
+
+
+class Contacts(NamedTuple):
+    """The points in a state, (m,) each."""
+
+    closed: np.ndarray
+    """1 where it is closed."""
+    slides: np.ndarray
+    """The sign of its slip, 0 where it has none."""
+    least_gap: np.ndarray
+    """The lowest gap that the state may have, but for its errors [m]."""
 
 
 class Points:
@@ -74,17 +83,6 @@ class Points:
                 radius = search["radius_of"](of_contacts, i)
                 contacts.least_gap[i] = -search["GIVEN"] * np.maximum(size, radius)
         return contacts
-
-
-class Contacts(NamedTuple):
-    """The points in a state, (m,) each."""
-
-    closed: np.ndarray
-    """1 where it is closed."""
-    slides: np.ndarray
-    """The sign of its slip, 0 where it has none."""
-    least_gap: np.ndarray
-    """The lowest gap that the state may have, but for its errors [m]."""
 
 
 def _of_points(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> np.ndarray:

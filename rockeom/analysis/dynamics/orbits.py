@@ -616,14 +616,9 @@ class StroboscopicMap:
         return dict(zip(self.states, x, strict=True))
 
     def _simulated(self, x: np.ndarray, duration: float) -> Response:
-        run = simulate(
-            self.structure,
-            self.motion,
-            impact=self.impact,
-            initial=self._named(x.tolist()),
-            duration=duration,
-            options=self.options,
-        )
+        initial = self._named(x.tolist())
+        case = Case(self.structure, self.motion, self.impact, initial, duration)
+        run = simulate(case, options=self.options)
         _check_ended(run, x)
         return run
 

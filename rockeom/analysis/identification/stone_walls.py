@@ -6,8 +6,6 @@ walls = identification.wall_tests()  # of the database of Vanin, Zaganelli, Penn
 walls["WS1.100"].strength, walls["WS1.100"].rocking_strength  # N, measured and computed
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import os
@@ -54,6 +52,32 @@ class Envelope(NamedTuple):
 
     displacement: np.ndarray
     force: np.ndarray
+
+
+@dataclass(frozen=True)
+class _Row:
+    """A line of a table."""
+
+    where: str
+    values: Mapping[str, str]
+
+    def number(self, column: str, unit: float = 1.0, may_lack: bool = False) -> float:
+        """The number in a cell, positive, in SI; nan where it may lack and does."""
+        value = self.signed(column, unit, may_lack)
+        require(not value <= 0, self.where, column, self.values[column], "give a positive number")
+        return value
+
+    def signed(self, column: str, unit: float, may_lack: bool = False) -> float:
+        """The number in a cell, in SI."""
+        text = self.values[column].strip()
+        if not text and may_lack:
+            return float("nan")
+        try:
+            value = float(text) * unit
+        except ValueError:
+            value = float("nan")
+        require(np.isfinite(value), self.where, column, text, "give a finite number")
+        return value
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,32 +223,6 @@ class WallTest:
         for name, (one, other, unit) in _OF_BOTH_WAYS.items():
             values[name] = row.number(one, unit), row.number(other, unit, may_lack=True)
         return cls(**values, envelope=envelope)
-
-
-@dataclass(frozen=True)
-class _Row:
-    """A line of a table."""
-
-    where: str
-    values: Mapping[str, str]
-
-    def number(self, column: str, unit: float = 1.0, may_lack: bool = False) -> float:
-        """The number in a cell, positive, in SI; nan where it may lack and does."""
-        value = self.signed(column, unit, may_lack)
-        require(not value <= 0, self.where, column, self.values[column], "give a positive number")
-        return value
-
-    def signed(self, column: str, unit: float, may_lack: bool = False) -> float:
-        """The number in a cell, in SI."""
-        text = self.values[column].strip()
-        if not text and may_lack:
-            return float("nan")
-        try:
-            value = float(text) * unit
-        except ValueError:
-            value = float("nan")
-        require(np.isfinite(value), self.where, column, text, "give a finite number")
-        return value
 
 
 def wall_tests(
