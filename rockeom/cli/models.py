@@ -159,17 +159,12 @@ def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
     module = _module(of, arguments)
     half = len(module.STATES) // 2
     units = zip(module.STATES[:half], module.STATE_UNITS, strict=False)
-    laws = "angular-momentum, energy-ratio=R, velocity-ratio=E"
-    if module.HAS_IMPULSIVE:
-        laws += ", impulsive"
-    default = "impulsive" if isinstance(default_law(module), Impulsive) else "angular-momentum"
-    laws += f"; if not given, {default}"
     facts = [
         ("in Python", f"rockeom.{of.__name__}(...)"),
         ("coordinates", ", ".join(f"{name} [{unit}]" for name, unit in units)),
         ("states", ", ".join(module.STATES)),
         ("modes", ", ".join(module.MODES)),
-        ("impact laws", laws if _has_impacts(module) else _without_a_law(module)),
+        ("impact laws", _laws(module)),
     ]
     return "\n".join(
         [
@@ -202,12 +197,7 @@ def _of_support(
     if not named.takes_support(of):
         return []
     support = str(arguments.get("support", "pinned"))
-    words = {
-        name: (unit, meaning)
-        for name, unit, meaning in zip(
-            module.PARAMETERS, module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True
-        )
-    }
+    words = _words(module)
     rows = [(name, *words[name]) for name in named.parameters_of(support) if name in words]
     own = ["", *_aligned([("OF ITS SUPPORT", "UNIT", "MEANING"), *rows])] if rows else []
     return [*own, "", "It may stand on", *(f"  {line}" for line in _aligned(_supports()))]
@@ -215,8 +205,7 @@ def _of_support(
 
 def _parameters(of: type[Structure], module: GeneratedModule) -> list[tuple[str, str, str, str]]:
     """A table of the names that --set takes."""
-    words = zip(module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True)
-    meanings = dict(zip(module.PARAMETERS, words, strict=True))
+    meanings = _words(module)
     rows = [("PARAMETER", "UNIT", "IF NOT SET", "MEANING")]
     for name, default_value in of.defaults().items():
         called = name if name in meanings else _NAME_IN_MODEL.get(name)
@@ -234,14 +223,21 @@ def _parameters(of: type[Structure], module: GeneratedModule) -> list[tuple[str,
     return rows
 
 
-def _has_impacts(module: GeneratedModule) -> bool:
-    return any(kind == "impact" for _, _, kind in module.TRANSITIONS)
+def _words(module: GeneratedModule) -> dict[str, tuple[str, str]]:
+    """Unit and meaning of each parameter."""
+    words = zip(module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True)
+    return dict(zip(module.PARAMETERS, words, strict=True))
 
 
-def _without_a_law(module: GeneratedModule) -> str:
+def _laws(module: GeneratedModule) -> str:
     if getattr(module, "POINTS", ()):
         return "none: each point has its restitution, and its friction if it may slip"
-    return "none: the contacts are springs"
+    if not any(kind == "impact" for _, _, kind in module.TRANSITIONS):
+        return "none: the contacts are springs"
+    laws = "angular-momentum, energy-ratio=R, velocity-ratio=E"
+    laws += ", impulsive" * module.HAS_IMPULSIVE
+    default = "impulsive" if isinstance(default_law(module), Impulsive) else "angular-momentum"
+    return f"{laws}; if not given, {default}"
 
 
 def _module(of: type[Structure], arguments: Mapping[str, int | str]) -> GeneratedModule:

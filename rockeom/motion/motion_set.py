@@ -400,17 +400,7 @@ class MotionSet(Sequence[GroundMotion]):
         found = np.array([measure(motion) for motion in self])
         power = 0.5 if _word(intensity) == "arias_intensity" else 1.0
         factors = (wanted / self._reached(found, wanted, of)) ** power
-        scaled = MotionSet(
-            (
-                replace(
-                    motion.scaled(factor),
-                    name=motion.name,
-                    source=f"{motion.source}, times {factor:.6g}",
-                )
-                for motion, factor in zip(self, factors.tolist(), strict=True)
-            ),
-            self.name,
-        )
+        scaled = MotionSet(map(_times, self, factors.tolist()), self.name)
         if callable(intensity) and not np.isclose(
             measure(scaled[0]), found[0] * factors[0], rtol=1e-6, atol=0.0
         ):
@@ -492,6 +482,11 @@ class MotionSet(Sequence[GroundMotion]):
         spectra = [*self.response_spectra(periods, damping_ratio).values()]
         title = self.name and f"Response spectra, {self.name}"
         return picture("plot_spectra", spectra, **{"title": title} | kwargs)
+
+
+def _times(motion: GroundMotion, factor: float) -> GroundMotion:
+    source = f"{motion.source}, times {factor:.6g}"
+    return replace(motion.scaled(factor), name=motion.name, source=source)
 
 
 def _asked(

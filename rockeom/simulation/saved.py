@@ -193,6 +193,9 @@ def _netcdf(dataset: xr.Dataset, arrays: Mapping[str, np.ndarray]) -> bytes:
     return made.getvalue()
 
 
+_OF_MOTION = ("name", "source", "dt", "is_vertical")
+
+
 def _definition(made: Mapping[str, Any]) -> dict[str, Any]:
     module, record = made["structure"].module, made["record"]
     return {
@@ -207,13 +210,7 @@ def _definition(made: Mapping[str, Any]) -> dict[str, Any]:
         "statistics": {name: encode(name, value) for name, value in made["statistics"].items()},
         "quantities": None if isinstance(record, Steps) else list(record.extremes),
         **{
-            name: made[name]
-            and {
-                "name": made[name].name,
-                "source": made[name].source,
-                "dt": made[name].dt,
-                "is_vertical": made[name].is_vertical,
-            }
+            name: made[name] and {field: getattr(made[name], field) for field in _OF_MOTION}
             for name in ("motion", "vertical")
         },
     }

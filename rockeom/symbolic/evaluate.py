@@ -103,14 +103,8 @@ class NumpyMode:
 
     @cached_property
     def _energies(self) -> Table:
-        equations = self._mode.equations
-        return self._table(
-            {
-                "kinetic_energy": equations.kinetic_energy,
-                "gravitational_energy": equations.gravitational_energy,
-                "elastic_energy": equations.elastic_energy,
-            }
-        )
+        names = ("kinetic_energy", "gravitational_energy", "elastic_energy")
+        return self._table({name: getattr(self._mode.equations, name) for name in names})
 
     @cached_property
     def _reactions(self) -> Table:

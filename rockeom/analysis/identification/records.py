@@ -374,19 +374,14 @@ class MeasuredRecord:
         rule = "give a whole number, or one over a whole number"
         require(abs(max(f, 1 / f) - times) < 1e-9, where, "factor", f, rule)
         if f < 1:
-            return replace(
-                self,
-                time=self.time[::times],
-                channels={n: x[::times] for n, x in self.channels.items()},
-                noise={n: one.every(times) for n, one in self.noise.items()},
-            )
-        t = self.time[0] + self.step / times * np.arange((len(self.time) - 1) * times + 1)
-        return replace(
-            self,
-            time=t,
-            channels={n: CubicSpline(self.time, x)(t) for n, x in self.channels.items()},
-            noise={n: _between(one, times) for n, one in self.noise.items()},
-        )
+            t = self.time[::times]
+            channels = {n: x[::times] for n, x in self.channels.items()}
+            noise = {n: one.every(times) for n, one in self.noise.items()}
+        else:
+            t = self.time[0] + self.step / times * np.arange((len(self.time) - 1) * times + 1)
+            channels = {n: CubicSpline(self.time, x)(t) for n, x in self.channels.items()}
+            noise = {n: _between(one, times) for n, one in self.noise.items()}
+        return replace(self, time=t, channels=channels, noise=noise)
 
     def velocities_by_resampling(
         self, channel: str, window: float, factors: Sequence[float] = (0.5, 2.0), degree: int = 4
