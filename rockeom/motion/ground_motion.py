@@ -357,12 +357,9 @@ class GroundMotion(metaclass=explained.Constructors):
         values = {"frequency": frequency, "angular_frequency": angular_frequency, "period": period}
         stated = [name for name, value in values.items() if value is not None]
         if len(stated) != 1:
-            has = f"has {' and '.join(stated) or 'no frequency'}"
-            raise (
-                InputError("harmonic")
-                .wrong(has)
-                .give("exactly one of frequency [Hz], angular_frequency [rad/s] and period [s]")
-            )
+            error = InputError("harmonic").wrong(f"has {' and '.join(stated) or 'no frequency'}")
+            wanted = "exactly one of frequency [Hz], angular_frequency [rad/s] and period [s]"
+            raise error.give(wanted)
         value = positive_number(stated[0], values[stated[0]])
         omega = {
             "frequency": 2.0 * math.pi * value,

@@ -136,10 +136,8 @@ def noise(
     dt: float,
 ) -> Noise:
     """See `GroundMotion.kanai_tajimi` and `GroundMotion.clough_penzien`."""
-    s_0, length = (
-        positive_number("spectral_intensity", spectral_intensity),
-        positive_number("duration", duration),
-    )
+    s_0 = positive_number("spectral_intensity", spectral_intensity)
+    length = positive_number("duration", duration)
     dt, start = positive_number("dt", dt), whole_number("seed", seed, 0)
     n = round(length / dt) + 1
     require(n >= 2, "", "dt", dt, f"give a step shorter than the duration, {length:g} s")

@@ -536,12 +536,8 @@ class EnergyRatioAtSpeed(TabulatedLaw):
 
             rk.EnergyRatioAtSpeed.from_data(speed, r, limits=(0.3, 0.47, 0.78), slopes=False)
         """
-        v, r = np.abs(array_of("speed", speed)), array_of("energy_ratio", energy_ratio)
-        if v.ndim != 1 or v.shape != r.shape or not np.isfinite([v, r]).all():
-            raise InputError("speed", of="EnergyRatioAtSpeed.from_data").wrong(
-                f"has the shape {v.shape}, energy_ratio {r.shape}: give one finite number of each "
-                "for every impact"
-            )
+        signed, r = _of_impacts("EnergyRatioAtSpeed", speed=speed, energy_ratio=energy_ratio)
+        v = np.abs(signed)
         ends = [*(number("limit", limit) for limit in limits), math.inf]
         pieces = []
         for start, end in zip([0.0, *ends], ends, strict=False):
@@ -696,12 +692,7 @@ class EnergyLossAtSpeed(TabulatedLaw):
         ValueError
             Where a foot has fewer than three impacts.
         """
-        w, lost = array_of("rate", rate), array_of("loss", loss)
-        if w.ndim != 1 or w.shape != lost.shape or not np.isfinite([w, lost]).all():
-            raise InputError("rate", of="EnergyLossAtSpeed.from_data").wrong(
-                f"has the shape {w.shape}, loss {lost.shape}: give one finite number of each for "
-                "every impact"
-            )
+        w, lost = _of_impacts("EnergyLossAtSpeed", rate=rate, loss=loss)
         feet = {}
         for foot, rows in (("left", w < 0), ("right", w > 0)):
             size = np.abs(w[rows])
@@ -1010,6 +1001,18 @@ def _told_values(values: tuple[float, ...]) -> str:
     if len(values) <= 8:
         return f"[{', '.join(f'{r:g}' for r in values)}]"
     return f"{len(values)} values of mean {np.mean(values):.4g} and std {np.std(values):.4g}"
+
+
+def _of_impacts(what: str, **measured: Iterable[float]) -> list[np.ndarray]:
+    """Two columns (n,) that were measured at impacts, for `from_data`."""
+    x, y = columns = [array_of(name, values) for name, values in measured.items()]
+    if x.ndim != 1 or x.shape != y.shape or not np.isfinite(columns).all():
+        first, second = measured
+        raise InputError(first, of=f"{what}.from_data").wrong(
+            f"has the shape {x.shape}, {second} {y.shape}: give one finite number of each for "
+            "every impact"
+        )
+    return columns
 
 
 def _are_pieces(pieces: Any) -> bool:

@@ -193,11 +193,8 @@ def rayleigh_damping(periods: ArrayLike, ratios: ArrayLike) -> RayleighDamping:
 
         alpha, beta = rk.rayleigh_damping(frame.fixed_base().periods[:2], [0.02, 0.02])
     """
-    given = (
-        array_of("periods", periods, "rayleigh_damping"),
-        array_of("ratios", ratios, "rayleigh_damping"),
-    )
-    t, zeta = (np.atleast_1d(x) for x in given)
+    t = np.atleast_1d(array_of("periods", periods, "rayleigh_damping"))
+    zeta = np.atleast_1d(array_of("ratios", ratios, "rayleigh_damping"))
     if t.shape != zeta.shape or t.ndim != 1 or len(t) not in (1, 2):
         raise InputError("periods", of="rayleigh_damping").wrong(
             f"have the shape {t.shape}, ratios {zeta.shape}: give two of each, or one"

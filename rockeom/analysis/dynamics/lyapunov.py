@@ -194,10 +194,8 @@ def lyapunov_spectrum(
     ``e**2`` each. In the plane of the states of a block there are two; the direction of time, whose
     exponent is zero, is not among them.
     """
-    cycles, settling = (
-        whole_number("cycles", cycles, BATCHES),
-        whole_number("settling", settling, 0),
-    )
+    cycles = whole_number("cycles", cycles, BATCHES)
+    settling = whole_number("settling", settling, 0)
     motion, growth = _start(stroboscope, initial), []
     if isinstance(initial, LyapunovSpectrum):
         settling, growth = 0, [*initial.growth]

@@ -376,11 +376,8 @@ class StroboscopicMap:
         for argument in ("states", "upward"):
             unknown = [name for name in getattr(self, argument) if name not in states]
             if unknown:
-                raise (
-                    InputError(argument, unknown[0], "StroboscopicMap")
-                    .wrong(f"has {unknown[0]!r}")
-                    .choose(states)
-                )
+                error = InputError(argument, unknown[0], "StroboscopicMap")
+                raise error.wrong(f"has {unknown[0]!r}").choose(states)
         self._check_period()
         if not self.states:
             object.__setattr__(self, "states", states)

@@ -218,10 +218,8 @@ class DesignSpectrum(metaclass=explained.Constructors):
         InputError
             For fewer than two points, and for values that cannot be.
         """
-        t, a = (
-            array_of("periods", periods),
-            array_of("accelerations", accelerations) * factor(units),
-        )
+        t = array_of("periods", periods)
+        a = array_of("accelerations", accelerations) * factor(units)
         if t.ndim != 1 or t.shape != a.shape or len(t) < 2:
             raise InputError("periods").wrong(
                 f"have the shape {t.shape} and accelerations {a.shape}: give two or more of each"

@@ -192,14 +192,8 @@ class Tendon:
         positive("Tendon", stiffness=self.stiffness, yield_force=self.yield_force)
         not_negative("Tendon", initial_force=self.initial_force)
         numbers("Tendon", eccentricity=self.eccentricity)
-        rule = "it must be below yield_force"
-        require(
-            self.initial_force < self.yield_force,
-            "Tendon",
-            "initial_force",
-            self.initial_force,
-            rule,
-        )
+        force, rule = self.initial_force, "it must be below yield_force"
+        require(force < self.yield_force, "Tendon", "initial_force", force, rule)
 
     @classmethod
     def thesis(cls, initial_force: float = 75.6e3) -> Self:
