@@ -105,15 +105,11 @@ class Modal:
             return 2.0 * float(out[m.ENERGIES.index("kinetic_energy")])
 
         alone = {i: twice_kinetic(i) for i in free}
-        masses = np.array(
-            [
-                [
-                    alone[i] if i == j else 0.5 * (twice_kinetic(i, j) - alone[i] - alone[j])
-                    for j in free
-                ]
-                for i in free
-            ]
-        )
+
+        def mass(i: int, j: int) -> float:
+            return alone[i] if i == j else 0.5 * (twice_kinetic(i, j) - alone[i] - alone[j])
+
+        masses = np.array([[mass(i, j) for j in free] for i in free])
         pushed = self._shapes.T @ masses @ -shaken[n + np.array(free)]
         return pushed**2 / np.einsum("im,ij,jm->m", self._shapes, masses, self._shapes)
 

@@ -190,13 +190,7 @@ def _follow(model: ContactDeclaration, closed: _Closed) -> None:
 
 def _beside(model: ContactDeclaration, closed: _Closed) -> Point:
     """Force of the ground where springs and dampers reach it, elsewhere than at the feet."""
-    slopes = sp.Matrix(
-        1, 2,
-        [
-            sp.diff(model.free.stored_energy, c.position)
-            + sp.diff(model.free.dissipation_function, c.velocity)
-            for c in closed.coordinates
-        ],
-    )  # fmt: skip
-    right, up = (tidy(closed(-e)) for e in slopes * closed.share.inv())
+    stored, lost = model.free.stored_energy, model.free.dissipation_function
+    slopes = [sp.diff(stored, c.position) + sp.diff(lost, c.velocity) for c in closed.coordinates]
+    right, up = (tidy(closed(-e)) for e in sp.Matrix(1, 2, slopes) * closed.share.inv())
     return right, up

@@ -254,13 +254,9 @@ class PeriodicOrbit:
         ndarray
             Values (k,) in time order.
         """
-        return np.array(
-            [
-                sign[run.states.index(name)] * impact.before[name]
-                for run, sign in self.legs()
-                for impact in run.impacts
-            ]
-        )
+        i = self.runs[0].states.index(name)
+        impacts = ((sign[i], impact) for run, sign in self.legs() for impact in run.impacts)
+        return np.array([sign * impact.before[name] for sign, impact in impacts])
 
     def trajectory(self) -> tuple[np.ndarray, np.ndarray]:
         """States of the structure over the whole motion, for drawing.

@@ -59,18 +59,10 @@ def names_of_contacts(of: ContactDeclaration) -> Names:
     named = [c.name for c in of.contacts] + [e.name for e in of.elements]
     items = [(f"internal variable {z.symbol}", z.name) for z in of.internal]
     items += [("contact or element", name) for name in named]
-    outputs = outputs_of(of)
-    states = of.states
-    return Names(
-        items,
-        [
-            [*states, *outputs],
-            named,
-            [b.name for b in of.bodies],
-            [f.name for f in of.forces],
-        ],
-        {*states} - {*outputs},
-    )
+    outputs, states = outputs_of(of), of.states
+    bodies, forces = [b.name for b in of.bodies], [f.name for f in of.forces]
+    distinct = [[*states, *outputs], named, bodies, forces]
+    return Names(items, distinct, {*states} - {*outputs})
 
 
 def outputs_of(of: ContactDeclaration) -> tuple[str, ...]:

@@ -263,17 +263,13 @@ class Tendons:
     def switches(self, places: Iterable[str]) -> tuple[Switch, ...]:
         """The numbers by which equations serve all states, in the modes of some places."""
         words = {0: "is elastic", 1: "yields"}
+
+        def on(i: int, state: int) -> tuple[str, ...]:
+            there = [self.suffix(states) for states in self.states if states[i] == state]
+            return tuple(f"{place}{suffix}" for suffix in there for place in places)
+
         return tuple(
-            Switch(
-                chi,
-                f"while `{t.name}` {words[state]}",
-                tuple(
-                    f"{place}{self.suffix(states)}"
-                    for states in self.states
-                    for place in places
-                    if states[i] == state
-                ),
-            )
+            Switch(chi, f"while `{t.name}` {words[state]}", on(i, state))
             for i, t in enumerate(self.each)
             for state, chi in t.switches.items()
         )
