@@ -23,7 +23,7 @@ refused by file and line.
               along by the rules of calculus, so that a text printed for duals is its own
               derivative. Comparisons are of the numbers; arrays that the function makes are of
               duals. A function marked @rule_of(f) is printed for duals in place of f, and
-              one marked @slope_of(math.f) gives the derivative of `math.f`
+              the table SLOPES of a text has the derivatives of functions of `math`
 
 How it works: a function is printed for the types of its arguments, line after line, each variable
 a place on the stack, of which LLVM makes registers. Where a later line widens the type of a

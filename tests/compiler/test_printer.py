@@ -360,7 +360,7 @@ WRONG = {
     "ints are subtracted the other way": (
         machine_lines.OF_INTS, "Sub", "add nsw", PLACES,
     ),
-    "a constant is negated": (parsed._OPERATORS, frontend.ast.USub, lambda a: a, HORNER),
+    "a constant is negated": (parsed.OPERATORS, frontend.ast.USub, lambda a: a, HORNER),
     "the largest is the least": (frontend._BUILT_IN, "max", Lines.least, CHOICES),
 }  # fmt: skip
 
