@@ -109,8 +109,7 @@ def overturning_map(
     >>> figure = plots.overturning_map(sweep, x="period", y="amplitude")
     """
     kinds = coordinates.only("overturning_map", _classes(sweep), sweep, x, y)
-    if ax is None:
-        ax = style.new_figure(6.8, 4.2).add_subplot()
+    ax = ax or style.new_figure(6.8, 4.2).add_subplot()
     coordinates.name_axes(ax, sweep, x, y)
     if kinds.ndim == 1:
         at = coordinates.places(sweep[x]), coordinates.places(sweep[y])
@@ -294,8 +293,7 @@ def rocking_spectrum(
     at = at[order]
     lines = ratios.values.reshape(len(at), -1)[order]
     down = fell.values.reshape(lines.shape)[order]
-    if ax is None:
-        ax = style.new_figure(6.4, 3.8).add_subplot()
+    ax = ax or style.new_figure(6.4, 3.8).add_subplot()
     top = 1.05 * np.nanmax(lines, initial=1.0)
     rows = top * (1.0 + 0.2 * (np.arange(lines.shape[1]) + 0.5) / lines.shape[1])
     looks = _looks(ax, sweep, by, lines.shape[1])
@@ -415,8 +413,7 @@ def fragility_curve(
     else:
         curve = fragility_of(result, intensity=intensity, demand=demand, limit=limit, group=group)
         label = coordinates.label(result, intensity)
-    if ax is None:
-        ax = style.new_figure(5.4, 3.8).add_subplot()
+    ax = ax or style.new_figure(5.4, 3.8).add_subplot()
     levels, fractions = curve.fractions()
     end = 1.05 * max(levels[-1], curve.median)
     im = np.linspace(1e-3 * end, end, 400)
@@ -515,8 +512,7 @@ def incremental_dynamic_analysis(
         raise InputError("demand", of=function).says("no case has one: all fell, or gave no answer")
     last = 1.04 * peaks.max() or 1.0
     edge = 1.14 * last
-    if ax is None:
-        ax = style.new_figure(7.2, 4.4).add_subplot()
+    ax = ax or style.new_figure(7.2, 4.4).add_subplot()
     for i, (im, d) in enumerate(curves):
         at = np.where(np.isposinf(d), edge, d)
         ax.plot(at, im, color="0.6", lw=0.6, zorder=2, label="each record" * (i == 0) or None)

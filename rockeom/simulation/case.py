@@ -1,11 +1,9 @@
 """One motion of one structure: the arguments of `simulate`, and the same as numbers."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 
@@ -82,7 +80,7 @@ class Problems(NamedTuple):
     quiet_from: np.ndarray
 
     @classmethod
-    def of(cls, cases: list[Problem]) -> Problems:
+    def of(cls, cases: list[Problem]) -> Self:
         """One case after the other."""
         widest = max(len(q.table) for q in cases)
         return cls(
@@ -99,7 +97,7 @@ class Problems(NamedTuple):
         )
 
     @classmethod
-    def of_many(cls, problem: Problem, n: int) -> Problems:
+    def of_many(cls, problem: Problem, n: int) -> Self:
         """n cases out of one problem whose numbers hold all of theirs."""
 
         def spread(x: Any) -> np.ndarray:

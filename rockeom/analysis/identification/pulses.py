@@ -119,8 +119,7 @@ def fit_pulse(
     require(band <= longest, where, "periods", band, f"the motion lasts {longest:g} s: give less")
     t = np.linspace(0.0, longest, math.ceil(_SAMPLES * longest / band[0]) + 1)
     v = motion.velocity(t)
-    if not np.abs(v).max() > 0.0:
-        raise InputError("motion", motion, where).so("it has no velocity to fit")
+    require(bool(np.abs(v).max() > 0.0), where, "motion", motion, "it has no velocity to fit")
     gammas = _GAMMAS if model == PULSE_MODELS[0] else (1.0,)
     fits = [_polished(model, t, v, place, band) for place in _searched(model, t, v, band, gammas)]
     left, (period, centre, gamma) = min(fits, key=lambda fit: fit[0])
