@@ -8,7 +8,7 @@ from typing import Any
 from rockeom.compiler.machine import Loaded, compiled
 from rockeom.compiler.modules import Modules, Text, as_python, module_text, parsed
 from rockeom.compiler.printer import Program
-from rockeom.integrator.program import LOOP, Linked, linked
+from rockeom.integrator.linking import LOOP, Linked, linked
 from rockeom.integrator.schema import PROVIDED
 
 HEAD = """
@@ -17,7 +17,7 @@ import numpy as np
 from rockeom.compiler.decorators import *
 """
 """What a text needs that stands alone."""
-RULES = ("rockeom.numbers.derivatives", "rockeom.integrator.derivatives")
+RULES = ("rockeom.numbers.derivatives", "rockeom.integrator.tangents.derivatives")
 ALONE = Linked((), Modules({PROVIDED: ()}), frozenset())
 
 

@@ -114,7 +114,7 @@ def test_a_program_is_made_without_scipy_and_sympy():
     code = """
 import rockeom.generated.rigid_block as module
 from rockeom.compiler.printer import Program
-from rockeom.integrator.program import linked
+from rockeom.integrator.linking import linked
 import sys
 for method in ("DOP853", "RK45", "Radau"):
     roots, modules, _ = linked(module, method)

@@ -47,8 +47,7 @@ def measured_swings(
     Raises ValueError where there are none.
     """
     given = {name: x for name, x in offered.items() if x is not None}
-    if not given:
-        raise InputError("peaks", None, function).give("peaks, peak_times or crossing_times")
+    require(bool(given), function, "peaks", None, "give peaks, peak_times or crossing_times")
     return {name: np.atleast_1d(numbers(function, **{name: x})[0]) for name, x in given.items()}
 
 

@@ -5,17 +5,15 @@ every distribution is the normal one, whatever its range: reliability and identi
 sample there.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from scipy.special import ndtr
 
-from rockeom.numbers.checks import InputError
+from rockeom.numbers.checks import InputError, require
 from rockeom.numbers.dual import Dual
 
 
@@ -27,12 +25,9 @@ class RandomParameters:
     marginals: tuple[Any, ...]
 
     @classmethod
-    def of(
-        cls, where: str, random: Mapping[str, Any], argument: str = "random"
-    ) -> RandomParameters:
+    def of(cls, where: str, random: Mapping[str, Any], argument: str = "random") -> Self:
         """argument : of the function `where`, that holds the distributions, for its errors."""
-        if not random:
-            raise InputError(argument, {}, where).give("a distribution of each parameter")
+        require(bool(random), where, argument, {}, "give a distribution of each parameter")
         for name, marginal in random.items():
             if not all(hasattr(marginal, part) for part in ("ppf", "isf", "logpdf")):
                 raise InputError(argument, of=where).wrong(
@@ -76,3 +71,8 @@ class RandomParameters:
             name: Dual(x, direction)
             for (name, x), direction in zip(values.items(), np.diag(slopes), strict=True)
         }
+
+
+def in_words(values: Mapping[str, float]) -> str:
+    """Parameters with their values."""
+    return ", ".join(f"{name} = {x:.6g}" for name, x in values.items())

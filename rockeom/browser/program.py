@@ -15,8 +15,10 @@ from rockeom.browser.webassembly import Module, module
 from rockeom.compiler.machine import Function, Loaded, compiled
 from rockeom.compiler.modules import Text, module_text
 from rockeom.compiler.printer import Program as Printed
-from rockeom.compiler.types import FLOAT, Entry
-from rockeom.integrator.program import LOOP, Program, printed, sizes_of
+from rockeom.compiler.types import FLOAT, LIBRARY, Entry
+from rockeom.integrator.linking import LOOP
+from rockeom.integrator.printing import printed, sizes_of
+from rockeom.integrator.program import Program
 from rockeom.integrator.schema import GeneratedModule
 
 METHOD = "DOP853"
@@ -24,8 +26,7 @@ METHOD = "DOP853"
 _ELEMENTARY = "rockeom.browser.elementary"
 _WRITTEN = "rockeom.browser.written"
 """Declares the names that are different ones in each page."""
-_LLVM = re.compile(r"@(?:llvm\.(sin|cos|exp|log|pow)\.f64|(expm1|log1p|tan|a?sin|a?cos|atan|a?sinh"
-                   r"|a?cosh|a?tanh))\(")  # fmt: skip
+_LLVM = re.compile(rf"@(?:llvm\.)?({'|'.join(sorted(LIBRARY))})(?:\.f64)?\(")
 """Calls of elementary functions, as the printer writes them."""
 _ARGUMENTS = {"pow": 2}
 
@@ -76,13 +77,13 @@ def functions(texts: Sequence[Text]) -> dict[str, Function]:
 def _own_functions(printed: Printed) -> str:
     """The text of a program in which calls of elementary functions are of those printed with it."""
     called = _LLVM.findall("".join(f"@{name}(" for name in printed.declared))
-    symbols = {name: _symbol(printed, f"own_{name}") for name in sorted(a or b for a, b in called)}
+    symbols = {name: _symbol(printed, f"own_{name}") for name in sorted(called)}
     ir = "\n".join(
         line
         for line in printed.ir().splitlines()
         if not (line.startswith("declare") and _LLVM.search(line))
     )
-    return _LLVM.sub(lambda call: f"@{symbols[call[1] or call[2]]}(", ir)
+    return _LLVM.sub(lambda call: f"@{symbols[call[1]]}(", ir)
 
 
 def _symbol(printed: Printed, name: str) -> str:

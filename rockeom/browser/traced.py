@@ -19,17 +19,15 @@ from typing import Any, NamedTuple, NoReturn
 import numpy as np
 
 from rockeom.browser import elementary
-from rockeom.numbers.batch import OPERATORS, boxed
-from rockeom.numbers.functions import IN_MATH, Compound
+from rockeom.numbers.functions import COMPARISONS, IN_MATH, SIGNS, Compound
 
 _LIBRARIES = (str(Path(__file__).parents[1]), str(Path(np.__file__).parent))
-SIGNS = {"add": "+", "sub": "-", "mul": "*", "truediv": "/"}
-COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="}
 OWN = {n.removeprefix("own_"): f for n, f in vars(elementary).items() if n.startswith("own_")}
 LONG = 64
 """Operations from which on an expression is long, and none of the rows of a table."""
-_FUNCTIONS = OWN | {"sqrt": math.sqrt, "max": max, "min": min}
-_EXTREMES = {np.maximum: "max", np.minimum: "min"}
+_CALLED = IN_MATH | {"maximum": "max", "minimum": "min"}
+_FUNCTIONS = OWN | {name: getattr(operator, name) for name in (*SIGNS, "neg", "abs")}
+_FUNCTIONS |= {"sqrt": math.sqrt, "max": max, "min": min}
 _MOST = 9
 """The largest whole exponent that is written as products, as in machine code."""
 
@@ -92,7 +90,7 @@ class Tape:
 
 def plain(x: Any) -> float:
     """The present value of a number."""
-    return x.present if isinstance(x, Traced) else x
+    return x.present if isinstance(x, Traced) else float(x)
 
 
 def node_of(x: Any) -> Node | float:
@@ -100,27 +98,18 @@ def node_of(x: Any) -> Node | float:
     return x.node if isinstance(x, Traced) else float(x)
 
 
-def _binary(name: str) -> tuple[Callable[[Any, Any], Any], Callable[[Any, Any], Any]]:
-    """An operator of two numbers, and the same with the traced one on its right."""
-
-    def forward(self: Traced, other: Any) -> Any:
-        return self._with(name, self, other) if _is_number(other) else NotImplemented
-
-    def backward(self: Traced, other: Any) -> Any:
-        return self._with(name, other, self) if _is_number(other) else NotImplemented
-
-    return forward, backward
+def _refuse(what: str, remedy: str) -> NoReturn:
+    """Raise UntracedError with the line outside of the package that led here."""
+    frame: Any = sys._getframe(1)
+    while frame and (frame.f_code.co_filename.startswith(_LIBRARIES)):
+        frame = frame.f_back
+    where = f"{frame.f_code.co_filename}, line {frame.f_lineno}: " if frame else ""
+    raise UntracedError(f"{where}{what} cannot be part of a page: {remedy}")
 
 
-def _compared(name: str) -> Callable[[Any, Any], Any]:
-    def compare(self: Traced, other: Any) -> Any:
-        return self.tape.condition(name, self, other) if _is_number(other) else NotImplemented
-
-    return compare
-
-
-def _is_number(x: Any) -> bool:
-    return isinstance(x, int | float | np.number | Traced)
+def _refused(what: str, remedy: str) -> Callable[..., NoReturn]:
+    """What a page cannot repeat of a number."""
+    return lambda *_: _refuse(what, remedy)
 
 
 class Traced(Compound):
@@ -138,106 +127,63 @@ class Traced(Compound):
         return format(self.present, how)
 
     @classmethod
-    def of_function(cls, name: str, arguments: tuple[Any, ...]) -> Any:
-        """A function of `math` by its name; raises UntracedError for one that a page has not."""
+    def of_function(cls, function: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
+        """Raises UntracedError for a function that a page has not."""
         (tape,) = {id(x.tape): x.tape for x in arguments if isinstance(x, cls)}.values()
-        if name in ("fabs", "absolute"):
-            return abs(arguments[0])
+        name = _CALLED.get(function.__name__, function.__name__)
+        x, *more = arguments
+        if name in COMPARISONS:
+            return tape.condition(name, *arguments)
+        if name == "fabs":
+            return abs(x)
+        if name == "sign":
+            return 1.0 if x > 0.0 else -1.0 if x < 0.0 else 0.0
         if name == "hypot":
-            return np.sqrt(arguments[0] * arguments[0] + arguments[1] * arguments[1])
-        if name in ("atan2", "arctan2") and arguments[1] > 0.0:  # the angle of a block
-            return np.arctan(arguments[0] / arguments[1])
+            return np.sqrt(x * x + more[0] * more[0])
+        if name == "atan2" and more[0] > 0.0:  # the angle of a block
+            return np.arctan(x / more[0])
         if name == "isfinite":
-            return abs(arguments[0]) < math.inf
+            return abs(x) < math.inf
         if name not in _FUNCTIONS:
             _refuse(f"{name} of a slider", "a page has no such function")
-        function = _FUNCTIONS[name]
         node = tape.node(name, *map(node_of, arguments))
-        return cls(tape, node, float(function(*map(plain, arguments))))
+        return cls(tape, node, _FUNCTIONS[name](*map(plain, arguments)))
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *arguments: Any, **how: Any) -> Any:
-        """NumPy's functions of numbers one by one, operators among them."""
         if method != "__call__" or ufunc.signature is not None:
             _refuse(f"numpy.{ufunc.__name__}.{method} of a slider", "take numbers one by one")
-        if any(isinstance(x, np.ndarray) for x in arguments):
-            return ufunc(*(boxed(x) if type(x) is Traced else x for x in arguments), **how)
-        if how:
+        if how and not any(isinstance(x, np.ndarray) for x in arguments):
             _refuse(f"numpy.{ufunc.__name__} of a slider with {', '.join(how)}", "leave them out")
-        if ufunc in _EXTREMES:
-            return self.of_function(_EXTREMES[ufunc], arguments)
-        if ufunc is np.sign:
-            return 1.0 if self > 0.0 else -1.0 if self < 0.0 else 0.0
-        if ufunc in OPERATORS:
-            return OPERATORS[ufunc](*(x if isinstance(x, Traced) else float(x) for x in arguments))
-        return self.of_function(IN_MATH.get(ufunc.__name__, ufunc.__name__), arguments)
-
-    def _with(self, name: str, left: Any, right: Any) -> Traced:
-        present = getattr(operator, name)(plain(left), plain(right))
-        return Traced(self.tape, self.tape.node(name, node_of(left), node_of(right)), present)
-
-    __add__, __radd__ = _binary("add")
-    __sub__, __rsub__ = _binary("sub")
-    __mul__, __rmul__ = _binary("mul")
-    __truediv__, __rtruediv__ = _binary("truediv")
-    __lt__, __le__ = _compared("lt"), _compared("le")
-    __gt__, __ge__ = _compared("gt"), _compared("ge")
-    __eq__, __ne__ = _compared("eq"), _compared("ne")
-    __hash__ = None  # type: ignore[assignment]
-
-    def __neg__(self) -> Traced:
-        return Traced(self.tape, self.tape.node("neg", self.node), -self.present)
-
-    def __pos__(self) -> Traced:
-        return self
-
-    def __abs__(self) -> Traced:
-        return Traced(self.tape, self.tape.node("abs", self.node), abs(self.present))
+        return super().__array_ufunc__(ufunc, method, *arguments, **how)
 
     def __pow__(self, exponent: Any) -> Any:
         if isinstance(exponent, Traced) or not 0 < exponent <= _MOST or exponent % 1:
             if not isinstance(exponent, Traced) and exponent == 0.5:
                 return np.sqrt(self)
-            return self.of_function("pow", (self, exponent))
+            return self.of_function(pow, (self, exponent))
         power = self
         for _ in range(int(exponent) - 1):
             power = power * self
         return power
 
     def __rpow__(self, base: Any) -> Any:
-        return self.of_function("pow", (base, self))
+        return self.of_function(pow, (base, self))
 
     def __bool__(self) -> bool:
         return bool(self != 0.0)
 
-    def __float__(self) -> NoReturn:
-        _refuse("float() or a function of `math` of a slider", "take the function of numpy")
-
-    def __int__(self) -> NoReturn:
-        _refuse("int() of a slider", "a whole number cannot follow it")
-
-    def __index__(self) -> NoReturn:
-        _refuse("a slider as an index, or as a count", "a whole number cannot follow it")
-
-    def __round__(self, digits: int | None = None) -> NoReturn:
-        _refuse("round() of a slider", "leave it out")
-
-    def __mod__(self, other: Any) -> NoReturn:
-        _refuse("a remainder, or a quotient rounded down, of a slider", "leave it out")
-
+    __float__ = _refused(
+        "float() or a function of `math` of a slider", "take the function of numpy"
+    )
+    __int__ = _refused("int() of a slider", "a whole number cannot follow it")
+    __index__ = _refused("a slider as an index, or as a count", "a whole number cannot follow it")
+    __round__ = _refused("round() of a slider", "leave it out")
+    __mod__ = _refused("a remainder, or a quotient rounded down, of a slider", "leave it out")
     __rmod__ = __floordiv__ = __rfloordiv__ = __divmod__ = __mod__
     __floor__ = __ceil__ = __trunc__ = __int__
 
 
 Real.register(Traced)
-
-
-def _refuse(what: str, remedy: str) -> NoReturn:
-    """Raise UntracedError with the line outside of the package that led here."""
-    frame: Any = sys._getframe(1)
-    while frame and (frame.f_code.co_filename.startswith(_LIBRARIES)):
-        frame = frame.f_back
-    where = f"{frame.f_code.co_filename}, line {frame.f_lineno}: " if frame else ""
-    raise UntracedError(f"{where}{what} cannot be part of a page: {remedy}")
 
 
 # --- as a text

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import llvmlite.binding as llvm
 
-from rockeom.compiler.machine import PASSES
+from rockeom.compiler.machine import PASSES, emitted
 
 TRIPLE = "wasm32-unknown-unknown"
 FEATURES = "+bulk-memory,+sign-ext,+nontrapping-fptoint"
@@ -57,14 +57,7 @@ def _object(ir: str) -> bytes:
     machine = llvm.Target.from_triple(TRIPLE).create_target_machine(
         cpu="generic", features=FEATURES, opt=2, reloc="static"
     )
-    parsed = llvm.parse_assembly(ir)
-    parsed.triple, parsed.data_layout = TRIPLE, str(machine.target_data)
-    builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=2))
-    passes = llvm.create_new_module_pass_manager()
-    for name in PASSES:
-        getattr(passes, f"add_{name}_pass")()
-    passes.run(parsed, builder)
-    return machine.emit_object(parsed)
+    return emitted(ir, machine, TRIPLE, PASSES)
 
 
 # --- the format

@@ -3,9 +3,11 @@
 import argparse
 from pathlib import Path
 
-from rockeom.cli.simulate import add_case, case, simulated
+from rockeom.cli.options import add_number
+from rockeom.cli.simulate import add_case, case
 from rockeom.drawing.animation import FILES, Animation, animate, check_file
 from rockeom.simulation.options import SolverOptions
+from rockeom.simulation.simulate import simulate
 
 DESCRIPTION = """\
 Simulate a structure and draw its motion to scale above the moving ground, as a film: .gif, .html
@@ -35,20 +37,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     film.add_argument(
         "--out", type=Path, required=True, metavar="FILE", help=f"the film: {', '.join(FILES)}"
     )
-    film.add_argument("--start", type=float, metavar="S", help="of what is shown [s]")
-    film.add_argument("--end", type=float, metavar="S", help="of what is shown [s]")
-    film.add_argument(
-        "--speed", type=float, default=1.0, metavar="X", help="of the film; 0.25 is slow motion"
-    )
-    film.add_argument(
-        "--frames-per-second", type=float, default=20.0, metavar="N", help="20 if not given"
-    )
+    add_number(film, "--start", "S", "of what is shown [s]")
+    add_number(film, "--end", "S", "of what is shown [s]")
+    add_number(film, "--speed", "X", "of the film; 0.25 is slow motion", default=1.0)
+    add_number(film, "--frames-per-second", "N", "20 if not given", default=20.0)
 
 
 def run(args: argparse.Namespace) -> int:
     one = case(args)
     check_file(args.out)  # before the simulation, not after
-    response = simulated(one, SolverOptions(args.method))
+    response = simulate(one, options=SolverOptions(args.method))
     print(response.outcome.sentence)
     last = float(response.t[-1])
     if args.end is not None and last < args.end <= response.duration:

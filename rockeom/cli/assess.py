@@ -9,6 +9,7 @@ from rockeom.assessment.assess import assess, by_recording
 from rockeom.assessment.result import UNITS_CHECKED, check_page
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, accelerations, add_records, records
+from rockeom.cli.options import add_number, add_words
 from rockeom.cli.simulate import impact_law
 from rockeom.motion.floor import floor_motion
 
@@ -39,33 +40,39 @@ examples:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.usage = _USAGE
     add_structure(parser)
-    parser.add_argument(
-        "--friction", type=float, metavar="MU",
-        help="coefficient of friction below the feet; without it sliding is not judged",
-    )  # fmt: skip
+    add_number(
+        parser,
+        "--friction",
+        "MU",
+        "coefficient of friction below the feet; without it sliding is not judged",
+    )
     parser.add_argument("--impact", metavar="LAW", help="as for rockeom simulate")
     parser.add_argument(
         "--units-checked", action="store_true", help="give a verdict though a unit is in doubt"
     )
-    parser.add_argument(
-        "--level", type=float, default=0.95, metavar="P",
-        help="of the intervals of confidence; 0.95 if not given",
-    )  # fmt: skip
+    add_number(
+        parser, "--level", "P", "of the intervals of confidence; 0.95 if not given", default=0.95
+    )
     parser.add_argument("--out", type=Path, metavar="FILE", help="write the page into FILE.html")
     group = add_records(parser)
-    group.add_argument(
-        "--pga", nargs="+", metavar="PGA",
-        help="peak ground accelerations that each record is scaled to, as 0.4g or 3.9m/s2, or "
+    add_words(
+        group,
+        "--pga",
+        "PGA",
+        "peak ground accelerations that each record is scaled to, as 0.4g or 3.9m/s2, or "
         "0.1g:0.8g:8; from 1.25 to 6 times the one that lifts a foot, if not given",
-    )  # fmt: skip
+    )
     group.add_argument(
         "--floor", nargs="+", type=float, metavar="T",
         help="it stands on a floor of a building of these periods [s], the longest first",
     )  # fmt: skip
-    group.add_argument(
-        "--floor-height", type=float, default=1.0, metavar="Z",
-        help="of that floor, as a part of the height of the building; 1, the roof, if not given",
-    )  # fmt: skip
+    add_number(
+        group,
+        "--floor-height",
+        "Z",
+        "of that floor, as a part of the height of the building; 1, the roof, if not given",
+        default=1.0,
+    )
 
 
 def run(args: argparse.Namespace) -> int:

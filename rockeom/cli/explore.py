@@ -11,6 +11,7 @@ from rockeom.browser.page import explorer
 from rockeom.browser.traced import UntracedError
 from rockeom.cli.errors import UsageError, words
 from rockeom.cli.models import dimensions_of, made
+from rockeom.cli.options import add_pairs
 from rockeom.cli.simulate import add_case, case
 from rockeom.files import check_target
 from rockeom.modelling.named import class_named
@@ -39,14 +40,13 @@ examples:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.usage = _USAGE
     add_case(parser)
-    parser.add_argument(
+    add_pairs(
+        parser,
         "--vary",
-        nargs="+",
-        action="extend",
-        required=True,
-        metavar="NUMBER=LOW..HIGH",
-        help="sliders: numbers of the case by name, such as half_width, amplitude or scale, or "
+        "NUMBER=LOW..HIGH",
+        "sliders: numbers of the case by name, such as half_width, amplitude or scale, or "
         "full dimensions of a block that --set gives",
+        required=True,
     )
     parser.add_argument(
         "--title", default="", help="heading of the page; the structure if not given"

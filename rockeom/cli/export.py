@@ -7,6 +7,7 @@ from pathlib import Path
 from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import add_details, details, made
 from rockeom.cli.motions import add_motion, motions
+from rockeom.cli.options import add_number, add_pairs
 from rockeom.exports.code import code, file_name
 from rockeom.exports.opensees import script
 from rockeom.files import check_target, write
@@ -47,18 +48,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="a file, or a folder for one of the structure's name; here if not given",
     )
     of_opensees = parser.add_argument_group("for opensees")
-    of_opensees.add_argument(
-        "--set", nargs="+", action="extend", default=[], metavar="NAME=VALUE",
-        help="parameters of the structure",
-    )  # fmt: skip
-    of_opensees.add_argument(
-        "--initial", nargs="+", action="extend", default=[], metavar="STATE=VALUE",
-        help="theta, heave and u at the start; rates are zero",
-    )  # fmt: skip
-    of_opensees.add_argument("--duration", type=float, metavar="S", help="of the simulation [s]")
-    of_opensees.add_argument(
-        "--step", type=float, default=1e-4, metavar="S", help="of Newmark's method; 1e-4 s"
+    add_pairs(of_opensees, "--set", "NAME=VALUE", "parameters of the structure")
+    add_pairs(
+        of_opensees, "--initial", "STATE=VALUE", "theta, heave and u at the start; rates are zero"
     )
+    add_number(of_opensees, "--duration", "S", "of the simulation [s]")
+    add_number(of_opensees, "--step", "S", "of Newmark's method; 1e-4 s", default=1e-4)
     add_motion(parser.add_argument_group("ground motion, for opensees"), required=False)
 
 

@@ -13,6 +13,7 @@ from rockeom.assessment.words import plural
 from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, accelerations, add_records, records
+from rockeom.cli.options import add_number, add_words
 from rockeom.cli.output import csv_of
 from rockeom.cli.simulate import check_folder, impact_law
 from rockeom.drawing.style import save_figure
@@ -52,25 +53,20 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.usage = _USAGE
     add_structure(parser)
     parser.add_argument("--impact", metavar="LAW", help="as for rockeom simulate")
-    parser.add_argument("--duration", type=float, metavar="S", help="of each simulation [s]")
+    add_number(parser, "--duration", "S", "of each simulation [s]")
     add_records(parser)
     intensity = parser.add_argument_group("intensities (one of the first two)")
     one = intensity.add_mutually_exclusive_group(required=True)
-    one.add_argument("--pga", nargs="+", metavar="VALUES", help=f"largest accelerations: {_LEVELS}")
-    one.add_argument(
-        "--sa",
-        nargs="+",
-        metavar="VALUES",
-        help="spectral accelerations at --period, 5 %% damped, alike",
-    )
-    intensity.add_argument("--period", type=float, metavar="S", help="of --sa [s]")
+    add_words(one, "--pga", "VALUES", f"largest accelerations: {_LEVELS}")
+    add_words(one, "--sa", "VALUES", "spectral accelerations at --period, 5 %% damped, alike")
+    add_number(intensity, "--period", "S", "of --sa [s]")
     limit = parser.add_argument_group("limit; overturning if not given")
     limit.add_argument(
         "--demand",
         metavar="NAME",
         help="a state, or a quantity such as displacement, whose largest size is limited",
     )
-    limit.add_argument("--limit", type=float, metavar="X", help="of --demand, in its unit")
+    add_number(limit, "--limit", "X", "of --demand, in its unit")
     parser.add_argument(
         "--out", type=Path, metavar="DIR", help="write fragility.csv and .png into this folder"
     )

@@ -6,16 +6,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from rockeom.cli.errors import UsageError, lists, numbers, words
+from rockeom.cli.options import add_pairs
 from rockeom.integrator.schema import GeneratedModule
+from rockeom.modelling import named
 from rockeom.modelling.declared import module_of
-from rockeom.modelling.named import (
-    FAMILIES,
-    SUPPORTS,
-    class_named,
-    parameters_of,
-    structure,
-    takes_support,
-)
 from rockeom.numbers.checks import InputTypeError
 from rockeom.structures.base import Structure
 from rockeom.structures.classes import SHIPPED
@@ -51,7 +45,7 @@ def run(args: argparse.Namespace) -> int:
     if args.name is None:
         print(_list())
         return 0
-    made = class_named(args.name)
+    made = named.class_named(args.name)
     print(_explain(made, details(args.arguments) or _EXAMPLES.get(args.name, {})))
     return 0
 
@@ -59,13 +53,11 @@ def run(args: argparse.Namespace) -> int:
 def add_structure(parser: argparse.ArgumentParser) -> None:
     """Arguments of a command that makes one: its name, and --set for its parameters."""
     parser.add_argument("name", metavar="NAME", help="a structure, as listed by: rockeom models")
-    parser.add_argument(
+    add_pairs(
+        parser,
         "--set",
-        nargs="+",
-        action="extend",
-        default=[],
-        metavar="NAME=VALUE",
-        help="parameters of the structure; a list as masses=20e3,20e3; its support as "
+        "NAME=VALUE",
+        "parameters of the structure; a list as masses=20e3,20e3; its support as "
         "support=winkler springs=4 foundation_stiffness=1e8 foundation_damping=1e5",
     )
 
@@ -89,13 +81,13 @@ def details(pairs: list[str]) -> dict[str, int | str]:
 
 def made(args: argparse.Namespace, **others: Any) -> Structure:
     """The structure of the arguments of `add_structure`; others : values in place of theirs."""
-    of, example = class_named(args.name), "mass=122.6"
+    of, example = named.class_named(args.name), "mass=122.6"
     values: dict[str, Any] = {}
     for name, text in words(args.set, "--set", example).items():
         said = f"--set {name}={text}"
         if name in of.of_each:
             values[name] = lists(text, said, "--set", f"{name}=20e3,20e3")
-        elif name in ("support", "guided", "law") and takes_support(of):
+        elif name in ("support", "guided", "law") and named.takes_support(of):
             values[name] = text
         else:
             values |= numbers([f"{name}={text}"], "--set", example)
@@ -103,7 +95,7 @@ def made(args: argparse.Namespace, **others: Any) -> Structure:
     try:
         if dimensions_of(of, values):
             return _of_dimensions(of, values)
-        return structure(args.name, **values)
+        return named.structure(args.name, **values)
     except InputTypeError as error:
         raise UsageError(
             f"{error}. Write --set NAME=VALUE ...; rockeom models {args.name} explains them"
@@ -133,11 +125,11 @@ def _list() -> str:
     rows = [("NAME", "TITLE")]
     rows += [(name, _title(_module(of, {}))) for name, of in SHIPPED.items()]
     notes = []
-    for name, of in FAMILIES.items():
+    for name, of in named.FAMILIES.items():
         arguments = " ".join(f"{n}=N" for n in _EXAMPLES[name])
         rows.append((name, (of.__doc__ or "").partition(",")[0]))
         notes.append(f"  {name} takes {arguments}, and is derived for each")
-    standing = [n for n, s in {**SHIPPED, **FAMILIES}.items() if takes_support(s)]
+    standing = [n for n, s in {**SHIPPED, **named.FAMILIES}.items() if named.takes_support(s)]
     notes += [f"  {', '.join(standing)} take a support:"]
     notes += [f"    {line}" for line in _aligned(_supports())]
     return "\n".join(
@@ -154,10 +146,10 @@ def _list() -> str:
 def _supports() -> list[tuple[str, str]]:
     """Each support and its parameters, those in brackets that may be left out."""
     supports = []
-    for support in SUPPORTS:
+    for support in named.SUPPORTS:
         names = [
             f"{name}=" if default is dataclasses.MISSING else f"[{name}={default}]"
-            for name, default in parameters_of(support).items()
+            for name, default in named.parameters_of(support).items()
         ]
         supports.append((f"support={support}", " ".join(names) or "(if not given)"))
     return supports
@@ -167,17 +159,12 @@ def _explain(of: type[Structure], arguments: Mapping[str, int | str]) -> str:
     module = _module(of, arguments)
     half = len(module.STATES) // 2
     units = zip(module.STATES[:half], module.STATE_UNITS, strict=False)
-    laws = "angular-momentum, energy-ratio=R, velocity-ratio=E"
-    if module.HAS_IMPULSIVE:
-        laws += ", impulsive"
-    default = "impulsive" if isinstance(default_law(module), Impulsive) else "angular-momentum"
-    laws += f"; if not given, {default}"
     facts = [
         ("in Python", f"rockeom.{of.__name__}(...)"),
         ("coordinates", ", ".join(f"{name} [{unit}]" for name, unit in units)),
         ("states", ", ".join(module.STATES)),
         ("modes", ", ".join(module.MODES)),
-        ("impact laws", laws if _has_impacts(module) else _without_a_law(module)),
+        ("impact laws", _laws(module)),
     ]
     return "\n".join(
         [
@@ -207,24 +194,18 @@ def _of_support(
     of: type[Structure], module: GeneratedModule, arguments: Mapping[str, int | str]
 ) -> list[str]:
     """Supports of a structure, and the parameters of each."""
-    if not takes_support(of):
+    if not named.takes_support(of):
         return []
     support = str(arguments.get("support", "pinned"))
-    words = {
-        name: (unit, meaning)
-        for name, unit, meaning in zip(
-            module.PARAMETERS, module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True
-        )
-    }
-    rows = [(name, *words[name]) for name in parameters_of(support) if name in words]
+    words = _words(module)
+    rows = [(name, *words[name]) for name in named.parameters_of(support) if name in words]
     own = ["", *_aligned([("OF ITS SUPPORT", "UNIT", "MEANING"), *rows])] if rows else []
     return [*own, "", "It may stand on", *(f"  {line}" for line in _aligned(_supports()))]
 
 
 def _parameters(of: type[Structure], module: GeneratedModule) -> list[tuple[str, str, str, str]]:
     """A table of the names that --set takes."""
-    words = zip(module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True)
-    meanings = dict(zip(module.PARAMETERS, words, strict=True))
+    meanings = _words(module)
     rows = [("PARAMETER", "UNIT", "IF NOT SET", "MEANING")]
     for name, default_value in of.defaults().items():
         called = name if name in meanings else _NAME_IN_MODEL.get(name)
@@ -242,14 +223,21 @@ def _parameters(of: type[Structure], module: GeneratedModule) -> list[tuple[str,
     return rows
 
 
-def _has_impacts(module: GeneratedModule) -> bool:
-    return any(kind == "impact" for _, _, kind in module.TRANSITIONS)
+def _words(module: GeneratedModule) -> dict[str, tuple[str, str]]:
+    """Unit and meaning of each parameter."""
+    words = zip(module.PARAMETER_UNITS, module.PARAMETER_MEANINGS, strict=True)
+    return dict(zip(module.PARAMETERS, words, strict=True))
 
 
-def _without_a_law(module: GeneratedModule) -> str:
+def _laws(module: GeneratedModule) -> str:
     if getattr(module, "POINTS", ()):
         return "none: each point has its restitution, and its friction if it may slip"
-    return "none: the contacts are springs"
+    if not any(kind == "impact" for _, _, kind in module.TRANSITIONS):
+        return "none: the contacts are springs"
+    laws = "angular-momentum, energy-ratio=R, velocity-ratio=E"
+    laws += ", impulsive" * module.HAS_IMPULSIVE
+    default = "impulsive" if isinstance(default_law(module), Impulsive) else "angular-momentum"
+    return f"{laws}; if not given, {default}"
 
 
 def _module(of: type[Structure], arguments: Mapping[str, int | str]) -> GeneratedModule:

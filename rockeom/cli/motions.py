@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from rockeom.cli.errors import UsageError, spread, words
+from rockeom.cli.options import add_number, add_words
 from rockeom.files import in_text
 from rockeom.motion import GroundMotion, MotionSet, units
 from rockeom.motion.recordings import COMPONENTS
@@ -49,17 +50,12 @@ def add_motion(group, required: bool = True) -> None:
     one.add_argument(
         "--motion", metavar="FILE", help="a recorded acceleration: PEER .AT2, or two columns"
     )
-    one.add_argument(
-        "--pulse",
-        nargs="+",
-        metavar=("KIND", "NAME=VALUE"),
-        help="a pulse by formula, see below",
-    )
-    one.add_argument(
+    add_words(one, "--pulse", ("KIND", "NAME=VALUE"), "a pulse by formula, see below")
+    add_words(
+        one,
         "--record",
-        nargs="+",
-        metavar="WORD",
-        help="a record of the library by words of its name, as El Centro 1940 180; `rockeom "
+        "WORD",
+        "a record of the library by words of its name, as El Centro 1940 180; `rockeom "
         "records` lists all",
     )
     one.add_argument("--free", action="store_true", help="no shaking; needs --duration")
@@ -72,12 +68,8 @@ def add_records(parser: argparse.ArgumentParser) -> Any:
     """The options that `records` reads; returns their group."""
     group = parser.add_argument_group("ground motions (one of the first two)")
     one = group.add_mutually_exclusive_group(required=True)
-    one.add_argument(
-        "--records", nargs="+", metavar="WORD", help="all records whose names have these words"
-    )
-    one.add_argument(
-        "--motion", nargs="+", metavar="FILE", help="recorded accelerations, or one folder of them"
-    )
+    add_words(one, "--records", "WORD", "all records whose names have these words")
+    add_words(one, "--motion", "FILE", "recorded accelerations, or one folder of them")
     group.add_argument(
         "--components",
         choices=COMPONENTS,
@@ -94,16 +86,14 @@ def add_files(group) -> None:
         metavar="UNITS",
         help="of a file that does not say its own: m/s2, g, cm/s2, gal, mm/s2, in/s2, ft/s2",
     )
-    group.add_argument(
+    add_words(
+        group,
         "--columns",
-        nargs="+",
-        metavar="COLUMN",
-        help="time and acceleration in a file of more columns, by heading or number from 0; with "
+        "COLUMN",
+        "time and acceleration in a file of more columns, by heading or number from 0; with "
         "--dt that of the acceleration alone",
     )
-    group.add_argument(
-        "--dt", type=float, metavar="S", help="time step of a file without a column of times [s]"
-    )
+    add_number(group, "--dt", "S", "time step of a file without a column of times [s]")
     group.add_argument(
         "--layout",
         choices=("columns", "wrapped"),
@@ -114,19 +104,15 @@ def add_files(group) -> None:
 def add_scale(group) -> None:
     """The options that `scaled` reads."""
     size = group.add_mutually_exclusive_group()
-    size.add_argument(
-        "--acceleration-scale", type=float, metavar="X", help="multiply accelerations by X"
-    )
+    add_number(size, "--acceleration-scale", "X", "multiply accelerations by X")
     size.add_argument(
         "--pga", metavar="A", help="scale to this largest acceleration: 0.4g, or in m/s2"
     )
     size.add_argument(
         "--sa", metavar="A", help="scale to this spectral acceleration at --period, 5 %% damped"
     )
-    group.add_argument("--period", type=float, metavar="S", help="of --sa [s]")
-    group.add_argument(
-        "--time-scale", type=float, default=1.0, metavar="X", help="multiply times by X"
-    )
+    add_number(group, "--period", "S", "of --sa [s]")
+    add_number(group, "--time-scale", "X", "multiply times by X", default=1.0)
 
 
 def motions(args: argparse.Namespace) -> tuple[GroundMotion, GroundMotion | None]:

@@ -144,12 +144,7 @@ def _reserve(run: Response) -> dict[str, Any] | None:
 
 
 def _motion(motion: GroundMotion) -> dict[str, Any]:
-    return {
-        "name": motion.name,
-        "source": motion.source,
-        "duration": motion.duration,
-        "peak": motion.peak,
-    }
+    return {name: getattr(motion, name) for name in ("name", "source", "duration", "peak")}
 
 
 def _number(value: float | None) -> float | None:

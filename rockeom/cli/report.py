@@ -6,6 +6,7 @@ from pathlib import Path
 
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, add_records, add_scale, records, scaled
+from rockeom.cli.options import add_number
 from rockeom.cli.simulate import impact_law
 from rockeom.files import check_target
 from rockeom.plots.design_report import check_name, design_report
@@ -36,7 +37,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.usage = _USAGE
     add_structure(parser)
     parser.add_argument("--impact", metavar="LAW", help="as for rockeom simulate")
-    parser.add_argument("--duration", type=float, metavar="S", help="of each simulation [s]")
+    add_number(parser, "--duration", "S", "of each simulation [s]")
     parser.add_argument(
         "--out",
         nargs="+",

@@ -8,6 +8,7 @@ from rockeom.cli import output
 from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import add_motion, motions
+from rockeom.cli.options import add_number, add_pairs
 from rockeom.files import check_target
 from rockeom.numbers.checks import near
 from rockeom.simulation.case import Case
@@ -84,20 +85,18 @@ LAWS = (*_PLAIN, *(f"{ratio}=" for ratio in _RATIOS))
 def add_case(parser: argparse.ArgumentParser) -> None:
     """The options that `case` reads, and --method."""
     add_structure(parser)
-    parser.add_argument(
+    add_pairs(
+        parser,
         "--initial",
-        nargs="+",
-        action="extend",
-        default=[],
-        metavar="STATE=VALUE",
-        help="states at the start, as theta=0.1 [rad] or theta_degrees=6; the others are zero",
+        "STATE=VALUE",
+        "states at the start, as theta=0.1 [rad] or theta_degrees=6; the others are zero",
     )
     parser.add_argument(
         "--impact",
         metavar="LAW",
         help="what an impact does: angular-momentum, impulsive, energy-ratio=R, velocity-ratio=E",
     )
-    parser.add_argument("--duration", type=float, metavar="S", help="of the simulation [s]")
+    add_number(parser, "--duration", "S", "of the simulation [s]")
     add_motion(parser.add_argument_group("ground motion (one of the first four)"))
     parser.add_argument(
         "--method",
@@ -120,11 +119,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     output.add_argument(
         "--format", choices=("csv", "npz"), default="csv", help="of the response; csv if not given"
     )
-    output.add_argument(
+    add_number(
+        output,
         "--output-step",
-        type=float,
-        metavar="S",
-        help="largest spacing of the written samples [s]; 1/4000 of the duration if not given",
+        "S",
+        "largest spacing of the written samples [s]; 1/4000 of the duration if not given",
     )
 
 
@@ -135,7 +134,8 @@ def run(args: argparse.Namespace) -> int:
         if args.out.is_dir():
             for path in _paths(args):
                 check_target(path)
-    response = simulated(one, SolverOptions(args.method, output_step=args.output_step))
+    options = SolverOptions(args.method, output_step=args.output_step)
+    response = simulate(one, options=options)
     print(output.in_words(response))
     if args.out is not None:
         for path in _write(response, one, args):
@@ -150,19 +150,6 @@ def case(args: argparse.Namespace) -> Case:
     law = impact_law(args.impact)
     motion, vertical = motions(args)
     return Case(structure, motion, law, initial, args.duration, vertical)
-
-
-def simulated(one: Case, options: SolverOptions) -> Response:
-    """The response of a case."""
-    return simulate(
-        one.structure,
-        one.motion,
-        impact=one.impact,
-        initial=one.initial,
-        duration=one.duration,
-        vertical=one.vertical,
-        options=options,
-    )
 
 
 def check_folder(path: Path) -> None:

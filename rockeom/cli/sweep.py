@@ -10,6 +10,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from rockeom.cli.errors import spread, words
+from rockeom.cli.options import add_pairs
 from rockeom.cli.output import csv_of
 from rockeom.cli.simulate import add_case, case, check_folder
 from rockeom.drawing.style import save_figure
@@ -53,14 +54,13 @@ examples:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.usage = _USAGE
     add_case(parser)
-    parser.add_argument(
+    add_pairs(
+        parser,
         "--over",
-        nargs="+",
-        action="extend",
-        required=True,
-        metavar="NUMBER=VALUES",
-        help="what varies: half_width=0.1:0.3:20, twenty values at even distances, or "
+        "NUMBER=VALUES",
+        "what varies: half_width=0.1:0.3:20, twenty values at even distances, or "
         "amplitude=1,2,3; several vary with each other",
+        required=True,
     )
     output = parser.add_argument_group("output")
     output.add_argument(

@@ -19,16 +19,9 @@ def declaration_digest(model: Any) -> str:
 
 
 _ASSUMED = [
-    "real",
-    "positive",
-    "negative",
-    "nonnegative",
-    "nonpositive",
-    "nonzero",
-    "integer",
-    "finite",
+    "real", "positive", "negative", "nonnegative", "nonpositive", "nonzero", "integer", "finite",
     "complex",
-]
+]  # fmt: skip
 """Assumptions on a function, which its text does not show."""
 
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 import sympy as sp
 
 from rockeom.codegen.rates import found_accelerations
-from rockeom.codegen.text import Text
+from rockeom.codegen.text import Text, branched
 from rockeom.symbolic import outputs as expressions
 from rockeom.symbolic.impulse import momentum
 from rockeom.symbolic.mode import Mode
@@ -168,10 +168,6 @@ def _on_each_side(text: Text, names: Columns) -> list[str]:
             )
             lines = tuple(text.evaluate("elements", into_out(values), " " * 8))
             branches.setdefault(lines, []).append(text.mode_constants[name])
-    if len(branches) == 1:
-        return [line[4:] for line in next(iter(branches))]
-    body: list[str] = []
-    for lines, modes in branches.items():
-        body.append(f"    {'elif' if body else 'if'} mode in ({', '.join(modes)},):")
-        body += lines
-    return body
+    return branched(
+        [(f"mode in ({', '.join(modes)},)", [*lines]) for lines, modes in branches.items()]
+    )

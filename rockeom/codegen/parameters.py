@@ -36,7 +36,8 @@ def shapes(text: Text) -> dict[str, tuple[str, ...]]:
 
 def functions_of_parameters(text: Text) -> None:
     """Comes last: `prepare` computes the constants that all others have named."""
-    _overturning(text)
+    described = "Rotation at which the structure has overturned."
+    _scalar(text, "overturning", described, text.model.overturning)
     _falls(text)
     _velocity_ratio(text)
     _sizes(text)
@@ -46,15 +47,6 @@ def functions_of_parameters(text: Text) -> None:
 def sizes_to_check(model: HybridModel) -> list[Size]:
     """Sizes that the signs of the parameters do not settle."""
     return [size for size in sizes(model) if not (size.may_vanish and size.value.is_nonnegative)]
-
-
-def _overturning(text: Text) -> None:
-    _scalar(
-        text,
-        "overturning",
-        "Rotation at which the structure has overturned.",
-        text.model.overturning,
-    )
 
 
 def _falls(text: Text) -> None:

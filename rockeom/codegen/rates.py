@@ -3,7 +3,7 @@
 from collections.abc import Collection
 
 from rockeom.codegen.solve import solve
-from rockeom.codegen.text import Text
+from rockeom.codegen.text import Text, branched
 from rockeom.symbolic.mode import Mode
 
 
@@ -16,18 +16,14 @@ def equations_of_motion(text: Text) -> None:
 def _accelerations(text: Text) -> None:
     """A function of plain numbers for each mode, and one that chooses the mode."""
     modes = [one for mode in text.model.modes for one in mode.of_each_state()]
-    indent = " " * 8 if len(modes) > 1 else " " * 4
-    chosen: list[str] = []
+    indent, chosen = " " * 8, []
     for i, mode in enumerate(modes):
         call = _accelerations_of(text, i, mode)
-        if len(modes) > 1:
-            test = f"{'elif' if chosen else 'if'} {text.test(mode)}"
-            chosen.append(f"    {'else' if mode is modes[-1] else test}:")
-        chosen += [*text.side(indent, mode), f"{indent}return {call}"]
+        chosen.append((text.test(mode), [*text.side(indent, mode), f"{indent}return {call}"]))
     text.function(
         f"accelerations(mode, {', '.join(text.states)}, p, ax, ay)",
         "Accelerations of the coordinates under ground accelerations ax, ay [m/s2].",
-        chosen,
+        branched(chosen, otherwise=True),
         "@inlined",
     )
 

@@ -16,7 +16,7 @@ import sympy as sp
 from rockeom.codegen.outputs import Columns
 from rockeom.codegen.solve import TOTAL_GRAVITY, eliminated, unsymmetric
 from rockeom.codegen.tables import column, rows, table
-from rockeom.codegen.text import Text
+from rockeom.codegen.text import Text, branched
 from rockeom.codes import (
     CONTACT_LAWS,
     FRICTIONLESS,
@@ -120,13 +120,9 @@ def _every(text: Text, name: str, targets: Mapping[str, sp.Expr]) -> list[str]:
 
 def _chosen(name: str, table: str, branches: list[list[str]]) -> list[str]:
     """Lines of the branch that a table gives for a mode; of one branch alone, its own."""
-    if len(branches) == 1:
-        return [line[4:] for line in branches[0]]
-    lines = [f"    {name} = {table}[mode]"]
-    for i, branch in enumerate(branches):
-        test = f"{'elif' if i else 'if'} {name} == {i}"
-        lines += [f"    {'else' if i == len(branches) - 1 else test}:", *branch]
-    return lines
+    tested = [(f"{name} == {i}", branch) for i, branch in enumerate(branches)]
+    read = [f"    {name} = {table}[mode]"] if len(branches) > 1 else []
+    return [*read, *branched(tested, otherwise=True)]
 
 
 # -- motion -----------------------------------------------------------------------------------

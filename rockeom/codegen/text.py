@@ -227,15 +227,25 @@ class Text:
         branches: dict[tuple[str, ...], list[Mode]] = {}
         for mode in self.model.modes:
             branches.setdefault(tuple(branch(mode, " " * 8)), []).append(mode)
-        body: list[str] = []
-        for lines, modes in branches.items():
-            if len(branches) > 1:
-                body.append(f"    {'elif' if body else 'if'} {self.test(*modes)}:")
-            body += self.signs(lines, modes)
-            body += lines or [" " * 8 + "pass"]
-        if len(branches) == 1:
-            body = [line[4:] for line in body]
-        self.function(signature, doc, [*body, *after])
+        tested = [
+            (self.test(*modes), [*self.signs(lines, modes), *(lines or [" " * 8 + "pass"])])
+            for lines, modes in branches.items()
+        ]
+        self.function(signature, doc, [*branched(tested), *after])
+
+
+def branched(tested: Sequence[tuple[str, list[str]]], otherwise: bool = False) -> list[str]:
+    """The lines of a function that has a branch for each test; of one alone they need none.
+
+    otherwise : the last branch is that of all else.
+    """
+    if len(tested) == 1:
+        return [line[4:] for line in tested[0][1]]
+    body: list[str] = []
+    for i, (test, lines) in enumerate(tested, 1):
+        last = otherwise and i == len(tested)
+        body += ["    else:" if last else f"    {'elif' if body else 'if'} {test}:", *lines]
+    return body
 
 
 def _symbols(exprs: Iterable[sp.Expr]) -> set[str]:

@@ -4,7 +4,7 @@ The texts that become machine code (generated modules, steps, the loop) are plai
 such. The marks say what Python cannot.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TypeAlias, TypeVar
 
 import numpy as np
@@ -31,6 +31,14 @@ def apart(function: _F) -> _F:
 def rolled(function: _F) -> _F:
     """Its loops stay loops: written out round by round they are longer to compile than to run."""
     return function
+
+
+def unrolled(numbers: Iterable[int]) -> Iterable[int]:
+    """`for i in unrolled(range(N))`: written out round by round, with `i` a constant in each.
+
+    The numbers are a range of constants, or a constant tuple.
+    """
+    return numbers
 
 
 def fused(function: _F) -> _F:

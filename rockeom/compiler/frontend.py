@@ -9,6 +9,7 @@ refused by file and line.
     float     64 bits; no exception: 1.0 / 0.0 is inf, math.sqrt(-1.0) is nan. x**n is a product
               where n is a whole number from 1 to 9
     bool      the only truth: `if`, `while`, `not`, `and`, `or` take nothing else
+    loop      `for i in unrolled(range(N))` is written out round by round: i is a constant in each
     tuple     of any of these; indices are constants. One that is an argument is not assigned
     record    a NamedTuple: a tuple whose items are read by name, as record.field. Fields have the
               types of their annotations; `record._replace(field=value)` is another one
@@ -22,7 +23,7 @@ refused by file and line.
               along by the rules of calculus, so that a text printed for duals is its own
               derivative. Comparisons are of the numbers; arrays that the function makes are of
               duals. A function marked @rule_of(f) is printed for duals in place of f, and
-              one marked @slope_of(math.f) gives the derivative of `math.f`
+              the table SLOPES of a text has the derivatives of functions of `math`
 
 How it works: a function is printed for the types of its arguments, line after line, each variable
 a place on the stack, of which LLVM makes registers. Where a later line widens the type of a
@@ -106,9 +107,7 @@ class Function:
         self.returns: Type = NOTHING
         self.returned = False
         self.typed: dict[ast.expr, Type] = {}  # expressions that are no variables
-        self.names = program.names_in(definition.text)
-        constants = Constants(self.names, self.locals)
-        self._constant, self._maybe, self._whole = constants.value, constants.maybe, constants.whole
+        self._know(program.names_in(definition.text))
         while True:
             self._start()
             self._block(tree.body)
@@ -119,6 +118,11 @@ class Function:
         self.size += len(self.ir.lines)
         if self.later is not None:
             self.refuse(self.later, "the type of this cannot be found out")
+
+    def _know(self, names: Mapping[str, Any]) -> None:
+        """Take names for constants."""
+        self.names, constants = names, Constants(names, self.locals)
+        self._constant, self._maybe, self._whole = constants.value, constants.maybe, constants.whole
 
     def _start(self) -> None:
         again = ", !llvm.loop !0" if "rolled" in self.definition.marks else ""
@@ -658,8 +662,25 @@ class Function:
         self._block(body)
         return self.loops.pop().broken
 
+    def _rounds(self, statement: ast.For, of: ast.expr) -> None:
+        """A loop over constants, written out round by round."""
+        numbers = self._maybe(of)
+        leaves = any(isinstance(node, ast.Break | ast.Continue) for node in ast.walk(statement))
+        if numbers is None or leaves or not isinstance(statement.target, ast.Name):
+            self.refuse(
+                statement, "an unrolled loop has one name, and goes over all of its constants"
+            )
+        outside = self.names
+        for number in numbers:
+            self._know({**outside, statement.target.id: number})
+            self._block(statement.body)
+        self._know(outside)
+
     def _do_for(self, statement: ast.For) -> None:
         call, target = statement.iter, statement.target
+        if (of := _unrolled(statement)) is not None:
+            self._rounds(statement, of)
+            return
         if not isinstance(call, ast.Call) or ast.unparse(call.func) != "range" or statement.orelse:
             self.refuse(statement, "a loop is `for name in range(...)`, without `else`")
         if not isinstance(target, ast.Name) or not 1 <= len(call.args) <= 3:
@@ -717,12 +738,22 @@ def _is_place(value: Value) -> bool:
     return isinstance(value.type, Array) and value.type.dimensions == 0
 
 
+def _unrolled(loop: ast.For) -> ast.expr | None:
+    """The constants that a loop goes over which is marked `unrolled`, or None."""
+    match loop.iter:
+        case ast.Call(func=ast.Name("unrolled"), args=[of]):
+            return of
+    return None
+
+
 @lru_cache(maxsize=10_000)  # asked for by every statement that another one is within
 def _stores(statement: ast.stmt) -> Mapping[str, int]:
     """Names that are assigned in a statement, and in how many places of it."""
     match statement:
         case ast.Assign(targets=targets):
             pass
+        case ast.For() if _unrolled(statement) is not None:
+            targets = []  # a constant
         case ast.AugAssign(target=target) | ast.For(target=target):
             targets = [target]
         case _:

@@ -84,9 +84,15 @@ def compiled(ir: str, lanes: bool = False, passes: Sequence[str] = PASSES) -> by
     runs a few times; without contractions it has the same bits.
     """
     machine = _machine(3 if lanes else 1 if passes else 0)
+    return emitted(ir, machine, llvm.get_process_triple(), passes, lanes)
+
+
+def emitted(
+    ir: str, machine: llvm.TargetMachine, triple: str, passes: Sequence[str], lanes: bool = False
+) -> bytes:
+    """An object file for a machine, see `compiled`."""
     module = llvm.parse_assembly(ir)
-    module.triple = llvm.get_process_triple()
-    module.data_layout = str(machine.target_data)
+    module.triple, module.data_layout = triple, str(machine.target_data)
     options = llvm.create_pipeline_tuning_options(speed_level=2)
     options.loop_vectorization = lanes
     options.slp_vectorization = False

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache, lru_cache
 from importlib.resources import files
@@ -128,6 +128,20 @@ def _imports_text(node: ast.stmt) -> bool:
     return isinstance(node, ast.ImportFrom) and bool(imported_modules(f"from {of} import "))
 
 
+def _functions(node: ast.stmt) -> Iterator[ast.FunctionDef]:
+    """The function that a statement defines, or those of SLOPES, a table of derivatives."""
+    match node:
+        case ast.FunctionDef():
+            yield node
+        case ast.AnnAssign(target=ast.Name("SLOPES"), value=ast.Dict(keys=keys, values=values)):
+            for of, slope in zip(keys, values, strict=True):
+                assert isinstance(of, ast.Attribute)
+                assert isinstance(slope, ast.Lambda)
+                mark, body = ast.Call(ast.Name("rule_of"), [of], []), ast.Return(slope.body)
+                function = ast.FunctionDef(f"{of.attr}_slope", slope.args, [body], [mark])
+                yield ast.copy_location(function, slope)
+
+
 @lru_cache(maxsize=256)  # the loop and the steps are those of many structures
 def parsed(source: str, name: str) -> Parsed:
     """The parts of a text; raises Refused for a name that is imported under another one."""
@@ -137,9 +151,10 @@ def parsed(source: str, name: str) -> Parsed:
     constants: dict[str, int] = {}
     rest: list[CodeType] = []
     for node in tree.body:
+        functions |= {function.name: function for function in _functions(node)}
         if isinstance(node, ast.FunctionDef):
-            functions[node.name] = node
-        elif isinstance(node, ast.ImportFrom) and _imports_text(node):
+            continue
+        if isinstance(node, ast.ImportFrom) and _imports_text(node):
             for alias in node.names:
                 if alias.asname is not None:
                     raise Refused(f"{name}, line {node.lineno}: {alias.name} has one name only")

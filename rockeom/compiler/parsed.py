@@ -21,8 +21,6 @@ ANNOTATIONS: dict[str, Type] = {
     "Ints": Array(INT, 1), "Ints2": Array(INT, 2),
     "Duals": Array(DUAL, 1), "Duals2": Array(DUAL, 2), "Duals3": Array(DUAL, 3),
 }  # fmt: skip
-RULES = ("rule_of", "slope_of")
-"""Marks of a function that says the derivatives of the one that the mark names."""
 
 
 class Definition(NamedTuple):
@@ -99,7 +97,7 @@ class Texts(ABC):
         definition = Definition(tree, text, marks)
         self.definitions[text.name, name] = definition
         for mark in tree.decorator_list:
-            if isinstance(mark, ast.Call) and ast.unparse(mark.func) in RULES:
+            if isinstance(mark, ast.Call) and ast.unparse(mark.func) == "rule_of":
                 self.rules[ast.unparse(mark.args[0])] = definition
 
     @property
@@ -187,14 +185,14 @@ class Constants:
                 value = self.names.get(node.id)
                 if node.id not in self.variables and value is not None and not callable(value):
                     return value
-            case ast.BinOp() if type(node.op) in _OPERATORS:
-                return self._of_known(_OPERATORS[type(node.op)], node.left, node.right)
+            case ast.BinOp() if type(node.op) in OPERATORS:
+                return self._of_known(OPERATORS[type(node.op)], node.left, node.right)
             case ast.Subscript() if not isinstance(node.slice, ast.Slice):
                 return self._of_known(operator.getitem, node.value, node.slice)
-            case ast.UnaryOp() if type(node.op) in _OPERATORS:
-                return self._of_known(_OPERATORS[type(node.op)], node.operand)
-            case ast.Compare(ops=[op]) if type(op) in _OPERATORS:
-                return self._of_known(_OPERATORS[type(op)], node.left, *node.comparators)
+            case ast.UnaryOp() if type(node.op) in OPERATORS:
+                return self._of_known(OPERATORS[type(node.op)], node.operand)
+            case ast.Compare(ops=[op]) if type(op) in OPERATORS:
+                return self._of_known(OPERATORS[type(op)], node.left, *node.comparators)
             case ast.BoolOp(op=ast.And()):
                 if any(self.value(part) is False for part in node.values):
                     return False
@@ -204,8 +202,8 @@ class Constants:
                     return value
             case ast.Tuple():
                 return self._of_known(_as_tuple, *node.elts)
-            case ast.Call(func=ast.Name(id="len"), args=[of]):
-                return self._of_known(len, of)
+            case ast.Call(func=ast.Name(id="len" | "range" as name), args=of):
+                return self._of_known(len if name == "len" else range, *of)
         return UNKNOWN
 
     def _of_known(self, operation: Callable[..., Any], *nodes: ast.expr) -> Any:
@@ -233,7 +231,7 @@ def _as_tuple(*items: Any) -> tuple[Any, ...]:
     return items
 
 
-_OPERATORS: dict[type, Callable[..., Any]] = {
+OPERATORS: dict[type, Callable[..., Any]] = {
     ast.USub: operator.neg, ast.UAdd: operator.pos, ast.Not: operator.not_,
     ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Pow: operator.pow,
     ast.Div: operator.truediv, ast.FloorDiv: operator.floordiv, ast.Mod: operator.mod,

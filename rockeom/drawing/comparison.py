@@ -69,8 +69,7 @@ def plot_comparison(
         raise InputError("runs").says("some have units and some none: compare them apart")
     feet = ("left", "right") if any("left_uplift" in run.names for run in runs) else ()
     heights = [0.8, 1.6, *(0.9 for _ in feet), 0.1 + 0.28 * len(runs)]
-    if figure is None:
-        figure = style.new_figure(7.2, 1.0 + 1.25 * sum(heights))
+    figure = figure or style.new_figure(7.2, 1.0 + 1.25 * sum(heights))
     axes = figure.subplots(len(heights), 1, sharex=True, gridspec_kw={"height_ratios": heights})
     _ground(axes[0], runs)
     _lengths(axes[1], runs, "displacement", "displacement of\nload point")

@@ -21,7 +21,7 @@ from matplotlib.path import Path
 from numpy.typing import ArrayLike
 
 from rockeom.drawing.style import INK, LINES
-from rockeom.numbers.checks import InputError, require
+from rockeom.numbers.checks import require
 
 Point = Sequence[float] | np.ndarray
 
@@ -399,8 +399,7 @@ def _along(start: Point, end: Point, along: np.ndarray, across: np.ndarray) -> n
     origin = np.asarray(start, float)
     way = np.asarray(end, float) - origin
     length = float(np.hypot(*way))
-    if length == 0.0:
-        raise InputError("end", tuple(origin)).so("start is the same point: nothing to draw")
+    require(length != 0.0, "", "end", tuple(origin), "start is the same point: nothing to draw")
     normal = np.array([-way[1], way[0]]) / length
     return origin + np.outer(along, way) + np.outer(across, normal)
 

@@ -60,8 +60,7 @@ def plot_motion(
     >>> figure = plots.plot_motion(rk.GroundMotion.ricker(4.0, 0.6))  # m/s2, s
     """
     check_drawn("motion", motion, GroundMotion)
-    if figure is None:
-        figure = style.new_figure(7.2, 4.6)
+    figure = figure or style.new_figure(7.2, 4.6)
     axes = figure.subplots(3, 1, sharex=True)
     breaks = motion.breakpoints
     t = np.unique(np.concatenate([np.linspace(0.0, motion.duration, _POINTS), breaks]))
@@ -132,8 +131,7 @@ def plot_spectra(
                 "draw them in figures of their own"
             )
     rows = len(spectra) if 1 < len(spectra) <= _BY_NAME else 1
-    if figure is None:
-        figure = style.new_figure(7.2, 2.8 + 0.18 * rows)
+    figure = figure or style.new_figure(7.2, 2.8 + 0.18 * rows)
     axes = figure.subplots(1, 3, sharex=True)
     for ax, (of, scale, label) in zip(
         axes,

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from rockeom.drawing import style
 from rockeom.drawing.checks import check_drawn
-from rockeom.numbers.checks import InputError
+from rockeom.numbers.checks import InputError, require
 from rockeom.simulation.response import Response
 from rockeom.structures.base import Structure
 
@@ -51,8 +51,7 @@ def plot_phase_portrait(
     >>> figure = plots.plot_phase_portrait(runs, separatrix=True)
     """
     runs = list(run) if isinstance(run, Sequence) else [run]
-    if not runs:
-        raise InputError("runs", runs, "plot_phase_portrait").give("one response at least")
+    require(bool(runs), "plot_phase_portrait", "runs", runs, "give one response at least")
     for one in runs:
         check_drawn("run", one, Response)
     first = runs[0]

@@ -30,8 +30,7 @@ def plot_quantities(
         what = _word(names[0]) if len(names) == 1 else ""
         draw_curves(ax, run, {name: _word(name) for name in names}, what)
         return style.parent_figure(ax), [ax]
-    if figure is None:
-        figure = style.new_figure(7.2, 0.9 + 1.5 * len(names))
+    figure = figure or style.new_figure(7.2, 0.9 + 1.5 * len(names))
     axes = [*figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]]
     for name, row in zip(names, axes, strict=True):
         draw_curves(row, run, {name: _word(name)}, _word(name))

@@ -11,7 +11,7 @@ from rockeom.codes import SLIP_LEFT, SLIP_RIGHT
 from rockeom.drawing import style
 from rockeom.drawing.checks import check_drawn
 from rockeom.drawing.quantities import draw_curves, plot_quantities, require_axes
-from rockeom.numbers.checks import InputError, number
+from rockeom.numbers.checks import number, require
 from rockeom.simulation.response import Response
 
 Draw = Callable[[Axes, Response], None]
@@ -91,8 +91,7 @@ def _limits(run: Response, start: float | None, end: float | None) -> tuple[floa
     """The part of the time axis shown [s]."""
     first = float(run.t[0]) if start is None else number("start", start)
     last = float(run.t[-1]) if end is None else number("end", end)
-    if not first < last:
-        raise InputError("start", first).give(f"less than the end, {last:g} s")
+    require(first < last, "", "start", first, f"give less than the end, {last:g} s")
     return first, last
 
 
@@ -100,8 +99,7 @@ def _overview(run: Response, figure: Figure | SubFigure | None) -> tuple[Figure 
     """The rows that this structure fills, below a title with the outcome."""
     rows = _rows(run)
     heights = [height for _, height in rows]
-    if figure is None:
-        figure = style.new_figure(7.2, 0.9 + 1.25 * sum(heights))
+    figure = figure or style.new_figure(7.2, 0.9 + 1.25 * sum(heights))
     axes = figure.subplots(len(rows), 1, sharex=True, gridspec_kw={"height_ratios": heights})
     for ax, (draw, _) in zip(axes, rows, strict=True):
         draw(ax, run)

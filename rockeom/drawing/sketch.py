@@ -63,8 +63,7 @@ def draw_structure(
     check_drawn("structure", structure, Structure)
     m = structure.module
     named = {m.STATES[m.ROTATION]: rotation} if rotation else {}
-    if ax is None:
-        ax = style.new_figure(2.6, 3.4).add_subplot()
+    ax = ax or style.new_figure(2.6, 3.4).add_subplot()
     y = structure.state(named | dict(state or {}))
     Sketch(structure, y, structure.mode_number(y)).draw(ax)
     ax.set_aspect("equal", adjustable="datalim")

@@ -125,7 +125,7 @@ class Functions:
         for function in self.by_name.values():
             self._find_calls(function)
         for function in self.ordered():
-            _Reader(self, function).read()
+            self._read_arrays(function)
         for function in self.by_name.values():
             function.body, _ = _needed(self, function.body, frozenset())
             self._find_calls(function)
@@ -158,6 +158,39 @@ class Functions:
             for call in calls_in(statement):
                 add(call)
         function.calls = list(calls)
+
+    def _read_arrays(self, function: Function) -> None:
+        """Find out which arrays a function changes, and which are parts of others."""
+        changed: list[ast.expr] = []
+        for node in (n for statement in function.body for n in ast.walk(statement)):
+            match node:
+                case ast.Assign(targets=targets, value=value):
+                    for target in targets:
+                        for one, source in pairs(target, value) or _each(target):
+                            changed += self._assigned(function, one, source)
+                case ast.AugAssign(target=ast.Subscript() as target):
+                    changed.append(base_of(target))
+                case ast.Call() if called := self.by_name.get(ast.unparse(node.func)):
+                    given = zip(called.arguments, node.args, strict=True)
+                    changed += [base_of(x) for own, x in given if own in called.fills]
+        for array in changed:
+            self.fill(function, array)
+
+    def _assigned(
+        self, function: Function, target: ast.expr, value: ast.expr | None
+    ) -> list[ast.expr]:
+        """Note an array that is made, or a part that gets a name; the array that is changed."""
+        match target, value:
+            case ast.Subscript(), _:
+                return [base_of(target)]
+            case ast.Name(id=name), ast.Call(args=[size, *_]) if made_array(value):
+                function.lengths[name] = self.constant(size)
+            case ast.Name(id=name), ast.Subscript(slice=ast.Slice() as part):
+                base = base_of(value)
+                if not isinstance(base, ast.Name) or part.upper or part.lower is None:
+                    function.refuse(value, "a part of an array is array[first:]")
+                function.aliases[name] = Alias(base.id, part.lower)
+        return []
 
     def changes(self, node: ast.AST) -> bool:
         """Whether a call in it changes an array."""
@@ -300,7 +333,7 @@ def _needed(
                     left = targets[0] if one else ast.Tuple(list(targets), ast.Store())
                     right = values[0] if one else ast.Tuple(list(values), ast.Load())
                     statement = ast.copy_location(ast.Assign([left], right), statement)
-                after = after - _given_names(statement) | _loads(statement)
+                after = after - given_names(statement) | _loads(statement)
             case ast.If(test=test, body=yes, orelse=no):
                 yes, before = _needed(functions, yes, after, looping)
                 no, otherwise = _needed(functions, no, after, looping)
@@ -321,7 +354,7 @@ def _loads(node: ast.AST) -> Live:
     return frozenset(loaded(node))
 
 
-def _given_names(statement: ast.Assign) -> Live:
+def given_names(statement: ast.Assign) -> Live:
     targets = [t for target in statement.targets for t in getattr(target, "elts", [target])]
     return frozenset(t.id for t in targets if isinstance(t, ast.Name))
 
@@ -350,6 +383,12 @@ def indices_of(node: ast.Subscript) -> list[ast.expr]:
 
 def names_of(node: ast.AST) -> Iterator[ast.Name]:
     return (n for n in ast.walk(node) if isinstance(n, ast.Name))
+
+
+@lru_cache(maxsize=20_000)  # asked for by every block around it
+def words(node: ast.AST) -> frozenset[str]:
+    """All names in a part of a function."""
+    return frozenset(n.id for n in names_of(node))
 
 
 def stored(node: ast.AST) -> set[str]:
@@ -386,6 +425,11 @@ def pairs(targets: ast.expr, value: ast.expr) -> list[tuple[ast.expr, ast.expr]]
     return list(zip(targets.elts, value.elts, strict=True))
 
 
+def _each(target: ast.expr) -> list[tuple[ast.expr, None]]:
+    """Targets whose values a function returns."""
+    return [(item, None) for item in getattr(target, "elts", ())]
+
+
 def one_by_one(several: Sequence[tuple[ast.expr, ast.expr]]) -> bool:
     """Whether no value reads what was assigned before it."""
     if len(several) == 1:
@@ -397,60 +441,6 @@ def one_by_one(several: Sequence[tuple[ast.expr, ast.expr]]) -> bool:
         base = base_of(target)
         changed |= {base.id} if isinstance(base, ast.Name) else set()
     return True
-
-
-class _Reader:
-    """Finds out which arrays a function changes, and which are parts of others."""
-
-    def __init__(self, functions: Functions, function: Function) -> None:
-        self.functions, self.function = functions, function
-
-    def read(self) -> None:
-        self._block(self.function.body)
-
-    def _block(self, body: Iterable[ast.stmt]) -> None:
-        for statement in body:
-            match statement:
-                case ast.Assign(targets=targets, value=value):
-                    for target in targets:
-                        self._assign(target, value)
-                case ast.AugAssign(target=target):
-                    self._fill(target)
-                case ast.If(body=body, orelse=orelse):
-                    self._block([*body, *orelse])
-                case ast.While(body=body) | ast.For(body=body):
-                    self._block(body)
-            for call in calls_in(statement):
-                called = self.functions.by_name.get(ast.unparse(call.func))
-                for own, node in zip(called.arguments, call.args, strict=True) if called else ():
-                    if called and own in called.fills:
-                        self.functions.fill(self.function, base_of(node))
-
-    def _assign(self, target: ast.expr, value: ast.expr) -> None:
-        several = pairs(target, value)
-        if several is None:
-            for part in target.elts:  # type: ignore[attr-defined]
-                self._fill(part)
-            return
-        for one, source in several:
-            if isinstance(one, ast.Name) and made_array(source):
-                size = self.functions.constant(source.args[0])  # type: ignore[attr-defined]
-                self.function.lengths[one.id] = size
-            elif isinstance(one, ast.Name) and isinstance(source, ast.Subscript):
-                self._name_part(one.id, source)
-            self._fill(one)
-
-    def _name_part(self, name: str, part: ast.Subscript) -> None:
-        if not isinstance(part.slice, ast.Slice):
-            return
-        base = base_of(part)
-        if not isinstance(base, ast.Name) or part.slice.upper or part.slice.lower is None:
-            self.function.refuse(part, "a part of an array is array[first:]")
-        self.function.aliases[name] = Alias(base.id, part.slice.lower)
-
-    def _fill(self, target: ast.expr) -> None:
-        if isinstance(target, ast.Subscript):
-            self.functions.fill(self.function, base_of(target))
 
 
 _KEPT = re.compile(r"(kept|pair|so|i)_\d+_")

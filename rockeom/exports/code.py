@@ -8,13 +8,13 @@ contacts open, slide and bounce have the search for the mode after a landing as 
 import ast
 import textwrap
 import unicodedata
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
 from rockeom.codes import MOREAU, NEWTON
-from rockeom.compiler.modules import Modules, Text, module_text, without
+from rockeom.compiler.modules import Modules, Text, module_text, parsed, without
 from rockeom.compiler.types import FLOAT, INT, Array, Type
 from rockeom.exports import c, matlab
 from rockeom.exports.closed import Function, Functions, Names, in_plain_letters, printable
@@ -22,7 +22,6 @@ from rockeom.integrator.schema import (
     PRELUDE,
     PROVIDED,
     GeneratedModule,
-    has_points,
     impact_law,
     name_of_law,
 )
@@ -125,26 +124,16 @@ class Described:
 
     def size(self, function: Function, argument: str) -> int:
         """How many numbers a function puts into an argument."""
-        m = self.module
-        of_argument = {
-            "dy": m.N_STATES,
-            "g": m.N_GUARDS + m.N_PARTS,
-            "matrix": (m.N_STATES // 2) ** 2,
-            "forces": m.N_STATES // 2,
-        }
-        of_function = {
-            "jump": m.N_STATES,
-            "impact": m.N_STATES,
-            "energies": len(m.ENERGIES),
-            "reactions": len(m.REACTIONS),
-            "kinematics": len(m.KINEMATICS),
-            "positions": 3 * len(m.POSITIONS),
-        }
-        if argument in of_argument:
-            return of_argument[argument]
-        if function.name in of_function:
-            return of_function[function.name]
-        return 1 + max(_places(function, argument), default=-1)
+        m, half = self.module, self.module.N_STATES // 2
+        sizes = {"g": m.N_GUARDS + m.N_PARTS, "matrix": half**2, "forces": half}
+        sizes |= dict.fromkeys(("dy", "jump", "impact"), m.N_STATES)
+        sizes |= {"energies": len(m.ENERGIES), "reactions": len(m.REACTIONS)}
+        sizes |= {"kinematics": len(m.KINEMATICS), "positions": 3 * len(m.POSITIONS)}
+        for name in (argument, function.name):
+            if name in sizes:
+                return sizes[name]
+        indices = (getattr(i, "value", None) for i in _indices(function.tree, argument))
+        return 1 + max((i for i in indices if isinstance(i, int)), default=-1)
 
     def prepared(self) -> int:
         """How many numbers `prepare` gives."""
@@ -160,32 +149,19 @@ class Described:
             *([self.source] if self.source else []),
             "",
             "States y, in their order:",
-            *_rows(
-                (f"{i}", n, f"[{u}]")
-                for i, (n, u) in enumerate(zip(m.STATES, m.STATE_UNITS, strict=True))
-            ),
+            *_rows(m.STATES, _units(m.STATE_UNITS)),
             "",
             "Parameters, in their order:",
-            *_rows(
-                (f"{i}", n, f"[{u}]", meaning)
-                for i, (n, u, meaning) in enumerate(
-                    zip(m.PARAMETERS, m.PARAMETER_UNITS, m.PARAMETER_MEANINGS, strict=True)
-                )
-            ),
+            *_rows(m.PARAMETERS, _units(m.PARAMETER_UNITS), m.PARAMETER_MEANINGS),
             "",
             "Modes, and how many guards end each:",
-            *_rows((f"{i}", n, f"{m.GUARDS[i]}") for i, n in enumerate(m.MODES)),
+            *_rows(m.MODES, map(str, m.GUARDS)),
             "",
-            *self._use(),
-        ]
-        return [printable(line) for line in lines]
-
-    def _use(self) -> list[str]:
-        return [
             "`prepare` is called once for a set of parameters; it gives the p of all others.",
             "Within a mode integrate `rates` while all its `guards` are positive. Where",
             f"the first of them falls to zero, `{self.transition}` gives the state after it.",
         ]
+        return [printable(line) for line in lines]
 
     def arguments(self, function: Function, names: Sequence[str]) -> list[tuple[str, str]]:
         """Name and meaning of each; of arrays that are filled, their contents."""
@@ -197,7 +173,8 @@ class Described:
             if name in FILLED:
                 size = self.size(function, name)
                 columns: Any = getattr(m, function.name.upper(), None)
-                named = _are_words(columns) and len(columns) == size
+                named = isinstance(columns, tuple) and len(columns) == size
+                named = named and all(isinstance(x, str) for x in columns)
                 rows.append((name, f"({size}) {', '.join(columns) if named else 'what is found'}"))
             else:
                 many = f"({sizes[name]}) " if name in sizes else ""
@@ -255,7 +232,7 @@ def _described(module: GeneratedModule) -> Described:
     prelude = without(module_text(PRELUDE), "sine_cosine"), Text("sine and cosine", _SINE_COSINE)
     own = Text(f"{module.NAME}.py", source(module))
     texts, provided = [*prelude, own], [own]
-    if has_points(module):
+    if getattr(module, "N_POINTS", 0):  # and does not move through elements alone
         texts.append(Text("impact", _OF_POINTS))
         which = "newton" if impact_law(module) == NEWTON else "impacts"
         provided.append(module_text(f"rockeom.integrator.transitions.{which}"))
@@ -274,10 +251,10 @@ def _entries(texts: Sequence[Text], names: Sequence[str]) -> dict[str, list[Type
     names : those that are wanted of other texts than that of the structure.
     """
     trees = {
-        f.name: f
+        name: tree
         for i, text in enumerate(texts)
-        for f in ast.parse(text.source).body
-        if isinstance(f, ast.FunctionDef) and (i in (0, 2) or f.name in names)
+        for name, tree in parsed(text.source, text.name).functions.items()
+        if i in (0, 2) or name in names
     }
     inner = {name for name, f in trees.items() if f.decorator_list}
     inner |= {name for name in trees if name.startswith("impulse_") or name in _LEFT_OUT}
@@ -290,42 +267,27 @@ def _type(function: ast.FunctionDef, argument: str) -> Type:
     """The type of an argument of a function that is called from outside."""
     if argument in WHOLE:
         return INT
-    is_array = argument in ARRAYS or any(
-        isinstance(node, ast.Subscript)
-        and isinstance(node.value, ast.Name)
-        and node.value.id == argument
-        for node in ast.walk(function)
-    )
-    return Array(FLOAT, 1) if is_array else FLOAT
+    return Array(FLOAT, 1) if argument in ARRAYS or any(_indices(function, argument)) else FLOAT
 
 
-def _places(function: Function, argument: str) -> list[int]:
-    """The places of an array that are named by their number."""
-    return [
-        node.slice.value
-        for node in ast.walk(function.tree)
-        if isinstance(node, ast.Subscript)
-        and isinstance(node.value, ast.Name)
-        and node.value.id == argument
-        and isinstance(node.slice, ast.Constant)
-        and isinstance(node.slice.value, int)
-    ]
+def _indices(function: ast.FunctionDef, argument: str) -> Iterator[ast.expr]:
+    """The indices by which an argument is read and written."""
+    for node in ast.walk(function):
+        match node:
+            case ast.Subscript(value=ast.Name(id=name), slice=index) if name == argument:
+                yield index
 
 
-def _are_words(columns: Any) -> bool:
-    return isinstance(columns, tuple) and all(isinstance(x, str) for x in columns)
+def _units(units: Iterable[str]) -> list[str]:
+    return [f"[{unit}]" for unit in units]
 
 
-def _rows(rows: Iterable[tuple[str, ...]]) -> list[str]:
-    """Aligned columns."""
-    table = list(rows)
-    if not table:
-        return ["  none"]
+def _rows(*columns: Iterable[str]) -> list[str]:
+    """Aligned columns, behind the numbers of their rows."""
+    table = [(str(i), *row) for i, row in enumerate(zip(*columns, strict=True))]
     widths = [max(map(len, column)) for column in zip(*table, strict=True)]
-    return [
-        "  " + "  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip()
-        for row in table
-    ]
+    cells = [[cell.ljust(w) for cell, w in zip(row, widths, strict=True)] for row in table]
+    return [f"  {'  '.join(row)}".rstrip() for row in cells] or ["  none"]
 
 
 def _explained(described: Described, function: Function, names: Sequence[str]) -> list[str]:
@@ -365,29 +327,18 @@ def _c(described: Described) -> str:
     for function in described.functions.ordered():
         entry = function.name in described.entries
         writer = c.CWriter(described.functions, function, names, prefix)
-        if entry:
-            arguments = [*function.arguments, *(["result"] if function.name == "prepare" else [])]
-            description = _explained(described, function, arguments)
-        else:
-            description = [printable(line) for line in function.doc.splitlines()]
+        arguments = [*function.arguments, *(["result"] if function.name == "prepare" else [])]
+        description = _explained(described, function, arguments if entry else ())
         bodies += ["", *_comment(description), *writer.write("" if entry else "static ")]
         used += [name for name in writer.constants if name not in used]
-    tables = []
-    numbers = described.mode_constants
-    for mode, name in numbers.items():
-        tables += c.table(f"{prefix.upper()}{names.of(name)}", described.module.MODES.index(mode))
-    sizes = {
-        "N_STATES": described.module.N_STATES,
-        "N_PARAMETERS": len(described.module.PARAMETERS),
-        "N_PREPARED": described.prepared(),
-    }
-    for name, size in sizes.items():
-        tables += c.table(f"{prefix.upper()}{name}", size)
-    for name in used:
-        if name not in numbers.values() and name not in sizes:
-            tables += c.table(
-                f"{prefix.upper()}{names.of(name)}", described.functions.constants[name]
-            )
+    m = described.module
+    constants = {names.of(n): m.MODES.index(mode) for mode, n in described.mode_constants.items()}
+    constants |= {"N_STATES": m.N_STATES, "N_PARAMETERS": len(m.PARAMETERS)}
+    constants |= {"N_PREPARED": described.prepared()}
+    constants |= {names.of(name): described.functions.constants[name] for name in used}
+    tables: list[str] = []
+    for name, value in constants.items():
+        tables += c.table(f"{prefix.upper()}{name}", value)
     head = [
         *described.head(),
         "",
@@ -420,19 +371,17 @@ def _matlab(described: Described) -> str:
     for function in described.functions.ordered():
         writer = matlab.MatlabWriter(described.functions, function, names)
         lines = writer.write()
+        inputs = [a for a in function.arguments if a not in FILLED]
+        filled = [a for a in function.arguments if a in FILLED]
         entry = function.name in described.entries
+        description = _explained(described, function, [*inputs, *filled] if entry else ())
         if entry:
-            inputs = [a for a in function.arguments if a not in FILLED]
-            filled = [a for a in function.arguments if a in FILLED]
-            description = _explained(described, function, [*inputs, *filled])
             sizes = {a: f"zeros({described.size(function, a)}, 1)" for a in filled}
             call = ", ".join(sizes.get(a, names.of(a)) for a in function.arguments)
             handles.append(
                 f"    m.{names.of(function.name)} = @({', '.join(map(names.of, inputs))}) ..."
             )
             handles.append(f"        {names.of(function.name)}({call});")
-        else:
-            description = [printable(line) for line in function.doc.splitlines()]
         bodies += ["", lines[0], *(f"    % {line}".rstrip() for line in description), *lines[1:]]
     m = described.module
     head = [
@@ -445,12 +394,8 @@ def _matlab(described: Described) -> str:
         "Modes, guards and impact laws are numbered from 0.",
     ]
     lines = [f"function m = {called}()", *(f"    % {line}".rstrip() for line in head)]
-    for field, words in (
-        ("states", m.STATES),
-        ("parameters", m.PARAMETERS),
-        ("modes", m.MODES),
-    ):
-        lines += _cells(f"    m.{field} = ", words)
+    for field in ("states", "parameters", "modes"):
+        lines += _cells(f"    m.{field} = ", getattr(m, field.upper()))
     for mode, name in described.mode_constants.items():
         lines.append(f"    m.{names.of(name)} = {m.MODES.index(mode)};")
     text = "\n".join([*lines, *handles, "end", *bodies, ""])

@@ -1,13 +1,13 @@
 """A generated module as one file of MATLAB, which Octave runs as well."""
 
 import ast
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Sequence, Set
+from typing import Any, ClassVar
 
 import numpy as np
 
 from rockeom.compiler.types import NOTHING
-from rockeom.exports.closed import Function, Names, base_of
+from rockeom.exports.closed import Function, Names
 from rockeom.exports.writer import ITEM, POWER, PRODUCT, SIGNED, SUM, Writer
 
 _WORDS = """
@@ -26,17 +26,12 @@ RESERVED = frozenset(_WORDS.split())
 class MatlabWriter(Writer):
     """One function of MATLAB. Arrays that it changes are given back, behind its value."""
 
-    or_, not_, unequal = "||", "~", "~="
-    go_on = " ..."
+    not_, unequal, go_on, at, first = "~", "~=", " ...", "{}({})", 1
+    truths, nan, infinity = ("false", "true"), "NaN", "Inf"
+    called: ClassVar = {"int": "fix"}
+    if_, elif_, else_, while_, end = "if {}", "elseif {}", "else", "while {}", "end"
 
     # -- expressions --------------------------------------------------------------------------
-
-    def number(self, value: Any) -> str:
-        if isinstance(value, bool):
-            return "true" if value else "false"
-        if isinstance(value, float) and not np.isfinite(value):
-            return "NaN" if value != value else "Inf"
-        return repr(value)
 
     def power(self, base: ast.expr, exponent: ast.expr) -> tuple[str, int]:
         return f"{self.text(base, ITEM)}^{self.text(exponent, ITEM)}", POWER
@@ -55,7 +50,7 @@ class MatlabWriter(Writer):
                 words.append(self.text(part, SUM))
         return " + ".join([*words, *([str(further)] if further or not words else [])])
 
-    def item(self, array: str, indices: Sequence[ast.expr], of_table: bool) -> str:
+    def item(self, array: str, indices: Sequence[ast.expr]) -> str:
         if array in self.function.aliases:
             alias = self.function.aliases[array]
             return f"{self.name(alias.array)}({self.index(indices[0], alias.first)})"
@@ -70,33 +65,18 @@ class MatlabWriter(Writer):
             return self.part(alias.array, alias.first)[0]
         return super().name(name)
 
-    def call(self, node: ast.Call) -> tuple[str, int]:
-        called = self.functions.by_name[ast.unparse(node.func)]
-        if called.fills & set(called.arguments):
+    def call(self, node: ast.Call, *more: str) -> tuple[str, int]:
+        if self.functions.by_name[ast.unparse(node.func)].filled:
             self.function.refuse(node, "an array is changed within an expression")
-        return self.called(node), ITEM
-
-    def called(self, node: ast.Call) -> str:
-        texts = [self.text(a) for a in node.args]
-        return f"{self.names.of(ast.unparse(node.func))}({', '.join(texts)})"
-
-    def library(self, name: str, arguments: Sequence[ast.expr]) -> tuple[str, int]:
-        texts = [self.text(a) for a in arguments]
-        if name in ("max", "min"):
-            return self.of_two(name, texts), ITEM
-        name = {"int": "fix"}.get(name, name)
-        return f"{name}({', '.join(texts)})", ITEM
-
-    def constant_name(self, name: str) -> str:
-        return self.names.of(name)
+        return super().call(node, *more)
 
     # -- statements ---------------------------------------------------------------------------
 
     def write(self) -> list[str]:
         """The function as lines."""
-        for statement in self.function.body:
-            self.statement(statement)
-        body, self.lines, self.depth = self.lines, [], 0
+        self.depth = 0
+        self.block(self.function.body, self.inner)
+        body, self.lines = self.lines, []
         arguments = ", ".join(self.names.of(a) for a in self.function.arguments)
         gives = outputs(self.function, self.names)
         left = f"[{', '.join(gives)}] = " if len(gives) > 1 else f"{gives[0]} = " if gives else ""
@@ -106,43 +86,14 @@ class MatlabWriter(Writer):
             self.line(f"{self.names.of(name)} = {table(self.functions.constants[name])};")
         return [*self.lines, *body, "end"]
 
-    def statement(self, node: ast.stmt) -> None:
-        match node:
-            case ast.Assign():
-                self.assign(node)
-            case ast.AugAssign(target=target, op=op, value=value):
-                sign = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}[type(op)]
-                level = PRODUCT if sign in "+-" else SIGNED
-                blank = " " if level == PRODUCT else ""
-                changed = self.text(target)
-                self.line(f"{changed} = {changed}{blank}{sign}{blank}{self.text(value, level)};")
-            case ast.If():
-                self.branches(node)
-            case ast.While(test=test, body=body):
-                if self.functions.changes(test):
-                    self.function.refuse(node, "an array is changed by what a loop asks")
-                self.line(f"while {self.text(test)}")
-                self.block(body)
-                self.line("end")
-            case ast.For():
-                self.loop(node)
-            case ast.Return():
-                if node.value is not None:
-                    self.give(node.value)
-                self.line("return;")
-            case ast.Expr(value=ast.Constant()) | ast.Pass():
-                pass
-            case ast.Expr(value=ast.Call() as call):
-                self.invoke(call, None)
-            case ast.Break():
-                self.line("break;")
-            case ast.Continue():
-                self.line("continue;")
-            case _:
-                self.function.refuse(node, f"{type(node).__name__} is not written")
+    def change(self, target: ast.expr, sign: str, value: ast.expr) -> None:
+        level = PRODUCT if sign in "+-" else SIGNED
+        blank = " " if level == PRODUCT else ""
+        changed = self.text(target)
+        self.line(f"{changed} = {changed}{blank}{sign}{blank}{self.text(value, level)};")
 
     def test(self, node: ast.expr) -> str:
-        """The test of an `if`; calls that change an array are made before it, as far as need be."""
+        """Calls that change an array are made before it, as far as need be."""
         if not self.functions.changes(node):
             return self.text(node)
         match node:
@@ -164,47 +115,26 @@ class MatlabWriter(Writer):
                 return name
         self.function.refuse(node, "an array is changed within an expression")
 
-    def branches(self, node: ast.If) -> None:
-        self.line(f"if {self.test(node.test)}")
-        self.block(node.body)
-        rest = node.orelse
-        while (
-            len(rest) == 1
-            and isinstance(rest[0], ast.If)
-            and not self.functions.changes(rest[0].test)
-        ):
-            self.line(f"elseif {self.text(rest[0].test)}")
-            self.block(rest[0].body)
-            rest = rest[0].orelse
-        if rest:
-            self.line("else")
-            self.block(rest)
-        self.line("end")
+    def follows(self, test: ast.expr, names: Set[str]) -> bool:
+        return not self.functions.changes(test)
 
-    def loop(self, node: ast.For) -> None:
-        assert isinstance(node.target, ast.Name)
-        arguments = node.iter.args  # type: ignore[attr-defined]
-        if len(arguments) > 2:
-            self.function.refuse(node, "a range counts by one")
-        first = self.text(arguments[0], SUM) if len(arguments) > 1 else "0"
-        last = self.index(arguments[-1], further=-1)
-        self.line(f"for {self.names.of(node.target.id)} = {first}:{last.replace('+ -', '- ')}")
-        self.block(node.body)
-        self.line("end")
+    def counted(self, counter: str, first: str, last: ast.expr) -> str:
+        end = self.index(last, further=-1).replace("+ -", "- ")
+        return f"for {self.names.of(counter)} = {first}:{end}"
 
-    def give(self, value: ast.expr) -> None:
-        """Return a value."""
+    def give(self, value: ast.expr | None) -> None:
         if isinstance(value, ast.Call) and ast.unparse(value.func) in self.functions.by_name:
             self.invoke(value, "result")
         elif isinstance(value, ast.Tuple):
             self.line(f"result = zeros({len(value.elts)}, 1);")
-            for i, item in enumerate(value.elts, 1):
-                self.line(f"result({i}) = {self.text(item)};")
-        else:
+            for i, item in enumerate(value.elts):
+                self.line(f"{self.place('result', i)} = {self.text(item)};")
+        elif value is not None:
             self.line(f"result = {self.text(value)};")
+        self.line("return;")
 
-    def invoke(self, node: ast.Call, result: str | None) -> None:
-        """A call as a statement: its value, if that is wanted, and the arrays that it changes."""
+    def invoke(self, node: ast.Call, result: str | None = None) -> None:
+        """With the arrays that it changes."""
         called = self.functions.by_name[ast.unparse(node.func)]
         left = []
         if called.returns != NOTHING:
@@ -215,11 +145,7 @@ class MatlabWriter(Writer):
         if left == ["~"]:
             left = []
         equal = f"[{', '.join(left)}] = " if len(left) > 1 else f"{left[0]} = " if left else ""
-        self.line(f"{equal}{self.called(node)};")
-
-    def put(self, target: ast.expr, text: str) -> None:
-        if not (isinstance(target, ast.Name) and target.id == "_"):
-            self.line(f"{self.text(target)} = {text};")
+        self.line(f"{equal}{super().call(node)[0]};")
 
     def assign_one(self, target: ast.expr, value: ast.expr) -> None:
         if isinstance(value, ast.Call) and self.functions.changes(value):
@@ -227,34 +153,11 @@ class MatlabWriter(Writer):
         else:
             super().assign_one(target, value)
 
-    def keep(self, value: ast.expr) -> str:
-        name = self.new("kept")
-        self.line(f"{name} = {self.text(value)};")
-        return name
-
-    def unpack(self, targets: Sequence[ast.expr], value: ast.expr) -> None:
-        assert isinstance(value, ast.Call)
-        name = self.new("pair")
-        self.invoke(value, name)
-        for i, target in enumerate(targets, 1):
-            self.put(target, f"{name}({i})")
-
-    def make_array(self, name: str, zeros: bool) -> None:
+    def make_array(self, name: str) -> None:
         self.line(f"{self.names.of(name)} = zeros({self.function.lengths[name]}, 1);")
 
-    def make_alias(self, name: str) -> None:
-        """Nothing: it is written out wherever it is used."""
-
-    def keep_row(self, name: str, value: ast.expr) -> None:
-        assert isinstance(value, ast.Call)
-        self.invoke(value, self.names.of(name))
-
-    def copy(self, target: ast.Subscript, value: ast.expr) -> None:
-        part = target.slice
-        assert isinstance(part, ast.Slice)
-        if part.lower is not None or part.upper is None:
-            self.function.refuse(target, "a part that is copied is array[:last]")
-        self.line(f"{self.text(base_of(target))}(1:{self.text(part.upper)}) = {self.text(value)};")
+    def copy_part(self, array: str, last: str, value: str) -> None:
+        self.line(f"{array}(1:{last}) = {value};")
 
 
 def outputs(function: Function, names: Names) -> list[str]:

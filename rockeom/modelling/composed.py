@@ -20,8 +20,7 @@ from rockeom.structures.parameters import check_contact_law, check_values
 from rockeom.structures.supports import Support, SupportedStructure
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Pinned(Support):
     """Feet that may lift, and neither slide nor bounce: the default support.
@@ -88,8 +87,7 @@ def _of_soil(what: str, springs: int, match: str, footing: Mapping[str, Any]) ->
     return float(stiffness.rotational) / (squares * given["half_width"] ** 2)
 
 
-@explained.attributes()
-@explained.calls(k="stiffness=", c="damping=")
+@explained.record(k="stiffness=", c="damping=")
 @dataclass(frozen=True, kw_only=True)
 class TwoSprings(_Springs):
     """Spring and damper under each foot, which press and never pull.
@@ -190,8 +188,7 @@ class TwoSprings(_Springs):
         return module_of(superstructure, **arguments, support="two_springs", guided=self.guided)
 
 
-@explained.attributes()
-@explained.calls(k="stiffness=", c="damping=")
+@explained.record(k="stiffness=", c="damping=")
 @dataclass(frozen=True, kw_only=True)
 class Winkler(_Springs):
     """Bed of equal springs and dampers, equally far apart, which press and never pull.
@@ -293,8 +290,7 @@ class Winkler(_Springs):
         return module_of(superstructure, **arguments, support="winkler", springs=self.springs)
 
 
-@explained.attributes()
-@explained.calls(mu="friction=", e="restitution=")
+@explained.record(mu="friction=", e="restitution=")
 @dataclass(frozen=True, kw_only=True)
 class Sliding(Support):
     """Feet that open, stick, slip and bounce on rigid ground.

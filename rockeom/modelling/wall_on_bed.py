@@ -100,8 +100,7 @@ class _Equations(NamedTuple):
     rising: float
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True, kw_only=True)
 class WallOnBed:
     """Rigid wall under a constant axial force, on a bed that does not pull, and crushes.

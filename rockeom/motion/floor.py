@@ -18,7 +18,14 @@ from rockeom.motion.ground_motion import GroundMotion
 from rockeom.motion.recording import Recording
 from rockeom.motion.spectra import oscillator_history
 from rockeom.numbers import explained
-from rockeom.numbers.checks import InputError, array_of, described, finite_number, positive_number
+from rockeom.numbers.checks import (
+    InputError,
+    array_of,
+    described,
+    finite_number,
+    positive_number,
+    require,
+)
 
 _PER_PERIOD = 32
 """Samples in the shortest period, at least: lines between them miss its peaks by half a percent."""
@@ -99,8 +106,7 @@ def floor_motion(
         raise InputError("record", record).give("a GroundMotion or a Recording")
     of_modes = _periods(periods)
     xi, z = positive_number("damping_ratio", damping_ratio), finite_number("height", height)
-    if xi >= 1.0:
-        raise InputError("damping_ratio", xi).give("a part of the critical one, such as 0.05")
+    require(xi < 1.0, "", "damping_ratio", xi, "give a part of the critical one, such as 0.05")
     if not 0.0 <= z <= 1.0:
         raise InputError("height", z).give("a part of the height of the building, from 0 to 1")
     shares = _participation(participation, len(of_modes), z)
@@ -115,8 +121,7 @@ def _of_modes(
     record: GroundMotion, periods: np.ndarray, xi: float, shares: np.ndarray, where: str
 ) -> GroundMotion:
     """The motion of a floor to which modes contribute these shares."""
-    if record.is_vertical:
-        raise InputError("record", record.name).give("a horizontal component")
+    require(not record.is_vertical, "", "record", record.name, "give a horizontal component")
     ground = _refined(record, periods, xi)
     assert ground.samples is not None
     assert ground.dt is not None

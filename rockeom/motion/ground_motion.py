@@ -11,31 +11,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rockeom.motion import segments as pieces
 from rockeom.motion.formula import call_of, with_formulas
 from rockeom.motion.scaling import Acceleration, multiplier, named, scaled_name, target
-from rockeom.motion.segments import (
-    ANTISYMMETRIC_RICKER,
-    ANTISYMMETRIC_RICKER_PEAK,
-    C0,
-    C1,
-    COLUMNS,
-    END,
-    KIND,
-    LINEAR,
-    MAVROEIDIS_PAPAGEORGIOU,
-    RICKER,
-    SHORT,
-    SINE,
-    START,
-    acceleration as _acceleration,
-    at_starts as _at_starts,
-    check as _check_table,
-    displacement as _displacement,
-    peak as _peak,
-    scaled as _scaled,
-    shaking_ends as _shaking_ends,
-    velocity as _velocity,
-)
 from rockeom.motion.units import STANDARD_GRAVITY, factor
 from rockeom.numbers import explained
 from rockeom.numbers.batch import one_of
@@ -55,7 +33,6 @@ from rockeom.numbers.pictures import picture
 if TYPE_CHECKING:
     from rockeom.motion import intensity, processing
     from rockeom.motion.spectra import ResponseSpectrum
-    from rockeom.motion.synthetic import Noise
 
 QUIET_PERIODS = 10
 """Quiet time after a pulse without a duration [periods]: the free motion after it often
@@ -154,7 +131,7 @@ class GroundMotion(metaclass=explained.Constructors):
                 values = array_of(field, values) + 0.0
                 values.setflags(write=False)
                 object.__setattr__(self, field, values)
-        _check_table(self.segments)
+        pieces.check(self.segments)
         for field in ("name", "source"):
             if not isinstance(getattr(self, field), str):
                 raise InputError(field, getattr(self, field)).give("a text")
@@ -190,7 +167,7 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> print(run.outcome)
         came to rest
         """
-        return _analytic("no shaking", [(positive_number("duration", duration), LINEAR)])
+        return _analytic("no shaking", [(positive_number("duration", duration), pieces.LINEAR)])
 
     @classmethod
     def constant(
@@ -228,7 +205,7 @@ class GroundMotion(metaclass=explained.Constructors):
         a, end = finite_number("acceleration", acceleration), positive_number("duration", duration)
         total = end if total_duration is None else total_duration
         name = named("constant, {:.4g} m/s2, {:.4g} s", a, end)
-        return _analytic(name, [(end, LINEAR, a)]).padded_to(total)
+        return _analytic(name, [(end, pieces.LINEAR, a)]).padded_to(total)
 
     @classmethod
     def half_sine(
@@ -380,12 +357,9 @@ class GroundMotion(metaclass=explained.Constructors):
         values = {"frequency": frequency, "angular_frequency": angular_frequency, "period": period}
         stated = [name for name, value in values.items() if value is not None]
         if len(stated) != 1:
-            has = f"has {' and '.join(stated) or 'no frequency'}"
-            raise (
-                InputError("harmonic")
-                .wrong(has)
-                .give("exactly one of frequency [Hz], angular_frequency [rad/s] and period [s]")
-            )
+            error = InputError("harmonic").wrong(f"has {' and '.join(stated) or 'no frequency'}")
+            wanted = "exactly one of frequency [Hz], angular_frequency [rad/s] and period [s]"
+            raise error.give(wanted)
         value = positive_number(stated[0], values[stated[0]])
         omega = {
             "frequency": 2.0 * math.pi * value,
@@ -393,7 +367,7 @@ class GroundMotion(metaclass=explained.Constructors):
             "period": 2.0 * math.pi / value,
         }[stated[0]]
         name = named("harmonic, {:.4g} m/s2, {:.4g} rad/s", a, omega)
-        return _analytic(name, [(end, SINE, a, omega, phase)])
+        return _analytic(name, [(end, pieces.SINE, a, omega, phase)])
 
     @classmethod
     def ricker(
@@ -447,9 +421,9 @@ class GroundMotion(metaclass=explained.Constructors):
         """
         a, t_p = finite_number("amplitude", amplitude), positive_number("period", period)
         centre = _RICKER_HALF_WINDOW * t_p
-        kind, c0, c1 = RICKER, a, math.pi / t_p
+        kind, c0, c1 = pieces.RICKER, a, math.pi / t_p
         if antisymmetric:
-            kind, c0 = ANTISYMMETRIC_RICKER, a / ANTISYMMETRIC_RICKER_PEAK
+            kind, c0 = pieces.ANTISYMMETRIC_RICKER, a / pieces.ANTISYMMETRIC_RICKER_PEAK
             c1 = 2.0 * math.pi / (math.sqrt(3.0) * t_p)
         shape = "antisymmetric Ricker" if antisymmetric else "Ricker"
         end = 2.0 * centre
@@ -509,7 +483,7 @@ class GroundMotion(metaclass=explained.Constructors):
         require(g > 1.0, "", "gamma", g, "give more than 1, the envelope is longer than a period")
         omega, end = 2.0 * math.pi / t_p, g * t_p
         pulse = (
-            end, MAVROEIDIS_PAPAGEORGIOU, 0.5 * a * omega, omega, nu - math.pi * g, omega / g
+            end, pieces.MAVROEIDIS_PAPAGEORGIOU, 0.5 * a * omega, omega, nu - math.pi * g, omega / g
         )  # fmt: skip
         name = named("Mavroeidis-Papageorgiou, {:.4g} m/s, {:.4g} s", a, t_p)
         motion = _analytic(name, [pulse])
@@ -576,14 +550,10 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> motion == rk.GroundMotion.kanai_tajimi(0.01, duration=20.0, seed=1)
         True
         """
-        from rockeom.motion.synthetic import noise
-
-        ground = (
-            positive_number("angular_frequency", angular_frequency),
-            positive_number("damping_ratio", damping_ratio),
+        ground = _filter("", angular_frequency, damping_ratio)
+        return _of_noise(
+            "Kanai-Tajimi", spectral_intensity, ground, None, duration, seed, envelope, dt
         )
-        made = noise("Kanai-Tajimi", spectral_intensity, ground, None, duration, seed, envelope, dt)
-        return _of_noise(made)
 
     @classmethod
     def clough_penzien(
@@ -641,20 +611,11 @@ class GroundMotion(metaclass=explained.Constructors):
         ----------
         Clough and Penzien, Dynamics of Structures (1975).
         """
-        from rockeom.motion.synthetic import noise
-
-        ground = (
-            positive_number("angular_frequency", angular_frequency),
-            positive_number("damping_ratio", damping_ratio),
-        )
-        high_pass = (
-            positive_number("high_pass_angular_frequency", high_pass_angular_frequency),
-            positive_number("high_pass_damping_ratio", high_pass_damping_ratio),
-        )
-        made = noise(
+        ground = _filter("", angular_frequency, damping_ratio)
+        high_pass = _filter("high_pass_", high_pass_angular_frequency, high_pass_damping_ratio)
+        return _of_noise(
             "Clough-Penzien", spectral_intensity, ground, high_pass, duration, seed, envelope, dt
         )
-        return _of_noise(made)
 
     # -- made from numbers and files
 
@@ -942,24 +903,24 @@ class GroundMotion(metaclass=explained.Constructors):
     @property
     def duration(self) -> float:
         """End of the last segment [s]."""
-        return number("duration", self.segments[-1, END])
+        return number("duration", self.segments[-1, pieces.END])
 
     @property
     def peak(self) -> float:
         """Largest absolute acceleration [m/s2], exact to rounding."""
         if self.samples is not None:
             return number("peak", np.abs(self.samples).max())
-        return _peak(self.segments)
+        return pieces.peak(self.segments)
 
     @property
     def shaking_ends(self) -> float:
         """Time after which the acceleration is identically zero [s]; 0.0 if it always is."""
-        return _shaking_ends(self.segments)
+        return pieces.shaking_ends(self.segments)
 
     @property
     def breakpoints(self) -> np.ndarray:
         """Ends of the segments (n + 1,) [s], where an integrator has to stop."""
-        return np.append(self.segments[:, START], self.segments[-1, END])
+        return np.append(self.segments[:, pieces.START], self.segments[-1, pieces.END])
 
     def acceleration(self, t: ArrayLike) -> Any:
         """Acceleration of the ground.
@@ -978,13 +939,13 @@ class GroundMotion(metaclass=explained.Constructors):
         time = array_of("t", t)
         flat = time.ravel()
         index, tau = self._at(flat)
-        result = _acceleration(self.segments[index], tau)
+        result = pieces.acceleration(self.segments[index], tau)
         result[(flat < 0.0) | (flat > self.duration)] = 0.0
         return result.reshape(time.shape)[()]
 
     def _at(self, flat: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Index of the segment at each time (m,) [s], and the local time in it [s]."""
-        starts = self.segments[:, START]
+        starts = self.segments[:, pieces.START]
         index = np.maximum(np.searchsorted(starts, flat, side="right") - 1, 0)
         return index, flat - starts[index]
 
@@ -1006,7 +967,8 @@ class GroundMotion(metaclass=explained.Constructors):
         time = array_of("t", t)
         flat = np.clip(time.ravel(), 0.0, self.duration)
         index, tau = self._at(flat)
-        result = _at_starts(self.segments)[0][index] + _velocity(self.segments[index], tau)
+        v, _ = pieces.at_starts(self.segments)
+        result = v[index] + pieces.velocity(self.segments[index], tau)
         return result.reshape(time.shape)[()]
 
     def displacement(self, t: ArrayLike) -> Any:
@@ -1025,8 +987,8 @@ class GroundMotion(metaclass=explained.Constructors):
         time = array_of("t", t)
         flat = np.clip(time.ravel(), 0.0, self.duration)
         index, tau = self._at(flat)
-        v, d = _at_starts(self.segments)
-        result = d[index] + v[index] * tau + _displacement(self.segments[index], tau)
+        v, d = pieces.at_starts(self.segments)
+        result = d[index] + v[index] * tau + pieces.displacement(self.segments[index], tau)
         result += v[-1] * np.maximum(time.ravel() - self.duration, 0.0)
         return result.reshape(time.shape)[()]
 
@@ -1194,10 +1156,10 @@ class GroundMotion(metaclass=explained.Constructors):
         (1.75, 8.0)
         """
         a, s = finite_number("acceleration", acceleration), positive_number("time", time)
-        if len(self.segments) > SHORT:
+        if len(self.segments) > pieces.SHORT:
             a, s = one_of(a), one_of(s)  # one such table at a time, also of columns
         return GroundMotion(
-            _scaled(self.segments, a, s),
+            pieces.scaled(self.segments, a, s),
             scaled_name(self.name, a, s),
             self.source,
             None if self.dt is None else self.dt * s,
@@ -1288,7 +1250,7 @@ class GroundMotion(metaclass=explained.Constructors):
             )
         if wanted == self.duration:
             return self
-        quiet = [self.duration, wanted, LINEAR, 0.0, 0.0, 0.0, 0.0]
+        quiet = [self.duration, wanted, pieces.LINEAR, 0.0, 0.0, 0.0, 0.0]
         return replace(self, segments=np.vstack([self.segments, quiet]))
 
     def padded_by(self, quiet: float) -> GroundMotion:
@@ -1472,8 +1434,7 @@ class GroundMotion(metaclass=explained.Constructors):
         >>> first.rotated(second, math.radians(-32)).peak  # m/s2  # doctest: +SKIP
         8.272833079011688
         """
-        if not isinstance(other, GroundMotion):
-            raise InputError("other", other).give("a GroundMotion")
+        require(isinstance(other, GroundMotion), "", "other", other, "give a GroundMotion")
         turn = finite_number("angle", angle)
         segments, samples = _processing().rotated(self, other, turn)
         name = (
@@ -1550,7 +1511,7 @@ def _analytic(name: str, segments: list[tuple[float, ...]]) -> GroundMotion:
     rows = []
     start = 0.0
     for end, *values in segments:
-        rows.append([start, end, *values, *[0.0] * (COLUMNS - KIND - len(values))])
+        rows.append([start, end, *values, *[0.0] * (pieces.COLUMNS - pieces.KIND - len(values))])
         start = end
     return GroundMotion(np.array(rows), name, "analytic")
 
@@ -1566,11 +1527,11 @@ def _pulse(
     """A sine with a phase angle for a number of periods, and quiet time after it."""
     a, t_p = finite_number("amplitude", amplitude), positive_number("period", period)
     end = periods * t_p
-    pulse = (end, SINE, a, 2.0 * math.pi / t_p, angle)
+    pulse = (end, pieces.SINE, a, 2.0 * math.pi / t_p, angle)
     name = named(shape + ", {:.4g} m/s2, {:.4g} s", a, t_p)
     total = end + QUIET_PERIODS * t_p if duration is None else positive_number("duration", duration)
     if total > end:  # both at once: maps make many of them
-        return _analytic(name, [pulse, (total, LINEAR)])
+        return _analytic(name, [pulse, (total, pieces.LINEAR)])
     return _analytic(name, [pulse]).padded_to(total)
 
 
@@ -1594,7 +1555,17 @@ def _readers() -> ModuleType:
     return readers
 
 
-def _of_noise(made: Noise) -> GroundMotion:
+def _filter(which: str, angular_frequency: float, damping_ratio: float) -> tuple[float, float]:
+    """The two numbers of an oscillator through which noise passes."""
+    frequency = positive_number(f"{which}angular_frequency", angular_frequency)
+    return frequency, positive_number(f"{which}damping_ratio", damping_ratio)
+
+
+def _of_noise(*arguments: Any) -> GroundMotion:
+    """See `rockeom.motion.synthetic.noise`."""
+    from rockeom.motion.synthetic import noise
+
+    made = noise(*arguments)
     motion = GroundMotion.from_array(made.samples, made.dt, name=made.name)
     return replace(motion, source=made.source)
 
@@ -1611,8 +1582,7 @@ def _from_record(
 ) -> GroundMotion:
     """A record as linear segments between samples."""
     dt = positive_number("dt", dt)
-    if len(a) < 2:
-        raise InputError("acceleration", a, source).give("two samples or more")
+    require(len(a) >= 2, source, "acceleration", a, "give two samples or more")
     largest = np.abs(a).max()
     if largest > _ABSURD_PEAK:
         warn_caller(
@@ -1620,7 +1590,7 @@ def _from_record(
             "is above the largest recorded one: check the units",
         )
     t = dt * np.arange(len(a))
-    segments = np.zeros((len(a) - 1, COLUMNS), np.result_type(a, t))
-    segments[:, START], segments[:, END] = t[:-1], t[1:]
-    segments[:, C0], segments[:, C1] = a[:-1], np.diff(a) / np.diff(t)
+    segments = np.zeros((len(a) - 1, pieces.COLUMNS), np.result_type(a, t))
+    segments[:, pieces.START], segments[:, pieces.END] = t[:-1], t[1:]
+    segments[:, pieces.C0], segments[:, pieces.C1] = a[:-1], np.diff(a) / np.diff(t)
     return GroundMotion(segments, name, source, dt, a, is_vertical)

@@ -16,7 +16,7 @@ from rockeom.motion import segments as table
 from rockeom.motion.segments import Motion
 from rockeom.motion.spectra import response_spectrum
 from rockeom.motion.units import STANDARD_GRAVITY
-from rockeom.numbers.checks import InputError, finite_number, positive_number
+from rockeom.numbers.checks import InputError, finite_number, positive_number, require
 from rockeom.numbers.functions import gauss_rule
 
 BRACKET = 0.05 * STANDARD_GRAVITY
@@ -216,8 +216,7 @@ def significant_interval(
             f"is {parts[0]:g} and upper {parts[1]:g}: give parts of the Arias intensity between 0 "
             "and 1, the smaller one first, such as 0.05 and 0.95"
         )
-    if motion.peak == 0.0:
-        raise InputError("motion", motion.name).so("it does not shake, and has no duration")
+    require(motion.peak != 0.0, "", "motion", motion.name, "it does not shake, and has no duration")
     return _Parts(motion).significant_interval(*parts)
 
 

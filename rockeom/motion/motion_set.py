@@ -28,6 +28,7 @@ from rockeom.numbers.checks import (
     in_template,
     near,
     positive_number,
+    require,
 )
 from rockeom.numbers.pictures import picture
 
@@ -90,8 +91,7 @@ class MotionSet(Sequence[GroundMotion]):
         if not self._motions:
             raise InputError("motions").says("a set of no motions: give one or more")
         for one in self._motions:
-            if not isinstance(one, GroundMotion):
-                raise InputError("motions", one).give("GroundMotions alone")
+            require(isinstance(one, GroundMotion), "", "motions", one, "give GroundMotions alone")
         for given in self.names:
             if not given or self.names.count(given) > 1:
                 raise InputError("motions", given).says(
@@ -145,11 +145,9 @@ class MotionSet(Sequence[GroundMotion]):
         >>> records = rk.MotionSet.from_folder("records")  # doctest: +SKIP
         """
         folder = Path(path)
-        if not folder.is_dir():
-            raise InputError("path", folder).give("a folder that holds records")
+        require(folder.is_dir(), "", "path", folder, "give a folder that holds records")
         files = sorted(p for p in folder.iterdir() if p.is_file())
-        if not isinstance(pattern, str):
-            raise InputError("pattern", pattern).give('a text, such as "*.at2"')
+        require(isinstance(pattern, str), "", "pattern", pattern, 'give a text, such as "*.at2"')
         wanted = [p for p in files if fnmatch(p.name.lower(), pattern.lower())]
         if not wanted:
             endings = ", ".join(sorted({p.suffix for p in files if p.suffix})) or "none at all"
@@ -402,17 +400,7 @@ class MotionSet(Sequence[GroundMotion]):
         found = np.array([measure(motion) for motion in self])
         power = 0.5 if _word(intensity) == "arias_intensity" else 1.0
         factors = (wanted / self._reached(found, wanted, of)) ** power
-        scaled = MotionSet(
-            (
-                replace(
-                    motion.scaled(factor),
-                    name=motion.name,
-                    source=f"{motion.source}, times {factor:.6g}",
-                )
-                for motion, factor in zip(self, factors.tolist(), strict=True)
-            ),
-            self.name,
-        )
+        scaled = MotionSet(map(_times, self, factors.tolist()), self.name)
         if callable(intensity) and not np.isclose(
             measure(scaled[0]), found[0] * factors[0], rtol=1e-6, atol=0.0
         ):
@@ -494,6 +482,11 @@ class MotionSet(Sequence[GroundMotion]):
         spectra = [*self.response_spectra(periods, damping_ratio).values()]
         title = self.name and f"Response spectra, {self.name}"
         return picture("plot_spectra", spectra, **{"title": title} | kwargs)
+
+
+def _times(motion: GroundMotion, factor: float) -> GroundMotion:
+    source = f"{motion.source}, times {factor:.6g}"
+    return replace(motion.scaled(factor), name=motion.name, source=source)
 
 
 def _asked(

@@ -12,6 +12,7 @@ from rockeom.numbers.checks import (
     described,
     finite_number,
     positive_number,
+    require,
     whole_number,
 )
 from rockeom.numbers.functions import mathematics
@@ -53,8 +54,7 @@ def baseline_corrected(motion: Motion, degree: int, of: str) -> Processed:
     if n > _MOST_DEGREE:
         raise InputError("degree", n).give(f"at most {_MOST_DEGREE}; filtered(low=) takes out more")
     samples, dt = _samples(motion, "a baseline")
-    if len(samples) <= n + 1:
-        raise InputError("degree", n).give(f"less: there are {len(samples)} samples")
+    require(len(samples) > n + 1, "", "degree", n, f"give less: there are {len(samples)} samples")
     t = dt * np.arange(len(samples))
     x = t / t[-1]
     powers = np.arange(first, n + 1)
@@ -107,8 +107,7 @@ def resampled(motion: Motion, dt: float, method: str) -> Processed:
         raise InputError("dt", new).give(f"less than the motion's {motion.duration:g} s")
     if method == "linear":
         return Processed(f"taken every {new:g} s", motion.sampled(new)[1], new)
-    if method != "band limited":
-        raise InputError("method", method).give('"linear" or "band limited"')
+    require(method == "band limited", "", "method", method, 'give "linear" or "band limited"')
     samples, old = _samples(motion, "a band-limited interpolation")
     ratio = Fraction(old / new).limit_denominator(_LARGEST_RATIO)
     if abs(ratio * new / old - 1) > 1e-9 or ratio.numerator > _LARGEST_RATIO:

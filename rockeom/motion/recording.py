@@ -23,8 +23,7 @@ _HALF_TURN = 180
 """Directions of a horizontal component, a degree apart, of RotD50 and RotD100."""
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Recording:
     """Components that one station recorded in one earthquake.

@@ -14,8 +14,6 @@ from sample to sample (Nigam and Jennings 1969); under an analytic motion Gauss'
 places integrates each step.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -23,18 +21,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.motion.segments import (
-    C1,
-    C3,
-    END,
-    KIND,
-    LINEAR,
-    START,
-    Motion,
-    acceleration,
-    of_row,
-    within,
-)
+from rockeom.motion import segments as pieces
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputTypeError, not_negative, positive, require
 from rockeom.numbers.functions import gauss_rule
@@ -120,7 +107,7 @@ class OscillatorHistory(NamedTuple):
 
 @explained.calls(damping="damping_ratio=", T="periods=", xi="damping_ratio=")
 def response_spectrum(
-    motion: Motion, periods: ArrayLike, damping_ratio: float = 0.05
+    motion: pieces.Motion, periods: ArrayLike, damping_ratio: float = 0.05
 ) -> ResponseSpectrum:
     """Elastic response spectrum of a motion, also by ``motion.response_spectrum``.
 
@@ -169,7 +156,7 @@ def response_spectrum(
 
 
 def oscillator_history(
-    motion: Motion, period: float, damping_ratio: float = 0.05
+    motion: pieces.Motion, period: float, damping_ratio: float = 0.05
 ) -> OscillatorHistory:
     """Response of an elastic oscillator at the samples of a motion, exact there.
 
@@ -226,12 +213,6 @@ def _damping(where: str, value: float) -> float:
     require(xi.ndim == 0, where, "damping_ratio", value, "give one number")
     require(xi < 1, where, "damping_ratio", xi, "from 1 on nothing vibrates: give less")
     return float(xi)
-
-
-def _oscillator(motion: Motion, period: float, xi: float) -> _Oscillator:
-    if motion.samples is not None and motion.dt is not None:
-        return _UnderRecord(period, xi, motion.samples, motion.dt)
-    return _UnderSegments(period, xi, motion.segments)
 
 
 class _Oscillator:
@@ -355,9 +336,9 @@ class _UnderSegments(_Oscillator):
 
     def __init__(self, period: float, xi: float, segments: np.ndarray) -> None:
         super().__init__(period, xi)
-        length = segments[:, END] - segments[:, START]
-        curved = segments[:, KIND] != LINEAR
-        fastest = np.where(curved, segments[:, C1] + segments[:, C3], 0.0)
+        length = segments[:, pieces.END] - segments[:, pieces.START]
+        curved = segments[:, pieces.KIND] != pieces.LINEAR
+        fastest = np.where(curved, segments[:, pieces.C1] + segments[:, pieces.C3], 0.0)
         least = np.maximum(_PER_PERIOD / period, _PER_PERIOD / (2 * math.pi) * fastest)
         parts = np.ceil(length * least * (1 - 1e-12)).astype(int)
         self.rows = np.repeat(segments, parts, axis=0)
@@ -373,21 +354,27 @@ class _UnderSegments(_Oscillator):
             pushes.append(self._push(row, np.stack([start, start + step])))
             begin.append(start)
         self.begin = np.concatenate(begin)  # local times of the steps' starts
-        self.times = np.append(self.rows[:, START] + self.begin, segments[-1, END])
+        self.times = np.append(self.rows[:, pieces.START] + self.begin, segments[-1, pieces.END])
         self.z, self.pushes = np.concatenate(z), np.concatenate(pushes, axis=1)
 
     @staticmethod
     def _push(row: np.ndarray, tau: np.ndarray) -> np.ndarray:
-        return -of_row(within, row, tau)
+        return -pieces.of_row(pieces.within, row, tau)
 
     def after(self, k, time):
         nodes, weights = gauss_rule()
         at = 0.5 * time * (1.0 + nodes[:, None])
         rows = self.rows[k]
-        pushes = -acceleration(np.tile(rows, (len(at), 1)), (self.begin[k] + at).ravel())
+        pushes = -pieces.acceleration(np.tile(rows, (len(at), 1)), (self.begin[k] + at).ravel())
         grown = np.exp(self.rate * (time - at)) * pushes.reshape(at.shape)
         z = np.exp(self.rate * time) * self.z[k] + 0.5 * time * (weights @ grown)
-        return z, -acceleration(rows, self.begin[k] + time)
+        return z, -pieces.acceleration(rows, self.begin[k] + time)
+
+
+def _oscillator(motion: pieces.Motion, period: float, xi: float) -> _Oscillator:
+    if motion.samples is not None and motion.dt is not None:
+        return _UnderRecord(period, xi, motion.samples, motion.dt)
+    return _UnderSegments(period, xi, motion.segments)
 
 
 def _recursion(growth: complex, gained: np.ndarray) -> np.ndarray:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rockeom.numbers.checks import InputError, array_of, positive_number, whole_number
+from rockeom.numbers.checks import InputError, array_of, positive_number, require, whole_number
 
 Filter = tuple[float, float]
 """Angular frequency [rad/s] and damping ratio of an oscillator."""
@@ -136,14 +136,11 @@ def noise(
     dt: float,
 ) -> Noise:
     """See `GroundMotion.kanai_tajimi` and `GroundMotion.clough_penzien`."""
-    s_0, length = (
-        positive_number("spectral_intensity", spectral_intensity),
-        positive_number("duration", duration),
-    )
+    s_0 = positive_number("spectral_intensity", spectral_intensity)
+    length = positive_number("duration", duration)
     dt, start = positive_number("dt", dt), whole_number("seed", seed, 0)
     n = round(length / dt) + 1
-    if n < 2:
-        raise InputError("dt", dt).give(f"a step shorter than the duration, {length:g} s")
+    require(n >= 2, "", "dt", dt, f"give a step shorter than the duration, {length:g} s")
     a = _stationary(n, dt, s_0, ground, high_pass, start)
     if envelope is not None:
         a = a * factors(envelope, dt * np.arange(n))

@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.lib.mixins import NDArrayOperatorsMixin
 
-from rockeom.numbers.functions import Compound
+from rockeom.numbers.functions import OPERATORS, Compound, boxed
 
 
 class Differs(BaseException):  # nothing is wrong, and `except Exception` must not keep it
@@ -30,6 +30,11 @@ class Differs(BaseException):  # nothing is wrong, and `except Exception` must n
     def __init__(self, parts: list[np.ndarray]) -> None:
         super().__init__(f"{len(parts)} ways are gone")
         self.parts = parts
+
+
+def _of_one(function: Callable[..., Any]) -> Callable[..., Any]:
+    """A function of the number that all cases have."""
+    return lambda many, *more: function(many.one(), *more)
 
 
 class Many(NDArrayOperatorsMixin, Compound):
@@ -57,8 +62,8 @@ class Many(NDArrayOperatorsMixin, Compound):
         return self if self.values.dtype == float else Many(self.values.astype(float))
 
     @classmethod
-    def of_function(cls, name: str, arguments: tuple[Any, ...]) -> Any:
-        return one_by_one(getattr(math, name))(*arguments)
+    def of_function(cls, function: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
+        return one_by_one(function)(*arguments)
 
     def one(self) -> Any:
         """The number that all cases have; raises Differs where they have several."""
@@ -107,38 +112,10 @@ class Many(NDArrayOperatorsMixin, Compound):
 
     # -- where one number is needed
 
-    def __float__(self) -> float:
-        return float(self.one())
-
-    def __int__(self) -> int:
-        return int(self.one())
-
-    def __index__(self) -> int:
-        return operator.index(self.one())
-
-    def __complex__(self) -> complex:
-        return complex(self.one())
-
-    def __hash__(self) -> int:
-        return hash(self.one())
-
-    def __str__(self) -> str:
-        return str(self.one())
-
-    def __format__(self, how: str) -> str:
-        return format(self.one(), how)
-
-    def __round__(self, digits: int | None = None) -> Any:
-        return round(self.one(), digits)
-
-    def __floor__(self) -> int:
-        return math.floor(self.one())
-
-    def __ceil__(self) -> int:
-        return math.ceil(self.one())
-
-    def __trunc__(self) -> int:
-        return math.trunc(self.one())
+    __float__, __int__, __index__ = _of_one(float), _of_one(int), _of_one(operator.index)
+    __complex__, __hash__ = _of_one(complex), _of_one(hash)
+    __str__, __format__, __round__ = _of_one(str), _of_one(format), _of_one(round)
+    __floor__, __ceil__, __trunc__ = _of_one(math.floor), _of_one(math.ceil), _of_one(math.trunc)
 
 
 Real.register(Many)
@@ -165,17 +142,6 @@ def _apart(arguments: tuple[Any, ...]) -> Differs:
     return Differs([np.array([i]) for i in range(n)])
 
 
-OPERATORS: dict[np.ufunc, Callable[..., Any]] = {
-    np.add: operator.add, np.subtract: operator.sub, np.multiply: operator.mul,
-    np.true_divide: operator.truediv, np.floor_divide: operator.floordiv,
-    np.remainder: operator.mod, np.power: operator.pow, np.negative: operator.neg,
-    np.positive: operator.pos, np.absolute: abs, np.less: operator.lt,
-    np.less_equal: operator.le, np.equal: operator.eq, np.not_equal: operator.ne,
-    np.greater_equal: operator.ge, np.greater: operator.gt, np.bitwise_and: operator.and_,
-    np.bitwise_or: operator.or_, np.bitwise_xor: operator.xor,
-}  # fmt: skip
-"""NumPy's names of Python's operators, which know whole numbers of any size."""
-
 _DIVISIONS = {np.floor_divide, np.remainder}
 """Operators that NumPy may round otherwise than Python."""
 
@@ -183,13 +149,6 @@ _OF_TRUTHS = {
     np.bitwise_and, np.bitwise_or, np.bitwise_xor, np.invert, np.equal, np.not_equal,
     np.logical_and, np.logical_or, np.logical_not,
 }  # fmt: skip
-
-
-def boxed(x: Any) -> np.ndarray:
-    """An object as NumPy has it, which has no say any more in what NumPy does."""
-    box = np.empty((), dtype=object)
-    box[()] = x
-    return box
 
 
 def one_of(x: Any) -> Any:

@@ -106,7 +106,7 @@ class InputError(ValueError):
         InputError
             Error itself.
         """
-        self.bounds = self._allowed = bounds
+        self._allowed, self.bounds = bounds, bounds.removeprefix("give ")
         return self
 
     def choose(self, words: Iterable[Any], remedy: str = "") -> Self:

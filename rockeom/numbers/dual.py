@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable
+from functools import cache
 from numbers import Real
 from types import ModuleType
 from typing import Any, NoReturn
@@ -17,9 +18,8 @@ from typing import Any, NoReturn
 import numpy as np
 
 from rockeom.numbers import explained
-from rockeom.numbers.batch import OPERATORS, boxed
 from rockeom.numbers.checks import InputError, InputTypeError, array_of, number
-from rockeom.numbers.functions import FUNCTIONS, IN_MATH, Compound
+from rockeom.numbers.functions import COMPARISONS, FUNCTIONS, IN_MATH, OPERATORS, Compound
 
 Slope = Callable[..., Any]
 """The derivative of a function f of numbers by one of them, from all of them and f itself."""
@@ -50,7 +50,9 @@ def _through_array(ufunc: np.ufunc, terms: tuple[Any, ...]) -> np.ndarray:
     """The same of a dual and an array (n,) of floats, as of one after the other."""
     plain = [x.value if type(x) is Dual else x for x in terms]
     values = ufunc(*plain)
-    ((x, slope),) = (of for of in zip(terms, _OF_ARRAYS[ufunc], strict=True) if type(of[0]) is Dual)
+    ((x, slope),) = (
+        of for of in zip(terms, _slopes(OPERATORS[ufunc]), strict=True) if type(of[0]) is Dual
+    )
     slopes = np.broadcast_to(slope(*plain, values), values.shape)
     return with_tangent(values, np.multiply.outer(slopes, x.tangent))
 
@@ -77,18 +79,17 @@ _OF_TWO: dict[str, tuple[Slope, ...]] = {
     "mul": (lambda x, y, f: y, lambda x, y, f: x),
     "truediv": (lambda x, y, f: _quotient(1.0, y), lambda x, y, f: _quotient(-f, y)),
     "pow": (_power_of_base, lambda x, n, f: f * math.log(x)),
+    "neg": (lambda x, f: -1.0,),
     "hypot": (lambda x, y, f: x / f, lambda x, y, f: y / f),
     "atan2": (lambda y, x, f: x / (x * x + y * y), lambda y, x, f: -y / (x * x + y * y)),
     "copysign": (lambda x, y, f: math.copysign(1.0, x) * math.copysign(1.0, y), lambda *_: 0.0),
 }
-"""Derivatives of functions of two numbers, by their names in `operator` or `math`."""
+"""Derivatives of operators and of functions of two numbers, by their names."""
 
-_OF_ARRAYS: dict[Any, tuple[Slope, ...]] = {
-    np.add: _OF_TWO["add"],
-    np.subtract: _OF_TWO["sub"],
-    np.multiply: _OF_TWO["mul"],
-    np.true_divide: _OF_TWO["truediv"],
-}
+_OF_VALUES = {*COMPARISONS, "sign", "isfinite"}
+"""Functions without derivatives."""
+
+_OF_ARRAYS = {np.add, np.subtract, np.multiply, np.true_divide}
 """Operations on a whole array of floats: thousands of samples of a record."""
 
 
@@ -97,7 +98,9 @@ def _are_floats(arguments: tuple[Any, ...]) -> bool:
     return any(isinstance(x, np.ndarray) and x.dtype == float and x.ndim == 1 for x in arguments)
 
 
-def _slopes(name: str) -> tuple[Slope, ...]:
+@cache
+def _slopes(function: Callable[..., Any]) -> tuple[Slope, ...]:
+    name = IN_MATH.get(function.__name__, function.__name__)
     if name in _OF_TWO:
         return _OF_TWO[name]
     if name not in FUNCTIONS:
@@ -109,34 +112,6 @@ def _slopes(name: str) -> tuple[Slope, ...]:
             return of(x)
 
     return (slope,)
-
-
-def _binary(name: str) -> tuple[Callable[[Any, Any], Any], Callable[[Any, Any], Any]]:
-    """An operator of two numbers, and the same with the dual on its right."""
-    plain, slopes = getattr(operator, name), _OF_TWO[name]
-
-    def forward(self: Dual, other: Any) -> Any:
-        return _through(plain, slopes, (self, other)) if _is_plain(other) else NotImplemented
-
-    def backward(self: Dual, other: Any) -> Any:
-        return _through(plain, slopes, (other, self)) if _is_plain(other) else NotImplemented
-
-    return forward, backward
-
-
-def _compared(name: str) -> Callable[[Any, Any], Any]:
-    plain = getattr(operator, name)
-
-    def compare(self: Dual, other: Any) -> Any:
-        if not _is_plain(other):
-            return NotImplemented
-        return bool(plain(self.value, other.value if isinstance(other, Dual) else other))
-
-    return compare
-
-
-def _is_plain(x: Any) -> bool:
-    return _is_number(type(x))
 
 
 def _is_number(kind: type) -> bool:
@@ -176,7 +151,7 @@ class Dual(Compound):
     __slots__ = ("tangent", "value")
 
     def __init__(self, value: float, tangent: Any) -> None:
-        if isinstance(value, Compound):
+        if issubclass(type(value), Compound):
             raise InputTypeError("value", value).give("a plain number")
         along = array_of("tangent", tangent)
         if along.ndim != 1:
@@ -201,41 +176,16 @@ class Dual(Compound):
         )
 
     @classmethod
-    def of_function(cls, name: str, arguments: tuple[Any, ...]) -> Any:
-        return _through(getattr(math, name), _slopes(name), arguments)
-
-    __add__, __radd__ = _binary("add")
-    __sub__, __rsub__ = _binary("sub")
-    __mul__, __rmul__ = _binary("mul")
-    __truediv__, __rtruediv__ = _binary("truediv")
-    __pow__, __rpow__ = _binary("pow")
-    __lt__, __le__ = _compared("lt"), _compared("le")
-    __gt__, __ge__ = _compared("gt"), _compared("ge")
-    __eq__, __ne__ = _compared("eq"), _compared("ne")
-    __hash__ = None  # type: ignore[assignment]
+    def of_function(cls, function: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
+        if function.__name__ in _OF_VALUES:
+            of_values = function(*(x.value if isinstance(x, Dual) else x for x in arguments))
+            return of_values if function is np.sign else bool(of_values)
+        return _through(function, _slopes(function), arguments)
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *arguments: Any, **how: Any) -> Any:
-        """NumPy's functions of numbers one by one, operators among them."""
-        if method != "__call__" or ufunc.signature is not None:
-            return NotImplemented
-        if ufunc in _OF_ARRAYS and not how and _are_floats(arguments):
+        if ufunc in _OF_ARRAYS and method == "__call__" and not how and _are_floats(arguments):
             return _through_array(ufunc, arguments)
-        if any(isinstance(x, np.ndarray) for x in arguments):
-            return ufunc(*(boxed(x) if type(x) is Dual else x for x in arguments), **how)
-        if how:
-            return NotImplemented
-        if ufunc in (np.sign, np.isfinite):
-            return ufunc(self.value)
-        if ufunc in OPERATORS:
-            plain = (x if isinstance(x, Dual) else float(x) for x in arguments)
-            return OPERATORS[ufunc](*plain)
-        return _through(ufunc, _slopes(IN_MATH.get(ufunc.__name__, ufunc.__name__)), arguments)
-
-    def __neg__(self) -> Dual:
-        return _dual(-self.value, -self.tangent)
-
-    def __pos__(self) -> Dual:
-        return self
+        return super().__array_ufunc__(ufunc, method, *arguments, **how)
 
     def __abs__(self) -> Dual:
         return -self if self.value < 0.0 else self

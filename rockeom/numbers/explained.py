@@ -185,6 +185,11 @@ def attributes(**meant: str) -> Callable[[C], C]:
     return decorate
 
 
+def record(**meant: str) -> Callable[[C], C]:
+    """As `calls` of a class with its own words, and `attributes`."""
+    return lambda cls: attributes()(calls(**meant)(cls))
+
+
 class Constructors(type):
     """A class that explains unknown attributes of its own, such as other constructors."""
 

@@ -6,6 +6,7 @@ for numbers, as those of the generated modules are, calculates with all of them.
 """
 
 import math
+import operator
 from collections.abc import Callable
 from functools import cache
 from types import FunctionType, SimpleNamespace
@@ -22,13 +23,43 @@ def gauss_rule(places: int = 8) -> tuple[np.ndarray, np.ndarray]:
     return np.polynomial.legendre.leggauss(places)  # NumPy imports it on first use
 
 
+OPERATORS: dict[np.ufunc, Callable[..., Any]] = {
+    np.add: operator.add, np.subtract: operator.sub, np.multiply: operator.mul,
+    np.true_divide: operator.truediv, np.floor_divide: operator.floordiv,
+    np.remainder: operator.mod, np.power: operator.pow, np.negative: operator.neg,
+    np.positive: operator.pos, np.absolute: abs, np.less: operator.lt,
+    np.less_equal: operator.le, np.equal: operator.eq, np.not_equal: operator.ne,
+    np.greater_equal: operator.ge, np.greater: operator.gt, np.bitwise_and: operator.and_,
+    np.bitwise_or: operator.or_, np.bitwise_xor: operator.xor,
+}  # fmt: skip
+"""NumPy's names of Python's operators, which know whole numbers of any size."""
+
+SIGNS = {"add": "+", "sub": "-", "mul": "*", "truediv": "/"}
+COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="}
+"""Names in `operator` of operators of two numbers, and how most languages write them."""
+
+Operator = Callable[[Any, Any], Any]
+
+
+def _binary(function: Operator) -> tuple[Operator, Operator]:
+    """An operator of two numbers, and the same with the compound on its right."""
+
+    def forward(self: Any, other: Any) -> Any:
+        return self.of_function(function, (self, other)) if self.meets(other) else NotImplemented
+
+    def backward(self: Any, other: Any) -> Any:
+        return self.of_function(function, (other, self)) if self.meets(other) else NotImplemented
+
+    return forward, backward
+
+
 class Compound:
-    """An object that calculates as a number and has more behind it."""
+    """An object that calculates as a number and has more behind it.
+
+    Its operators are functions of two numbers, and NumPy's functions of numbers those of `math`.
+    """
 
     __slots__ = ()
-
-    def __abs__(self) -> Any:
-        raise NotImplementedError
 
     def floats(self) -> Any:
         """The same in floats.
@@ -46,14 +77,14 @@ class Compound:
         return self
 
     @classmethod
-    def of_function(cls, name: str, given: tuple[Any, ...]) -> Any:
-        """Function of `math` where one of the arguments is of this class.
+    def of_function(cls, function: Callable[..., Any], arguments: tuple[Any, ...]) -> Any:
+        """Function of `math`, `operator` or NumPy where an argument is of this class.
 
         Parameters
         ----------
-        name : str
-            Name of the function.
-        given : tuple of object
+        function : callable
+            Function.
+        arguments : tuple of object
             Arguments.
 
         Returns
@@ -63,6 +94,61 @@ class Compound:
         """
         raise NotImplementedError
 
+    @classmethod
+    def meets(cls, other: Any) -> bool:
+        """Whether an operator takes another object.
+
+        Parameters
+        ----------
+        other : object
+            Object.
+
+        Returns
+        -------
+        bool
+            Whether it is a number.
+        """
+        return isinstance(other, (int, float, np.number, cls))  # a union takes longer to make
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *arguments: Any, **how: Any) -> Any:
+        """NumPy's functions of numbers one by one, operators among them."""
+        if method != "__call__" or ufunc.signature is not None:
+            return NotImplemented
+        if any(isinstance(x, np.ndarray) for x in arguments):
+            return ufunc(*(boxed(x) if type(x) is type(self) else x for x in arguments), **how)
+        if how:
+            return NotImplemented
+        if ufunc in OPERATORS:
+            return OPERATORS[ufunc](
+                *(x if isinstance(x, Compound) else float(x) for x in arguments)
+            )
+        return self.of_function(ufunc, arguments)
+
+    __add__, __radd__ = _binary(operator.add)
+    __sub__, __rsub__ = _binary(operator.sub)
+    __mul__, __rmul__ = _binary(operator.mul)
+    __truediv__, __rtruediv__ = _binary(operator.truediv)
+    __pow__, __rpow__ = _binary(operator.pow)
+    __lt__, __gt__ = _binary(operator.lt)[0], _binary(operator.gt)[0]
+    __le__, __ge__ = _binary(operator.le)[0], _binary(operator.ge)[0]
+    __eq__, __ne__ = _binary(operator.eq)[0], _binary(operator.ne)[0]
+
+    def __neg__(self) -> Any:
+        return self.of_function(operator.neg, (self,))
+
+    def __abs__(self) -> Any:
+        return self.of_function(abs, (self,))
+
+    def __pos__(self) -> Any:
+        return self
+
+
+def boxed(x: Any) -> np.ndarray:
+    """An object as NumPy has it, which has no say any more in what NumPy does."""
+    box = np.empty((), dtype=object)
+    box[()] = x
+    return box
+
 
 class _Mathematics:
     """The functions of `math`, of compounds as well."""
@@ -70,16 +156,16 @@ class _Mathematics:
     def __getattr__(self, name: str) -> Any:
         function = getattr(math, name)
         if callable(function):
-            function = _of_compounds(name, function)
+            function = _of_compounds(function)
         setattr(self, name, function)
         return function
 
 
-def _of_compounds(name: str, plain: Callable[..., Any]) -> Callable[..., Any]:
+def _of_compounds(plain: Callable[..., Any]) -> Callable[..., Any]:
     def function(*arguments: Any) -> Any:
         for x in arguments:
             if isinstance(x, Compound):
-                return type(x).of_function(name, arguments)
+                return type(x).of_function(plain, arguments)
         return plain(*arguments)
 
     return function
@@ -121,24 +207,22 @@ class Derivatives(NamedTuple):
     curvature: Callable[[Any], Any]
 
 
-IN_NUMPY = {
-    "asin": "arcsin", "acos": "arccos", "atan": "arctan", "asinh": "arcsinh", "acosh": "arccosh",
-    "atanh": "arctanh",
+IN_MATH = {
+    "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arcsinh": "asinh", "arccosh": "acosh",
+    "arctanh": "atanh", "arctan2": "atan2",
 }  # fmt: skip
-"""Names that NumPy has instead of those of `math`."""
-IN_MATH = {name: here for here, name in IN_NUMPY.items()} | {"arctan2": "atan2"}
-"""Names of `math` by those of NumPy."""
-
-_ARRAYS = SimpleNamespace(**{name: getattr(np, IN_NUMPY.get(name, name)) for name in CURVATURES})
+"""Names of `math` by those that NumPy has instead."""
 
 
 def _of_arrays(derivative: Callable[..., Any]) -> Callable[[Any], Any]:
     """A function of `rockeom.numbers.derivatives`, of arrays."""
-    return FunctionType(derivative.__code__, {"math": _ARRAYS})
+    return FunctionType(derivative.__code__, {"math": np})
 
 
 FUNCTIONS: dict[str, Derivatives] = {
-    name: Derivatives(vars(_ARRAYS)[name], _of_arrays(SLOPES[name]), _of_arrays(curvature))
-    for name, curvature in CURVATURES.items()
+    of.__name__: Derivatives(
+        getattr(np, of.__name__), _of_arrays(SLOPES[of]), _of_arrays(curvature)
+    )
+    for of, curvature in CURVATURES.items()
 } | {"fabs": Derivatives(np.abs, np.sign, lambda x: 0.0 * x)}
 """Functions by their names in `math`."""

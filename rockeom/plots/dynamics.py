@@ -70,8 +70,7 @@ def poincare_section(
         poincare_section(looks, x="impact_time", y="theta_dot", at="after")
     """
     across, up = (_looks("poincare_section", sections, name, at) for name in (x, y))
-    if ax is None:
-        ax = style.new_figure(5.2, 4.2).add_subplot()
+    ax = ax or style.new_figure(5.2, 4.2).add_subplot()
     for i, look in enumerate(_looks_of_starts(sections, len(up))):
         ax.plot(across[i].ravel(), up[i].ravel(), ".", mew=0, **look)
     _name_axes(ax, sections, x, y, at)
@@ -128,8 +127,7 @@ def bifurcation_diagram(
     function = "bifurcation_diagram"
     coordinate(function, sections, x)
     values = _looks(function, sections, y, at, x)
-    if ax is None:
-        ax = style.new_figure(6.6, 4.0).add_subplot()
+    ax = ax or style.new_figure(6.6, 4.0).add_subplot()
     for i, look in enumerate(_looks_of_starts(sections, len(values))):
         places = np.repeat(sections[x].values, values.shape[2])
         ax.plot(places, values[i].ravel(), ".", mew=0, **look)
@@ -298,8 +296,7 @@ def basins_of_attraction(basins: xr.Dataset, *, x: str, y: str, ax: Axes | None 
             "the sections have no fates: give analysis.dynamics.basins(sections)"
         )
     fate = coordinates.only(function, basins["fate"], basins, x, y)
-    if ax is None:
-        ax = style.new_figure(6.6, 4.0).add_subplot()
+    ax = ax or style.new_figure(6.6, 4.0).add_subplot()
     present, places = np.unique(fate.values, return_inverse=True)
     colours = [_colour(kind) for kind in present]
     if fate.ndim == 1:

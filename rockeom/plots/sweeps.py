@@ -10,7 +10,7 @@ import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
-from matplotlib.colors import ListedColormap
+from matplotlib.colors import ListedColormap, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
@@ -109,8 +109,7 @@ def overturning_map(
     >>> figure = plots.overturning_map(sweep, x="period", y="amplitude")
     """
     kinds = coordinates.only("overturning_map", _classes(sweep), sweep, x, y)
-    if ax is None:
-        ax = style.new_figure(6.8, 4.2).add_subplot()
+    ax = ax or style.new_figure(6.8, 4.2).add_subplot()
     coordinates.name_axes(ax, sweep, x, y)
     if kinds.ndim == 1:
         at = coordinates.places(sweep[x]), coordinates.places(sweep[y])
@@ -142,7 +141,7 @@ def _classes(sweep: xr.Dataset) -> xr.DataArray:
 def _cells(ax: Axes, kinds: xr.DataArray, x: str, y: str) -> None:
     """A rectangle around each pair of values; those without an answer are crossed out."""
     edges = [coordinates.edges(coordinates.places(kinds[name])) for name in (x, y)]
-    colours = np.array([_rgb(colour) for _, colour in _CLASSES])
+    colours = np.array([to_rgb(colour) for _, colour in _CLASSES])
     ax.pcolormesh(*edges, colours[kinds.values], rasterized=True)
     unknown = np.ma.masked_not_equal(kinds.values, _NO_ANSWER)
     if unknown.count():
@@ -207,10 +206,6 @@ def _closest(points: np.ndarray, there: list[tuple[int, tuple[int, int]]]) -> li
             pairs.append((i, j))
             taken |= {i, j}
     return pairs
-
-
-def _rgb(colour: str) -> list[float]:
-    return [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
 
 
 # --- how far it rocks
@@ -294,8 +289,7 @@ def rocking_spectrum(
     at = at[order]
     lines = ratios.values.reshape(len(at), -1)[order]
     down = fell.values.reshape(lines.shape)[order]
-    if ax is None:
-        ax = style.new_figure(6.4, 3.8).add_subplot()
+    ax = ax or style.new_figure(6.4, 3.8).add_subplot()
     top = 1.05 * np.nanmax(lines, initial=1.0)
     rows = top * (1.0 + 0.2 * (np.arange(lines.shape[1]) + 0.5) / lines.shape[1])
     looks = _looks(ax, sweep, by, lines.shape[1])
@@ -415,8 +409,7 @@ def fragility_curve(
     else:
         curve = fragility_of(result, intensity=intensity, demand=demand, limit=limit, group=group)
         label = coordinates.label(result, intensity)
-    if ax is None:
-        ax = style.new_figure(5.4, 3.8).add_subplot()
+    ax = ax or style.new_figure(5.4, 3.8).add_subplot()
     levels, fractions = curve.fractions()
     end = 1.05 * max(levels[-1], curve.median)
     im = np.linspace(1e-3 * end, end, 400)
@@ -515,8 +508,7 @@ def incremental_dynamic_analysis(
         raise InputError("demand", of=function).says("no case has one: all fell, or gave no answer")
     last = 1.04 * peaks.max() or 1.0
     edge = 1.14 * last
-    if ax is None:
-        ax = style.new_figure(7.2, 4.4).add_subplot()
+    ax = ax or style.new_figure(7.2, 4.4).add_subplot()
     for i, (im, d) in enumerate(curves):
         at = np.where(np.isposinf(d), edge, d)
         ax.plot(at, im, color="0.6", lw=0.6, zorder=2, label="each record" * (i == 0) or None)

@@ -66,8 +66,7 @@ def peak_distributions(
     finite = [one.peaks[np.isfinite(one.peaks)] for one in ensembles.values()]
     end = limit if limit is not None else max((p.max() for p in finite if p.size), default=0.0)
     require(end > 0, function, "limit", end, "no motion has a peak above zero: give limit=")
-    if ax is None:
-        ax = style.new_figure(5.6, 3.8).add_subplot()
+    ax = ax or style.new_figure(5.6, 3.8).add_subplot()
     for (name, one), peaks, colour in zip(ensembles.items(), finite, style.LINES, strict=False):
         x = np.concatenate([[0.0], np.unique(peaks[(peaks > 0) & (peaks < end)]), [end]])
         lower, upper = one.band(x, level)
@@ -112,8 +111,7 @@ def reliability_diagram(calibration: Calibration, *, ax: Axes | None = None) -> 
         reliability_diagram(analysis.validation.calibration_of(overturned, probability))
     """
     c = calibration
-    if ax is None:
-        ax = style.new_figure(4.4, 4.6).add_subplot()
+    ax = ax or style.new_figure(4.4, 4.6).add_subplot()
     per_cent = f"{100 * c.level:g} %"
     ax.plot([0, 1], [0, 1], color=style.INK, lw=0.8, ls="--")
     ax.vlines(

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure, SubFigure
 
 from rockeom.analysis.identification.stone_walls import WallTest
 from rockeom.drawing import style
-from rockeom.numbers.checks import InputError, require_word
+from rockeom.numbers.checks import require, require_word
 
 _COLUMNS = 4
 
@@ -51,14 +51,12 @@ def wall_envelopes(
         wall_envelopes(tests, {name: walls[name].pushover(0.05) for name in tests})
     """
     drawn = {name: test for name, test in tests.items() if test.envelope is not None}
-    if not drawn:
-        raise InputError("tests", {}, "wall_envelopes").give("walls that have a measured envelope")
+    require(bool(drawn), "wall_envelopes", "tests", {}, "give walls that have a measured envelope")
     for name in drawn:
         require_word("paths", name, paths, "wall_envelopes")
     columns = min(_COLUMNS, len(drawn))
     rows = -(-(len(drawn) + 1) // columns)
-    if figure is None:
-        figure = style.new_figure(2.0 * columns, 1.7 * rows)
+    figure = figure or style.new_figure(2.0 * columns, 1.7 * rows)
     axes = figure.subplots(rows, columns, sharex=True, squeeze=False)
     panels = axes.ravel()
     for ax, (name, test) in zip(panels, drawn.items(), strict=False):

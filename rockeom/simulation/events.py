@@ -138,6 +138,7 @@ class Events(Sequence[Event]):
         module, states = self.structure.module, self.structure.states
         p = self.structure.vector
         points = modes_of(module).subjects(module, self.columns.kinds, self.columns.states, p)
+        rows = zip(*self.columns, points, strict=True)
         return tuple(
             Event(
                 float(time),
@@ -148,9 +149,7 @@ class Events(Sequence[Event]):
                 dict(zip(states, pair[1].tolist(), strict=True)),
                 contact,
             )
-            for time, (kind, before, after, _), pair, contact in zip(
-                *self.columns, points, strict=True
-            )
+            for time, (kind, before, after, _), pair, contact in rows
         )
 
     @property
@@ -263,15 +262,9 @@ class Impacts(Events):
 
     def _of_sides(self, function: str, size: int, side: int) -> np.ndarray:
         """(size, k) of a function of the module in the states before (0) or after (1)."""
+        m, p = self.structure.module, self.structure.vector
         _, kinds, states = self.columns
-        return filled(
-            self.structure.module,
-            self.structure.vector,
-            function,
-            size,
-            kinds[:, 1 + side],
-            states[:, side],
-        )
+        return filled(m, p, function, size, kinds[:, 1 + side], states[:, side])
 
     def describe(self) -> str:
         """Number of impacts, and of those faster than ``MEASURABLE``, in words.

@@ -13,8 +13,7 @@ METHODS = (*PAIRS, "Radau")
 """Explicit ones, and the implicit one of implicit.py."""
 
 
-@explained.attributes()
-@explained.calls(tol="rtol=", tolerance="rtol=", dt="output_step= or max_step=")
+@explained.record(tol="rtol=", tolerance="rtol=", dt="output_step= or max_step=")
 @dataclass(frozen=True)
 class SolverOptions:
     """Choices of the integration; the defaults suit all shipped structures.

@@ -76,8 +76,7 @@ def _listed(names: Sequence[str]) -> Sequence[str]:
     return names
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True, eq=False)
 class Response:
     """Motion of a structure under a ground motion, as sampled and at any time.
@@ -575,8 +574,7 @@ class Response:
             t, modes, values = self.t, self.mode, {name: self[name] for name in names}
         else:
             t = array_of("times", times)
-            if t.ndim != 1:
-                raise InputError("times", t).give("one dimension, (n,)")
+            require(t.ndim == 1, "", "times", t, "give one dimension, (n,)")
             values = self.at(t, names=names)
             modes = np.array(self.structure.module.MODES)[self.steps.at(t, "right")[1]]
         units = units_with_time(self.structure.module, self.units)

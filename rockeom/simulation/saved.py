@@ -93,38 +93,30 @@ def _encode_law(law: ImpactLaw | None) -> Any:
 
 # -- arrays ----------------------------------------------------------------------------------------
 
-_DIMS: Mapping[str, tuple[str, ...]] = {
-    "step_span": ("step", "start_and_length"),
-    "step_mode": ("step",),
-    "step_powers": ("step", "power", "state"),
-    "sample_time": ("sample",),
-    "sample_state": ("sample", "state"),
-    "sample_mode": ("sample",),
-    "extremes": ("quantity", "extreme"),
-    "event_time": ("event",),
-    "event_kind": ("event", "kind_before_after_guard"),
-    "event_state": ("event", "side", "state"),
-    "end": ("state",),
-    **{
-        f"{motion}_{what}": (f"{motion}_{what}", "column")[: 2 - (what == "samples")]
-        for motion in ("motion", "vertical")
-        for what in ("segments", "samples")
-    },
-}
+_VARIABLES: Mapping[str, tuple[str, str, str]] = {
+    "step_span": ("step start_and_length", "start and length of each step of integration", "s"),
+    "step_mode": ("step", "number of the mode in each step", ""),
+    "step_powers": (
+        "step power state",
+        "coefficients of the states' polynomials of the part of a step gone", "",
+    ),
+    "sample_time": ("sample", "times of the samples", "s"),
+    "sample_state": ("sample state", "states at the samples", ""),
+    "sample_mode": ("sample", "number of the mode at the samples", ""),
+    "extremes": ("quantity extreme", "minimum, maximum and their times, of each quantity", ""),
+    "event_time": ("event", "times of impacts, uplifts and other events", "s"),
+    "event_kind": (
+        "event kind_before_after_guard", "kind, modes before and after, number of the guard", "",
+    ),
+    "event_state": ("event side state", "states before and after each event", ""),
+    "end": ("state", "last state", ""),
+    "motion_segments": ("motion_segments column", "motion segments", ""),
+    "motion_samples": ("motion_samples", "motion samples", ""),
+    "vertical_segments": ("vertical_segments column", "vertical segments", ""),
+    "vertical_samples": ("vertical_samples", "vertical samples", ""),
+}  # fmt: skip
+"""Dimensions, meaning and unit of each variable of a file."""
 WHOLE_NUMBERS = {"step_mode", "sample_mode", "event_kind"}
-_ABOUT = {
-    "step_span": ("start and length of each step of integration", "s"),
-    "step_mode": ("number of the mode in each step", ""),
-    "step_powers": ("coefficients of the states' polynomials of the part of a step gone", ""),
-    "sample_time": ("times of the samples", "s"),
-    "sample_state": ("states at the samples", ""),
-    "sample_mode": ("number of the mode at the samples", ""),
-    "extremes": ("minimum, maximum and their times, of each quantity", ""),
-    "event_time": ("times of impacts, uplifts and other events", "s"),
-    "event_kind": ("kind, modes before and after, number of the guard", ""),
-    "event_state": ("states before and after each event", ""),
-    "end": ("last state", ""),
-}
 
 
 def _arrays(made: Mapping[str, Any]) -> dict[str, np.ndarray]:
@@ -176,7 +168,7 @@ def save(path: str | os.PathLike[str], made: Mapping[str, Any]) -> None:
     arrays = _arrays(made)
     definition = json.dumps(_definition(made))
     file = xr.Dataset(
-        {name: (_DIMS[name], array, _attrs(name)) for name, array in arrays.items()}
+        {name: (_VARIABLES[name][0].split(), array, _attrs(name)) for name, array in arrays.items()}
         | {"definition": ((), definition)},
         attrs={
             "title": f"Response of {type(made['structure']).__name__}: {made['outcome']}",
@@ -201,6 +193,9 @@ def _netcdf(dataset: xr.Dataset, arrays: Mapping[str, np.ndarray]) -> bytes:
     return made.getvalue()
 
 
+_OF_MOTION = ("name", "source", "dt", "is_vertical")
+
+
 def _definition(made: Mapping[str, Any]) -> dict[str, Any]:
     module, record = made["structure"].module, made["record"]
     return {
@@ -215,20 +210,14 @@ def _definition(made: Mapping[str, Any]) -> dict[str, Any]:
         "statistics": {name: encode(name, value) for name, value in made["statistics"].items()},
         "quantities": None if isinstance(record, Steps) else list(record.extremes),
         **{
-            name: made[name]
-            and {
-                "name": made[name].name,
-                "source": made[name].source,
-                "dt": made[name].dt,
-                "is_vertical": made[name].is_vertical,
-            }
+            name: made[name] and {field: getattr(made[name], field) for field in _OF_MOTION}
             for name in ("motion", "vertical")
         },
     }
 
 
 def _attrs(name: str) -> dict[str, str]:
-    about, unit = _ABOUT.get(name, (name.replace("_", " "), ""))
+    _, about, unit = _VARIABLES[name]
     return {"long_name": about} | ({"units": unit} if unit else {})
 
 

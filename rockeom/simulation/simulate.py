@@ -1,7 +1,5 @@
 """Simulate a structure under a ground motion."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -14,7 +12,7 @@ from rockeom.integrator.program import Program, program
 from rockeom.motion import GroundMotion
 from rockeom.motion.recording import Recording
 from rockeom.numbers import explained
-from rockeom.numbers.checks import InputError, InputTypeError
+from rockeom.numbers.checks import InputTypeError, require
 from rockeom.simulation.case import STILL, Case, Problem, without_duals
 from rockeom.simulation.events import EventColumns, Events
 from rockeom.simulation.method_selection import chosen
@@ -117,8 +115,7 @@ def simulate(
     >>> print(f"{run.extremes('theta').peak:.4f} rad")
     0.1423 rad
     """
-    if keep not in KEEP:
-        raise InputError("keep", keep).so(f"choose {' or '.join(map(repr, KEEP))}")
+    require(keep in KEEP, "", "keep", keep, f"choose {' or '.join(map(repr, KEEP))}")
     parts: Any = motion, impact, initial, duration, vertical, mode
     case = structure if isinstance(structure, Case) else Case(structure, *parts)
     if case is structure and any(part is not None for part in parts):
@@ -186,25 +183,6 @@ def run(
         idle.append(bench)
 
 
-@cache
-def _benches(compiled: Program, keep: bool) -> list[_Bench]:
-    """Benches of a program that nobody uses now."""
-    return []
-
-
-_STEPS, _EVENTS = 1024, 4096
-"""How many are recorded before the record is emptied."""
-
-_TINY = float(np.finfo(float).tiny)
-
-
-def _at_the_start(problem: Problem) -> Steps:
-    """The record of a motion that has not begun."""
-    powers = np.zeros((1, 8, len(problem.y0)))
-    powers[0, 0] = problem.y0
-    return Steps(np.array([[0.0, _TINY]]), np.array([problem.mode]), powers)
-
-
 class _Bench:
     """The arrays in which one motion at a time is integrated, and the functions bound to them.
 
@@ -266,3 +244,22 @@ class _Bench:
         if self.falls():
             return Outcome.OVERTURNED
         return Outcome.CAME_TO_REST if self.at_rest() else Outcome.COMPLETED
+
+
+@cache
+def _benches(compiled: Program, keep: bool) -> list[_Bench]:
+    """Benches of a program that nobody uses now."""
+    return []
+
+
+_STEPS, _EVENTS = 1024, 4096
+"""How many are recorded before the record is emptied."""
+
+_TINY = float(np.finfo(float).tiny)
+
+
+def _at_the_start(problem: Problem) -> Steps:
+    """The record of a motion that has not begun."""
+    powers = np.zeros((1, 8, len(problem.y0)))
+    powers[0, 0] = problem.y0
+    return Steps(np.array([[0.0, _TINY]]), np.array([problem.mode]), powers)

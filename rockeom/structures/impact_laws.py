@@ -6,15 +6,13 @@ momentum is conserved. A new one is a class of this file that `LAWS` lists, and 
 and `after_impact` read by the same function.
 """
 
-from __future__ import annotations
-
 import inspect
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, is_dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol, Self
 
 import numpy as np
 
@@ -142,17 +140,12 @@ class TabulatedLaw:
         ratio : float
             Ratio of the angular velocities, NaN where the table has it.
         """
-        return (self.code, math.nan) if self.table_needed else (RATIO, self.only_velocity_ratio)
+        return self.code, math.nan
 
     @property
     def table_needed(self) -> bool:
         """Whether the compiled loop reads the table of the law."""
         return True
-
-    @property
-    def only_velocity_ratio(self) -> float:
-        """e, where no table is needed."""
-        raise NotImplementedError
 
     def table(self, structure: Landing) -> Table:
         """Energy ratios r of the impacts of a structure.
@@ -170,8 +163,7 @@ class TabulatedLaw:
         raise NotImplementedError
 
 
-@explained.attributes()
-@explained.calls(e="rk.VelocityRatio(e)", restitution="rk.VelocityRatio(e)")
+@explained.record(e="rk.VelocityRatio(e)", restitution="rk.VelocityRatio(e)")
 @dataclass(frozen=True, repr=False)
 class EnergyRatio(TabulatedLaw):
     """Prescribed ratio r of the rocking motion's kinetic energies after and before an impact.
@@ -230,10 +222,10 @@ class EnergyRatio(TabulatedLaw):
         """Whether the feet differ, so that the compiled loop reads the table of the law."""
         return self.r is None
 
-    @property
-    def only_velocity_ratio(self) -> float:
-        """The one ratio e of the angular velocities, where there is one."""
-        return mathematics.sqrt(self.r)
+    def resolve(self, velocity_ratio: float, has_impulsive: bool, name: str) -> tuple[int, float]:
+        if self.r is None:
+            return super().resolve(velocity_ratio, has_impulsive, name)
+        return RATIO, mathematics.sqrt(self.r)
 
     def of_foot(self, foot: str) -> float:
         """Energy ratio r where one of the feet lands.
@@ -256,8 +248,7 @@ class EnergyRatio(TabulatedLaw):
         return Table([Row(self.of_foot("left"))], [Row(self.of_foot("right"))])
 
 
-@explained.attributes()
-@explained.calls(r="rk.EnergyRatio(r)", restitution="e=")
+@explained.record(r="rk.EnergyRatio(r)", restitution="e=")
 @dataclass(frozen=True)
 class VelocityRatio:
     """Prescribed ratio e of the angular velocities after and before an impact, e = sqrt(r).
@@ -311,8 +302,7 @@ class VelocityRatio:
         return RATIO, self.e
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class AngularMomentum:
     """Impact law by which the angular momentum about the new pivot is conserved.
@@ -363,8 +353,7 @@ class AngularMomentum:
         return RATIO, velocity_ratio
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Impulsive:
     """Impulsive form of Lagrange's equations: exact for a flexible structure as well.
@@ -411,8 +400,7 @@ class Impulsive:
         return IMPULSIVE, math.nan
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class EnergyRatioAtSpeed(TabulatedLaw):
     """Energy ratio r that depends on the speed at the impact, in straight pieces.
@@ -465,7 +453,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
             raise InputError("pieces", self.pieces).give("positive limits, and a positive height")
 
     @classmethod
-    def equation_4_31(cls) -> EnergyRatioAtSpeed:
+    def equation_4_31(cls) -> Self:
         """Thesis 4-31, of the equivalent oscillator of a controlled wall.
 
         Returns
@@ -478,7 +466,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         )
 
     @classmethod
-    def equation_4_36(cls) -> EnergyRatioAtSpeed:
+    def equation_4_36(cls) -> Self:
         """Thesis 4-36, of the simplified substitute gravity; as printed.
 
         Returns
@@ -489,7 +477,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         return cls(((math.inf, 0.865, 0.0441),))
 
     @classmethod
-    def equation_4_38(cls) -> EnergyRatioAtSpeed:
+    def equation_4_38(cls) -> Self:
         """Thesis 4-38, of the substitute gravity with a rotation centre that moves.
 
         Returns
@@ -510,7 +498,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         limits: Sequence[float] = (),
         slopes: bool = True,
         height: float | None = None,
-    ) -> EnergyRatioAtSpeed:
+    ) -> Self:
         """Pieces fitted to measured impacts, each by least squares to those in its own band.
 
         Parameters
@@ -548,12 +536,8 @@ class EnergyRatioAtSpeed(TabulatedLaw):
 
             rk.EnergyRatioAtSpeed.from_data(speed, r, limits=(0.3, 0.47, 0.78), slopes=False)
         """
-        v, r = np.abs(array_of("speed", speed)), array_of("energy_ratio", energy_ratio)
-        if v.ndim != 1 or v.shape != r.shape or not np.isfinite([v, r]).all():
-            raise InputError("speed", of="EnergyRatioAtSpeed.from_data").wrong(
-                f"has the shape {v.shape}, energy_ratio {r.shape}: give one finite number of each "
-                "for every impact"
-            )
+        signed, r = _of_impacts("EnergyRatioAtSpeed", speed=speed, energy_ratio=energy_ratio)
+        v = np.abs(signed)
         ends = [*(number("limit", limit) for limit in limits), math.inf]
         pieces = []
         for start, end in zip([0.0, *ends], ends, strict=False):
@@ -620,8 +604,7 @@ class EnergyRatioAtSpeed(TabulatedLaw):
         return self._at_height(self.lever(structure))
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class EnergyLossAtSpeed(TabulatedLaw):
     """Energy that an impact takes, by the angular velocity w before it: ``a1 |w| + a2 w2 + a3
@@ -664,7 +647,7 @@ class EnergyLossAtSpeed(TabulatedLaw):
             object.__setattr__(self, foot, tuple(given))
 
     @classmethod
-    def equation_3_17(cls) -> EnergyLossAtSpeed:
+    def equation_3_17(cls) -> Self:
         """Thesis 3-17, fitted to all impacts of the block of chapter 3, of both feet.
 
         A cubic of the angular velocity with its sign: the left foot loses three times as much at 1
@@ -678,7 +661,7 @@ class EnergyLossAtSpeed(TabulatedLaw):
         return cls(left=(-0.6663, 9.661, 5.525), right=(0.6663, 9.661, -5.525))
 
     @classmethod
-    def equation_3_18(cls) -> EnergyLossAtSpeed:
+    def equation_3_18(cls) -> Self:
         """Thesis 3-18, the second trend of impacts on the right foot; the left one by 3-17.
 
         Returns
@@ -689,7 +672,7 @@ class EnergyLossAtSpeed(TabulatedLaw):
         return cls(left=(-0.6663, 9.661, 5.525), right=(0.0381, 7.576, -7.144))
 
     @classmethod
-    def from_data(cls, rate: Iterable[float], loss: Iterable[float]) -> EnergyLossAtSpeed:
+    def from_data(cls, rate: Iterable[float], loss: Iterable[float]) -> Self:
         """Law of measured impacts, each foot by itself, by least squares.
 
         Parameters
@@ -709,12 +692,7 @@ class EnergyLossAtSpeed(TabulatedLaw):
         ValueError
             Where a foot has fewer than three impacts.
         """
-        w, lost = array_of("rate", rate), array_of("loss", loss)
-        if w.ndim != 1 or w.shape != lost.shape or not np.isfinite([w, lost]).all():
-            raise InputError("rate", of="EnergyLossAtSpeed.from_data").wrong(
-                f"has the shape {w.shape}, loss {lost.shape}: give one finite number of each for "
-                "every impact"
-            )
+        w, lost = _of_impacts("EnergyLossAtSpeed", rate=rate, loss=loss)
         feet = {}
         for foot, rows in (("left", w < 0), ("right", w > 0)):
             size = np.abs(w[rows])
@@ -776,8 +754,7 @@ DRAWS = 500
 """How many ratios are drawn for a motion; behind the last the first one follows."""
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True, repr=False)
 class RandomEnergyRatio(TabulatedLaw):
     """Energy ratio r drawn at each impact from a measured distribution, by seed (thesis 6.4).
@@ -844,7 +821,7 @@ class RandomEnergyRatio(TabulatedLaw):
         object.__setattr__(self, "seed", int(self.seed))
 
     @classmethod
-    def normal(cls, mean: float, std: float, *, seed: int = 0) -> RandomEnergyRatio:
+    def normal(cls, mean: float, std: float, *, seed: int = 0) -> Self:
         """Law of a normal distribution, cut off at 0 and 1: a thousand equally likely values.
 
         Parameters
@@ -925,8 +902,7 @@ class RandomEnergyRatio(TabulatedLaw):
         return Table(self.drawn["left"].tolist(), self.drawn["right"].tolist())
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class EnergyRatioByImpact(TabulatedLaw):
     """Energy ratio r of the first impact, of the second, and so on.
@@ -1025,6 +1001,18 @@ def _told_values(values: tuple[float, ...]) -> str:
     if len(values) <= 8:
         return f"[{', '.join(f'{r:g}' for r in values)}]"
     return f"{len(values)} values of mean {np.mean(values):.4g} and std {np.std(values):.4g}"
+
+
+def _of_impacts(what: str, **measured: Iterable[float]) -> list[np.ndarray]:
+    """Two columns (n,) that were measured at impacts, for `from_data`."""
+    x, y = columns = [array_of(name, values) for name, values in measured.items()]
+    if x.ndim != 1 or x.shape != y.shape or not np.isfinite(columns).all():
+        first, second = measured
+        raise InputError(first, of=f"{what}.from_data").wrong(
+            f"has the shape {x.shape}, {second} {y.shape}: give one finite number of each for "
+            "every impact"
+        )
+    return columns
 
 
 def _are_pieces(pieces: Any) -> bool:

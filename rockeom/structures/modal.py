@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.integrator.texts import load_text, source
 from rockeom.numbers import explained
-from rockeom.numbers.checks import InputError, array_of
+from rockeom.numbers.checks import InputError, array_of, require
 from rockeom.numbers.functions import for_arrays
 
 FULL_CONTACT = "both"
@@ -105,15 +105,11 @@ class Modal:
             return 2.0 * float(out[m.ENERGIES.index("kinetic_energy")])
 
         alone = {i: twice_kinetic(i) for i in free}
-        masses = np.array(
-            [
-                [
-                    alone[i] if i == j else 0.5 * (twice_kinetic(i, j) - alone[i] - alone[j])
-                    for j in free
-                ]
-                for i in free
-            ]
-        )
+
+        def mass(i: int, j: int) -> float:
+            return alone[i] if i == j else 0.5 * (twice_kinetic(i, j) - alone[i] - alone[j])
+
+        masses = np.array([[mass(i, j) for j in free] for i in free])
         pushed = self._shapes.T @ masses @ -shaken[n + np.array(free)]
         return pushed**2 / np.einsum("im,ij,jm->m", self._shapes, masses, self._shapes)
 
@@ -193,11 +189,8 @@ def rayleigh_damping(periods: ArrayLike, ratios: ArrayLike) -> RayleighDamping:
 
         alpha, beta = rk.rayleigh_damping(frame.fixed_base().periods[:2], [0.02, 0.02])
     """
-    given = (
-        array_of("periods", periods, "rayleigh_damping"),
-        array_of("ratios", ratios, "rayleigh_damping"),
-    )
-    t, zeta = (np.atleast_1d(x) for x in given)
+    t = np.atleast_1d(array_of("periods", periods, "rayleigh_damping"))
+    zeta = np.atleast_1d(array_of("ratios", ratios, "rayleigh_damping"))
     if t.shape != zeta.shape or t.ndim != 1 or len(t) not in (1, 2):
         raise InputError("periods", of="rayleigh_damping").wrong(
             f"have the shape {t.shape}, ratios {zeta.shape}: give two of each, or one"
@@ -210,8 +203,7 @@ def rayleigh_damping(periods: ArrayLike, ratios: ArrayLike) -> RayleighDamping:
     omega = 2.0 * np.pi / t
     if len(t) == 1:
         return RayleighDamping(0.0, float(2.0 * zeta[0] / omega[0]))
-    if t[0] == t[1]:
-        raise InputError("periods", periods, "rayleigh_damping").give("those of two modes")
+    require(bool(t[0] != t[1]), "rayleigh_damping", "periods", periods, "give those of two modes")
     alpha, beta = np.linalg.solve(np.column_stack([0.5 / omega, 0.5 * omega]), zeta)
     return RayleighDamping(float(alpha), float(beta))
 

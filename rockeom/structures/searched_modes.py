@@ -5,28 +5,13 @@ the modes is that of the loop, `rockeom/integrator/transitions/candidates.py`. T
 `rockeom.structures.modes` lists are those of `rockeom.structures.declared_modes`, too.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from rockeom.codes import (
-    FRICTIONLESS,
-    IMPOSSIBLE,
-    LANDING,
-    LIFTING,
-    NEVER_SLIPS,
-    OPEN,
-    SLIP_LEFT,
-    SLIP_RIGHT,
-    SLIPPING,
-    STICK,
-    STICKING,
-    SWITCH,
-)
+from rockeom import codes
 from rockeom.compiler.modules import Modules, as_python, module_text
 from rockeom.integrator.schema import PROVIDED, SearchedModes, angles
 from rockeom.numbers.batch import Differs, Many, values
@@ -37,7 +22,8 @@ from rockeom.structures.declared_modes import number_of
 from rockeom.structures.statics import Equilibrium, balanced
 
 HAPPENED = {
-    LANDING: "landing", LIFTING: "lifting", SLIPPING: "slip begins", STICKING: "slip ends",
+    codes.LANDING: "landing", codes.LIFTING: "lifting",
+    codes.SLIPPING: "slip begins", codes.STICKING: "slip ends",
 }  # fmt: skip
 """Words for the events of a point."""
 
@@ -45,6 +31,17 @@ _CLOSED = 1e-9
 """Relative to the terms of a gap, or of its rate: smaller ones are zero, in a motion."""
 _LANDED = 1e-13
 """The same of a gap that an impact has closed, as far as rounding lets it."""
+
+
+class Contacts(NamedTuple):
+    """The points in a state, (m,) each."""
+
+    closed: np.ndarray
+    """1 where it is closed."""
+    slides: np.ndarray
+    """The sign of its slip, 0 where it has none."""
+    least_gap: np.ndarray
+    """The lowest gap that the state may have, but for its errors [m]."""
 
 
 class Points:
@@ -86,17 +83,6 @@ class Points:
                 radius = search["radius_of"](of_contacts, i)
                 contacts.least_gap[i] = -search["GIVEN"] * np.maximum(size, radius)
         return contacts
-
-
-class Contacts(NamedTuple):
-    """The points in a state, (m,) each."""
-
-    closed: np.ndarray
-    """1 where it is closed."""
-    slides: np.ndarray
-    """The sign of its slip, 0 where it has none."""
-    least_gap: np.ndarray
-    """The lowest gap that the state may have, but for its errors [m]."""
 
 
 def _of_points(module: SearchedModes, y: np.ndarray, p: np.ndarray) -> np.ndarray:
@@ -170,7 +156,7 @@ def _standing(
         return y
     closed = np.flatnonzero(down)
     sticky = np.array(
-        [any(row[i] == STICK for row in module.POINT_STATES) for i in range(len(down))]
+        [any(row[i] == codes.STICK for row in module.POINT_STATES) for i in range(len(down))]
     )
     choices = [closed, *(closed[i : i + 1] for i in range(len(closed)))]
     for held in choices:
@@ -285,13 +271,13 @@ def drawn_out(
     places = {name: z for name, z in places.items() if z in module.STATES}
     if not places:
         return y
-    free = (OPEN,) * len(module.POINTS)  # its guards hold anywhere
+    free = (codes.OPEN,) * len(module.POINTS)  # its guards hold anywhere
     mode = _with_elements(module, free, value_of(y), value_of(p))
     y = y.astype(np.result_type(y, p))
     m = for_arrays(module, y)
     drawn, moved = y.copy(), np.zeros(len(module.KINEMATICS), y.dtype)
     for guard in range(module.GUARDS[mode]):
-        if module.KINDS[mode][guard] == SWITCH:
+        if module.KINDS[mode][guard] == codes.SWITCH:
             m.jump(mode, guard, 0, 0.0, drawn.copy(), p, drawn)
     m.kinematics(mode, y, p, moved)
     for name, z in places.items():
@@ -331,11 +317,11 @@ def mode_of(
                 "leave the heights out, they follow from the rest"
             )
         if not closed[i]:
-            states.append(OPEN)
+            states.append(codes.OPEN)
         elif slides[i] == 0.0:
-            states.append(STICK)
+            states.append(codes.STICK)
         else:
-            states.append(SLIP_RIGHT if slides[i] > 0.0 else SLIP_LEFT)
+            states.append(codes.SLIP_RIGHT if slides[i] > 0.0 else codes.SLIP_LEFT)
     points_as = _smoothed(module, tuple(states))
     if points_as not in module.POINT_STATES:
         described = ", ".join(
@@ -351,14 +337,18 @@ def _smoothed(module: SearchedModes, states: tuple[int, ...]) -> tuple[int, ...]
     """The states of points with those that are frictionless where the same points are closed."""
     for row in module.POINT_STATES:
         smooth = tuple(
-            FRICTIONLESS if a == FRICTIONLESS and b else b for a, b in zip(row, states, strict=True)
+            codes.FRICTIONLESS if a == codes.FRICTIONLESS and b else b
+            for a, b in zip(row, states, strict=True)
         )
         if smooth == row:
             return row
     return states
 
 
-_WORDS = {OPEN: "is open", STICK: "sticks", SLIP_RIGHT: "slips right", SLIP_LEFT: "slips left"}
+_WORDS = {
+    codes.OPEN: "is open", codes.STICK: "sticks",
+    codes.SLIP_RIGHT: "slips right", codes.SLIP_LEFT: "slips left",
+}  # fmt: skip
 
 
 def named_mode(module: SearchedModes, mode: Any, y: np.ndarray, p: np.ndarray) -> int:
@@ -378,7 +368,7 @@ def mode_under_forces(
         return mode
     follows = _searching(module)["fits_by_forces"](mode, y, p, *ground)
     if follows < 0:
-        none = "no" if follows == IMPOSSIBLE else "more than one"
+        none = "no" if follows == codes.IMPOSSIBLE else "more than one"
         raise InputError("state").says(
             f"{none} mode of {module.NAME} fits the forces in this state, since "
             f"{assumption(module, p)}: or give another state"
@@ -388,7 +378,7 @@ def mode_under_forces(
 
 def assumption(module: Any, p: np.ndarray) -> str:
     """The assumption that fails where no mode fits, or several, and the remedy."""
-    if (friction_of(module, p) >= NEVER_SLIPS).all():
+    if (friction_of(module, p) >= codes.NEVER_SLIPS).all():
         return "its contacts never slip: declare friction for them, or a restitution of 0"
     return "rigid bodies with much friction jam (Painleve): declare less, or springs under the feet"
 
@@ -552,12 +542,12 @@ def subjects(
             names[i] = module.ELEMENTS[number - len(module.POINTS)]
             continue
         several = [number]
-        if kind == LANDING:
+        if kind == codes.LANDING:
             several = sorted({number, *np.flatnonzero(landed[i]).tolist()})
-        elif kind in (SLIPPING, STICKING):
+        elif kind in (codes.SLIPPING, codes.STICKING):
             shared, closed = module.SHARED[mode], module.POINT_STATES[mode]
             several = [j for j, first in enumerate(shared) if first == shared[number]]
-            several = [j for j in several if closed[j] != OPEN]
+            several = [j for j in several if closed[j] != codes.OPEN]
         names[i] = "+".join(module.POINTS[j] for j in several)
     return names
 
@@ -566,12 +556,12 @@ def _landed(
     module: SearchedModes, events: np.ndarray, states: np.ndarray, p: np.ndarray
 ) -> dict[int, np.ndarray]:
     """Which points (m,) landed, by the number of the event, a landing."""
-    landings = np.flatnonzero(events[:, 0] == LANDING)
+    landings = np.flatnonzero(events[:, 0] == codes.LANDING)
     if not len(landings):
         return {}
     before, after = (Points(module, states[landings, side], p) for side in (0, 1))
     met = (before.gap_rate < -_CLOSED * before.speed) & (after.gap_rate >= -_CLOSED * before.speed)
-    opened = np.array(module.POINT_STATES)[events[landings, 1]] == OPEN
+    opened = np.array(module.POINT_STATES)[events[landings, 1]] == codes.OPEN
     # the impact puts what lands on the ground; others may turn back in flight, however close
     near = after.gap <= _LANDED * after.size.max(axis=1, keepdims=True)
     return dict(zip(landings.tolist(), met & opened & near, strict=True))

@@ -10,8 +10,7 @@ from rockeom.numbers import explained
 from rockeom.numbers.checks import InputTypeError, options_of, whole_number
 
 
-@explained.attributes()
-@explained.calls(n_jobs="threads=", workers="threads=", rtol="options=rk.SolverOptions(rtol=...)")
+@explained.record(n_jobs="threads=", workers="threads=", rtol="options=rk.SolverOptions(rtol=...)")
 @dataclass(frozen=True)
 class SweepOptions:
     """How a sweep is run; results are the same to the last bit for any of these but `lanes`.

@@ -11,13 +11,12 @@
 
 They are exact: nothing is moved by a little to see what it does. The same texts repeat the steps
 of the motion, printed for numbers with derivatives; what happens where a guard falls,
-`rockeom/integrator/variational.py` says.
+`rockeom/integrator/tangents/variational.py` says.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -281,21 +280,7 @@ class Motion:
         return of_method / fastest if fastest > 0.0 else math.inf
 
     def carried(self, times: np.ndarray) -> _Carried:
-        """times (n,) ascend."""
-        parts = list(self._parts(times))
-        if not parts:
-            k, n = len(self.response.events.columns[0]), len(self.problem.y0)
-            ends, at_times = np.empty((n, 0)), np.empty((len(times), n, 0))
-            return _Carried(ends, at_times, np.empty((k, 2, n, 0)), np.empty((k, 0)), 0, 0)
-        back = np.argsort(self.order)
-        whole = [
-            np.concatenate(some, axis=-1)[..., back]
-            for some in zip(*(p[:4] for p in parts), strict=True)
-        ]
-        return _Carried(whole[0], whole[1], whole[2], whole[3], parts[0].stopped, parts[0].at)
-
-    def _parts(self, times: np.ndarray) -> Iterator[_Carried]:
-        """As many directions at a time as the program carries."""
+        """times (n,) ascend; as many directions at a time as the program carries."""
         r, q, along = self.response, self.problem, self.along
         steps, (t, kinds, states) = r.steps, r.events.columns
         program = tangent_program(r.structure.module, r.statistics["method"])
@@ -307,20 +292,17 @@ class Motion:
             fallen=q.fallen, rest_tolerance=r.options.rest_tolerance,
             max_impacts=r.options.max_impacts, max_steps=r.options.max_steps,
         )  # fmt: skip
+        shapes = (n,), (len(times), n), (k, 2, n), (k,)
+        whole = [np.empty((*shape, self.directions)) for shape in shapes]
+        why, at = 0, 0
         for first in range(0, self.directions, WIDTH):
             some = self.order[first : first + WIDTH]
             shaken = some[self.shakes[some]]
-            rows = [
-                _dual(table, of, some) if shaken.size else _NO_ROWS
-                for table, of in (
-                    (q.horizontal, along.horizontal),
-                    (q.vertical, along.vertical),
-                )
-            ]
+            tables = (q.horizontal, along.horizontal), (q.vertical, along.vertical)
+            rows = [_dual(*table, some) if shaken.size else _NO_ROWS for table in tables]
             corners = any(x[:, :2, j].any() for x in self.grounds for j in shaken)
             y, told = _dual(q.y0, along.y0, some), np.zeros(1, np.int64)
-            at_times, event_t = np.full((len(times), n, size), np.nan), np.full((k, size), np.nan)
-            event_y = np.full((k, 2, n, size), np.nan)
+            at_times, event_y, event_t = (np.full((*x, size), np.nan) for x in shapes[1:])
             stopped = program.propagate_tangents(
                 steps.span, steps.mode, steps.powers, t, kinds, states, np.empty((0, n)), *case,
                 *rows, corners, _dual(p, along.p, some), _dual(q.ratio, along.ratio, some)[None],
@@ -328,11 +310,11 @@ class Motion:
             )  # fmt: skip
             if stopped:
                 y[:] = np.nan
-            told_of = slice(1, 1 + len(some))
-            yield _Carried(
-                y[..., told_of], at_times[..., told_of], event_y[..., told_of],
-                event_t[..., told_of], stopped, int(told[0]),
-            )  # fmt: skip
+            if first == 0:
+                why, at = stopped, int(told[0])
+            for array, part in zip(whole, (y, at_times, event_y, event_t), strict=True):
+                array[..., some] = part[..., 1 : 1 + len(some)]
+        return _Carried(whole[0], whole[1], whole[2], whole[3], why, at)
 
     def said_of(self, carried: _Carried) -> str:
         """Why derivatives end before the motion does, or nothing."""

@@ -1,16 +1,15 @@
 """Structures of contacts and elements: the class that users declare."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Self
 
 import sympy as sp
 
 from rockeom.numbers import explained
 from rockeom.numbers.checks import require_word
+from rockeom.symbolic.checks.common import naming
 from rockeom.symbolic.checks.contacts import check_items
 from rockeom.symbolic.checks.declaration import check
 from rockeom.symbolic.contacts import Contact, ContactDeclaration, Rigid
@@ -25,8 +24,7 @@ from rockeom.symbolic.rocking import Declared, RockingModel
 _LISTS = ("parameters", "coordinates", "bodies", "contacts", "elements", "forces", "members")
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True, kw_only=True)
 class Model(Declared, ContactDeclaration):
     """Structure that is free to move but for its contacts and elements.
@@ -96,7 +94,7 @@ class Model(Declared, ContactDeclaration):
         contacts: Mapping[str, tuple[Any, Rigid]] | Iterable[Contact] = (),
         outlines: Mapping[Any, Outline] | None = None,
         **declared: Any,
-    ) -> Model:
+    ) -> Self:
         """Model of bodies of `sympy.physics.mechanics` that move in one plane.
 
         Positions follow from the points, rotations from the orientation of the frames; velocities
@@ -154,9 +152,12 @@ class Model(Declared, ContactDeclaration):
                 contacts={"left": (A, Rigid()), "right": (B, Rigid())},
             )
         """
-        writer = mechanics.Writer(declared.get("name", "model"), coordinates, frame, origin)
+        name = declared.get("name", "model")
         declared |= {"gravity": gravity, "rotation": rotation}
-        return cls(**writer.declaration(bodies, parameters, contacts, outlines or {}, declared))
+        with naming(name):
+            writer = mechanics.Writer(name, coordinates, frame, origin)
+            items = writer.declaration(bodies, parameters, contacts, outlines or {}, declared)
+        return cls(**items)
 
     def __post_init__(self) -> None:
         for name in _LISTS:
@@ -166,7 +167,7 @@ class Model(Declared, ContactDeclaration):
         _ = self.reduced
 
     @cached_property
-    def reduced(self) -> Model | RockingModel:
+    def reduced(self) -> Self | RockingModel:
         """The model itself, or with pinned feet the model of the coordinates that they leave free.
 
         That is a RockingModel with equations of its own, such as

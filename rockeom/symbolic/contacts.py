@@ -21,8 +21,7 @@ from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import Body, Coordinate, InternalVariable, Member, Parameter, Point
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Rigid:
     """Rigid contact: it opens, sticks or slips.
@@ -117,8 +116,7 @@ class Rigid:
         return self.friction is not None and bool(sp.sympify(self.friction).is_zero)
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Pinned(Rigid):
     """Law of a pair of feet that open, and neither slip nor bounce at any force.
@@ -135,8 +133,7 @@ class Pinned(Rigid):
     tangential: sp.Expr | None = field(default=None, init=False, repr=False)
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Contact:
     """Point that may close.

@@ -13,7 +13,7 @@ from typing import ClassVar, NamedTuple, Self
 import sympy as sp
 
 from rockeom.numbers import explained
-from rockeom.numbers.checks import InputError
+from rockeom.numbers.checks import require
 from rockeom.symbolic import valid
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.model import Coordinate, InternalVariable, Point, internal_variable
@@ -42,8 +42,7 @@ class Ending(NamedTuple):
     back: int | None = None
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Unilateral:
     """Spring and damper that press, k d + c d', while d and that sum are positive.
@@ -161,8 +160,7 @@ class Unilateral:
         }
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Yielding:
     """Bar or tendon that is elastic up to a strength, and then yields.
@@ -222,8 +220,7 @@ class Yielding:
                 raise ValueError(
                     f"{what}: its {item} is zero: give a positive one, or leave it out"
                 )
-        if not isinstance(self.slack, bool):
-            raise InputError("slack", self.slack, what).give("True or False")
+        require(isinstance(self.slack, bool), what, "slack", self.slack, "give True or False")
         z = internal_variable(
             f"z_{self.name}", f"{self.name}_extension", "m", f"permanent extension of {self.name}"
         )
@@ -345,8 +342,7 @@ class Yielding:
         }
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Spring:
     """Spring and damper that always act: a storey's columns, a bearing, a tendon that is tight.

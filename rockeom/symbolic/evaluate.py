@@ -1,7 +1,5 @@
 """Vectorised NumPy functions of a model, for notebooks and for checks of the generated code."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 
@@ -17,6 +15,27 @@ from rockeom.symbolic.reactions import reactions
 Function = Callable[[Sequence], np.ndarray]
 Table = tuple[tuple[str, ...], Function]
 """Names, and the function that gives their values."""
+
+
+class _Opening:
+    """Acceleration with which a rocking mode would open from closed and at rest."""
+
+    def __init__(self, model: HybridModel, transition: Transition, given: list[sp.Symbol]) -> None:
+        rotation, target = model.rotation, transition.target
+        mode, equations = model.mode(target), model.equations(target)
+        closed = {rotation.position: 0, rotation.velocity: 0}
+
+        def still(m: sp.Matrix) -> sp.Matrix:
+            return m.applyfunc(lambda e: model.in_mode(e, target).subs(closed))
+
+        self._side = mode.side_of(target)
+        self._row = [c.name for c in mode.coordinates].index(rotation.name)
+        self._mass_matrix = array_function(given, still(equations.mass_matrix))
+        self._forcing = array_function(given, still(equations.forcing))
+
+    def __call__(self, values: Sequence) -> np.ndarray:
+        found = _solved(self._mass_matrix(values), self._forcing(values))
+        return self._side * found[self._row]
 
 
 class NumpyMode:
@@ -84,14 +103,8 @@ class NumpyMode:
 
     @cached_property
     def _energies(self) -> Table:
-        equations = self._mode.equations
-        return self._table(
-            {
-                "kinetic_energy": equations.kinetic_energy,
-                "gravitational_energy": equations.gravitational_energy,
-                "elastic_energy": equations.elastic_energy,
-            }
-        )
+        names = ("kinetic_energy", "gravitational_energy", "elastic_energy")
+        return self._table({name: getattr(self._mode.equations, name) for name in names})
 
     @cached_property
     def _reactions(self) -> Table:
@@ -320,27 +333,6 @@ class NumpyMode:
 
     def __repr__(self) -> str:
         return f"<NumpyMode {self.name!r} of {', '.join(self.states)}>"
-
-
-class _Opening:
-    """Acceleration with which a rocking mode would open from closed and at rest."""
-
-    def __init__(self, model: HybridModel, transition: Transition, given: list[sp.Symbol]) -> None:
-        rotation, target = model.rotation, transition.target
-        mode, equations = model.mode(target), model.equations(target)
-        closed = {rotation.position: 0, rotation.velocity: 0}
-
-        def still(m: sp.Matrix) -> sp.Matrix:
-            return m.applyfunc(lambda e: model.in_mode(e, target).subs(closed))
-
-        self._side = mode.side_of(target)
-        self._row = [c.name for c in mode.coordinates].index(rotation.name)
-        self._mass_matrix = array_function(given, still(equations.mass_matrix))
-        self._forcing = array_function(given, still(equations.forcing))
-
-    def __call__(self, values: Sequence) -> np.ndarray:
-        found = _solved(self._mass_matrix(values), self._forcing(values))
-        return self._side * found[self._row]
 
 
 def numpy_functions(model: HybridModel) -> dict[str, NumpyMode]:

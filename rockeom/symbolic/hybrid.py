@@ -14,20 +14,12 @@ from typing import Protocol
 
 import sympy as sp
 
+from rockeom.symbolic import model
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.elements import switch_of
 from rockeom.symbolic.impulse import ImpulseMap, OnSide, derive_impulse_map, rigid_velocity_ratio
 from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.mode import Mode, Transition
-from rockeom.symbolic.model import (
-    Body,
-    Coordinate,
-    Definition,
-    InternalVariable,
-    Member,
-    NamedFunction,
-    Parameter,
-)
 from rockeom.symbolic.modes.every import Modes, derive_modes
 
 
@@ -97,18 +89,18 @@ class HybridModel:
 
     name: str
     title: str
-    parameters: tuple[Parameter, ...]
-    coordinates: tuple[Coordinate, ...]
+    parameters: tuple[model.Parameter, ...]
+    coordinates: tuple[model.Coordinate, ...]
     modes: tuple[Mode, ...]
     transitions: tuple[Transition, ...]
-    rotation: Coordinate
+    rotation: model.Coordinate
     overturning: sp.Expr = sp.pi / 2
-    definitions: tuple[Definition, ...] = ()
+    definitions: tuple[model.Definition, ...] = ()
     rigid_velocity_ratio: sp.Expr | None = None
     reference: str = ""
-    functions: tuple[NamedFunction, ...] = ()
-    members: tuple[Member, ...] = ()
-    falls: Mapping[Coordinate, sp.Expr] = field(default_factory=dict, hash=False)
+    functions: tuple[model.NamedFunction, ...] = ()
+    members: tuple[model.Member, ...] = ()
+    falls: Mapping[model.Coordinate, sp.Expr] = field(default_factory=dict, hash=False)
     search: Search | None = None
 
     @property
@@ -127,12 +119,12 @@ class HybridModel:
         return tuple(sorted(names, key=lambda n: ("left" not in n, "both" not in n, n)))
 
     @property
-    def internal(self) -> Mapping[InternalVariable, sp.Expr]:
+    def internal(self) -> Mapping[model.InternalVariable, sp.Expr]:
         """Internal variables with their rates."""
         return {} if self.search is None else self.search.of.internal
 
     @property
-    def integrated(self) -> tuple[Coordinate, ...]:
+    def integrated(self) -> tuple[model.Coordinate, ...]:
         """The coordinates, and the integral of each internal variable behind them."""
         return self.coordinates + (() if self.search is None else self.search.of.integrals)
 
@@ -152,7 +144,7 @@ class HybridModel:
         return tuple(switch_of(i) for i in range(len(self.search.of.switching)))
 
     @property
-    def bodies(self) -> tuple[Body, ...]:
+    def bodies(self) -> tuple[model.Body, ...]:
         """The same in all modes but for where they are."""
         return self.modes[0].bodies
 
@@ -316,7 +308,7 @@ class HybridModel:
 
 
 @lru_cache(maxsize=4096)  # the same guards and energies are needed in many modes
-def _written_out(functions: tuple[NamedFunction, ...], expr: sp.Expr) -> sp.Expr:
+def _written_out(functions: tuple[model.NamedFunction, ...], expr: sp.Expr) -> sp.Expr:
     for function in reversed(functions):
         if function.symbol.is_Symbol:
             expr = expr.xreplace({function.symbol: function.value})

@@ -4,12 +4,10 @@ A `Mode` serves one set of closed contacts, or two that are mirror images. From 
 and dampers follow its equations of motion.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import sympy as sp
 
@@ -214,7 +212,7 @@ class Mode:
         numbers = {switch.symbol: sp.Integer(on) for switch, on in states}
         return sp.sympify(expr).xreplace(numbers)
 
-    def of_each_state(self) -> list[Mode]:
+    def of_each_state(self) -> list[Self]:
         """Equations of motion once for each state of the switches, these put in as numbers.
 
         Returns

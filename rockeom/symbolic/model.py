@@ -20,8 +20,7 @@ GROUND_X, GROUND_Y = sp.symbols("a_x a_y", real=True)
 """Horizontal and vertical ground acceleration [m/s2], positive to the right and upwards."""
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Parameter:
     """Constant of a structure. It has no default: physics is never assumed silently.
@@ -113,8 +112,7 @@ class NamedFunction:
         valid.laws(what, symbol=self.symbol)
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Coordinate:
     """Generalised coordinate with its velocity and acceleration symbols.
@@ -184,8 +182,7 @@ class InternalVariable:
         return sp.Symbol(rf"\dot{{{_tex(str(self.symbol))}}}", real=True)
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class Body:
     """Rigid body.

@@ -8,16 +8,22 @@ that foot, and `rockeom.symbolic.rocking.on_pinned_feet` derives its modes.
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import combinations
-from typing import NamedTuple, NoReturn
+from typing import NamedTuple
 
 import sympy as sp
 
 from rockeom.symbolic.algebra import SIDE, at_side, tidy
+from rockeom.symbolic.checks.common import ModelError, naming
 from rockeom.symbolic.contacts import ContactDeclaration, Pinned
 from rockeom.symbolic.lagrange import rate
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import Coordinate, Foot, Point
 from rockeom.symbolic.rocking import SIDES, RockingModel, on_pinned_feet
+
+_OR_DERIVE = (
+    "; or give feet the law Rigid(restitution=0, friction=None), which never slips and has all "
+    "modes derived"
+)
 
 
 class _Closed(NamedTuple):
@@ -45,12 +51,13 @@ def reduced(model: ContactDeclaration) -> RockingModel:
     Raises ValueError, naming the item and the remedy, where its contacts are no such pair, and
     where the coordinates that the feet leave do not move them as they must.
     """
-    _a_pair(model)
-    closed = _closed(model)
-    places = {c.name: c.at(c.side) for c in model.contacts}
-    feet = {name: closed.point((slip, gap)) for name, (gap, slip) in places.items()}
-    _stand(model, closed, feet)
-    _follow(model, closed)
+    with naming(model.name, _OR_DERIVE):
+        _a_pair(model)
+        closed = _closed(model)
+        places = {c.name: c.at(c.side) for c in model.contacts}
+        feet = {name: closed.point((slip, gap)) for name, (gap, slip) in places.items()}
+        _stand(model, closed, feet)
+        _follow(model, closed)
     rocking = Mode(
         dict(SIDES),
         closed.left,
@@ -76,45 +83,34 @@ def reduced(model: ContactDeclaration) -> RockingModel:
     )
 
 
-def _fail(model: ContactDeclaration, what: str) -> NoReturn:
-    raise ValueError(
-        f"{model.name}: {what}; or give feet the law Rigid(restitution=0, friction=None), which "
-        "never slips and has all modes derived"
-    )
-
-
 def _a_pair(model: ContactDeclaration) -> None:
     others = [c.name for c in model.contacts if not isinstance(c.law, Pinned)]
     names = ", ".join(c.name for c in model.contacts)
     if others:
-        _fail(
-            model,
+        raise ModelError(
             f"of its contacts {names} not all are Pinned(), {', '.join(others)} have another law: "
             "pinned feet are a pair, and stand alone",
         )
     if model.switching:
-        _fail(
-            model,
+        raise ModelError(
             f"the element {model.switching[0].name!r} stands next to pinned feet: declare a spring "
             "that never leaves as a Spring",
         )
     beside = [f"the force {f.name!r}" for f in model.forces]
     beside += [f"the internal variable {z.name!r}" for z in model.rates]
     if beside:
-        _fail(
-            model,
+        raise ModelError(
             f"{beside[0]} stands next to pinned feet: forces there are those of springs and "
             "dampers, and of `elastic_energy` and `dissipation`",
         )
     if sorted(c.side for c in model.contacts) != [-1, 1]:
-        _fail(
-            model,
+        raise ModelError(
             f"its pinned contacts are {names}: two feet, left and right, may be pinned, declared "
             "both by `feet(...)`",
         )
     wrong = [c.name for c in model.contacts if SIDES.get(c.name) != c.side]
     if wrong:
-        _fail(model, f"its pinned feet are called {names}: call them left and right")
+        raise ModelError(f"its pinned feet are called {names}: call them left and right")
 
 
 def _closed(model: ContactDeclaration) -> _Closed:
@@ -125,8 +121,7 @@ def _closed(model: ContactDeclaration) -> _Closed:
     heights = {c.name: tidy(c.at(c.side)[0].subs(upright)) for c in model.contacts}
     if any(height != 0 for height in heights.values()):
         found = ", ".join(f"{height} of {name!r}" for name, height in heights.items())
-        _fail(
-            model,
+        raise ModelError(
             f"where all coordinates are zero the gaps of its pinned feet are {found}: both must "
             "stand on the ground there, at one height",
         )
@@ -142,8 +137,7 @@ def _closed(model: ContactDeclaration) -> _Closed:
         put = {c.position: e for c, e in zip(pair, places, strict=True)}
         put |= {c.velocity: rate(e, left) for c, e in zip(pair, places, strict=True)}
         return _Closed(pair, left, share, put)
-    _fail(
-        model,
+    raise ModelError(
         "no two coordinates are fixed by the gap and the slip of a pinned foot: declare the place "
         "of the base by two, in which both are linear, besides the rotation",
     )
@@ -155,8 +149,7 @@ def _stand(model: ContactDeclaration, closed: _Closed, feet: Mapping[str, Point]
     upright = {c.position: 0 for c in model.coordinates}
     left, right = (at_side(feet[foot][0], 1).subs(upright) for foot in ("left", "right"))
     if tidy(right - left).is_nonpositive:
-        _fail(
-            model,
+        raise ModelError(
             f"upright its left foot is at {tidy(left)} and the right one at {tidy(right)}: their "
             "slip must be their place along the ground, which grows to the right",
         )
@@ -167,14 +160,12 @@ def _stand(model: ContactDeclaration, closed: _Closed, feet: Mapping[str, Point]
             others = [x for x in closed.left if x != model.rotation]
             moved = [x.name for x in others if here.has(x.position)]
             if moved:
-                _fail(
-                    model,
+                raise ModelError(
                     f"with the other foot pinned the {item} of the {c.name} one changes with "
                     f"{', '.join(moved)}: under pinned feet the rotation alone may move it",
                 )
             if tidy(here.subs(theta, 0) - stood) != 0:
-                _fail(
-                    model,
+                raise ModelError(
                     f"where {model.rotation.name!r} is zero and the other foot pinned, the {item} "
                     f"of the {c.name} one is {tidy(here.subs(theta, 0))} instead of {stood}: "
                     "measure the rotation from where both feet stand",
@@ -191,8 +182,7 @@ def _follow(model: ContactDeclaration, closed: _Closed) -> None:
         of_place = any(sp.sympify(e).has(c.position) for e in given for c in closed.coordinates)
         if of_place or any(tidy(e) != 0 for e in carried - closed.share):
             names = " and ".join(c.name for c in closed.coordinates)
-            _fail(
-                model,
+            raise ModelError(
                 f"{names} do not move body {b.name!r} as they move the pinned feet: their ground "
                 "is level and carries all masses",
             )
@@ -200,13 +190,7 @@ def _follow(model: ContactDeclaration, closed: _Closed) -> None:
 
 def _beside(model: ContactDeclaration, closed: _Closed) -> Point:
     """Force of the ground where springs and dampers reach it, elsewhere than at the feet."""
-    slopes = sp.Matrix(
-        1, 2,
-        [
-            sp.diff(model.free.stored_energy, c.position)
-            + sp.diff(model.free.dissipation_function, c.velocity)
-            for c in closed.coordinates
-        ],
-    )  # fmt: skip
-    right, up = (tidy(closed(-e)) for e in slopes * closed.share.inv())
+    stored, lost = model.free.stored_energy, model.free.dissipation_function
+    slopes = [sp.diff(stored, c.position) + sp.diff(lost, c.velocity) for c in closed.coordinates]
+    right, up = (tidy(closed(-e)) for e in sp.Matrix(1, 2, slopes) * closed.share.inv())
     return right, up

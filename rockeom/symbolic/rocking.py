@@ -1,10 +1,8 @@
 """Structures that rock on declared modes: their class, and the two modes on pinned feet."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, TypedDict, Unpack
+from typing import Any, Self, TypedDict, Unpack
 
 import sympy as sp
 
@@ -83,8 +81,7 @@ class Declared:
         return markdown_page(self.hybrid)
 
 
-@explained.attributes()
-@explained.calls()
+@explained.record()
 @dataclass(frozen=True)
 class RockingModel(HybridModel, Declared):
     """Structure: parameters, coordinates, modes and the transitions between them.
@@ -133,7 +130,7 @@ class RockingModel(HybridModel, Declared):
         check(self)
 
     @property
-    def reduced(self) -> RockingModel:
+    def reduced(self) -> Self:
         """Itself, as a `Model` on pinned feet has it."""
         return self
 

@@ -12,7 +12,7 @@ from typing import Any
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-from rockeom.numbers.checks import InputError
+from rockeom.numbers.checks import InputError, require
 
 LONGEST = 100
 """Letters of a name: files are called by it."""
@@ -46,8 +46,7 @@ def expressions(what: str, **items: Any) -> None:
             raise InputError(item, value, what).give(
                 "a number or a SymPy expression, such as `parameter(...).symbol`"
             )
-        if sp.sympify(value).has(sp.nan, sp.zoo):
-            raise InputError(item, value, what).give("a finite value")
+        require(not sp.sympify(value).has(sp.nan, sp.zoo), what, item, value, "give a finite value")
 
 
 def points(what: str, **items: Any) -> None:
@@ -70,8 +69,7 @@ def corners(what: str, outline: Any) -> None:
 
 def symbols(what: str, **items: Any) -> None:
     for item, value in items.items():
-        if not isinstance(value, sp.Symbol):
-            raise InputError(item, value, what).give("a SymPy symbol")
+        require(isinstance(value, sp.Symbol), what, item, value, "give a SymPy symbol")
         _typeset(what, value.name)
 
 
@@ -89,8 +87,7 @@ def _typeset(what: str, name: str) -> None:
 
 def texts(what: str, **items: Any) -> None:
     for item, value in items.items():
-        if not isinstance(value, str):
-            raise InputError(item, value, what).give("a text")
+        require(isinstance(value, str), what, item, value, "give a text")
         for mathematics in re.findall(r"\$([^$]*)\$", value):
             unknown = set(re.findall(r"\\[A-Za-z]+", mathematics)) - _NOTATION - _LETTERS
             if unknown or "^^" in mathematics:
@@ -108,8 +105,7 @@ def name(what: str, name: Any) -> None:
             f"not begin with a digit, and have 1 to {LONGEST} letters"
         )
     plain = unicodedata.normalize("NFKC", name)
-    if name != plain:
-        raise InputError("name", name, what).give(f"what Python reads, {plain!r}")
+    require(name == plain, what, "name", name, f"give what Python reads, {plain!r}")
 
 
 def not_negative(what: str, **items: Any) -> None:

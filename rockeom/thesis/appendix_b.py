@@ -5,38 +5,12 @@ Typed by hand from the thesis, in its own symbols; see chapter_4.py for the unit
 
 from sympy import Abs, Add, Expr, Float, Integral, Mul, Pow, Rational, cos, sin
 
+from rockeom.thesis import notation as th
 from rockeom.thesis.chapter_4 import LEVEL, REACH
-from rockeom.thesis.equation import POSITIVE, Equation, Kind, Relations, says
-from rockeom.thesis.notation import (
-    L_T,
-    A_tendon,
-    B,
-    Delta,
-    Delta_d,
-    E_k_of,
-    E_tendon,
-    H,
-    I_o,
-    P_tendon,
-    U_E_of,
-    U_of,
-    d_lifted,
-    energy_stored,
-    extension,
-    g,
-    k,
-    m_T,
-    theta,
-    theta_d,
-    u_edge,
-    u_tendon,
-    x,
-    x_1,
-    x_2,
-)
+from rockeom.thesis.equation import POSITIVE, Kind, Relations, says, section
 
-RISE = Abs(Delta) / LEVEL * REACH - B * Abs(Delta) / H
-STIFFNESS = E_tendon * A_tendon / L_T
+RISE = Abs(th.Delta) / LEVEL * REACH - th.B * Abs(th.Delta) / th.H
+STIFFNESS = th.E_tendon * th.A_tendon / th.L_T
 BEFORE, AT_YIELD = Float("6.4564"), Float("13.5814")
 """Extension of the tendon at 75.6 kN, and at yield [mm]."""
 
@@ -48,125 +22,96 @@ def _kept(kind: type[Expr], *parts: Expr) -> Expr:
 
 def inertia(added_mass_from: Expr) -> Relations:
     """B-9, with the horizontal distance of the added mass from O."""
-    wall = _kept(Mul, Float("577.56"), (H**2 + d_lifted**2) / 3)
+    wall = _kept(Mul, Float("577.56"), (th.H**2 + th.d_lifted**2) / 3)
     height = _kept(Pow, Float("2.537"), 2)
     added = _kept(Mul, Float("1438.5"), _kept(Add, height, added_mass_from**2))
-    return says(I_o, _kept(Add, _kept(Add, 686, wall), _kept(Add, 442, added)))
+    return says(th.I_o, _kept(Add, _kept(Add, 686, wall), _kept(Add, 442, added)))
 
 
-APPENDIX_B: tuple[Equation, ...] = (
-    Equation(
+POTENTIAL_ENERGY = section(
+    "B.1",
+    Kind.CLOSED_FORM(
         "B-1",
-        "B.1",
-        Kind.CLOSED_FORM,
         "uplift of the base at the tendon, on the centreline",
-        says(u_tendon, u_edge - B * sin(theta)),
+        says(th.u_tendon, th.u_edge - th.B * sin(th.theta)),
         sides=POSITIVE,
     ),
-    Equation(
-        "B-2",
-        "B.1",
-        Kind.CLOSED_FORM,
-        "B-1 by the displacement",
-        says(u_tendon, u_edge - B * Abs(Delta) / H),
+    Kind.CLOSED_FORM(
+        "B-2", "B-1 by the displacement", says(th.u_tendon, th.u_edge - th.B * Abs(th.Delta) / th.H)
     ),
-    Equation(
-        "B-3",
-        "B.1",
-        Kind.CLOSED_FORM,
-        "B-2 with 4-9",
-        says(u_tendon, RISE),
-    ),
-    Equation(
+    Kind.CLOSED_FORM("B-3", "B-2 with 4-9", says(th.u_tendon, RISE)),
+    Kind.APPROXIMATION(
         "B-4",
-        "B.1",
-        Kind.APPROXIMATION,
         "gravitational energy, as 4-18",
-        says(U_of, m_T * g * RISE),
+        says(th.U_of, th.m_T * th.g * RISE),
         remark="In mJ where lengths are in mm.",
     ),
-    Equation(
-        "B-5",
-        "B.2",
-        Kind.DEFINITION,
-        "rotation by the displacement",
-        says(sin(theta), Delta / H),
+)
+
+KINETIC_ENERGY = section(
+    "B.2",
+    Kind.DEFINITION("B-5", "rotation by the displacement", says(sin(th.theta), th.Delta / th.H)),
+    Kind.CLOSED_FORM(
+        "B-6", "its rate", says(th.theta_d, th.Delta_d / (th.H * cos(th.theta)), th.Delta_d / LEVEL)
     ),
-    Equation(
-        "B-6",
-        "B.2",
-        Kind.CLOSED_FORM,
-        "its rate",
-        says(theta_d, Delta_d / (H * cos(theta)), Delta_d / LEVEL),
-    ),
-    Equation(
-        "B-7",
-        "B.2",
-        Kind.APPROXIMATION,
-        "the same for a small rotation",
-        says(theta_d, Delta_d / H),
-    ),
-    Equation(
+    Kind.APPROXIMATION("B-7", "the same for a small rotation", says(th.theta_d, th.Delta_d / th.H)),
+    Kind.APPROXIMATION(
         "B-8",
-        "B.2",
-        Kind.APPROXIMATION,
         "kinetic energy, as 4-19",
-        says(E_k_of, Rational(1, 2) / H**2 * I_o * Delta_d**2),
+        says(th.E_k_of, Rational(1, 2) / th.H**2 * th.I_o * th.Delta_d**2),
     ),
-    Equation(
+    Kind.DEFINITION(
         "B-9",
-        "B.2",
-        Kind.DEFINITION,
         "moment of inertia about the centre of rotation, of the wall and of the added mass",
-        inertia(d_lifted),
-        inertia(d_lifted - B),
+        inertia(th.d_lifted),
+        inertia(th.d_lifted - th.B),
         "The added mass stands on the centreline, at the distance d - B from O. As printed the "
         "migration would change I_o by 7 %, and I_o/R by 8 %, where the text says 3 % and less "
         "than 2 %; and r of 2-6 would not be the 0.835 of section 4.9.2.1.",
-        excess=(Float("1438.5") * B * (2 * d_lifted - B),),
+        excess=(Float("1438.5") * th.B * (2 * th.d_lifted - th.B),),
         remark="Lengths in m. The text does not say what the 686 kg m2 are.",
     ),
-    Equation(
+)
+
+TENDON_ENERGY = section(
+    "B.3",
+    Kind.DEFINITION(
         "B-10",
-        "B.3",
-        Kind.DEFINITION,
         "elastic energy stored between two extensions",
-        says(energy_stored, Integral(k * x, (x, x_1, x_2))),
+        says(th.energy_stored, Integral(th.k * th.x, (th.x, th.x_1, th.x_2))),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "B-11",
-        "B.3",
-        Kind.CLOSED_FORM,
         "extension of the tendon by its force",
-        says(x_2, P_tendon * L_T / (E_tendon * A_tendon)),
+        says(th.x_2, th.P_tendon * th.L_T / (th.E_tendon * th.A_tendon)),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "B-12",
-        "B.3",
-        Kind.CLOSED_FORM,
         "elastic energy of the tendon before it yields",
         says(
-            U_E_of,
-            Integral(STIFFNESS * x, (x, BEFORE, P_tendon * L_T / (E_tendon * A_tendon))),
-            L_T / (2 * E_tendon * A_tendon) * P_tendon**2 - Float("244.050"),
+            th.U_E_of,
+            Integral(
+                STIFFNESS * th.x, (th.x, BEFORE, th.P_tendon * th.L_T / (th.E_tendon * th.A_tendon))
+            ),
+            th.L_T / (2 * th.E_tendon * th.A_tendon) * th.P_tendon**2 - Float("244.050"),
         ),
         remark="The line between the two has 6.4564E-03, which is the same in metres.",
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "B-13",
-        "B.3",
-        Kind.CLOSED_FORM,
         "elastic energy of the tendon after it has yielded",
         says(
-            U_E_of,
+            th.U_E_of,
             _kept(
                 Add,
-                Integral(STIFFNESS * x, (x, BEFORE, AT_YIELD)),
-                _kept(Mul, Float("159.03"), extension - (AT_YIELD - BEFORE)),
+                Integral(STIFFNESS * th.x, (th.x, BEFORE, AT_YIELD)),
+                _kept(Mul, Float("159.03"), th.extension - (AT_YIELD - BEFORE)),
             ),
-            Float("159.03") * extension - Float("297.22"),
+            Float("159.03") * th.extension - Float("297.22"),
         ),
         remark="For a displacement that grows. 159.03 kN are 900 MPa on 176.7 mm2; section 4.2 "
         "has 160 kN and 177 mm2.",
     ),
 )
+
+APPENDIX_B = (*POTENTIAL_ENERGY, *KINETIC_ENERGY, *TENDON_ENERGY)

@@ -6,156 +6,114 @@ pivot of its side: O for theta > 0, O' for theta < 0.
 
 from sympy import Derivative, Matrix, Rational, cos, sign, sin
 
+from rockeom.thesis import notation as th
 from rockeom.thesis.chapter_5 import THETA_OF_MODEL_C, U_OF_MODEL_C
-from rockeom.thesis.equation import NEGATIVE, POSITIVE, Equation, Kind, says
-from rockeom.thesis.notation import (
-    DISSIPATION,
-    LAGRANGIAN,
-    PM,
-    A_angle,
-    B_angle,
-    F_nc,
-    I_bg,
-    I_eg,
-    L,
-    M_matrix,
-    Q_i,
-    Q_theta,
-    Q_u,
-    R_b,
-    R_e,
-    T,
-    T_b,
-    T_e,
-    V,
-    a_g,
-    alpha_b,
-    alpha_e,
-    c,
-    f_1,
-    f_2,
-    f_column,
-    g,
-    k,
-    m_b,
-    m_e,
-    q_t,
-    r_b,
-    r_e,
-    t,
-    theta,
-    theta_d,
-    theta_dd,
-    u,
-    u_d,
-    u_dd,
-    v_b,
-    v_e,
-    y_1,
-    y_1d,
-    y_2,
-    y_2d,
-    y_3,
-    y_3d,
-    y_4,
-    y_4d,
-    y_d_column,
-)
+from rockeom.thesis.equation import NEGATIVE, POSITIVE, Kind, says, section
+from rockeom.thesis.notation import R_b, R_e, alpha_b, alpha_e, m_b, m_e, theta, theta_d, u, u_d
 
 X_E = -R_e * sin(alpha_e - theta) + u * cos(theta)
 X_B = -R_b * sin(alpha_b - theta)
 
-D_8_BRACKETS = (
-    Rational(1, 2)
-    * m_e
-    * (
-        (R_e * theta_d * cos(alpha_e - theta) - theta_d * u * sin(theta) + u_d * cos(theta)) ** 2
-        + (R_e * theta_d * sin(alpha_e - theta) - theta_d * u * cos(theta) + u_d * sin(theta)) ** 2
-    )
-    + Rational(1, 2) * I_eg * theta_d**2
-)
-D_8_BRACKETS_CORRECTED = (
-    Rational(1, 2)
-    * m_e
-    * (
-        (R_e * theta_d * cos(alpha_e - theta) - theta_d * u * sin(theta) + u_d * cos(theta)) ** 2
-        + (R_e * theta_d * sin(alpha_e - theta) - theta_d * u * cos(theta) - u_d * sin(theta)) ** 2
-    )
-    + Rational(1, 2) * I_eg * theta_d**2
-)
-# The last line of D-8, the square of each bracket by itself: slips that cancel between the two
-# are seen only there.
-D_8_SQUARES = (
-    R_e**2 * theta_d**2 * cos(alpha_e - theta) ** 2
-    - 2 * R_e * u * theta_d**2 * sin(theta) * cos(alpha_e - theta)
-    + 2 * u_d * R_e * theta_d * cos(alpha_e - theta) * cos(theta)
-    + u**2 * theta_d**2 * sin(theta) ** 2
-    - 2 * u * u_d * sin(theta) * cos(theta)
-    + u_d**2 * cos(theta) ** 2,
-    R_e**2 * theta_d**2 * sin(alpha_e - theta) ** 2
-    - 2 * R_e * u * theta_d**2 * cos(theta) * sin(alpha_e - theta)
-    - 2 * u_d * R_e * theta_d * sin(alpha_e - theta) * sin(theta)
-    + u**2 * theta_d**2 * cos(theta) ** 2
-    + 2 * u * u_d * sin(theta) * cos(theta)
-    + u_d**2 * cos(theta) ** 2,
-)
-D_8_SQUARES_CORRECTED = (
-    R_e**2 * theta_d**2 * cos(alpha_e - theta) ** 2
-    - 2 * R_e * u * theta_d**2 * sin(theta) * cos(alpha_e - theta)
-    + 2 * u_d * R_e * theta_d * cos(alpha_e - theta) * cos(theta)
-    + u**2 * theta_d**2 * sin(theta) ** 2
-    - 2 * u * u_d * theta_d * sin(theta) * cos(theta)
-    + u_d**2 * cos(theta) ** 2,
-    R_e**2 * theta_d**2 * sin(alpha_e - theta) ** 2
-    - 2 * R_e * u * theta_d**2 * cos(theta) * sin(alpha_e - theta)
-    - 2 * u_d * R_e * theta_d * sin(alpha_e - theta) * sin(theta)
-    + u**2 * theta_d**2 * cos(theta) ** 2
-    + 2 * u * u_d * theta_d * sin(theta) * cos(theta)
-    + u_d**2 * sin(theta) ** 2,
-)
 
-T_E = (
-    Rational(1, 2)
-    * m_e
-    * (
-        R_e**2 * theta_d**2
-        + u**2 * theta_d**2
-        + u_d**2
-        - 2 * R_e * u * theta_d**2 * sin(alpha_e)
-        + 2 * u_d * R_e * theta_d * cos(alpha_e)
+def kinetic(mass, squared_speed, inertia):
+    """Kinetic energy of one of the masses."""
+    return Rational(1, 2) * mass * squared_speed + Rational(1, 2) * inertia * theta_d**2
+
+
+def d_8_brackets(sign):
+    """The first line of D-8, with the sign of u' sin(theta) in its second bracket."""
+    return kinetic(
+        m_e,
+        (R_e * theta_d * cos(alpha_e - theta) - theta_d * u * sin(theta) + u_d * cos(theta)) ** 2
+        + (
+            R_e * theta_d * sin(alpha_e - theta)
+            - theta_d * u * cos(theta)
+            + sign * u_d * sin(theta)
+        )
+        ** 2,
+        th.I_eg,
     )
-    + Rational(1, 2) * I_eg * theta_d**2
+
+
+def d_8_squares(rate, last):
+    """The last line of D-8, the square of each bracket by itself.
+
+    Slips that cancel between the two are seen only there: `rate` stands for theta' in both terms
+    of u u', and `last` is the function squared in the last one.
+    """
+    return (
+        R_e**2 * theta_d**2 * cos(alpha_e - theta) ** 2
+        - 2 * R_e * u * theta_d**2 * sin(theta) * cos(alpha_e - theta)
+        + 2 * u_d * R_e * theta_d * cos(alpha_e - theta) * cos(theta)
+        + u**2 * theta_d**2 * sin(theta) ** 2
+        - 2 * u * u_d * rate * sin(theta) * cos(theta)
+        + u_d**2 * cos(theta) ** 2,
+        R_e**2 * theta_d**2 * sin(alpha_e - theta) ** 2
+        - 2 * R_e * u * theta_d**2 * cos(theta) * sin(alpha_e - theta)
+        - 2 * u_d * R_e * theta_d * sin(alpha_e - theta) * sin(theta)
+        + u**2 * theta_d**2 * cos(theta) ** 2
+        + 2 * u * u_d * rate * sin(theta) * cos(theta)
+        + u_d**2 * last(theta) ** 2,
+    )
+
+
+T_E = kinetic(
+    m_e,
+    R_e**2 * theta_d**2
+    + u**2 * theta_d**2
+    + u_d**2
+    - 2 * R_e * u * theta_d**2 * sin(alpha_e)
+    + 2 * u_d * R_e * theta_d * cos(alpha_e),
+    th.I_eg,
 )
-T_B_FIRST = (
-    Rational(1, 2)
-    * m_b
-    * ((R_b * theta_d * cos(alpha_b - theta)) ** 2 + (R_b * theta_d * sin(alpha_b - theta)) ** 2)
-    + Rational(1, 2) * I_bg * theta_d**2
+T_B_FIRST = kinetic(
+    m_b,
+    (R_b * theta_d * cos(alpha_b - theta)) ** 2 + (R_b * theta_d * sin(alpha_b - theta)) ** 2,
+    th.I_bg,
 )
-T_B = Rational(1, 2) * m_b * R_b * theta_d**2 + Rational(1, 2) * I_bg * theta_d**2
-T_B_CORRECTED = Rational(1, 2) * m_b * R_b**2 * theta_d**2 + Rational(1, 2) * I_bg * theta_d**2
+T_B = kinetic(m_b, R_b * theta_d**2, th.I_bg)
+T_B_CORRECTED = kinetic(m_b, R_b**2 * theta_d**2, th.I_bg)
 V_OF_MODEL_C = (
-    m_e * g * (R_e * cos(alpha_e - theta) - u * sin(theta))
-    + m_b * g * (R_b * cos(alpha_b - theta))
-    + Rational(1, 2) * k * u**2
+    m_e * th.g * (R_e * cos(alpha_e - theta) - u * sin(theta))
+    + m_b * th.g * (R_b * cos(alpha_b - theta))
+    + Rational(1, 2) * th.k * u**2
 )
 
-STEPS = (
-    Equation(
+
+def rotation_of_model_c(side, sway):
+    """D-19 or D-23, by the sign of theta and that of u cos(theta) in the gravity term."""
+    return says(
+        (
+            m_e * R_e**2
+            + m_e * u**2
+            - side * 2 * m_e * u * R_e * sin(alpha_e)
+            + th.I_eg
+            + m_b * R_b**2
+            + th.I_bg
+        )
+        * th.theta_dd
+        + (2 * m_e * u * u_d - side * 2 * m_e * u_d * R_e * sin(alpha_e)) * theta_d
+        + m_e * th.u_dd * R_e * cos(alpha_e)
+        + side * m_e * th.g * (R_e * sin(alpha_e - side * theta) + sway * u * cos(theta))
+        + side * m_b * th.g * R_b * sin(alpha_b - side * theta),
+        -m_e * th.a_g * (R_e * cos(alpha_e - side * theta) - u * sin(theta))
+        - m_b * th.a_g * R_b * cos(alpha_b - side * theta),
+    )
+
+
+STEPS = section(
+    "Appendix D",
+    Kind.DEFINITION(
         "D-1",
-        "Appendix D",
-        Kind.DEFINITION,
         "position of the superstructure from O",
-        says(r_e, Matrix([X_E, R_e * cos(alpha_e - theta) - u * sin(theta)])),
+        says(th.r_e, Matrix([X_E, R_e * cos(alpha_e - theta) - u * sin(theta)])),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-2",
-        "Appendix D",
-        Kind.DEFINITION,
         "position of the base structure from O",
-        says(r_b, Matrix([-R_b * sin(alpha_e - theta), R_b * cos(alpha_e - theta)])),
-        says(r_b, Matrix([X_B, R_b * cos(alpha_b - theta)])),
+        says(th.r_b, Matrix([-R_b * sin(alpha_e - theta), R_b * cos(alpha_e - theta)])),
+        says(th.r_b, Matrix([X_B, R_b * cos(alpha_b - theta)])),
         "alpha_e is printed for alpha_b.",
         excess=(
             R_b * (sin(alpha_b - theta) - sin(alpha_e - theta)),
@@ -163,13 +121,11 @@ STEPS = (
         ),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "D-3",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "velocity of the superstructure",
         says(
-            v_e,
+            th.v_e,
             Matrix(
                 [
                     theta_d * R_e * cos(alpha_e - theta)
@@ -183,17 +139,15 @@ STEPS = (
         ),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "D-4",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "velocity of the base structure",
         says(
-            v_b,
+            th.v_b,
             Matrix([theta_d * R_b * cos(alpha_e - theta), theta_d * R_b * sin(alpha_e - theta)]),
         ),
         says(
-            v_b,
+            th.v_b,
             Matrix([theta_d * R_b * cos(alpha_b - theta), theta_d * R_b * sin(alpha_b - theta)]),
         ),
         "alpha_e is printed for alpha_b.",
@@ -203,37 +157,25 @@ STEPS = (
         ),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-5",
-        "Appendix D",
-        Kind.DEFINITION,
         "Lagrange's equation with a dissipation function",
         says(
-            Derivative(Derivative(LAGRANGIAN(q_t, q_t.diff(t)), q_t.diff(t)), t)
-            - Derivative(LAGRANGIAN(q_t, q_t.diff(t)), q_t)
-            + Derivative(DISSIPATION(q_t.diff(t)), q_t.diff(t)),
-            Q_i,
+            Derivative(
+                Derivative(th.LAGRANGIAN(th.q_t, th.q_t.diff(th.t)), th.q_t.diff(th.t)), th.t
+            )
+            - Derivative(th.LAGRANGIAN(th.q_t, th.q_t.diff(th.t)), th.q_t)
+            + Derivative(th.DISSIPATION(th.q_t.diff(th.t)), th.q_t.diff(th.t)),
+            th.Q_i,
         ),
     ),
-    Equation("D-6", "Appendix D", Kind.DEFINITION, "Lagrangian", says(L, T - V), sides=POSITIVE),
-    Equation(
-        "D-7", "Appendix D", Kind.DEFINITION, "kinetic energy", says(T, T_e + T_b), sides=POSITIVE
-    ),
-    Equation(
+    Kind.DEFINITION("D-6", "Lagrangian", says(th.L, th.T - th.V), sides=POSITIVE),
+    Kind.DEFINITION("D-7", "kinetic energy", says(th.T, th.T_e + th.T_b), sides=POSITIVE),
+    Kind.CLOSED_FORM(
         "D-8",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "kinetic energy of the superstructure",
-        says(
-            T_e,
-            D_8_BRACKETS,
-            Rational(1, 2) * m_e * sum(D_8_SQUARES) + Rational(1, 2) * I_eg * theta_d**2,
-        ),
-        says(
-            T_e,
-            D_8_BRACKETS_CORRECTED,
-            Rational(1, 2) * m_e * sum(D_8_SQUARES_CORRECTED) + Rational(1, 2) * I_eg * theta_d**2,
-        ),
+        says(th.T_e, d_8_brackets(1), kinetic(m_e, sum(d_8_squares(1, cos)), th.I_eg)),
+        says(th.T_e, d_8_brackets(-1), kinetic(m_e, sum(d_8_squares(theta_d, sin)), th.I_eg)),
         "Four slips: + u' sin(theta) for - u' sin(theta) in the second bracket; theta' missing "
         "in both terms 2 u u' sin(theta) cos(theta); u'^2 cos(theta)^2 for u'^2 sin(theta)^2 in "
         "the square of the second bracket.",
@@ -243,157 +185,108 @@ STEPS = (
         ),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-9",
-        "Appendix D",
-        Kind.DEFINITION,
         "sine of a sum",
         says(
-            sin(A_angle + PM * B_angle),
-            sin(A_angle) * cos(B_angle) + PM * cos(A_angle) * sin(B_angle),
+            sin(th.A_angle + th.PM * th.B_angle),
+            sin(th.A_angle) * cos(th.B_angle) + th.PM * cos(th.A_angle) * sin(th.B_angle),
         ),
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-10",
-        "Appendix D",
-        Kind.DEFINITION,
         "cosine of a sum",
         says(
-            cos(A_angle + PM * B_angle),
-            cos(A_angle) * cos(B_angle) - PM * sin(A_angle) * sin(B_angle),
+            cos(th.A_angle + th.PM * th.B_angle),
+            cos(th.A_angle) * cos(th.B_angle) - th.PM * sin(th.A_angle) * sin(th.B_angle),
         ),
     ),
-    Equation(
-        "D-11",
-        "Appendix D",
-        Kind.CLOSED_FORM,
-        "kinetic energy of the superstructure",
-        says(T_e, T_E),
-        sides=POSITIVE,
+    Kind.CLOSED_FORM(
+        "D-11", "kinetic energy of the superstructure", says(th.T_e, T_E), sides=POSITIVE
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "D-12",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "kinetic energy of the base structure",
-        says(T_b, T_B_FIRST, T_B),
-        says(T_b, T_B_FIRST, T_B_CORRECTED),
+        says(th.T_b, T_B_FIRST, T_B),
+        says(th.T_b, T_B_FIRST, T_B_CORRECTED),
         "R_b is not squared in the last line.",
         excess=(0, Rational(1, 2) * m_b * (R_b - R_b**2) * theta_d**2),
         sides=POSITIVE,
     ),
-    Equation(
-        "D-13",
-        "Appendix D",
-        Kind.CLOSED_FORM,
-        "potential energy",
-        says(V, V_OF_MODEL_C),
-        sides=POSITIVE,
-    ),
-    Equation(
+    Kind.CLOSED_FORM("D-13", "potential energy", says(th.V, V_OF_MODEL_C), sides=POSITIVE),
+    Kind.CLOSED_FORM(
         "D-14",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "Lagrangian written out",
-        says(L, T_E + T_B - V_OF_MODEL_C),
-        says(L, T_E + T_B_CORRECTED - V_OF_MODEL_C),
+        says(th.L, T_E + T_B - V_OF_MODEL_C),
+        says(th.L, T_E + T_B_CORRECTED - V_OF_MODEL_C),
         "R_b is not squared in the kinetic energy of the base structure, as in D-12.",
         excess=(Rational(1, 2) * m_b * (R_b - R_b**2) * theta_d**2,),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-15",
-        "Appendix D",
-        Kind.DEFINITION,
         "dissipation function (the thesis calls it a force)",
-        says(F_nc, Rational(1, 2) * c * u_d**2),
+        says(th.F_nc, Rational(1, 2) * th.c * u_d**2),
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-16",
-        "Appendix D",
-        Kind.DEFINITION,
         "generalised forces of the d'Alembert loads -m a_g i",
         (),
         (
             *says(
-                Q_theta, -m_e * a_g * Derivative(X_E, theta) - m_b * a_g * Derivative(X_B, theta)
+                th.Q_theta,
+                -m_e * th.a_g * Derivative(X_E, theta) - m_b * th.a_g * Derivative(X_B, theta),
             ),
-            *says(Q_u, -m_e * a_g * Derivative(X_E, u) - m_b * a_g * Derivative(X_B, u)),
+            *says(th.Q_u, -m_e * th.a_g * Derivative(X_E, u) - m_b * th.a_g * Derivative(X_B, u)),
         ),
         "Not legible; the definition of a generalised force, of which D-17 and D-18 follow.",
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "D-17",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "generalised force of the rotation",
         says(
-            Q_theta,
-            -m_e * a_g * (R_e * cos(alpha_e - theta) - u * sin(theta))
-            - m_b * a_g * R_b * cos(alpha_b - theta),
+            th.Q_theta,
+            -m_e * th.a_g * (R_e * cos(alpha_e - theta) - u * sin(theta))
+            - m_b * th.a_g * R_b * cos(alpha_b - theta),
         ),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "D-18",
-        "Appendix D",
-        Kind.CLOSED_FORM,
         "generalised force of the deformation",
-        says(Q_u, -m_e * a_g * cos(theta)),
+        says(th.Q_u, -m_e * th.a_g * cos(theta)),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.MOTION(
         "D-19",
-        "Appendix D",
-        Kind.MOTION,
         "Model C for theta > 0: rotation",
         (),
-        says(
-            (
-                m_e * R_e**2
-                + m_e * u**2
-                - 2 * m_e * u * R_e * sin(alpha_e)
-                + I_eg
-                + m_b * R_b**2
-                + I_bg
-            )
-            * theta_dd
-            + (2 * m_e * u * u_d - 2 * m_e * u_d * R_e * sin(alpha_e)) * theta_d
-            + m_e * u_dd * R_e * cos(alpha_e)
-            + m_e * g * (R_e * sin(alpha_e - theta) - u * cos(theta))
-            + m_b * g * R_b * sin(alpha_b - theta),
-            -m_e * a_g * (R_e * cos(alpha_e - theta) - u * sin(theta))
-            - m_b * a_g * R_b * cos(alpha_b - theta),
-        ),
+        rotation_of_model_c(1, -1),
         "Not legible; D-5 with D-14 (corrected), D-15 and D-17.",
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.MOTION(
         "D-20",
-        "Appendix D",
-        Kind.MOTION,
         "Model C for theta > 0: deformation",
         (),
         says(
-            m_e * u_dd
-            + m_e * R_e * cos(alpha_e) * theta_dd
+            m_e * th.u_dd
+            + m_e * R_e * cos(alpha_e) * th.theta_dd
             - (m_e * u - m_e * R_e * sin(alpha_e)) * theta_d**2
-            - m_e * g * sin(theta)
-            + k * u
-            + c * u_d,
-            -m_e * a_g * cos(theta),
+            - m_e * th.g * sin(theta)
+            + th.k * u
+            + th.c * u_d,
+            -m_e * th.a_g * cos(theta),
         ),
         "Not legible; D-5 with D-14 (corrected), D-15 and D-18.",
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-21",
-        "Appendix D",
-        Kind.DEFINITION,
         "position of the superstructure from O'",
         says(
-            r_e,
+            th.r_e,
             Matrix(
                 [
                     R_e * sin(alpha_e + theta) + u * cos(theta),
@@ -403,13 +296,11 @@ STEPS = (
         ),
         sides=NEGATIVE,
     ),
-    Equation(
+    Kind.DEFINITION(
         "D-22",
-        "Appendix D",
-        Kind.DEFINITION,
         "position of the base structure from O'",
-        says(r_b, Matrix([R_b * sin(alpha_e + theta), R_b * cos(alpha_e + theta)])),
-        says(r_b, Matrix([R_b * sin(alpha_b + theta), R_b * cos(alpha_b + theta)])),
+        says(th.r_b, Matrix([R_b * sin(alpha_e + theta), R_b * cos(alpha_e + theta)])),
+        says(th.r_b, Matrix([R_b * sin(alpha_b + theta), R_b * cos(alpha_b + theta)])),
         "alpha_e is printed for alpha_b.",
         excess=(
             R_b * (sin(alpha_e + theta) - sin(alpha_b + theta)),
@@ -417,149 +308,106 @@ STEPS = (
         ),
         sides=NEGATIVE,
     ),
-    Equation(
+    Kind.MOTION(
         "D-23",
-        "Appendix D",
-        Kind.MOTION,
         "Model C for theta < 0: rotation",
-        says(
-            (
-                m_e * R_e**2
-                + m_e * u**2
-                + 2 * m_e * u * R_e * sin(alpha_e)
-                + I_eg
-                + m_b * R_b**2
-                + I_bg
-            )
-            * theta_dd
-            + (2 * m_e * u * u_d + 2 * m_e * u_d * R_e * sin(alpha_e)) * theta_d
-            + m_e * u_dd * R_e * cos(alpha_e)
-            - m_e * g * (R_e * sin(alpha_e + theta) - u * cos(theta))
-            - m_b * g * R_b * sin(alpha_b + theta),
-            -m_e * a_g * (R_e * cos(alpha_e + theta) - u * sin(theta))
-            - m_b * a_g * R_b * cos(alpha_b + theta),
-        ),
-        says(
-            (
-                m_e * R_e**2
-                + m_e * u**2
-                + 2 * m_e * u * R_e * sin(alpha_e)
-                + I_eg
-                + m_b * R_b**2
-                + I_bg
-            )
-            * theta_dd
-            + (2 * m_e * u * u_d + 2 * m_e * u_d * R_e * sin(alpha_e)) * theta_d
-            + m_e * u_dd * R_e * cos(alpha_e)
-            - m_e * g * (R_e * sin(alpha_e + theta) + u * cos(theta))
-            - m_b * g * R_b * sin(alpha_b + theta),
-            -m_e * a_g * (R_e * cos(alpha_e + theta) - u * sin(theta))
-            - m_b * a_g * R_b * cos(alpha_b + theta),
-        ),
+        rotation_of_model_c(-1, -1),
+        rotation_of_model_c(-1, 1),
         "In the gravity term the sign of u cos(theta) is wrong: a deformation u > 0 moves the "
         "weight to the right on either side, so that D-19, D-23 and D-25 alike have "
         "-m_e g u cos(theta).",
-        excess=(2 * m_e * g * u * cos(theta),),
+        excess=(2 * m_e * th.g * u * cos(theta),),
         sides=NEGATIVE,
     ),
-    Equation(
+    Kind.MOTION(
         "D-24",
-        "Appendix D",
-        Kind.MOTION,
         "Model C for theta < 0: deformation",
         says(
-            m_e * u_dd
-            + m_e * R_e * cos(alpha_e) * theta_dd
+            m_e * th.u_dd
+            + m_e * R_e * cos(alpha_e) * th.theta_dd
             - (m_e * u + m_e * R_e * sin(alpha_e)) * theta_d**2
-            - m_e * g * sin(theta)
-            + k * u
-            + c * u_d,
-            -m_e * a_g * cos(theta),
+            - m_e * th.g * sin(theta)
+            + th.k * u
+            + th.c * u_d,
+            -m_e * th.a_g * cos(theta),
         ),
         sides=NEGATIVE,
     ),
-    Equation("D-25", "Appendix D", Kind.MOTION, "Model C: rotation, as 5-34", THETA_OF_MODEL_C),
-    Equation("D-26", "Appendix D", Kind.MOTION, "Model C: deformation, as 5-35", U_OF_MODEL_C),
+    Kind.MOTION("D-25", "Model C: rotation, as 5-34", THETA_OF_MODEL_C),
+    Kind.MOTION("D-26", "Model C: deformation, as 5-35", U_OF_MODEL_C),
 )
 
 # --- the first-order form
 
-S_Y = sign(y_3)
+S_Y = sign(th.y_3)
 
 DEFORMATION_ROW = says(
-    m_e * y_2d + (m_e * R_e * cos(alpha_e)) * y_4d,
-    (m_e * y_1 - S_Y * m_e * R_e * sin(alpha_e)) * y_4**2
-    + m_e * g * sin(y_3)
-    - k * y_1
-    - c * y_2
-    - m_e * a_g * cos(y_3),
+    m_e * th.y_2d + (m_e * R_e * cos(alpha_e)) * th.y_4d,
+    (m_e * th.y_1 - S_Y * m_e * R_e * sin(alpha_e)) * th.y_4**2
+    + m_e * th.g * sin(th.y_3)
+    - th.k * th.y_1
+    - th.c * th.y_2
+    - m_e * th.a_g * cos(th.y_3),
 )
 
 
 def rotation_row(deformation, rate):
     """Row 4 of D-28, with what stands for u and its rate in the first bracket."""
     return says(
-        f_1 * y_2d + f_2 * y_4d,
-        (S_Y * 2 * m_e * rate * R_e * sin(alpha_e) - 2 * m_e * deformation * rate) * y_4
-        - S_Y * m_e * g * (R_e * sin(alpha_e - S_Y * y_3) - S_Y * y_1 * cos(y_3))
-        - S_Y * m_b * g * R_b * sin(alpha_b - S_Y * y_3)
-        - m_e * a_g * (R_e * cos(alpha_e - S_Y * y_3) - y_1 * sin(y_3))
-        - m_b * a_g * R_b * cos(alpha_b - S_Y * y_3),
+        th.f_1 * th.y_2d + th.f_2 * th.y_4d,
+        (S_Y * 2 * m_e * rate * R_e * sin(alpha_e) - 2 * m_e * deformation * rate) * th.y_4
+        - S_Y * m_e * th.g * (R_e * sin(alpha_e - S_Y * th.y_3) - S_Y * th.y_1 * cos(th.y_3))
+        - S_Y * m_b * th.g * R_b * sin(alpha_b - S_Y * th.y_3)
+        - m_e * th.a_g * (R_e * cos(alpha_e - S_Y * th.y_3) - th.y_1 * sin(th.y_3))
+        - m_b * th.a_g * R_b * cos(alpha_b - S_Y * th.y_3),
     )
 
 
-FIRST_ORDER = (
-    Equation(
+FIRST_ORDER = section(
+    "Appendix D",
+    Kind.PROCEDURE(
         "D-27",
-        "Appendix D",
-        Kind.PROCEDURE,
         "Model C as a system of first order, y = (u, u', theta, theta')",
-        says(M_matrix * y_d_column, f_column),
+        says(th.M_matrix * th.y_d_column, th.f_column),
         remark="f is a function of t and y; so is M, which D-28 shows.",
     ),
-    Equation(
+    Kind.PROCEDURE(
         "D-28",
-        "Appendix D",
-        Kind.PROCEDURE,
         "its rows",
+        (*says(th.y_1d, th.y_2), *DEFORMATION_ROW, *says(th.y_3d, th.y_4), *rotation_row(u, u_d)),
         (
-            *says(y_1d, y_2),
+            *says(th.y_1d, th.y_2),
             *DEFORMATION_ROW,
-            *says(y_3d, y_4),
-            *rotation_row(u, u_d),
-        ),
-        (
-            *says(y_1d, y_2),
-            *DEFORMATION_ROW,
-            *says(y_3d, y_4),
-            *rotation_row(y_1, y_2),
+            *says(th.y_3d, th.y_4),
+            *rotation_row(th.y_1, th.y_2),
         ),
         "In the first bracket of the last row u and u' stand for y_1 and y_2: two notations mixed.",
         excess=(
             0,
             0,
             0,
-            2 * m_e * y_4 * (u * u_d - y_1 * y_2 - S_Y * R_e * sin(alpha_e) * (u_d - y_2)),
+            2
+            * m_e
+            * th.y_4
+            * (u * u_d - th.y_1 * th.y_2 - S_Y * R_e * sin(alpha_e) * (u_d - th.y_2)),
         ),
     ),
-    Equation(
+    Kind.PROCEDURE(
         "D-29",
-        "Appendix D",
-        Kind.PROCEDURE,
         "the coefficients of its last row",
         (
-            *says(f_1, m_e * R_e * cos(alpha_e)),
+            *says(th.f_1, m_e * R_e * cos(alpha_e)),
             *says(
-                f_2,
+                th.f_2,
                 m_e * R_e**2
-                + m_e * y_1**2
-                - S_Y * 2 * m_e * y_1 * R_e * sin(alpha_e)
-                + I_eg
+                + m_e * th.y_1**2
+                - S_Y * 2 * m_e * th.y_1 * R_e * sin(alpha_e)
+                + th.I_eg
                 + m_b * R_b**2
-                + I_bg,
+                + th.I_bg,
             ),
         ),
     ),
 )
 
-APPENDIX_D: tuple[Equation, ...] = (*STEPS, *FIRST_ORDER)
+APPENDIX_D = (*STEPS, *FIRST_ORDER)

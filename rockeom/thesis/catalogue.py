@@ -12,15 +12,7 @@ from rockeom.thesis.chapter_5 import CHAPTER_5
 from rockeom.thesis.equation import Equation, place_of
 from rockeom.thesis.section_2_6 import SECTION_2_6
 
-_TYPED = (
-    *CHAPTER_2,
-    *SECTION_2_6,
-    *CHAPTER_3,
-    *CHAPTER_4,
-    *CHAPTER_5,
-    *APPENDIX_B,
-    *APPENDIX_D,
-)
+_TYPED = (*CHAPTER_2, *SECTION_2_6, *CHAPTER_3, *CHAPTER_4, *CHAPTER_5, *APPENDIX_B, *APPENDIX_D)
 EQUATIONS = MappingProxyType({e.number: e for e in sorted(_TYPED, key=place_of)})
 
 

@@ -5,141 +5,85 @@ Typed by hand from the thesis, in its own symbols.
 
 from sympy import Abs, Float, Q, Rational, cos, sin, sqrt
 
-from rockeom.thesis.equation import POSITIVE, Domain, Equation, Kind, says
-from rockeom.thesis.notation import (
-    F_H,
-    F_V,
-    PM,
-    E_after,
-    E_before,
-    E_k,
-    FH_impact,
-    FH_limit,
-    FV_impact,
-    FV_limit,
-    I_o,
-    R,
-    U,
-    U_after,
-    U_before,
-    U_rot,
-    a_g,
-    a_gx,
-    alpha,
-    energy_change,
-    g,
-    k_rot,
-    m,
-    r,
-    s,
-    theta,
-    theta_after,
-    theta_before,
-    theta_d,
-    theta_d_impact,
-    theta_d_max,
-    theta_d_peak,
-    theta_dd,
-    theta_dd_impact,
-    u_c_dd,
-    u_cg_dd,
-    u_cx_dd,
-    u_cy_dd,
-)
+from rockeom.thesis import notation as th
+from rockeom.thesis.equation import POSITIVE, Domain, Kind, says, section
+from rockeom.thesis.notation import R, alpha, g, m, s, theta, theta_d, theta_d_peak, theta_dd
 
-PEAK_BEFORE = m * g * R * (cos(alpha - Abs(theta_before)) - cos(alpha))
-PEAK_AFTER = m * g * R * (cos(alpha - Abs(theta_after)) - cos(alpha))
+PEAK_BEFORE = m * g * R * (cos(alpha - Abs(th.theta_before)) - cos(alpha))
+PEAK_AFTER = m * g * R * (cos(alpha - Abs(th.theta_after)) - cos(alpha))
 """3-2 at the peaks before and after an impact."""
 
-ENERGIES = (
-    Equation(
-        "3-1",
-        "3.2.2",
-        Kind.DEFINITION,
-        "kinetic energy of the block",
-        says(E_k, Rational(1, 2) * I_o * theta_d**2),
+ENERGIES = section(
+    "3.2.2",
+    Kind.DEFINITION(
+        "3-1", "kinetic energy of the block", says(th.E_k, Rational(1, 2) * th.I_o * theta_d**2)
     ),
-    Equation(
+    Kind.DEFINITION(
         "3-2",
-        "3.2.2",
-        Kind.DEFINITION,
         "gravitational energy above that of the upright block",
-        says(U, m * g * R * (cos(alpha - Abs(theta)) - cos(alpha))),
+        says(th.U, m * g * R * (cos(alpha - Abs(theta)) - cos(alpha))),
     ),
-    Equation(
+    Kind.RESTITUTION(
         "3-3",
-        "3.2.2",
-        Kind.RESTITUTION,
         "ratio of kinetic energies at an impact from the peaks before and after it",
         says(
-            r,
-            E_after / E_before,
-            U_after / U_before,
-            (cos(alpha - Abs(theta_after)) - cos(alpha))
-            / (cos(alpha - Abs(theta_before)) - cos(alpha)),
+            th.r,
+            th.E_after / th.E_before,
+            th.U_after / th.U_before,
+            (cos(alpha - Abs(th.theta_after)) - cos(alpha))
+            / (cos(alpha - Abs(th.theta_before)) - cos(alpha)),
         ),
     ),
-    Equation(
+    Kind.DEFINITION(
         "3-4",
-        "3.2.2",
-        Kind.DEFINITION,
         "energy of a hypothetical rotational spring",
-        says(U_rot, Rational(1, 2) * k_rot * theta**2),
+        says(th.U_rot, Rational(1, 2) * th.k_rot * theta**2),
     ),
 )
 
-SUPPORT_FORCES = (
-    Equation(
+SUPPORT_FORCES = section(
+    "3.2.3",
+    Kind.DEFINITION(
         "3-5",
-        "3.2.3",
-        Kind.DEFINITION,
         "acceleration of the centroid: of the ground, and of the turn about the pivot",
-        says(u_c_dd, a_g + u_cg_dd),
+        says(th.u_c_dd, th.a_g + th.u_cg_dd),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-6",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "horizontal acceleration of the centroid",
         says(
-            u_cx_dd,
-            a_gx
+            th.u_cx_dd,
+            th.a_gx
             + s * R * theta_d**2 * sin(alpha - Abs(theta))
             + R * theta_dd * cos(alpha - Abs(theta)),
         ),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-7",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "vertical acceleration of the centroid",
         says(
-            u_cy_dd,
+            th.u_cy_dd,
             -R * theta_d**2 * cos(alpha - Abs(theta)) + s * R * theta_dd * sin(alpha - Abs(theta)),
         ),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-8",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "horizontal force of the support",
         says(
-            F_H,
+            th.F_H,
             m
             * (
-                a_gx
+                th.a_gx
                 + s * R * theta_d**2 * sin(alpha - Abs(theta))
                 + R * theta_dd * cos(alpha - Abs(theta))
             ),
         ),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-9",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "vertical force of the support",
         says(
-            F_V,
+            th.F_V,
             m
             * (
                 g
@@ -148,92 +92,81 @@ SUPPORT_FORCES = (
             ),
         ),
     ),
-    Equation(
+    Kind.APPROXIMATION(
         "3-10",
-        "3.2.3",
-        Kind.APPROXIMATION,
         "angular acceleration next to an impact, rectangular block, from 2-3",
-        says(theta_dd_impact, -s * 3 * g / (4 * R) * alpha),
+        says(th.theta_dd_impact, -s * 3 * g / (4 * R) * alpha),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-11",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "horizontal force next to an impact",
         says(
-            FH_impact,
+            th.FH_impact,
             m
             * (
-                s * R * theta_d_impact**2 * sin(alpha) - s * Rational(3, 4) * g * alpha * cos(alpha)
+                s * R * th.theta_d_impact**2 * sin(alpha)
+                - s * Rational(3, 4) * g * alpha * cos(alpha)
             ),
         ),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-12",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "vertical force next to an impact",
         says(
-            FV_impact,
+            th.FV_impact,
             m
             * (
-                g - R * theta_d_impact**2 * cos(alpha) - s * Rational(3, 4) * g * alpha * sin(alpha)
+                g
+                - R * th.theta_d_impact**2 * cos(alpha)
+                - s * Rational(3, 4) * g * alpha * sin(alpha)
             ),
         ),
         says(
-            FV_impact,
-            m * (g - R * theta_d_impact**2 * cos(alpha) - Rational(3, 4) * g * alpha * sin(alpha)),
+            th.FV_impact,
+            m
+            * (g - R * th.theta_d_impact**2 * cos(alpha) - Rational(3, 4) * g * alpha * sin(alpha)),
         ),
         "sgn(theta) in the last term is too much: that of 3-9 and that of 3-10 cancel, as in 3-15.",
         excess=((1 - s) * Rational(3, 4) * m * g * alpha * sin(alpha),),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-13",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "largest speed at an impact, after release at alpha",
-        says(theta_d_max, PM * sqrt(3 * g / (2 * R) * (1 - cos(alpha)))),
+        says(th.theta_d_max, th.PM * sqrt(3 * g / (2 * R) * (1 - cos(alpha)))),
         remark="The sign is that of the velocity: the upper one for an impact on the right edge.",
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-14",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "horizontal force next to an impact as the speed vanishes",
-        says(FH_limit, 3 * m * g / 4 * alpha * cos(alpha)),
-        says(FH_limit, -s * 3 * m * g / 4 * alpha * cos(alpha)),
+        says(th.FH_limit, 3 * m * g / 4 * alpha * cos(alpha)),
+        says(th.FH_limit, -s * 3 * m * g / 4 * alpha * cos(alpha)),
         "Printed is the magnitude; the force of 3-11 points against the side of theta.",
         excess=((1 + s) * Rational(3, 4) * m * g * alpha * cos(alpha),),
         domain=Domain("theta < 0", (Q.negative(theta),), (Q.positive(theta),)),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "3-15",
-        "3.2.3",
-        Kind.CLOSED_FORM,
         "vertical force next to an impact as the speed vanishes",
-        says(FV_limit, m * g * (1 - Rational(3, 4) * alpha * sin(alpha))),
+        says(th.FV_limit, m * g * (1 - Rational(3, 4) * alpha * sin(alpha))),
     ),
 )
 
-DISSIPATION = (
-    Equation(
+DISSIPATION = section(
+    "3.2.4",
+    Kind.RESTITUTION(
         "3-16",
-        "3.2.4",
-        Kind.RESTITUTION,
         "3-3 with the energy of the rotational spring",
         says(
-            r,
-            (PEAK_AFTER + Rational(1, 2) * k_rot * theta_after**2)
-            / (PEAK_BEFORE + Rational(1, 2) * k_rot * theta_before**2),
+            th.r,
+            (PEAK_AFTER + Rational(1, 2) * th.k_rot * th.theta_after**2)
+            / (PEAK_BEFORE + Rational(1, 2) * th.k_rot * th.theta_before**2),
         ),
     ),
-    Equation(
+    Kind.FIT(
         "3-17",
-        "3.2.4",
-        Kind.FIT,
         "change of the energy at an impact, in J, fitted to the impacts of both edges",
         says(
-            energy_change,
+            th.energy_change,
             Float("5.525") * theta_d_peak**3
             - Float("9.661") * theta_d_peak**2
             - Float("0.6663") * theta_d_peak,
@@ -243,13 +176,11 @@ DISSIPATION = (
         "The measured r of Figure 3-3 agree within 0.036, and its mean within 0.013 with the "
         "bunches of section 3.3: that bears the coefficients out within 5, 2 and 20 %.",
     ),
-    Equation(
+    Kind.FIT(
         "3-18",
-        "3.2.4",
-        Kind.FIT,
         "the same for the second trend, impacts on the right edge",
         says(
-            energy_change,
+            th.energy_change,
             Float("7.144") * theta_d_peak**3
             - Float("7.576") * theta_d_peak**2
             - Float("0.0381") * theta_d_peak,
@@ -261,4 +192,4 @@ DISSIPATION = (
     ),
 )
 
-CHAPTER_3: tuple[Equation, ...] = (*ENERGIES, *SUPPORT_FORCES, *DISSIPATION)
+CHAPTER_3 = (*ENERGIES, *SUPPORT_FORCES, *DISSIPATION)

@@ -5,457 +5,309 @@ Typed by hand from the thesis, in its own symbols.
 
 from sympy import Abs, Float, Matrix, Min, Piecewise, asin, atan, cos, log, pi, sin, sqrt, tanh
 
-from rockeom.thesis.equation import NEGATIVE, POSITIVE, Equation, Kind, says
-from rockeom.thesis.notation import (
-    I_O,
-    B,
-    B_measured,
-    Delta,
-    Delta_i,
-    Delta_next,
-    E_after,
-    E_before,
-    H_b,
-    H_c,
-    H_e,
-    H_measured,
-    I_bg,
-    I_eg,
-    L_after,
-    L_before,
-    P,
-    P_crit,
-    P_crit2,
-    P_t,
-    R_b,
-    R_c,
-    R_e,
-    R_measured,
-    T_fixed,
-    U_after,
-    U_before,
-    U_grav,
-    W,
-    a_g,
-    alpha_b,
-    alpha_c,
-    alpha_e,
-    alpha_measured,
-    c,
-    delta_0,
-    delta_change,
-    displacement,
-    f_L,
-    f_R,
-    g,
-    k,
-    k_f,
-    k_u,
-    m_b,
-    m_e,
-    r,
-    r_i,
-    s,
-    theta,
-    theta_after,
-    theta_before,
-    theta_crit,
-    theta_d,
-    theta_d1,
-    theta_d2,
-    theta_dd,
-    u,
-    u_crit,
-    u_d,
-    u_dd,
-    u_overturn,
-    x_centre,
-    xi_i,
-    y_centre,
-)
+from rockeom.thesis import notation as th
+from rockeom.thesis.equation import NEGATIVE, POSITIVE, Kind, says, section
+from rockeom.thesis.notation import B, H_e, R_b, R_e, W, alpha_b, alpha_e, g, m_b, m_e, s, theta
 
 # --- 5.2: the column of McManus (1980), and what its tests say
 
 E_PEAK_BEFORE, E_PEAK_AFTER = (
     m_e * R_e * (cos(alpha_e - Abs(peak)) - cos(alpha_e))
     + m_b * R_b * (cos(alpha_b - Abs(peak)) - cos(alpha_b))
-    for peak in (theta_before, theta_after)
+    for peak in (th.theta_before, th.theta_after)
 )
 """5-3 over g, at the peaks before and after an impact."""
 
-CENTRE_ARM = 300 - Min(x_centre, y_centre)
+CENTRE_ARM = 300 - Min(th.x_centre, th.y_centre)
 """B'(x, y), of a base plate 600 mm wide."""
 
 
 def rotation(alpha_measured, arm, radius):
     """Rotation about a pivot, by the displacement of a point."""
     return Piecewise(
-        (alpha_measured - asin((arm - Delta) / radius), Delta > 0),
-        (asin((arm + Delta) / radius) - alpha_measured, Delta < 0),
+        (alpha_measured - asin((arm - th.Delta) / radius), th.Delta > 0),
+        (asin((arm + th.Delta) / radius) - alpha_measured, th.Delta < 0),
     )
 
 
-TESTS = (
-    Equation(
+COLUMN = section(
+    "5.2",
+    Kind.CLOSED_FORM(
         "5-1",
-        "5.2",
-        Kind.CLOSED_FORM,
         "stiffness of the column from its period on a fixed base",
-        says(k, 4 * pi**2 / T_fixed**2 * m_e, Float("571.8e3")),
+        says(th.k, 4 * pi**2 / th.T_fixed**2 * m_e, Float("571.8e3")),
         remark="T_fixed is the 0.092 s of the rubber pad, also where the feet are of steel (runs "
         "1 and 3); with their 0.112 s k is 385.8 kN/m.",
     ),
-    Equation(
+)
+
+STEEL_FEET = section(
+    "5.2.1",
+    Kind.CLOSED_FORM(
         "5-2",
-        "5.2.1",
-        Kind.CLOSED_FORM,
         "rotation from the measured displacement",
         (
-            *says(theta, rotation(alpha_measured, B_measured, R_measured)),
-            *says(alpha_measured, atan(B_measured / H_measured)),
+            *says(theta, rotation(th.alpha_measured, th.B_measured, th.R_measured)),
+            *says(th.alpha_measured, atan(th.B_measured / th.H_measured)),
         ),
     ),
-    Equation(
+    Kind.DEFINITION(
         "5-3",
-        "5.2.1",
-        Kind.DEFINITION,
         "gravitational energy above that of the upright structure",
         says(
-            U_grav,
+            th.U_grav,
             m_e * g * R_e * (cos(alpha_e - Abs(theta)) - cos(alpha_e))
             + m_b * g * R_b * (cos(alpha_b - Abs(theta)) - cos(alpha_b)),
         ),
     ),
-    Equation(
+    Kind.RESTITUTION(
         "5-4",
-        "5.2.1",
-        Kind.RESTITUTION,
         "ratio of kinetic energies at an impact from the peaks before and after it",
-        says(r_i, E_after / E_before, U_after / U_before, E_PEAK_AFTER / E_PEAK_BEFORE),
+        says(
+            th.r_i, th.E_after / th.E_before, th.U_after / th.U_before, E_PEAK_AFTER / E_PEAK_BEFORE
+        ),
         remark="The list of symbols has R_e and alpha_e twice, the second time for R_b, alpha_b.",
     ),
-    Equation(
+)
+
+RUBBER_FEET = section(
+    "5.2.2",
+    Kind.FIT(
         "5-5",
-        "5.2.2",
-        Kind.FIT,
         "distance of the centre of rotation from the left edge, on rubber, in mm",
-        says(x_centre, Float("220.1") * tanh(Float("0.1276") * Delta) + 300),
+        says(th.x_centre, Float("220.1") * tanh(Float("0.1276") * th.Delta) + 300),
         assumption="Fitted to rotation centres that are not in the text.",
         remark="For the column of McManus on rubber and displacements up to 29 mm.",
     ),
-    Equation(
+    Kind.APPROXIMATION(
         "5-6",
-        "5.2.2",
-        Kind.APPROXIMATION,
         "5-2 about the centre of rotation of that moment",
         (
             *says(
                 theta,
                 rotation(
-                    atan(CENTRE_ARM / H_measured), CENTRE_ARM, sqrt(CENTRE_ARM**2 + H_measured**2)
+                    atan(CENTRE_ARM / th.H_measured),
+                    CENTRE_ARM,
+                    sqrt(CENTRE_ARM**2 + th.H_measured**2),
                 ),
             ),
         ),
         remark="Written out; the thesis has alpha', B' and R' as functions of x and y, and H for "
         "H' once. The present centre counts as the pivot of the whole rotation.",
     ),
-    Equation(
+    Kind.APPROXIMATION(
         "5-7",
-        "5.2.2",
-        Kind.APPROXIMATION,
         "equivalent viscous damping ratio of a cycle",
-        says(xi_i, 1 / (2 * pi) * log(Delta_i / Delta_next)),
+        says(th.xi_i, 1 / (2 * pi) * log(th.Delta_i / th.Delta_next)),
         remark="The average of 0.104 is of the whole record; the cycles of Figure 5-10 have 0.052 "
         "to 0.083.",
     ),
 )
 
+TESTS = (*COLUMN, *STEEL_FEET, *RUBBER_FEET)
+
 # --- 5.3.1: Model A, two rigid lumped masses on rigid ground
 
 
-VELOCITY_RATIO = ((m_e * (H_e**2 - B**2) + I_eg) + (m_b * (H_b**2 - B**2) + I_bg)) / (
-    (m_e * (H_e**2 + B**2) + I_eg) + (m_b * (H_b**2 + B**2) + I_bg)
+VELOCITY_RATIO = ((m_e * (H_e**2 - B**2) + th.I_eg) + (m_b * (th.H_b**2 - B**2) + th.I_bg)) / (
+    (m_e * (H_e**2 + B**2) + th.I_eg) + (m_b * (th.H_b**2 + B**2) + th.I_bg)
 )
 """theta_d2 / theta_d1, printed above 5-14."""
 
-MODEL_A = (
-    Equation(
+
+def turning(mass, radius, angle, side):
+    """Angular acceleration by the moments of one of the masses."""
+    return -mass * radius * g / th.I_O * (th.a_g / g * cos(angle) + side * sin(angle))
+
+
+MODEL_A = section(
+    "5.3.1",
+    Kind.DEFINITION(
         "5-8",
-        "5.3.1",
-        Kind.DEFINITION,
         "moment of inertia about either pivot",
-        says(I_O, (I_eg + m_e * R_e**2) + (I_bg + m_b * R_b**2)),
+        says(th.I_O, (th.I_eg + m_e * R_e**2) + (th.I_bg + m_b * R_b**2)),
     ),
-    Equation(
+    Kind.MOTION(
         "5-9",
-        "5.3.1",
-        Kind.MOTION,
         "Model A for theta > 0",
         (),
         says(
-            theta_dd,
-            -m_e * R_e * g / I_O * (a_g / g * cos(alpha_e - theta) + sin(alpha_e - theta))
-            - m_b * R_b * g / I_O * (a_g / g * cos(alpha_b - theta) + sin(alpha_b - theta)),
+            th.theta_dd,
+            turning(m_e, R_e, alpha_e - theta, 1) + turning(m_b, R_b, alpha_b - theta, 1),
         ),
         "Not legible; the moments about O, in the form of 5-10.",
         sides=POSITIVE,
     ),
     # 5-10 and 5-11 write M_e and M_b for m_e and m_b.
-    Equation(
+    Kind.MOTION(
         "5-10",
-        "5.3.1",
-        Kind.MOTION,
         "Model A for theta < 0",
         says(
-            theta_dd,
-            -m_e * R_e * g / I_O * (a_g / g * cos(alpha_e + theta) - sin(alpha_e + theta))
-            - m_b * R_b * g / I_O * (a_g / g * cos(alpha_b + theta) - sin(alpha_b + theta)),
+            th.theta_dd,
+            turning(m_e, R_e, alpha_e + theta, -1) + turning(m_b, R_b, alpha_b + theta, -1),
         ),
         sides=NEGATIVE,
     ),
-    Equation(
+    Kind.MOTION(
         "5-11",
-        "5.3.1",
-        Kind.MOTION,
         "Model A",
         says(
-            theta_dd,
-            -m_e
-            * R_e
-            * g
-            / I_O
-            * (a_g / g * cos(alpha_e + s * theta) + s * sin(alpha_e + s * theta))
-            - m_b
-            * R_b
-            * g
-            / I_O
-            * (a_g / g * cos(alpha_b + s * theta) + s * sin(alpha_b + s * theta)),
+            th.theta_dd,
+            turning(m_e, R_e, alpha_e + s * theta, s) + turning(m_b, R_b, alpha_b + s * theta, s),
         ),
         says(
-            theta_dd,
-            -m_e
-            * R_e
-            * g
-            / I_O
-            * (a_g / g * cos(alpha_e - s * theta) + s * sin(alpha_e - s * theta))
-            - m_b
-            * R_b
-            * g
-            / I_O
-            * (a_g / g * cos(alpha_b - s * theta) + s * sin(alpha_b - s * theta)),
+            th.theta_dd,
+            turning(m_e, R_e, alpha_e - s * theta, s) + turning(m_b, R_b, alpha_b - s * theta, s),
         ),
         "The angles are alpha - sgn(theta) theta, as in 5-34; for theta < 0 that is 5-10.",
         excess=(
             -2
             * sin(s * theta)
-            / I_O
+            / th.I_O
             * (
-                m_e * R_e * (s * g * cos(alpha_e) - a_g * sin(alpha_e))
-                + m_b * R_b * (s * g * cos(alpha_b) - a_g * sin(alpha_b))
+                m_e * R_e * (s * g * cos(alpha_e) - th.a_g * sin(alpha_e))
+                + m_b * R_b * (s * g * cos(alpha_b) - th.a_g * sin(alpha_b))
             ),
         ),
     ),
-    Equation(
+    Kind.RESTITUTION(
         "5-12",
-        "5.3.1",
-        Kind.RESTITUTION,
         "angular momentum about the impending pivot, before an impact",
         says(
-            L_before,
-            m_e * R_e * theta_d1 * cos(alpha_e) * H_e
-            - m_e * R_e * theta_d1 * sin(alpha_e) * B
-            + I_eg * theta_d1
-            + m_b * R_b * theta_d1 * cos(alpha_b) * H_b
-            - m_b * R_b * theta_d1 * sin(alpha_b) * B
-            + I_bg * theta_d1,
-            ((m_e * (H_e**2 - B**2) + I_eg) + (m_b * (H_b**2 - B**2) + I_bg)) * theta_d1,
+            th.L_before,
+            m_e * R_e * th.theta_d1 * cos(alpha_e) * H_e
+            - m_e * R_e * th.theta_d1 * sin(alpha_e) * B
+            + th.I_eg * th.theta_d1
+            + m_b * R_b * th.theta_d1 * cos(alpha_b) * th.H_b
+            - m_b * R_b * th.theta_d1 * sin(alpha_b) * B
+            + th.I_bg * th.theta_d1,
+            ((m_e * (H_e**2 - B**2) + th.I_eg) + (m_b * (th.H_b**2 - B**2) + th.I_bg))
+            * th.theta_d1,
         ),
     ),
-    Equation(
+    Kind.RESTITUTION(
         "5-13",
-        "5.3.1",
-        Kind.RESTITUTION,
         "angular momentum about the new pivot, after an impact",
         says(
-            L_after,
-            m_e * R_e * theta_d2 * cos(alpha_e) * H_e
-            + m_e * R_e * theta_d2 * sin(alpha_e) * B
-            + I_eg * theta_d2
-            + m_b * R_b * theta_d2 * cos(alpha_b) * H_b
-            + m_b * R_b * theta_d2 * sin(alpha_b) * B
-            + I_bg * theta_d2,
-            ((m_e * (H_e**2 + B**2) + I_eg) + (m_b * (H_b**2 + B**2) + I_bg)) * theta_d2,
+            th.L_after,
+            m_e * R_e * th.theta_d2 * cos(alpha_e) * H_e
+            + m_e * R_e * th.theta_d2 * sin(alpha_e) * B
+            + th.I_eg * th.theta_d2
+            + m_b * R_b * th.theta_d2 * cos(alpha_b) * th.H_b
+            + m_b * R_b * th.theta_d2 * sin(alpha_b) * B
+            + th.I_bg * th.theta_d2,
+            ((m_e * (H_e**2 + B**2) + th.I_eg) + (m_b * (th.H_b**2 + B**2) + th.I_bg))
+            * th.theta_d2,
         ),
     ),
-    Equation(
-        "5-14",
-        "5.3.1",
-        Kind.RESTITUTION,
-        "ratio of kinetic energies at an impact",
-        says(
-            r,
-            VELOCITY_RATIO**2,
-        ),
+    Kind.RESTITUTION(
+        "5-14", "ratio of kinetic energies at an impact", says(th.r, VELOCITY_RATIO**2)
     ),
 )
 
 
 # --- 5.3.2: Model B, the rigid structure on two springs that only push
 
-MODEL_B = (
-    Equation(
-        "5-15",
-        "5.3.2",
-        Kind.MOTION,
-        "equivalent cart",
-        says((m_e + m_b) * u_dd + k_u, P_t),
+MODEL_B = section(
+    "5.3.2",
+    Kind.MOTION("5-15", "equivalent cart", says((m_e + m_b) * th.u_dd + th.k_u, th.P_t)),
+    Kind.CLOSED_FORM("5-16", "settlement under self-weight", says(th.delta_0, W / (2 * th.k_f))),
+    Kind.DEFINITION("5-17", "weight", says(W, (m_e + m_b) * g)),
+    Kind.CLOSED_FORM("5-18", "displacement of the superstructure", says(th.u, H_e * sin(theta))),
+    Kind.APPROXIMATION(
+        "5-19", "change of a spring's length, small theta", says(th.delta_change, B * theta)
     ),
-    Equation(
-        "5-16",
-        "5.3.2",
-        Kind.CLOSED_FORM,
-        "settlement under self-weight",
-        says(delta_0, W / (2 * k_f)),
+    Kind.CLOSED_FORM(
+        "5-20", "force of the left spring, small theta", says(th.f_L, W / 2 - th.k_f * B * theta)
     ),
-    Equation("5-17", "5.3.2", Kind.DEFINITION, "weight", says(W, (m_e + m_b) * g)),
-    Equation(
-        "5-18",
-        "5.3.2",
-        Kind.CLOSED_FORM,
-        "displacement of the superstructure",
-        says(u, H_e * sin(theta)),
+    Kind.CLOSED_FORM(
+        "5-21", "force of the right spring, small theta", says(th.f_R, W / 2 + th.k_f * B * theta)
     ),
-    Equation(
-        "5-19",
-        "5.3.2",
-        Kind.APPROXIMATION,
-        "change of a spring's length, small theta",
-        says(delta_change, B * theta),
+    Kind.CLOSED_FORM(
+        "5-22", "rotation at lift-off, small theta", says(th.theta_crit, W / (2 * th.k_f * B))
     ),
-    Equation(
-        "5-20",
-        "5.3.2",
-        Kind.CLOSED_FORM,
-        "force of the left spring, small theta",
-        says(f_L, W / 2 - k_f * B * theta),
+    Kind.APPROXIMATION(
+        "5-23", "displacement at lift-off", says(th.u_crit, W * H_e / (2 * th.k_f * B))
     ),
-    Equation(
-        "5-21",
-        "5.3.2",
-        Kind.CLOSED_FORM,
-        "force of the right spring, small theta",
-        says(f_R, W / 2 + k_f * B * theta),
-    ),
-    Equation(
-        "5-22",
-        "5.3.2",
-        Kind.CLOSED_FORM,
-        "rotation at lift-off, small theta",
-        says(theta_crit, W / (2 * k_f * B)),
-    ),
-    Equation(
-        "5-23",
-        "5.3.2",
-        Kind.APPROXIMATION,
-        "displacement at lift-off",
-        says(u_crit, W * H_e / (2 * k_f * B)),
-    ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-24",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "pushover force with both springs pressed, small theta",
-        says(P, (2 * k_f * B**2 / H_e - g * (m_e + m_b * H_b / H_e)) * theta),
+        says(th.P, (2 * th.k_f * B**2 / H_e - g * (m_e + m_b * th.H_b / H_e)) * theta),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-25",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "the same by the displacement",
-        says(P, (2 * k_f * B**2 - m_e * g * H_e - m_b * g * H_b) / H_e**2 * u),
+        says(th.P, (2 * th.k_f * B**2 - m_e * g * H_e - m_b * g * th.H_b) / H_e**2 * th.u),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-26",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "force at lift-off",
-        says(P_crit, W * B / H_e - g * (m_e + m_b * H_b / H_e) * W / (2 * k_f * B)),
+        says(th.P_crit, W * B / H_e - g * (m_e + m_b * th.H_b / H_e) * W / (2 * th.k_f * B)),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-27",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "5-25 with the centroid of the system",
-        says(P, (2 * k_f * B**2 - W * H_c) / H_e**2 * u),
+        says(th.P, (2 * th.k_f * B**2 - W * th.H_c) / H_e**2 * th.u),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-28",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "5-24 with the centroid of the system",
         (),
-        says(P, (2 * k_f * B**2 - W * H_c) / H_e * theta),
+        says(th.P, (2 * th.k_f * B**2 - W * th.H_c) / H_e * theta),
         "Not legible. The text simplifies 5-24 to 5-26; 5-27 is 5-25 and 5-29 is 5-26: "
         "there remains 5-24, with W H_c for g (m_e H_e + m_b H_b) by 5-17 and 5-30.",
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-29",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "5-26 with the centroid of the system",
-        says(P_crit, W / H_e * (B - W * H_c / (2 * k_f * B)) * u),
-        says(P_crit, W / H_e * (B - W * H_c / (2 * k_f * B))),
+        says(th.P_crit, W / H_e * (B - W * th.H_c / (2 * th.k_f * B)) * th.u),
+        says(th.P_crit, W / H_e * (B - W * th.H_c / (2 * th.k_f * B))),
         "The factor u is too much: with it the right-hand side is not a force.",
-        excess=(W / H_e * (B - W * H_c / (2 * k_f * B)) * (u - 1),),
+        excess=(W / H_e * (B - W * th.H_c / (2 * th.k_f * B)) * (th.u - 1),),
     ),
-    Equation(
+    Kind.DEFINITION(
         "5-30",
-        "5.3.2",
-        Kind.DEFINITION,
         "centroid of the system",
         (
-            *says(H_c, (m_e * H_e + m_b * H_b) / (m_e + m_b)),
-            *says(alpha_c, B / H_c),
-            *says(R_c, sqrt(B**2 + H_c**2)),
+            *says(th.H_c, (m_e * H_e + m_b * th.H_b) / (m_e + m_b)),
+            *says(th.alpha_c, B / th.H_c),
+            *says(th.R_c, sqrt(B**2 + th.H_c**2)),
         ),
         (
-            *says(H_c, (m_e * H_e + m_b * H_b) / (m_e + m_b)),
-            *says(alpha_c, atan(B / H_c)),
-            *says(R_c, sqrt(B**2 + H_c**2)),
+            *says(th.H_c, (m_e * H_e + m_b * th.H_b) / (m_e + m_b)),
+            *says(th.alpha_c, atan(B / th.H_c)),
+            *says(th.R_c, sqrt(B**2 + th.H_c**2)),
         ),
         "The arctangent of the angle is missing.",
-        excess=(0, B / H_c - atan(B / H_c), 0),
+        excess=(0, B / th.H_c - atan(B / th.H_c), 0),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-31",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "force after lift-off",
-        says(P, W * R_c * sin(alpha_c - theta) / (R_e * cos(alpha_e - theta))),
+        says(th.P, W * th.R_c * sin(th.alpha_c - theta) / (R_e * cos(alpha_e - theta))),
         remark="Exact where the pressed foot is held horizontally, about which the moments are "
         "taken. Where the centre of the base is guided instead, as by the two springs, the exact "
         "force is greater by the factor 1 + (B/H_e) tan(theta).",
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "5-32",
-        "5.3.2",
-        Kind.CLOSED_FORM,
         "force just after lift-off",
         says(
-            P_crit2,
-            W * R_c * sin(alpha_c - W / (2 * k_f * B)) / (R_e * cos(alpha_e - W / (2 * k_f * B))),
+            th.P_crit2,
+            W
+            * th.R_c
+            * sin(th.alpha_c - W / (2 * th.k_f * B))
+            / (R_e * cos(alpha_e - W / (2 * th.k_f * B))),
         ),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.APPROXIMATION(
         "5-33",
-        "5.3.2",
-        Kind.APPROXIMATION,
         "displacement of zero force, and the straight line to it from lift-off",
         (
-            *says(u_overturn, R_e * (sin(alpha_e) + sin(alpha_c - alpha_e))),
-            *says(P, P_crit2 * (u - u_overturn) / (u_crit - u_overturn)),
+            *says(th.u_overturn, R_e * (sin(alpha_e) + sin(th.alpha_c - alpha_e))),
+            *says(th.P, th.P_crit2 * (th.u - th.u_overturn) / (th.u_crit - th.u_overturn)),
         ),
         sides=POSITIVE,
     ),
@@ -465,50 +317,59 @@ MODEL_B = (
 # --- 5.3.3: Model C, the superstructure on a flexible column
 
 THETA_OF_MODEL_C = says(
-    (m_e * R_e**2 + m_e * u**2 - s * 2 * m_e * u * R_e * sin(alpha_e) + I_eg + m_b * R_b**2 + I_bg)
-    * theta_dd
-    + (2 * m_e * u * u_d - s * 2 * m_e * u_d * R_e * sin(alpha_e)) * theta_d
-    + m_e * u_dd * R_e * cos(alpha_e)
-    + s * m_e * g * (R_e * sin(alpha_e - s * theta) - s * u * cos(theta))
+    (
+        m_e * R_e**2
+        + m_e * th.u**2
+        - s * 2 * m_e * th.u * R_e * sin(alpha_e)
+        + th.I_eg
+        + m_b * R_b**2
+        + th.I_bg
+    )
+    * th.theta_dd
+    + (2 * m_e * th.u * th.u_d - s * 2 * m_e * th.u_d * R_e * sin(alpha_e)) * th.theta_d
+    + m_e * th.u_dd * R_e * cos(alpha_e)
+    + s * m_e * g * (R_e * sin(alpha_e - s * theta) - s * th.u * cos(theta))
     + s * m_b * g * R_b * sin(alpha_b - s * theta),
-    -m_e * a_g * (R_e * cos(alpha_e - s * theta) - u * sin(theta))
-    - m_b * a_g * R_b * cos(alpha_b - s * theta),
+    -m_e * th.a_g * (R_e * cos(alpha_e - s * theta) - th.u * sin(theta))
+    - m_b * th.a_g * R_b * cos(alpha_b - s * theta),
 )
 U_OF_MODEL_C = says(
-    m_e * u_dd
-    + m_e * R_e * cos(alpha_e) * theta_dd
-    - (m_e * u - s * m_e * R_e * sin(alpha_e)) * theta_d**2
+    m_e * th.u_dd
+    + m_e * R_e * cos(alpha_e) * th.theta_dd
+    - (m_e * th.u - s * m_e * R_e * sin(alpha_e)) * th.theta_d**2
     - m_e * g * sin(theta)
-    + k * u
-    + c * u_d,
-    -m_e * a_g * cos(theta),
+    + th.k * th.u
+    + th.c * th.u_d,
+    -m_e * th.a_g * cos(theta),
 )
 
 MODEL_C = (
-    Equation("5-34", "5.3.3", Kind.MOTION, "Model C: rotation", THETA_OF_MODEL_C),
-    Equation("5-35", "5.3.3", Kind.MOTION, "Model C: deformation", U_OF_MODEL_C),
-    Equation(
-        "5-36",
-        "5.3.3.1",
-        Kind.CLOSED_FORM,
-        "viscous coefficient of the column, 3 % of the critical one",
-        says(c, Float("0.03") * 2 * sqrt(m_e * k), Float("502.4")),
+    *section(
+        "5.3.3",
+        Kind.MOTION("5-34", "Model C: rotation", THETA_OF_MODEL_C),
+        Kind.MOTION("5-35", "Model C: deformation", U_OF_MODEL_C),
     ),
-    Equation(
-        "5-37",
+    *section(
         "5.3.3.1",
-        Kind.CLOSED_FORM,
-        "displacement of the superstructure from its upright position",
-        says(
-            displacement,
-            Matrix(
-                [
-                    s * R_e * (sin(alpha_e) - sin(alpha_e - s * theta)) + u * cos(theta),
-                    R_e * (cos(alpha_e - s * theta) - cos(alpha_e)) - u * sin(theta),
-                ]
+        Kind.CLOSED_FORM(
+            "5-36",
+            "viscous coefficient of the column, 3 % of the critical one",
+            says(th.c, Float("0.03") * 2 * sqrt(m_e * th.k), Float("502.4")),
+        ),
+        Kind.CLOSED_FORM(
+            "5-37",
+            "displacement of the superstructure from its upright position",
+            says(
+                th.displacement,
+                Matrix(
+                    [
+                        s * R_e * (sin(alpha_e) - sin(alpha_e - s * theta)) + th.u * cos(theta),
+                        R_e * (cos(alpha_e - s * theta) - cos(alpha_e)) - th.u * sin(theta),
+                    ]
+                ),
             ),
         ),
     ),
 )
 
-CHAPTER_5: tuple[Equation, ...] = (*TESTS, *MODEL_A, *MODEL_B, *MODEL_C)
+CHAPTER_5 = (*TESTS, *MODEL_A, *MODEL_B, *MODEL_C)

@@ -1,6 +1,8 @@
 """An equation of the thesis: as printed and, where that is wrong, as it should be."""
 
-from dataclasses import dataclass, field
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import Any
 
@@ -26,6 +28,18 @@ class Kind(Enum):
     RESTITUTION = "restitution"
     FIT = "empirical fit"
     PROCEDURE = "procedure"
+
+    def __call__(
+        self,
+        number: str,
+        meaning: str,
+        printed: Relations,
+        corrected: Relations | None = None,
+        reason: str = "",
+        **more: Any,
+    ) -> Equation:
+        """An equation of this kind, whose section is stated by `section`."""
+        return Equation(self, number, meaning, printed, corrected, reason, **more)
 
 
 @dataclass(frozen=True)
@@ -53,12 +67,10 @@ class Equation:
 
     Parameters
     ----------
-    number : str
-        Number as in the thesis, with a letter where one number has several lines ("2-8a").
-    section : str
-        Section of the thesis.
     kind : Kind
         Kind of equation.
+    number : str
+        Number as in the thesis, with a letter where one number has several lines ("2-8a").
     meaning : str
         Statement of the equation, in words.
     printed : Relations
@@ -67,6 +79,8 @@ class Equation:
         Right form; None where the printed form is right.
     reason : str, optional
         Reason of the correction; "" where there is none.
+    section : str, optional
+        Section of the thesis.
     excess : tuple of sympy.Expr or int, optional
         For a wrong printed form, printed minus right for each component of each relation: of the
         right sides where the left one is one symbol or function, else of left minus right side.
@@ -82,13 +96,13 @@ class Equation:
         Signs of theta for which it is meant.
     """
 
-    number: str
-    section: str
     kind: Kind
+    number: str
     meaning: str
     printed: Relations
     corrected: Relations | None = None
     reason: str = ""
+    section: str = field(default="", kw_only=True)
     excess: tuple[sp.Expr | int, ...] = field(default=(), kw_only=True)
     domain: Domain | None = field(default=None, kw_only=True)
     assumption: str = field(default="", kw_only=True)
@@ -184,6 +198,11 @@ def place_of(one: Any) -> tuple[str, int, str]:
     chapter, _, place = one.number.partition("-")
     digits = place.rstrip("abcd")
     return chapter, int(digits), place[len(digits) :]
+
+
+def section(place: str, *equations: Equation) -> tuple[Equation, ...]:
+    """The equations of a section of the thesis."""
+    return tuple(replace(equation, section=place) for equation in equations)
 
 
 def says(left: Any, *rights: Any) -> Relations:

@@ -108,12 +108,19 @@ def _cases() -> list[tuple[rk.Structure, ImpactLaw | None, str]]:
     ]
 
 
+def let_go(
+    structure: rk.Structure, duration: float, law: ImpactLaw | None = None, **initial: float
+) -> rk.Response:
+    """Motion of any structure from an initial state, on ground that stands still."""
+    return rk.simulate(structure, rk.GroundMotion.none(duration), impact=law, initial=initial)
+
+
 def _released(structure: rk.Structure, law: ImpactLaw | None, says: str) -> ModelPeaks:
     measured_time, measured_peak = measured_peaks()
     start = float(measured_peak[0])
     oscillates = isinstance(structure, rk.ControlledWallOscillator)
     initial = {"u": start} if oscillates else {"theta": float(WALL.rotation(start))}
-    run = rk.simulate(structure, rk.GroundMotion.none(1.6), impact=law, initial=initial)
+    run = let_go(structure, 1.6, law, **initial)
     t = np.linspace(0.0, float(run.t[-1]), 4001)  # between them splines are exact to 1e-9 s
     state = run.at(t)
     displacement = state["u"] if oscillates else WALL.height * np.sin(state["theta"])

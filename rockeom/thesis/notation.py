@@ -1,7 +1,8 @@
 """The symbols of the thesis: one home for the meaning and the unit of each.
 
 As in the thesis's Notations, one letter may mean different things in different chapters; then it
-has an entry for each. Rates are symbols of their own, as the thesis writes them with dots.
+has an entry for each. Rates are symbols of their own, as the thesis writes them with dots. Others
+call this module `th`; a chapter also imports the few symbols that most of its equations have.
 """
 
 from dataclasses import dataclass

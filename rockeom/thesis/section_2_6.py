@@ -5,33 +5,11 @@ Typed by hand from the thesis, in its own symbols.
 
 from sympy import Derivative, DiracDelta, Integral, Ne, Piecewise, exp, log, pi, sign, sqrt, tanh
 
-from rockeom.thesis.equation import POSITIVE, Equation, Kind, says
-from rockeom.thesis.notation import (
-    DISPLACEMENT_FUNCTION,
-    VELOCITY_FUNCTION,
-    F_delta,
-    K,
-    above_zero,
-    below_zero,
-    delta_n,
-    dt,
-    dx,
-    dx_d,
-    exponent,
-    n,
-    r,
-    t_scaled,
-    x,
-    x_0,
-    x_d,
-    x_d0,
-    x_dd,
-    x_df,
-    x_f,
-    x_t,
-)
+from rockeom.thesis import notation as th
+from rockeom.thesis.equation import POSITIVE, Kind, says, section
+from rockeom.thesis.notation import F_delta, K, dt, dx_d, exponent, n, r, x, x_d, x_d0, x_dd
 
-f, g = DISPLACEMENT_FUNCTION(x), VELOCITY_FUNCTION(x_d)
+f, g = th.DISPLACEMENT_FUNCTION(x), th.VELOCITY_FUNCTION(x_d)
 DELTA_N = exp(-(x**2) / n**2) / (n * sqrt(pi))
 """2-20."""
 
@@ -41,63 +19,44 @@ THE_MINUS = (
     "multiplies the kinetic energy by 1/r."
 )
 
-SECTION_2_6: tuple[Equation, ...] = (
-    Equation(
+SECTION_2_6 = section(
+    "2.6",
+    Kind.MOTION(
         "2-17",
-        "2.6",
-        Kind.MOTION,
         "free slender block, the impact as a force",
         says(x_dd - x + sign(x), F_delta),
         remark="The force stands on the right: one that slows the block is against its velocity.",
     ),
-    Equation(
+    Kind.DEFINITION(
         "2-18",
-        "2.6",
-        Kind.DEFINITION,
         "force of the impact: a function of the rotation times one of the velocity",
         says(F_delta, f * g),
     ),
-    Equation(
-        "2-19a",
-        "2.6",
-        Kind.DEFINITION,
-        "the function of the rotation is a Dirac delta",
-        says(f, DiracDelta(x)),
+    Kind.DEFINITION(
+        "2-19a", "the function of the rotation is a Dirac delta", says(f, DiracDelta(x))
     ),
-    Equation(
-        "2-19b",
-        "2.6",
-        Kind.DEFINITION,
-        "which vanishes away from zero",
-        says(Piecewise((DiracDelta(x), Ne(x, 0))), 0),
+    Kind.DEFINITION(
+        "2-19b", "which vanishes away from zero", says(Piecewise((DiracDelta(x), Ne(x, 0))), 0)
     ),
-    Equation(
+    Kind.DEFINITION(
         "2-19c",
-        "2.6",
-        Kind.DEFINITION,
         "and has the integral one",
-        says(Integral(DiracDelta(x), (x, below_zero, above_zero)), 1),
+        says(Integral(DiracDelta(x), (x, th.below_zero, th.above_zero)), 1),
         remark="The interval contains zero: a < 0 < b.",
     ),
-    Equation(
+    Kind.DEFINITION(
         "2-20",
-        "2.6",
-        Kind.DEFINITION,
         "normal distribution that stands for the delta",
-        says(delta_n, DELTA_N),
+        says(th.delta_n, DELTA_N),
         remark="It is the delta in the limit n -> 0.",
     ),
-    Equation(
+    Kind.MOTION(
         "2-21a",
-        "2.6",
-        Kind.MOTION,
         "the block during an impact, gravity neglected",
-        says(Derivative(x_t, (t_scaled, 2)), F_delta),
+        says(Derivative(th.x_t, (th.t_scaled, 2)), F_delta),
     ),
-    Equation(
+    Kind.MOTION(
         "2-21b",
-        "2.6",
-        Kind.MOTION,
         "the same by the velocity",
         says(dx_d / dt**2, DiracDelta(x) * g),
         says(dx_d / dt, DiracDelta(x) * g),
@@ -105,62 +64,41 @@ SECTION_2_6: tuple[Equation, ...] = (
         "the rotation is differentiated twice.",
         excess=(dx_d / dt**2 - dx_d / dt,),
     ),
-    Equation(
+    Kind.MOTION(
         "2-21c",
-        "2.6",
-        Kind.MOTION,
         "the same, velocity and time on different sides",
         says(1 / g * dx_d, DiracDelta(x) * dt),
     ),
-    Equation(
+    Kind.MOTION(
         "2-21d",
-        "2.6",
-        Kind.MOTION,
         "the same, velocity and rotation on different sides",
-        says(x_d / g * dx_d, DiracDelta(x) * dx),
+        says(x_d / g * dx_d, DiracDelta(x) * th.dx),
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "2-22",
-        "2.6",
-        Kind.CLOSED_FORM,
         "what the function of the velocity must satisfy",
         says(
-            Integral(x_d / g, (x_d, x_d0, x_df)),
-            Integral(DiracDelta(x), (x, -x_0, x_f)),
+            Integral(x_d / g, (x_d, x_d0, th.x_df)),
+            Integral(DiracDelta(x), (x, -th.x_0, th.x_f)),
             1,
         ),
         remark="For a passage in the direction of +x; in that of -x both limits of x change sign "
         "and the integrals are -1, hence the signum in 2-27.",
         sides=POSITIVE,
     ),
-    Equation(
-        "2-23",
-        "2.6",
-        Kind.DEFINITION,
-        "power of the velocity, on trial",
-        says(g, K * x_d**exponent),
-    ),
-    Equation(
+    Kind.DEFINITION("2-23", "power of the velocity, on trial", says(g, K * x_d**exponent)),
+    Kind.CLOSED_FORM(
         "2-24",
-        "2.6",
-        Kind.CLOSED_FORM,
         "2-22 for that power and an impact that leaves the fraction r of the kinetic energy",
         says(Integral(1 / (K * x_d ** (exponent - 1)), (x_d, x_d0, sqrt(r) * x_d0)), 1),
         remark="m = 2 is the only power for which K does not depend on the velocity.",
         sides=POSITIVE,
     ),
-    Equation(
-        "2-25",
-        "2.6",
-        Kind.CLOSED_FORM,
-        "the factor for the second power",
-        says(K, log(sqrt(r))),
-        sides=POSITIVE,
+    Kind.CLOSED_FORM(
+        "2-25", "the factor for the second power", says(K, log(sqrt(r))), sides=POSITIVE
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "2-26",
-        "2.6",
-        Kind.CLOSED_FORM,
         "function of the velocity, for a passage in the direction of +x",
         says(g, -log(sqrt(r)) * x_d**2),
         says(g, log(sqrt(r)) * x_d**2),
@@ -168,10 +106,8 @@ SECTION_2_6: tuple[Equation, ...] = (
         excess=(-2 * log(sqrt(r)) * x_d**2,),
         sides=POSITIVE,
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "2-27",
-        "2.6",
-        Kind.CLOSED_FORM,
         "function of the velocity, for both directions",
         says(g, -log(sqrt(r)) * x_d**2 * tanh(x_d / n)),
         says(g, log(sqrt(r)) * x_d**2 * tanh(x_d / n)),
@@ -180,26 +116,18 @@ SECTION_2_6: tuple[Equation, ...] = (
         remark="The tanh stands for the signum of the velocity; its n is that of 2-20, by choice: "
         "as n goes to zero any width of the tanh takes the same energy.",
     ),
-    Equation(
+    Kind.CLOSED_FORM(
         "2-28",
-        "2.6",
-        Kind.CLOSED_FORM,
         "force of the impact",
         says(
-            F_delta,
-            -log(sqrt(r)) / (n * sqrt(pi)) * tanh(x_d / n) * x_d**2 * exp(-(x**2) / n**2),
+            F_delta, -log(sqrt(r)) / (n * sqrt(pi)) * tanh(x_d / n) * x_d**2 * exp(-(x**2) / n**2)
         ),
-        says(
-            F_delta,
-            log(sqrt(r)) / (n * sqrt(pi)) * tanh(x_d / n) * x_d**2 * exp(-(x**2) / n**2),
-        ),
+        says(F_delta, log(sqrt(r)) / (n * sqrt(pi)) * tanh(x_d / n) * x_d**2 * exp(-(x**2) / n**2)),
         THE_MINUS,
         excess=(-2 * log(sqrt(r)) * x_d**2 * tanh(x_d / n) * DELTA_N,),
     ),
-    Equation(
+    Kind.MOTION(
         "2-29",
-        "2.6",
-        Kind.MOTION,
         "free slender block in one smooth equation",
         says(
             x_dd - x + tanh(x / n),

@@ -17,34 +17,8 @@ from typing import Any
 import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
-from rockeom.thesis import shaken
-from rockeom.thesis.printed import (
-    BLOCK,
-    COLUMN,
-    FIGURE_3_3,
-    FIGURE_5_6,
-    FIGURE_5_10,
-    GAUGE,
-    MAT,
-    TABLE_2_1,
-    TABLE_2_2,
-    TABLE_2_3,
-    TABLE_2_4,
-    TABLE_2_5,
-    TABLE_3_1,
-    TABLE_4_1,
-    TABLE_4_2,
-    TABLE_4_3,
-    TABLE_4_4,
-    TABLE_4_5,
-    TABLE_5_1,
-    TABLE_A_1,
-    TABLES,
-    Cell,
-    PrintedTable,
-    Row,
-    number,
-)
+from rockeom.thesis import printed, shaken
+from rockeom.thesis.printed import TABLES, Cell, PrintedTable, Row, number
 
 __all__ = ["TABLES", "PrintedTable", "computed"]
 
@@ -80,18 +54,18 @@ def computed(number: str) -> tuple[Row, ...]:
 
 def _restitution_of_blocks() -> list[Row]:
     rows: list[Row] = []
-    for height, width, ratio, material, *_ in TABLE_2_1.rows:
+    for height, width, ratio, material, *_ in printed.TABLE_2_1.rows:
         r = formulas.energy_ratio_of_block(math.atan2(1.0, number(ratio)))
         rows.append((height, width, ratio, material, None, float(r)))
     return rows
 
 
 def _springs_of_mats() -> list[Row]:
-    ground = (MAT["modulus"], MAT["poisson"], MAT["density"])
-    half = MAT["side"] / 2
+    ground = (printed.MAT["modulus"], printed.MAT["poisson"], printed.MAT["density"])
+    half = printed.MAT["side"] / 2
     mats = (
-        formulas.circular_mat(MAT["radius"], *ground),
-        formulas.rectangular_mat(half, half, MAT["beta"], *ground),
+        formulas.circular_mat(printed.MAT["radius"], *ground),
+        formulas.rectangular_mat(half, half, printed.MAT["beta"], *ground),
     )
     values = zip(
         *(
@@ -102,13 +76,13 @@ def _springs_of_mats() -> list[Row]:
     )
     return [
         (row[0], row[1], float(circle), row[3], float(square))
-        for row, (circle, square) in zip(TABLE_2_2.rows, values, strict=True)
+        for row, (circle, square) in zip(printed.TABLE_2_2.rows, values, strict=True)
     ]
 
 
 def _factors_of_grant() -> list[Row]:
     rows: list[Row] = []
-    for name, *_ in TABLE_2_4.rows:
+    for name, *_ in printed.TABLE_2_4.rows:
         f = formulas.damping.GRANT_FACTORS[str(name)]
         rows.append((name, f.a, f.b, f.c, f.d, f.e, f.f, 1 + (2 + f.c) ** -f.d))
     return rows
@@ -116,7 +90,7 @@ def _factors_of_grant() -> list[Row]:
 
 def _factors_of_design() -> list[Row]:
     rows: list[Row] = []
-    for name, *_ in TABLE_2_5.rows:
+    for name, *_ in printed.TABLE_2_5.rows:
         f = formulas.damping.DESIGN_FACTORS[str(name)]
         damping = formulas.grant_damping(
             str(name), 4.0, 2.0, constant_damping=0.0, tangent_damping=0.05
@@ -129,7 +103,7 @@ def _damping_of_walls() -> list[Row]:
     rows: list[Row] = []
     wall_mass, added_mass, added_height, centroid = 577.56, 1438.5, 2.537, 2.173
     mass = wall_mass + added_mass
-    for name, length, height, prestress, *_ in TABLE_2_3.rows:
+    for name, length, height, prestress, *_ in printed.TABLE_2_3.rows:
         d, h = number(length) / 1e3, number(height) / 1e3
         # B-9 about a corner, the added mass standing over the middle of the wall
         wall = 686 + wall_mass / 3 * (h**2 + d**2)
@@ -147,16 +121,16 @@ def _damping_of_walls() -> list[Row]:
 
 
 def _forces_at_impact() -> list[Row]:
-    half_width, half_height = BLOCK["half_width"], BLOCK["half_height"]
+    half_width, half_height = printed.BLOCK["half_width"], printed.BLOCK["half_height"]
     alpha, radius = math.atan2(half_width, half_height), math.hypot(half_width, half_height)
-    release = math.radians(number(FIGURE_3_3.rows[0][1]))
+    release = math.radians(number(printed.FIGURE_3_3.rows[0][1]))
     speed = formulas.impact_speed(release, alpha=alpha, radius=radius)
     horizontal, vertical = formulas.block_reactions_at_impact(
-        speed, side=1, mass=BLOCK["mass"], alpha=alpha, radius=radius, slender=True
+        speed, side=1, mass=printed.BLOCK["mass"], alpha=alpha, radius=radius, slender=True
     )
     rows: list[Row] = []
     for (name, baseline, peak, _), force in zip(
-        TABLE_3_1.rows, (vertical, horizontal), strict=True
+        printed.TABLE_3_1.rows, (vertical, horizontal), strict=True
     ):
         increase = 100 * (number(peak) / number(baseline) - 1)
         rows.append((name, abs(float(force)) / 1e3, peak, increase))
@@ -164,15 +138,13 @@ def _forces_at_impact() -> list[Row]:
 
 
 def _scaled_motions() -> list[Row]:
-    forces = dict(
-        zip(TABLE_4_2.column("run"), TABLE_4_2.column("tendon force before"), strict=True)
-    )
+    forces = printed.TABLE_4_2.by_row("tendon force before")
     whole: dict[Cell, Row] = {}
-    for row in TABLE_4_1.rows:
+    for row in printed.TABLE_4_1.rows:
         if row[5] == 1.0:
             whole.setdefault(row[1], row)
     rows: list[Row] = []
-    for run, source, date, *_, scale, time_scale, _force in TABLE_4_1.rows:
+    for run, source, date, *_, scale, time_scale, _force in printed.TABLE_4_1.rows:
         peaks = (number(scale) * number(peak) for peak in whole[source][3:5])
         rows.append((run, source, date, *peaks, scale, time_scale, forces[run]))
     return rows
@@ -180,7 +152,7 @@ def _scaled_motions() -> list[Row]:
 
 def _tendon_forces() -> list[Row]:
     rows: list[Row] = []
-    for run, displacement, before, *_ in TABLE_4_2.rows:
+    for run, displacement, before, *_ in printed.TABLE_4_2.rows:
         wall = analysis.Wall.thesis(initial_force=1e3 * number(before))
         force = float(wall.tendon_force(number(displacement) / 1e3)) / 1e3
         rows.append((run, displacement, before, force, None, None))
@@ -192,7 +164,7 @@ def _shaken_walls() -> list[Row]:
 
     at_speed = rk.EnergyRatioAtSpeed
     return _with_peaks(
-        TABLE_4_3,
+        printed.TABLE_4_3,
         lambda run: shaken.oscillator_run(run, at_speed.equation_4_31()),
         lambda run: shaken.substitute_gravity_run(run, at_speed.equation_4_38()),
     )
@@ -202,7 +174,7 @@ def _shaken_walls_with_more_prestress() -> list[Row]:
     """Table 4-5."""
 
     return _with_peaks(
-        TABLE_4_5,
+        printed.TABLE_4_5,
         lambda run: shaken.oscillator_run(run, rk.EnergyRatioAtSpeed.equation_4_31()),
         lambda run: shaken.oscillator_run(run, 0.852),
     )
@@ -210,7 +182,7 @@ def _shaken_walls_with_more_prestress() -> list[Row]:
 
 def _with_peaks(table: PrintedTable, *simulations: Callable[[str], Any]) -> list[Row]:
     """Columns in threes: measured, and the peaks of two simulations where there is a record."""
-    measured = dict(zip(TABLE_4_2.column("run"), TABLE_4_2.column(_LARGEST), strict=True))
+    measured = printed.TABLE_4_2.by_row(_LARGEST)
     rows: list[Row] = []
     for run, *_ in table.rows:
         runs = [_if_recorded(simulate, str(run)) for simulate in simulations]
@@ -233,7 +205,7 @@ def _if_recorded(simulate: Callable[[str], Any], run: str) -> Any:
 
 def _measured_displacements(table: PrintedTable, *runs: tuple[str, ...]) -> list[Row]:
     """The first columns after the name by Table 4-2, one for each row of `runs`."""
-    measured = dict(zip(TABLE_4_2.column("run"), TABLE_4_2.column(_LARGEST), strict=True))
+    measured = printed.TABLE_4_2.by_row(_LARGEST)
     return [
         (row[0], *cells, *(None for _ in row[1 + len(cells) :]))
         for row, cells in zip(
@@ -252,8 +224,8 @@ def _of_displacement() -> list[Row]:
     uplifts = 1e3 * wall.uplift(record.displacement)
     centres = 1e3 * record.rotation_centre(wall.half_width) + 30
     rows: list[Row] = []
-    for i, (event, *_, reading) in enumerate(TABLE_A_1.rows):
-        displacement = number(TABLE_A_1.rows[i][2])
+    for i, (event, *_, reading) in enumerate(printed.TABLE_A_1.rows):
+        displacement = number(printed.TABLE_A_1.rows[i][2])
         edges = (float(uplifts[i]), None)
         left, right = edges if displacement > 0 else edges[::-1]
         centre = float(centres[i]) if event == "peak" else None
@@ -276,9 +248,9 @@ def _uplift_of_column() -> list[Row]:
 
     models = {"3": shaken.MODEL_A, "4": shaken.model_b()}
     rows: list[Row] = []
-    foot, height = GAUGE
+    foot, height = printed.GAUGE
     edge = 0.3
-    for run, description, displacement, _ in TABLE_5_1.rows:
+    for run, description, displacement, _ in printed.TABLE_5_1.rows:
         size = number(displacement) / 1e3
         if run == "2":
             arm = float(identification.rotation_centre(size))
@@ -299,23 +271,31 @@ def _uplift_of_column() -> list[Row]:
 
 def _release_of_block() -> list[Row]:
 
-    start, release = FIGURE_3_3.rows[0]
+    start, release = printed.FIGURE_3_3.rows[0]
     decay = _free_decay(
-        rk.RigidBlock(**BLOCK), rk.AngularMomentum(), "theta", math.radians(number(release)), 7
+        rk.RigidBlock(**printed.BLOCK),
+        rk.AngularMomentum(),
+        "theta",
+        math.radians(number(release)),
+        7,
     )
     return [(number(start) + time, math.degrees(theta)) for time, theta in decay]
 
 
 def _release_of_column() -> list[Row]:
 
-    start, displacement, _ = FIGURE_5_6.rows[0]
-    alpha = math.atan2(COLUMN["half_width"], COLUMN["height"])
-    release = float(identification.rotation_from_displacement(number(displacement) / 1e3, *GAUGE))
-    decay = _free_decay(rk.LumpedMassStructure(**COLUMN), rk.EnergyRatio(0.81), "theta", release, 8)
+    start, displacement, _ = printed.FIGURE_5_6.rows[0]
+    alpha = math.atan2(printed.COLUMN["half_width"], printed.COLUMN["height"])
+    release = float(
+        identification.rotation_from_displacement(number(displacement) / 1e3, *printed.GAUGE)
+    )
+    decay = _free_decay(
+        rk.LumpedMassStructure(**printed.COLUMN), rk.EnergyRatio(0.81), "theta", release, 8
+    )
     return [
         (
             number(start) + time,
-            1e3 * float(identification.displacement_from_rotation(theta, *GAUGE)),
+            1e3 * float(identification.displacement_from_rotation(theta, *printed.GAUGE)),
             theta / alpha,
         )
         for time, theta in decay
@@ -324,8 +304,8 @@ def _release_of_column() -> list[Row]:
 
 def _release_on_rubber() -> list[Row]:
 
-    start, displacement = FIGURE_5_10.rows[0]
-    cart = rk.TwoSpringCart(**COLUMN, foundation_stiffness=550e3)
+    start, displacement = printed.FIGURE_5_10.rows[0]
+    cart = rk.TwoSpringCart(**printed.COLUMN, foundation_stiffness=550e3)
     decay = _free_decay(cart, rk.EnergyRatio(0.74), "u", number(displacement) / 1e3, 8)
     return [(number(start) + time, 1e3 * u) for time, u in decay]
 
@@ -357,7 +337,7 @@ _COMPUTE: Mapping[str, Callable[[], list[Row]]] = MappingProxyType(
         "4-1": _scaled_motions,
         "4-2": _tendon_forces,
         "4-3": _shaken_walls,
-        "4-4": lambda: _measured_displacements(TABLE_4_4, ("2", "3", "4"), ("7", "8", "9")),
+        "4-4": lambda: _measured_displacements(printed.TABLE_4_4, ("2", "3", "4"), ("7", "8", "9")),
         "4-5": _shaken_walls_with_more_prestress,
         "5-1": _uplift_of_column,
         "A-1": _of_displacement,

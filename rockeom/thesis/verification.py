@@ -195,7 +195,7 @@ def _findings(
     findings: list[Finding] = []
     for check in checks:
         try:
-            findings += check.find(one, relations)
+            findings += check.find(one, *relations)
         except Exception as error:  # one equation that cannot be compared must not hide the others
             message = f"{type(error).__name__}: {error}"
             findings.append(

@@ -49,14 +49,22 @@ def strange():
     )  # fmt: skip
 
 
-NAMES = (*SHIPPED, "while")
+ON_SPRINGS = rk.LumpedMassStructure(
+    mass=3.0, height=1.0, inertia=0.5, base_mass=1.0, base_height=0.1, base_inertia=0.1,
+    half_width=0.3, support=rk.TwoSprings(stiffness=1e3, damping=10.0),
+)  # fmt: skip
+NAMES = (*SHIPPED, "on springs", "while")
 
 
 @cache
 def module(name):
     if name == "while":
         return class_of_model(strange()).module
-    return SHIPPED[name](**plain(name)).module
+    return structure(name).module
+
+
+def structure(name):
+    return ON_SPRINGS if name == "on springs" else SHIPPED[name](**plain(name))
 
 
 @cache
@@ -71,7 +79,7 @@ def text(name, language):
 def parameters(name):
     if name == "while":
         return np.array([3.0, 0.2, 0.7, 1.3, 9.81])
-    given = SHIPPED[name](**plain(name)).parameters()
+    given = structure(name).parameters()
     return np.array([given[n] for n in module(name).PARAMETERS])
 
 

@@ -7,7 +7,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.compiler.machine import OutOfBoundsError
-from rockeom.integrator import program
+from rockeom.integrator import printing, program
 from tests.machine_code import HEAD, functions
 
 TEXT = (
@@ -193,7 +193,7 @@ def test_a_fault_is_raised_once_by_the_call_that_has_it(compiled):
 def test_programs_with_checks_have_a_name_and_a_hash_of_their_own(monkeypatch):
     """What is stored for one is never run for the other, and without the option nothing changes."""
     module = rk.RigidBlock(half_width=0.1, half_height=0.4).module
-    plain, checked = (program.printed(module, "DOP853", program.LOOP, b) for b in (False, True))
+    plain, checked = (printing.printed(module, "DOP853", program.LOOP, b) for b in (False, True))
     assert "out_of_bounds" not in plain.ir()
     assert "@spare" not in plain.ir()
     assert "out_of_bounds" in checked.ir()
@@ -210,7 +210,7 @@ def test_programs_with_checks_have_a_name_and_a_hash_of_their_own(monkeypatch):
 def test_the_half_that_loops_share_is_the_same_with_checks():
     """Names of texts are in it that are the structure's own: only those that it wants."""
     texts = [
-        program.printed(block.module, "DOP853", program.LOOP, True).halves()[1]
+        printing.printed(block.module, "DOP853", program.LOOP, True).halves()[1]
         for block in (
             rk.RigidBlock(half_width=0.1, half_height=0.4),
             rk.SlenderBlock(alpha=0.2, radius=1.0),

@@ -157,6 +157,23 @@ def run(x: Floats, n: Ints, out: Floats):
     out[0] = later[back - 1] + x[k]
 """
 
+ROUNDS = """
+WEIGHTS = np.array([[0.5, 0.0], [-1.5, 2.0]])
+PLACES = (7, 3)
+
+@entry
+def run(x: Floats, n: Ints, out: Floats):
+    for k in range(2):
+        pair = (x[k], x[k + 4])
+        for i in unrolled(range(2)):
+            total = 0.0
+            for j in unrolled(range(2)):
+                if WEIGHTS[i, j] != 0.0:
+                    total += WEIGHTS[i, j] * pair[j]
+            for place in unrolled(PLACES):
+                out[place + i] += total if place > 3 else k
+"""
+
 CHOICES = """
 @entry
 def run(x: Floats, n: Ints, out: Floats):
@@ -251,6 +268,7 @@ TEXTS = {
     "Horner": HORNER,
     "determinant": DETERMINANT,
     "places": PLACES,
+    "loops that are written out": ROUNDS,
     "choices": CHOICES,
     "library": LIBRARY,
     "infinite": INFINITE,
@@ -342,7 +360,7 @@ WRONG = {
     "ints are subtracted the other way": (
         machine_lines.OF_INTS, "Sub", "add nsw", PLACES,
     ),
-    "a constant is negated": (parsed._OPERATORS, frontend.ast.USub, lambda a: a, HORNER),
+    "a constant is negated": (parsed.OPERATORS, frontend.ast.USub, lambda a: a, HORNER),
     "the largest is the least": (frontend._BUILT_IN, "max", Lines.least, CHOICES),
 }  # fmt: skip
 
@@ -430,6 +448,9 @@ REFUSED = {
     "x = np.empty(n)": "the shape of an array is constant",
     "for a in y:\n        pass": "a loop is `for name in range(...)`",
     "for i in range(0, 3, n):\n        pass": "the step of a range is a constant",
+    "for i in unrolled(range(n)):\n        pass": "an unrolled loop has one name",
+    "for i in unrolled((1, 2)):\n        break": "an unrolled loop has one name",
+    "for i in unrolled((1, 2)):\n        pass\n    z = i": "i is not known",
     "x = other(1.0)": "no function other is known",
     "x = outer(1.0, 2.0)": "it takes 1 arguments, and got 2",
     "x = outer(x=1.0)": "arguments are given by their place",

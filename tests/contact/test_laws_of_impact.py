@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 import rockeom as rk
 from rockeom.codes import CONTACT_LAWS
-from rockeom.integrator.program import linked
+from rockeom.integrator.linking import linked
 from rockeom.symbolic import Contact, Rigid, parameter
 
 from .laws_alone import impulses

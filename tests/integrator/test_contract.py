@@ -18,7 +18,7 @@ from rockeom import codes
 from rockeom.compiler.frontend import _BUILT_IN
 from rockeom.compiler.modules import Modules, Refused, Text, parsed
 from rockeom.compiler.printer import Program
-from rockeom.integrator.program import GLUE, LOOP, TANGENTS, linked
+from rockeom.integrator.linking import GLUE, LOOP, TANGENTS, linked
 from rockeom.integrator.schema import PROVIDED
 
 FOLDER = Path(rk.__file__).parent / "integrator"
@@ -31,8 +31,11 @@ DECLARED = parsed(TEXTS[PROVIDED].read_text(), "provided.py").functions
 TABLES = {node.target.id for node in TREES[PROVIDED].body if isinstance(node, ast.AnnAssign)}
 PYTHON = {
     f"rockeom.integrator.{name}"
-    for name in ("program", "schema", "texts", "methods.tableau", "methods.radau", "lanes.step")
-}
+    for name in (
+        "linking", "printing", "program", "schema", "texts", "methods.tableau", "methods.radau",
+        "lanes.step",
+    )
+}  # fmt: skip
 """Modules that Python runs, to write texts and to link them."""
 OF_PRINTER = {"value", "moving", "rate"}
 """Functions that numbers with derivatives are asked by; the printer has them."""
@@ -155,8 +158,8 @@ print(*sorted(m.removeprefix("rockeom.integrator.") for m in own))
         env=os.environ | {"ROCKEOM_CACHE_DIR": str(tmp_path)},
     )  # fmt: skip
     assert done.stdout.split() == [
-        "methods", "methods.coefficients", "methods.tableau", "program", "records", "schema",
-        "texts", "transitions", "transitions.restitution",
+        "linking", "methods", "methods.coefficients", "methods.tableau", "printing", "program",
+        "records", "schema", "texts", "transitions", "transitions.restitution",
     ]  # fmt: skip
 
 

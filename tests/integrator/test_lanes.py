@@ -11,7 +11,7 @@ import pytest
 import rockeom as rk
 from rockeom.compiler.machine import Loaded, compiled
 from rockeom.compiler.printer import Program as Printed
-from rockeom.integrator.program import GLUE, LOOP, VECTORS, linked
+from rockeom.integrator.linking import GLUE, LOOP, VECTORS, linked
 from rockeom.simulation.case import Problems
 from rockeom.sweeps.cases import Batch
 from rockeom.sweeps.results import Results

@@ -84,7 +84,8 @@ from rockeom.integrator.methods import coefficients
 coefficients.PAIRS["Prince"] = coefficients.RK45
 import rockeom as rk
 import rockeom.generated.rigid_block as module
-from rockeom.integrator.program import GLUE, LOOP, printed
+from rockeom.integrator.linking import GLUE, LOOP
+from rockeom.integrator.printing import printed
 assert rk.SolverOptions(method="Prince").method == "Prince"
 for part in (LOOP, GLUE):
     one, other = (printed(module, m, part).ir() for m in ("Prince", "RK45"))

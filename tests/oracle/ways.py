@@ -16,7 +16,7 @@ from typing import Any, get_type_hints
 import numpy as np
 
 from rockeom.compiler.modules import Text, as_python
-from rockeom.integrator.program import linked
+from rockeom.integrator.linking import linked
 from rockeom.integrator.texts import source
 from tests.machine_code import HEAD, functions
 

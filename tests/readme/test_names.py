@@ -15,7 +15,8 @@ import rockeom as rk
 from rockeom.codegen import module_text
 from rockeom.codegen.names import Names, is_own
 from rockeom.codes import IMPACT
-from rockeom.integrator.program import LOOP, printed
+from rockeom.integrator.linking import LOOP
+from rockeom.integrator.printing import printed
 from rockeom.integrator.texts import load_text
 from rockeom.structures.declared import class_of
 from rockeom.symbolic import Coordinate, Mode, RockingModel, Transition

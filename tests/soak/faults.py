@@ -48,7 +48,7 @@ class Fault:
 
 LOOP, LANES = "rockeom/integrator/loop.py", "rockeom/integrator/lanes/loop.py"
 IMPACTS = "rockeom/integrator/transitions/declared.py"
-CARRIED = "rockeom/integrator/variational.py"
+CARRIED = "rockeom/integrator/tangents/variational.py"
 MODES = "rockeom/structures/declared_modes.py"
 _FULL = """\
         if is_full(motion, recorder) or motion.taken > turn:

@@ -19,7 +19,7 @@ def notices(equation: Equation, relations: Relations) -> bool:
     """Whether these relations fail a check; one that breaks off passes none, as in `decide`."""
     for check in CHECKS[equation.number]:
         try:
-            if not all(finding.holds for finding in check.find(equation, relations)):
+            if not all(finding.holds for finding in check.find(equation, *relations)):
                 return True
         except Exception:
             return True

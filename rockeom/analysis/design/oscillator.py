@@ -19,12 +19,10 @@ square of the step: halve it to estimate the error. `ControlledWallOscillator` i
 structure for the backbone of a wall.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import NamedTuple, Protocol, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -219,9 +217,7 @@ class ViscousDamping:
         require(self.below > 0, "ViscousDamping", "below", self.below, rule)
 
     @classmethod
-    def of_ratio(
-        cls, ratio: float, mass: float, period: float, below: float = math.inf
-    ) -> ViscousDamping:
+    def of_ratio(cls, ratio: float, mass: float, period: float, below: float = math.inf) -> Self:
         """Damping with the coefficient c = 4 pi xi M/T.
 
         Parameters
@@ -288,7 +284,7 @@ class TangentDamping:
         not_negative("TangentDamping", factor=self.factor)
 
     @classmethod
-    def of_ratio(cls, ratio: float, period: float) -> TangentDamping:
+    def of_ratio(cls, ratio: float, period: float) -> Self:
         """Damping with the factor a = xi T/pi.
 
         Parameters

@@ -18,8 +18,6 @@ Giorgilli and Strelcyn 1980, Meccanica 15, 9-20 and 21-30; at impacts Mueller 19
 can be predicted for long: chaos, if the motion stays bounded.
 """
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -196,10 +194,8 @@ def lyapunov_spectrum(
     ``e**2`` each. In the plane of the states of a block there are two; the direction of time, whose
     exponent is zero, is not among them.
     """
-    cycles, settling = (
-        whole_number("cycles", cycles, BATCHES),
-        whole_number("settling", settling, 0),
-    )
+    cycles = whole_number("cycles", cycles, BATCHES)
+    settling = whole_number("settling", settling, 0)
     motion, growth = _start(stroboscope, initial), []
     if isinstance(initial, LyapunovSpectrum):
         settling, growth = 0, [*initial.growth]
@@ -219,6 +215,14 @@ def lyapunov_spectrum(
     return spectrum(np.array(growth), *motion)
 
 
+class _Motion(NamedTuple):
+    """The state of a motion, and the directions that are propagated with it."""
+
+    state: np.ndarray
+    mode: str
+    directions: np.ndarray
+
+
 def _start(
     stroboscope: StroboscopicMap, initial: Mapping[str, float] | ArrayLike | LyapunovSpectrum
 ) -> _Motion:
@@ -235,14 +239,6 @@ def _start(
             "continue it with the map of the call that returned it"
         )
     return _Motion(initial.state, initial.mode, initial.directions)
-
-
-class _Motion(NamedTuple):
-    """The state of a motion, and the directions that are propagated with it."""
-
-    state: np.ndarray
-    mode: str
-    directions: np.ndarray
 
 
 def _cycle(one: StroboscopicMap, motion: _Motion, k: int) -> tuple[_Motion, np.ndarray]:

@@ -254,13 +254,9 @@ class PeriodicOrbit:
         ndarray
             Values (k,) in time order.
         """
-        return np.array(
-            [
-                sign[run.states.index(name)] * impact.before[name]
-                for run, sign in self.legs()
-                for impact in run.impacts
-            ]
-        )
+        i = self.runs[0].states.index(name)
+        impacts = ((sign[i], impact) for run, sign in self.legs() for impact in run.impacts)
+        return np.array([sign * impact.before[name] for sign, impact in impacts])
 
     def trajectory(self) -> tuple[np.ndarray, np.ndarray]:
         """States of the structure over the whole motion, for drawing.
@@ -376,11 +372,8 @@ class StroboscopicMap:
         for argument in ("states", "upward"):
             unknown = [name for name in getattr(self, argument) if name not in states]
             if unknown:
-                raise (
-                    InputError(argument, unknown[0], "StroboscopicMap")
-                    .wrong(f"has {unknown[0]!r}")
-                    .choose(states)
-                )
+                error = InputError(argument, unknown[0], "StroboscopicMap")
+                raise error.wrong(f"has {unknown[0]!r}").choose(states)
         self._check_period()
         if not self.states:
             object.__setattr__(self, "states", states)
@@ -616,14 +609,9 @@ class StroboscopicMap:
         return dict(zip(self.states, x, strict=True))
 
     def _simulated(self, x: np.ndarray, duration: float) -> Response:
-        run = simulate(
-            self.structure,
-            self.motion,
-            impact=self.impact,
-            initial=self._named(x.tolist()),
-            duration=duration,
-            options=self.options,
-        )
+        initial = self._named(x.tolist())
+        case = Case(self.structure, self.motion, self.impact, initial, duration)
+        run = simulate(case, options=self.options)
         _check_ended(run, x)
         return run
 

@@ -220,14 +220,8 @@ def overturning_boundaries(
     True
     """
     (parts,) = positive("overturning_boundaries", accuracy=accuracy)
-    fates = _Fates(
-        case,
-        most,
-        {
-            "options": options,
-            "sweep_options": SweepOptions(threads=threads, progress=False),
-        },
-    )
+    quiet = SweepOptions(threads=threads, progress=False)
+    fates = _Fates(case, most, {"options": options, "sweep_options": quiet})
     if "low" in sweep and sweep["low"].dims == (_DIM,):
         brackets = _Brackets.of(sweep)
     else:

@@ -19,10 +19,8 @@ zeta = c/(m Omega), and the number of the landing N = b omega Omega/g. For small
 (1 - Housner's ratio) times the peak rotation over the rotation at uplift.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -262,7 +260,7 @@ class _Block(NamedTuple):
     gravity: np.ndarray
 
     @classmethod
-    def checked(cls, where, half_width, half_height, mass, inertia, gravity) -> _Block:
+    def checked(cls, where, half_width, half_height, mass, inertia, gravity) -> Self:
         b, h, mass, gravity = positive(
             where, half_width=half_width, half_height=half_height, mass=mass, gravity=gravity
         )

@@ -84,8 +84,7 @@ def peak_sequence(
     (n,) = positive(where, width=width)
     (ratios,) = positive(where, energy_ratio=energy_ratio)
     require(ratios <= 1, where, "energy_ratio", ratios, "more than 1 would add energy")
-    if passages is not None and passages < 0:
-        raise InputError("passages", passages, where).give("0 or more")
+    require(passages is None or passages >= 0, where, "passages", passages, "give 0 or more")
     if passages is None and not ratios.ndim:
         raise InputError("passages", of=where).wrong("is missing: give how many, or one r for each")
     if ratios.ndim > 1 or (ratios.ndim and passages not in (None, len(ratios))):

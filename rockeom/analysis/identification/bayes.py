@@ -15,14 +15,12 @@ All searches are in the standard normal deviates of the priors, in which the pri
 any parameter and no bound is met: of a parameter x with the distribution F, Phi(u) = F(x).
 """
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from scipy.special import gammaln, log_ndtr, ndtri, stdtr
@@ -30,7 +28,7 @@ from scipy.special import gammaln, log_ndtr, ndtri, stdtr
 from rockeom.analysis.identification.fitting import CONFIDENCE
 from rockeom.analysis.identification.observed import Observed, PredictedReadings
 from rockeom.analysis.identification.sampling import Draws, Ridge, hamiltonian_draws
-from rockeom.analysis.random_parameters import RandomParameters
+from rockeom.analysis.random_parameters import RandomParameters, in_words
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, require
 from rockeom.numbers.dual import tangent_of, value_of
@@ -91,7 +89,7 @@ class _Parts(NamedTuple):
     of_log_scale: np.ndarray
 
     @classmethod
-    def of(cls, test: Observed, predicted: np.ndarray, scale: np.ndarray, law: _Errors) -> _Parts:
+    def of(cls, test: Observed, predicted: np.ndarray, scale: np.ndarray, law: _Errors) -> Self:
         seen = np.abs(test.measured) < test.limit
         z = np.where(seen, test.measured - predicted, 0.0) / scale
         side, place = np.sign(test.measured), law.information
@@ -359,7 +357,7 @@ class Posterior:
         least = float(np.linalg.eigvalsh(bend)[0])
         if not least > 0.0:
             raise ValueError(
-                f"laplace: the density does not fall off from {self._told(self.map)} in every "
+                f"laplace: the density does not fall off from {in_words(self.map)} in every "
                 "direction: it has no peak there; use `sample`, or other starts"
             )
         covariance = scale @ np.linalg.inv(bend) @ scale.T
@@ -444,11 +442,8 @@ class Posterior:
         values = dict(zip(self.space.names, self.space.columns(u), strict=True))
         return Draws(values, counts.pop("gradients"), dict(counts), diverging)
 
-    def _told(self, values: Mapping[str, float]) -> str:
-        return ", ".join(f"{name} = {x:.6g}" for name, x in values.items())
-
     def __repr__(self) -> str:
-        return f"Posterior({self._told(self.map)})"
+        return f"Posterior({in_words(self.map)})"
 
     def summary(self, confidence: float = CONFIDENCE) -> str:
         """Parameters in words, a line each, by Laplace's approximation.
@@ -570,8 +565,7 @@ def model_probabilities(posteriors: Mapping[str, Posterior]) -> dict[str, float]
     lose.
     """
     found = list(posteriors.values())
-    if not found:
-        raise InputError("posteriors", posteriors).give("those that are compared")
+    require(bool(found), "", "posteriors", posteriors, "give those that are compared")
     readings = [np.concatenate([test.measured for test in one.tests]) for one in found]
     for name, other in zip(posteriors, readings, strict=True):
         if not np.array_equal(readings[0], other):

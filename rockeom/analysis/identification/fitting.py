@@ -14,12 +14,10 @@
 `fit` takes any function of some parameters; the other functions fit a simulation or a formula.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,13 +26,13 @@ from rockeom.analysis.arguments import measured_swings
 from rockeom.analysis.formulas.controlled_wall import RotationCentre
 from rockeom.analysis.identification.free_vibration import coefficient_of_determination
 from rockeom.analysis.identification.measured import rotation_centre
-from rockeom.analysis.identification.swings_of_response import swing_tangents, swings
+from rockeom.analysis.identification.observed import SwingsOfCase
+from rockeom.analysis.identification.swings_of_response import swings
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, numbers, positive, require
 from rockeom.numbers.dual import duals
 from rockeom.simulation.case import Case
 from rockeom.simulation.options import SolverOptions
-from rockeom.simulation.response import Response
 from rockeom.simulation.simulate import simulate
 
 CONFIDENCE = 0.95
@@ -287,13 +285,11 @@ class _LeastSquares:
         measured: ArrayLike,
         start: Mapping[str, float],
         uncertainty: ArrayLike | None,
-    ) -> _LeastSquares:
+    ) -> Self:
         """Raises ValueError for bad arguments of `fit`."""
         (y,) = numbers("fit", measured=measured)
-        if y.ndim != 1 or not y.size:
-            raise InputError("measured", y, "fit").give("a list of values")
-        if not start:
-            raise InputError("start", {}, "fit").give("a first guess of each parameter, by name")
+        require(y.ndim == 1 and y.size > 0, "fit", "measured", y, "give a list of values")
+        require(bool(start), "fit", "start", {}, "give a first guess of each parameter, by name")
         first = np.array([float(numbers("fit", **{name: start[name]})[0]) for name in start])
         (sigma,) = positive("fit", uncertainty=1.0 if uncertainty is None else uncertainty)
         if sigma.shape not in ((), y.shape):
@@ -457,85 +453,42 @@ def fit_free_vibration(
     enlarges the peaks of a record, the largest of several samples: filter it first, or fit
     crossings.
     """
-    values = {"peaks": peaks, "peak_times": peak_times, "crossing_times": crossing_times}
-    measured = _MeasuredSwings.of(values, uncertainty, time_uncertainty)
-    first = dict(start)
+    offered = {"peaks": peaks, "peak_times": peak_times, "crossing_times": crossing_times}
+    values = measured_swings("fit_free_vibration", offered)
+    first, released = dict(start), None
     if release_time is not None:
-        first["release_time"] = release_time
-    model = _ModelOfSwings(case, measured, quantity, release_time is not None, options)
+        released = "release_time"
+        first[released] = release_time
+    lengths = {name: len(x) for name, x in values.items()}
+    model = SwingsOfCase(case, lengths, quantity, released, options)
+
+    def predicted(**parameters: float) -> np.ndarray:
+        return model(**parameters).values
+
+    def derivatives(**parameters: float) -> np.ndarray:
+        return model(**duals(**parameters)).derivatives
+
     if exact is None:
-        exact = _works(model.derivatives, first)
+        exact = _works(derivatives, first)
     return fit(
-        model.predicted, np.concatenate(list(measured.values.values())), first,
-        uncertainty=measured.uncertainty, bounds=bounds,
-        derivatives=model.derivatives if exact else None,
+        predicted, np.concatenate(list(values.values())), first,
+        uncertainty=_of_swings(values, uncertainty, time_uncertainty), bounds=bounds,
+        derivatives=derivatives if exact else None,
     )  # fmt: skip
 
 
-class _MeasuredSwings(NamedTuple):
-    """Measured peaks, peak times and crossing times, those that there are, by these names.
-
-    values : (n,) of each kind. uncertainty : of all in turn, None where it is to be estimated.
-    """
-
-    values: dict[str, np.ndarray]
-    uncertainty: np.ndarray | None
-
-    @classmethod
-    def of(
-        cls,
-        offered: Mapping[str, ArrayLike | None],
-        uncertainty: float | None,
-        time_uncertainty: float | None,
-    ) -> _MeasuredSwings:
-        where = "fit_free_vibration"
-        values = measured_swings(where, offered)
-        errors = [uncertainty if name == "peaks" else time_uncertainty for name in values]
-        if len({name == "peaks" for name in values}) == 2 and None in errors:
-            raise InputError("uncertainty", of=where).says(
-                "peaks and times are in units of their own: give the uncertainty of both"
-            )
-        if None in errors:
-            return cls(values, None)
-        lengths = [len(value) for value in values.values()]
-        return cls(values, np.repeat(np.array(errors, dtype=float), lengths))
-
-    @property
-    def number(self) -> int:
-        """The most values of a kind."""
-        return max(map(len, self.values.values()))
-
-    def select(self, *columns: np.ndarray) -> np.ndarray:
-        """The rows of simulated peaks, peak times and crossing times that were measured."""
-        rows = dict(zip(("peaks", "peak_times", "crossing_times"), columns, strict=True))
-        return np.concatenate([rows[name][: len(value)] for name, value in self.values.items()])
-
-
-class _ModelOfSwings(NamedTuple):
-    """The simulated free vibration of a case, and its derivatives, in the order of the measured.
-
-    shifted : whether the parameters have the time of the release, by the name "release_time".
-    """
-
-    case: Callable[..., Case]
-    measured: _MeasuredSwings
-    quantity: str
-    shifted: bool
-    options: SolverOptions | None
-
-    def predicted(self, **parameters: float) -> np.ndarray:
-        shift = parameters.pop("release_time") if self.shifted else 0.0
-        run = _simulated(self.case(**parameters), self.options)
-        peak, peak_time, crossing_time = swings(run, self.quantity, self.measured.number)
-        return self.measured.select(peak, peak_time + shift, crossing_time + shift)
-
-    def derivatives(self, **parameters: float) -> np.ndarray:
-        seeds = duals(**parameters)
-        shift = seeds.pop("release_time").tangent if self.shifted else np.zeros(len(seeds))
-        _, (peak, peak_time, crossing_time) = swing_tangents(
-            self.case(**seeds), self.quantity, self.measured.number, self.options
+def _of_swings(
+    values: Mapping[str, np.ndarray], uncertainty: float | None, time_uncertainty: float | None
+) -> np.ndarray | None:
+    """Uncertainty of each measured value; None where one is not stated."""
+    errors = [uncertainty if name == "peaks" else time_uncertainty for name in values]
+    if len({name == "peaks" for name in values}) == 2 and None in errors:
+        raise InputError("uncertainty", of="fit_free_vibration").says(
+            "peaks and times are in units of their own: give the uncertainty of both"
         )
-        return self.measured.select(peak, peak_time + shift, crossing_time + shift)
+    if None in errors:
+        return None
+    return np.repeat(np.array(errors, dtype=float), [len(x) for x in values.values()])
 
 
 def _works(derivatives: Callable[..., np.ndarray], start: Mapping[str, float]) -> bool:
@@ -544,10 +497,6 @@ def _works(derivatives: Callable[..., np.ndarray], start: Mapping[str, float]) -
         return bool(np.all(np.isfinite(derivatives(**start))))
     except (TypeError, ValueError, AttributeError):
         return False
-
-
-def _simulated(case: Case, options: SolverOptions | None) -> Response:
-    return simulate(**vars(case), options=options)
 
 
 def energy_ratios_by_release(
@@ -591,7 +540,7 @@ def energy_ratios_by_release(
         raise InputError("peaks", x, where).give("two or more, on both sides in turn")
 
     def beyond(r: float, peak: float, following: float) -> float:
-        run = _simulated(case(peak, r), options)
+        run = simulate(case(peak, r), options=options)
         reached = float(swings(run, quantity, 2).peak[1])
         if not reached and run.outcome != "came to rest":
             raise ValueError(

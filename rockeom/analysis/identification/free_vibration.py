@@ -559,6 +559,5 @@ def coefficient_of_determination(measured: ArrayLike, predicted: ArrayLike) -> f
     where = "coefficient_of_determination"
     measured, predicted = numbers(where, measured=measured, predicted=predicted)
     spread = float(np.sum((measured - np.mean(measured)) ** 2))
-    if not spread:
-        raise InputError("measured", measured, where).so("one value has no spread to explain")
+    require(spread != 0.0, where, "measured", measured, "one value has no spread to explain")
     return 1 - float(np.sum((measured - predicted) ** 2)) / spread

@@ -10,12 +10,10 @@ parameters however many impacts come before it, so that their number does not ma
 overturns is held where it lies, so that its prediction stays continuous, and far from the record.
 """
 
-from __future__ import annotations
-
 import inspect
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -106,7 +104,7 @@ class Observed:
         cls, case: Case | Callable[..., Case], time: ArrayLike, values: ArrayLike, *,
         quantity: str = "theta", noise: float | str = "noise", limit: float = np.inf,
         options: SolverOptions | None = None,
-    ) -> Observed:  # fmt: skip
+    ) -> Self:  # fmt: skip
         """Record, sample by sample: of a free vibration or of a shaken structure.
 
         Parameters
@@ -173,7 +171,7 @@ class Observed:
         quantity: str = "theta", noise: float | str = "noise",
         time_noise: float | str = "time_noise", release_time: str | None = None,
         options: SolverOptions | None = None,
-    ) -> Observed:  # fmt: skip
+    ) -> Self:  # fmt: skip
         """Peaks and crossings of a free vibration, where there is no record of all of it.
 
         Parameters
@@ -227,7 +225,7 @@ class Observed:
         if release_time is not None and takes is not None:
             takes = (*takes, release_time)
         lengths = {name: len(x) for name, x in values.items()}
-        model = _Swings(case, lengths, quantity, release_time, options)
+        model = SwingsOfCase(case, lengths, quantity, release_time, options)
         return cls(
             model, np.concatenate(list(values.values())), _noises(where, *pairs), takes=takes
         )
@@ -235,7 +233,7 @@ class Observed:
     @classmethod
     def formula(
         cls, model: Callable[..., Any], values: ArrayLike, *, noise: float | str = "noise"
-    ) -> Observed:
+    ) -> Self:
         """Values that a formula predicts.
 
         Parameters
@@ -265,11 +263,10 @@ class Observed:
         """
         where = "Observed.formula"
         (y,) = numbers(where, values=values)
-        if y.ndim != 1 or not y.size:
-            raise InputError("values", y, where).give("a list of values")
+        require(y.ndim == 1 and y.size > 0, where, "values", y, "give a list of values")
         return cls(_Formula(model, len(y)), y, _noises(where, (noise, len(y))), takes=_takes(model))
 
-    def taking(self, names: tuple[str, ...]) -> Observed:
+    def taking(self, names: tuple[str, ...]) -> Self:
         """The same with a model that takes some parameters, where it names none itself.
 
         Parameters
@@ -403,7 +400,7 @@ def _answer(
     return PredictedReadings(values, np.where(lost, 0.0, along), mismatch)
 
 
-class _Swings(NamedTuple):
+class SwingsOfCase(NamedTuple):
     """The swings of a case; lengths : how many of each kind were measured, by their names."""
 
     case: Any

@@ -119,8 +119,7 @@ def fit_pulse(
     require(band <= longest, where, "periods", band, f"the motion lasts {longest:g} s: give less")
     t = np.linspace(0.0, longest, math.ceil(_SAMPLES * longest / band[0]) + 1)
     v = motion.velocity(t)
-    if not np.abs(v).max() > 0.0:
-        raise InputError("motion", motion, where).so("it has no velocity to fit")
+    require(bool(np.abs(v).max() > 0.0), where, "motion", motion, "it has no velocity to fit")
     gammas = _GAMMAS if model == PULSE_MODELS[0] else (1.0,)
     fits = [_polished(model, t, v, place, band) for place in _searched(model, t, v, band, gammas)]
     left, (period, centre, gamma) = min(fits, key=lambda fit: fit[0])
@@ -168,7 +167,8 @@ def _searched(
     step = t[1] - t[0]
     for period in np.geomspace(band[0], band[1], _PERIODS):
         for gamma in np.atleast_1d(gammas):
-            reach = math.ceil(_half_length(model, period, gamma) / step)
+            half = 0.5 * gamma if model == "mavroeidis_papageorgiou" else 2.0
+            reach = math.ceil(half * period / step)
             x = step * np.arange(-reach, reach + 1)
             shapes = _shapes(model, x, period, gamma)
             taken = sum(
@@ -180,10 +180,6 @@ def _searched(
             starts.append((taken[best], (float(period), float(t[best]), float(gamma))))
     starts.sort(key=lambda one: -one[0])
     return [place for _, place in starts[:_STARTS]]
-
-
-def _half_length(model: str, period: float, gamma: float) -> float:
-    return (0.5 * gamma if model == "mavroeidis_papageorgiou" else 2.0) * period
 
 
 def _lead(model: str, period: float, gamma: float) -> float:

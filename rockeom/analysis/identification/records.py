@@ -11,12 +11,10 @@ The effect of a filter on white noise is known exactly: each step of the chain p
 so that its result has a stated one.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import lcm
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -95,8 +93,7 @@ class MeasuredRecord:
     def __post_init__(self) -> None:
         where = "MeasuredRecord"
         (t,) = numbers(where, time=self.time)
-        if t.ndim != 1 or len(t) < 8:
-            raise InputError("time", t, where).give("at least 8 instants")
+        require(t.ndim == 1 and len(t) >= 8, where, "time", t, "give at least 8 instants")
         require(np.diff(t) > 0, where, "time", t[1:], "times must increase")
         mean = (t[-1] - t[0]) / (len(t) - 1)
         even = np.abs(t - t[0] - mean * np.arange(len(t))) < 0.1 * mean
@@ -135,7 +132,7 @@ class MeasuredRecord:
         time_column: str | int = "time",
         noise: Mapping[str, float] | None = None,
         gravity: float = STANDARD_GRAVITY,
-    ) -> MeasuredRecord:
+    ) -> Self:
         """Columns of a text file (commas, semicolons, tabs or blanks) with a line of headings.
 
         Parameters
@@ -182,7 +179,7 @@ class MeasuredRecord:
 
     def with_channel(
         self, name: str, values: ArrayLike, noise: float | Noise | None = None
-    ) -> MeasuredRecord:
+    ) -> Self:
         """Record with one more channel.
 
         Parameters
@@ -206,7 +203,7 @@ class MeasuredRecord:
             noise=others if noise is None else {**others, name: noise},
         )
 
-    def between(self, start: float, end: float) -> MeasuredRecord:
+    def between(self, start: float, end: float) -> Self:
         """Part of the record between two instants.
 
         Parameters
@@ -228,7 +225,7 @@ class MeasuredRecord:
 
     # -- the signal chain -------------------------------------------------------------------
 
-    def low_pass(self, cutoff: float, order: int = 4) -> MeasuredRecord:
+    def low_pass(self, cutoff: float, order: int = 4) -> Self:
         """All channels through a Butterworth filter, forward and backward: no phase is shifted.
 
         Parameters
@@ -303,9 +300,7 @@ class MeasuredRecord:
         require(f < 0.5 / self.step, where, "cutoff", f, rule)
         return butter(order, f, output="sos", fs=1 / self.step)
 
-    def with_derivatives(
-        self, channel: str, window: float | None = None, degree: int = 4
-    ) -> MeasuredRecord:
+    def with_derivatives(self, channel: str, window: float | None = None, degree: int = 4) -> Self:
         """Record with the rate and the second derivative of a channel, NAME_dot and NAME_ddot.
 
         Parameters
@@ -348,7 +343,7 @@ class MeasuredRecord:
             noise[name] = self.noise[channel].through(_kernel(half, degree, order, self.step))
         return replace(self, channels=channels, noise=noise)
 
-    def resampled(self, factor: float) -> MeasuredRecord:
+    def resampled(self, factor: float) -> Self:
         """Record at another rate of sampling.
 
         Parameters
@@ -379,19 +374,14 @@ class MeasuredRecord:
         rule = "give a whole number, or one over a whole number"
         require(abs(max(f, 1 / f) - times) < 1e-9, where, "factor", f, rule)
         if f < 1:
-            return replace(
-                self,
-                time=self.time[::times],
-                channels={n: x[::times] for n, x in self.channels.items()},
-                noise={n: one.every(times) for n, one in self.noise.items()},
-            )
-        t = self.time[0] + self.step / times * np.arange((len(self.time) - 1) * times + 1)
-        return replace(
-            self,
-            time=t,
-            channels={n: CubicSpline(self.time, x)(t) for n, x in self.channels.items()},
-            noise={n: _between(one, times) for n, one in self.noise.items()},
-        )
+            t = self.time[::times]
+            channels = {n: x[::times] for n, x in self.channels.items()}
+            noise = {n: one.every(times) for n, one in self.noise.items()}
+        else:
+            t = self.time[0] + self.step / times * np.arange((len(self.time) - 1) * times + 1)
+            channels = {n: CubicSpline(self.time, x)(t) for n, x in self.channels.items()}
+            noise = {n: _between(one, times) for n, one in self.noise.items()}
+        return replace(self, time=t, channels=channels, noise=noise)
 
     def velocities_by_resampling(
         self, channel: str, window: float, factors: Sequence[float] = (0.5, 2.0), degree: int = 4

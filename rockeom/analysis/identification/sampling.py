@@ -1,12 +1,10 @@
 """Draws from a posterior by a Hamiltonian sampler, whose package is the extra `bayes`."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -170,7 +168,7 @@ class Ridge:
     bends: np.ndarray
 
     @classmethod
-    def of(cls, density: _Density, mode: np.ndarray, covariance: np.ndarray) -> Ridge:
+    def of(cls, density: _Density, mode: np.ndarray, covariance: np.ndarray) -> Self:
         """Bends follow from gradients one standard deviation to both sides of the mode."""
         k = len(mode)
         size, ways = np.linalg.eigh(covariance)

@@ -6,8 +6,6 @@ walls = identification.wall_tests()  # of the database of Vanin, Zaganelli, Penn
 walls["WS1.100"].strength, walls["WS1.100"].rocking_strength  # N, measured and computed
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import os
@@ -54,6 +52,32 @@ class Envelope(NamedTuple):
 
     displacement: np.ndarray
     force: np.ndarray
+
+
+@dataclass(frozen=True)
+class _Row:
+    """A line of a table."""
+
+    where: str
+    values: Mapping[str, str]
+
+    def number(self, column: str, unit: float = 1.0, may_lack: bool = False) -> float:
+        """The number in a cell, positive, in SI; nan where it may lack and does."""
+        value = self.signed(column, unit, may_lack)
+        require(not value <= 0, self.where, column, self.values[column], "give a positive number")
+        return value
+
+    def signed(self, column: str, unit: float, may_lack: bool = False) -> float:
+        """The number in a cell, in SI."""
+        text = self.values[column].strip()
+        if not text and may_lack:
+            return float("nan")
+        try:
+            value = float(text) * unit
+        except ValueError:
+            value = float("nan")
+        require(np.isfinite(value), self.where, column, text, "give a finite number")
+        return value
 
 
 @dataclass(frozen=True, eq=False)
@@ -201,33 +225,6 @@ class WallTest:
         return cls(**values, envelope=envelope)
 
 
-@dataclass(frozen=True)
-class _Row:
-    """A line of a table."""
-
-    where: str
-    values: Mapping[str, str]
-
-    def number(self, column: str, unit: float = 1.0, may_lack: bool = False) -> float:
-        """The number in a cell, positive, in SI; nan where it may lack and does."""
-        value = self.signed(column, unit, may_lack)
-        if value <= 0:
-            raise InputError(column, self.values[column], self.where).give("a positive number")
-        return value
-
-    def signed(self, column: str, unit: float, may_lack: bool = False) -> float:
-        """The number in a cell, in SI."""
-        text = self.values[column].strip()
-        if not text and may_lack:
-            return float("nan")
-        try:
-            value = float(text) * unit
-        except ValueError:
-            value = float("nan")
-        require(np.isfinite(value), self.where, column, text, "give a finite number")
-        return value
-
-
 def wall_tests(
     walls: str | os.PathLike[str] | None = None, envelopes: str | os.PathLike[str] | None = None
 ) -> dict[str, WallTest]:
@@ -276,8 +273,7 @@ def wall_tests(
     (24, 1.0, 1.05)
     """
     if walls is None:
-        if envelopes is not None:
-            raise InputError("walls", walls, "wall_tests").give("both files, or none")
+        require(envelopes is None, "wall_tests", "walls", walls, "give both files, or none")
         data = files("rockeom.analysis").joinpath("data")
         sources = [data.joinpath(n) for n in ("stone_walls.csv", "dry_wall_envelopes.csv")]
     else:

@@ -119,9 +119,8 @@ def proportion_interval_by_group(
     """
     hits, labels = np.asarray(exceeded, dtype=bool), np.asarray(group)
     function = "proportion_interval_by_group"
-    require(
-        hits.shape == labels.shape, function, "group", labels.size, "a label for each observation"
-    )
+    rule = "a label for each observation"
+    require(hits.shape == labels.shape, function, "group", labels.size, rule)
     groups = [hits[labels == label] for label in np.unique(labels)]
     lower, _ = proportion_interval(sum(one.all() for one in groups), len(groups), level)
     _, upper = proportion_interval(sum(one.any() for one in groups), len(groups), level)

@@ -15,19 +15,17 @@ which the structure fails, and replaces the boundary there by a plane. Derivativ
 `rk.tangents`.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, Protocol
+from typing import Any, Protocol, Self
 
 import numpy as np
 from scipy.special import ndtr
 
-from rockeom.analysis.random_parameters import RandomParameters
+from rockeom.analysis.random_parameters import RandomParameters, in_words
 from rockeom.analysis.risk.fragility import proportion_interval
 from rockeom.analysis.sweeps import FALLS, exceedances, outcome_labels, unanswered
 from rockeom.numbers.checks import InputError, require
@@ -361,10 +359,6 @@ def monte_carlo(
     return MonteCarlo(int(fails.sum()), int(answered.sum()), int((~answered).sum()), sweep)
 
 
-def _told(values: Mapping[str, float]) -> str:
-    return ", ".join(f"{name} = {x:.6g}" for name, x in values.items())
-
-
 # -- the nearest point of a surface
 
 
@@ -491,7 +485,7 @@ class _Smooth:
         if not (math.isfinite(value) and np.all(np.isfinite(slope))):
             raise ValueError(
                 f"the limit state is {value} with the gradient {slope} at "
-                f"{_told(self.space.values(u))}: it must be finite there"
+                f"{in_words(self.space.values(u))}: it must be finite there"
             )
         return value, slope
 
@@ -565,7 +559,7 @@ class _Condition:
     limit: float | None = None
 
     @classmethod
-    def of(cls, where: str, demand: str | None, limit: float | None) -> _Condition:
+    def of(cls, where: str, demand: str | None, limit: float | None) -> Self:
         if (limit is None) != (demand is None):
             raise InputError("limit", limit, where).give("demand and limit, or neither")
         if limit is not None:
@@ -611,8 +605,8 @@ class _Fates:
         if not answered.all():
             row = int(np.argmin(answered))
             raise ValueError(
-                f"with {_told(self.space.values(u[row]))} the motion gives no answer: its outcome "
-                f"is {outcome_labels(sweep).values[row]!r}"
+                f"with {in_words(self.space.values(u[row]))} the motion gives no answer: its "
+                f"outcome is {outcome_labels(sweep).values[row]!r}"
             )
         return fails
 

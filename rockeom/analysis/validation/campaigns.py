@@ -4,13 +4,11 @@ campaign = validation.Campaign.from_csv("tests.csv")
 simulated = validation.simulate_campaign(campaign, case, {"r": stats.uniform(0.8, 0.15)}, 500)
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -113,7 +111,7 @@ class Campaign:
         parameters: Sequence[str] | None = None,
         record_units: str | None = None,
         gravity: float = STANDARD_GRAVITY,
-    ) -> Campaign:
+    ) -> Self:
         """Campaign of a table, a test a line, with a first line of headings.
 
         Parameters

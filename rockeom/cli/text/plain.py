@@ -4,7 +4,7 @@ import re
 import textwrap
 import unicodedata
 
-from rockeom.symbolic.write.page import Block, Display, Heading, Table, broken
+from rockeom.symbolic.write.page import Block, Display, Heading, Table, broken, greek_letter
 
 _COMBINING = {"dot": "\u0307", "ddot": "\u0308"}
 _RAISED = str.maketrans("0123456789+-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")
@@ -132,7 +132,7 @@ class _Reader:
             return ""
         if name in ("thinspace", "quad", ",", ";", " "):
             return " "
-        return _greek(name)
+        return greek_letter(name)
 
     def environment(self, name: str) -> str:
         """Cases and columns in one line: { a if x; b if y }, (a; b)."""
@@ -176,12 +176,3 @@ def _outside_brackets(text: str) -> str:
     while found:
         text, found = re.subn(r"[(\[][^()\[\]]*[)\]]", "()", text.replace("()", "."))
     return text
-
-
-def _greek(name: str) -> str:
-    case = "SMALL" if name.islower() else "CAPITAL"
-    letter = name.upper().replace("LAMBDA", "LAMDA")
-    try:
-        return unicodedata.lookup(f"GREEK {case} LETTER {letter}")
-    except KeyError:
-        return name

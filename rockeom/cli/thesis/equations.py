@@ -3,23 +3,13 @@
 import argparse
 import textwrap
 
+from rockeom import thesis
 from rockeom.cli.errors import UsageError
 from rockeom.cli.text.plain import to_text
 from rockeom.cli.text.terminal import listing, width
 from rockeom.modelling.named import FAMILIES
 from rockeom.structures.classes import SHIPPED
 from rockeom.symbolic.write.page import Block, Display, Heading, Table
-from rockeom.thesis import (
-    EQUATIONS,
-    Decision,
-    Equation,
-    Kind,
-    Verdict,
-    claim,
-    decide,
-    entry,
-    equation,
-)
 from rockeom.thesis.typeset import written
 
 DESCRIPTION = """\
@@ -59,28 +49,28 @@ def run(args: argparse.Namespace) -> int:
                 f"{name} is a structure: rockeom derive {name} shows its equations; here are the "
                 "numbered ones of the thesis, such as 5-34"
             )
-    chosen = [equation(n) for n in args.numbers] or _filtered(args)
+    chosen = [thesis.equation(n) for n in args.numbers] or _filtered(args)
     if args.latex:
         for one in chosen:
             print(_latex(one))
     elif args.numbers:
         columns = width()
-        print("\n\n".join(_shown(decide(one.number), columns) for one in chosen))
+        print("\n\n".join(_shown(thesis.decide(one.number), columns) for one in chosen))
     else:
         print(_list(chosen))
     return 0
 
 
-def _filtered(args: argparse.Namespace) -> list[Equation]:
-    chosen = list(EQUATIONS.values())
+def _filtered(args: argparse.Namespace) -> list[thesis.Equation]:
+    chosen = list(thesis.EQUATIONS.values())
     if args.chapter:
         chapters = sorted({e.chapter for e in chosen})
         if args.chapter.upper() not in chapters:
             raise UsageError(f"--chapter {args.chapter}: there are {', '.join(chapters)}")
         chosen = [e for e in chosen if e.chapter == args.chapter.upper()]
     for name, members, value in (
-        ("kind", Kind, lambda e: e.kind),
-        ("verdict", Verdict, claim),
+        ("kind", thesis.Kind, lambda e: e.kind),
+        ("verdict", thesis.Verdict, thesis.claim),
     ):
         words = (getattr(args, name) or "").lower()
         if words:
@@ -93,13 +83,13 @@ def _filtered(args: argparse.Namespace) -> list[Equation]:
     return chosen
 
 
-def _list(chosen: list[Equation]) -> str:
+def _list(chosen: list[thesis.Equation]) -> str:
     rows = [("", "VERDICT", "WHAT IT STATES")]
-    rows += [(e.number, claim(e).value, e.meaning) for e in chosen]
+    rows += [(e.number, thesis.claim(e).value, e.meaning) for e in chosen]
     return f"{listing(rows)}\n\n{len(chosen)} equations; rockeom thesis equations NUMBER shows one."
 
 
-def _shown(decision: Decision, columns: int) -> str:
+def _shown(decision: thesis.Decision, columns: int) -> str:
     one = decision.equation
     blocks: list[Block] = [Heading(1, f"{one.number}  {one.meaning}")]
     where = one.section if one.section.startswith("App") else f"section {one.section}"
@@ -123,23 +113,18 @@ def _shown(decision: Decision, columns: int) -> str:
     passed = sum(f.holds for f in decision.findings)
     lines.append(_point(f"{passed} of {len(decision.findings)} comparisons hold.", columns))
     for failed in (f for f in decision.against if not f.holds):
-        lines.append(
-            _point(f"the printed form fails: {failed.what}: {_rest(failed.rest)}", columns)
-        )
+        rest = str(failed.rest)
+        rest = rest if len(rest) <= 160 else f"{rest[:150]} ..."
+        lines.append(_point(f"the printed form fails: {failed.what}: {rest}", columns))
     if decision.why:
         lines.append(_point(f"FAILED: {decision.why}", columns))
     return text + "\n" + "\n".join(lines)
 
 
-def _rest(rest: object) -> str:
-    text = str(rest)
-    return text if len(text) <= 160 else f"{text[:150]} ..."
-
-
-def _symbols(one: Equation) -> tuple[tuple[str, ...], ...]:
+def _symbols(one: thesis.Equation) -> tuple[tuple[str, ...], ...]:
     rows = []
     for symbol in one.symbols:
-        meaning = entry(symbol, one.chapter)
+        meaning = thesis.entry(symbol, one.chapter)
         unit = "" if meaning.unit == "1" else meaning.unit
         rows.append((f"${written(symbol)}$", unit, meaning.meaning))
     return tuple(rows)
@@ -149,7 +134,7 @@ def _point(text: str, columns: int) -> str:
     return textwrap.fill(text, columns, initial_indent="  ", subsequent_indent="    ")
 
 
-def _latex(one: Equation) -> str:
+def _latex(one: thesis.Equation) -> str:
     row = r" \\" + "\n  "
     body = row.join(one.lines())
     inside = body if len(one.right) == 1 else f"\\begin{{gathered}}\n  {body}\n\\end{{gathered}}"

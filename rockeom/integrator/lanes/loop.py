@@ -1,7 +1,7 @@
 """Many motions as lanes of one stream of instructions: the loop of `simulate_many`.
 
-This file is not imported. `rockeom.integrator.program` joins it to the text of the scalar loop and
-to that of a step of many lanes (step_lanes, judge_lanes, judge_held_lanes, accept_lanes).
+This file is not imported. `rockeom.integrator.program` links it with the text of the scalar loop,
+with `vectors.py` and with the step of lanes, which is written for each structure.
 
 Each lane has a time, a step and a control of its error of its own. All lanes take their next step
 together, whatever it is to each of them: an ordinary one, one more of those that were refused, or
@@ -47,6 +47,51 @@ from rockeom.integrator.ground import (
     sampling_step,
     segment_at,
 )
+from rockeom.integrator.lanes.vectors import (
+    Z_AX,
+    Z_AY,
+    Z_CLOSED,
+    Z_DAMP,
+    Z_END_X,
+    Z_END_Y,
+    Z_EQUAL,
+    Z_ERROR,
+    Z_FALLEN,
+    Z_FLIGHT,
+    Z_H,
+    Z_IMPACT,
+    Z_K,
+    Z_KIND_X,
+    Z_KIND_Y,
+    Z_LANDING,
+    Z_LAST,
+    Z_LEAST,
+    Z_LONGEST,
+    Z_MODE,
+    Z_MOST,
+    Z_NEXT,
+    Z_P,
+    Z_Q,
+    Z_SIDE,
+    Z_START_X,
+    Z_START_Y,
+    Z_T,
+    Z_T_NEW,
+    Z_TAKEN,
+    Z_VERDICT,
+    Z_X0,
+    Z_X1,
+    Z_Y0,
+    Z_Y1,
+    accept_lanes,
+    bend_x_lanes,
+    bend_y_lanes,
+    control_lanes,
+    ends_of,
+    judge_held_lanes,
+    judge_lanes,
+    shake_lanes,
+)
 from rockeom.integrator.lanes.verdicts import (
     DOUBTFUL,
     HOP,
@@ -71,7 +116,6 @@ from rockeom.integrator.loop import (
     TURN,
     integrate,
 )
-from rockeom.integrator.polynomials import Ends
 from rockeom.integrator.provided import (
     DAMPING,
     GAP_SIDES,
@@ -86,16 +130,9 @@ from rockeom.integrator.provided import (
     ROTATION_RATE,
     SIDES,
     STAGE_PLACES,
-    accept_lanes,
-    bend_x_lanes,
-    bend_y_lanes,
-    control_lanes,
-    judge_held_lanes,
-    judge_lanes,
     jump,
     opening_acceleration,
     rates,
-    shake_lanes,
     step_lanes,
 )
 from rockeom.integrator.records import Batch, Ground, Recorder
@@ -106,36 +143,6 @@ from rockeom.integrator.tolerances import (
 )
 from rockeom.integrator.transitions.declared import stand, time_to_rest
 from rockeom.integrator.transitions.restitution import velocity_ratio_at
-
-# Rows of the lanes' array z, each of one number a lane. One flat array, and places that differ by
-# constants, leave the compiler no doubt that lanes are independent.
-(
-    Z_T, Z_H, Z_T_NEW,  # start, length and end of the step
-    Z_LAST,  # end of the present segments of the ground
-    Z_START_X, Z_END_X, Z_KIND_X, Z_X0, Z_X1, Z_X2, Z_X3,  # the ground's horizontal segment
-    Z_START_Y, Z_END_Y, Z_KIND_Y, Z_Y0, Z_Y1, Z_Y2, Z_Y3,
-    Z_LONGEST,  # step in full contact
-    Z_EQUAL,  # length of equal steps, 0 where the error is controlled
-    Z_MODE, Z_SIDE, Z_CLOSED,  # as in the loop
-    Z_FALLEN,  # bound of the rotation
-    Z_TAKEN,  # steps taken
-    Z_LANDING,  # how often the step was repeated to end at an impact
-    Z_VERDICT,  # what becomes of the step
-    Z_ERROR,  # its estimated error, 1 at the tolerance
-    Z_NEXT,  # step that the control of the error proposes, 0 if none
-    Z_DAMP,  # what the last error damps the answer to the next one by
-    Z_IMPACT, Z_FLIGHT,  # time of the last impact, and the parabola's length of the flight from it
-) = (i * LANES for i in range(32))  # fmt: skip
-Z_Q = 32 * LANES  # positions
-Z_Q_NEW = Z_Q + N_STATES // 2 * LANES
-Z_LEAST = Z_Q_NEW + N_STATES // 2 * LANES  # extremes of the states
-Z_MOST = Z_LEAST + N_STATES * LANES
-Z_P = Z_MOST + N_STATES * LANES
-Z_K = Z_P + N_PARAMETERS * LANES  # rates of the states at the start of a step, and at its end
-Z_K_NEW = Z_K + N_STATES * LANES
-Z_AX = Z_K_NEW + N_STATES * LANES  # the ground at the stages of a step, or at its nodes
-Z_AY = Z_AX + PLACES * LANES
-Z_SIZE = Z_AY + PLACES * LANES
 
 # Rows of whole numbers: the case of a lane (-1: none), the rows of its two tables
 W_CASE, W_NX, W_NY = (i * LANES for i in range(3))
@@ -176,11 +183,7 @@ def turn(lane, z):
     n, h, place = N_STATES // 2, z[Z_H + lane], 1.0
     for i in range(n):
         at, of_rate = i * LANES + lane, (n + i) * LANES + lane
-        ends = Ends(
-            z[Z_Q + at], z[Z_K + at], z[Z_K + of_rate],
-            z[Z_Q_NEW + at], z[Z_K_NEW + at], z[Z_K_NEW + of_rate],
-        )  # fmt: skip
-        of_step = scaled(1.0, h, ends)
+        of_step = scaled(1.0, h, ends_of(z, i, lane))
         v0, a0, v1, a1 = of_step.v0, of_step.a0, of_step.v1, of_step.a1
         least, most = z[Z_LEAST + at], z[Z_MOST + at]
         _, b1, b2, b3, b4, _ = quintic_of_scaled(of_step)

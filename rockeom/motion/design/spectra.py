@@ -1,11 +1,9 @@
 """`DesignSpectrum`: the elastic spectrum of a code or a table, and motions that have it."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,7 +17,7 @@ from rockeom.motion.synthetic import JenningsEnvelope, factors
 from rockeom.motion.units import STANDARD_GRAVITY, acceleration, factor
 from rockeom.numbers import explained
 from rockeom.numbers.callers import warn_caller
-from rockeom.numbers.checks import InputError, array_of, positive_number, whole_number
+from rockeom.numbers.checks import InputError, array_of, positive_number, require, whole_number
 
 _STRONG_PART = JenningsEnvelope(rise=3.0, until=13.0, decay=0.3)
 """With the 10 s of stationary motion that EN 1998-1:2004, 3.2.3.1.2(3), asks for."""
@@ -110,7 +108,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         spectrum_type: int = 1,
         *,
         damping_ratio: float = 0.05,
-    ) -> DesignSpectrum:
+    ) -> Self:
         """Horizontal elastic spectrum of EN 1998-1:2004, 3.2.2.2, with the recommended values.
 
         It is defined up to 4 s.
@@ -153,7 +151,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         return cls(name, xi, 0.0, _EUROCODE_LONGEST, shape)
 
     @classmethod
-    def asce_7(cls, s_ds: Acceleration, s_d1: Acceleration, t_l: float) -> DesignSpectrum:
+    def asce_7(cls, s_ds: Acceleration, s_d1: Acceleration, t_l: float) -> Self:
         """Two-period design spectrum of ASCE 7-16, 11.4.6, for 5 % damping.
 
         Parameters
@@ -180,8 +178,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         at_one = positive_number("s_d1", acceleration("s_d1", s_d1))
         _question(s_ds, "s_ds", _CATEGORY_A, "seismic design category A, ASCE 7-16, table 11.6-1")
         t_s, last = at_one / short, positive_number("t_l", t_l)
-        if last <= t_s:
-            raise InputError("t_l", last).give(f"T_L, above s_d1/s_ds = {t_s:.4g} s")
+        require(last > t_s, "", "t_l", last, f"give T_L, above s_d1/s_ds = {t_s:.4g} s")
         name = f"ASCE 7, S_DS {short:.4g} m/s2, S_D1 {at_one:.4g} m/s2"
         shape = _Branches(0.4 * short, short, 0.2 * t_s, t_s, last)
         return cls(name, 0.05, 0.0, math.inf, shape)
@@ -195,7 +192,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         units: str = "m/s2",
         damping_ratio: float = 0.05,
         name: str = "design spectrum",
-    ) -> DesignSpectrum:
+    ) -> Self:
         """Spectrum through points, linear between them.
 
         Parameters
@@ -221,10 +218,8 @@ class DesignSpectrum(metaclass=explained.Constructors):
         InputError
             For fewer than two points, and for values that cannot be.
         """
-        t, a = (
-            array_of("periods", periods),
-            array_of("accelerations", accelerations) * factor(units),
-        )
+        t = array_of("periods", periods)
+        a = array_of("accelerations", accelerations) * factor(units)
         if t.ndim != 1 or t.shape != a.shape or len(t) < 2:
             raise InputError("periods").wrong(
                 f"have the shape {t.shape} and accelerations {a.shape}: give two or more of each"
@@ -375,8 +370,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
         ----------
         Al Atik and Abrahamson (2010), Earthquake Spectra 26, 601-617.
         """
-        if not isinstance(record, GroundMotion):
-            raise InputError("record", record).give("a GroundMotion")
+        require(isinstance(record, GroundMotion), "", "record", record, "give a GroundMotion")
         target = self._target(between)
         found = self._told(self._matched(record, target), target)
         return replace(found, name=f"{record.name}, matched", is_vertical=record.is_vertical)
@@ -394,8 +388,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
                 f"of {first:g} s: give between=({2.0 * record.dt:g}, {last:g})"
             )
         own = record.response_spectrum(target.periods, self.damping_ratio).pseudo_acceleration
-        if not (own > 0.0).all():
-            raise InputError("record", record.name).give("a motion that shakes")
+        require(bool((own > 0.0).all()), "", "record", record.name, "give a motion that shakes")
         scale = math.exp(float(np.log(target.accelerations / own).mean()))
         samples = matching.matched(record.samples * scale, record.dt, target)
         made = GroundMotion.from_array(samples, record.dt, name=record.name)
@@ -433,8 +426,7 @@ class DesignSpectrum(metaclass=explained.Constructors):
             first, last = (positive_number("between", t) for t in between)
         except (TypeError, ValueError) as error:
             raise InputError("between", between).give("a shorter and a longer period") from error
-        if not first < last:
-            raise InputError("between", first).give(f"less than the second period, {last:g} s")
+        require(first < last, "", "between", first, f"give less than the second period, {last:g} s")
         least, most = _MATCHED
         if not least <= self.damping_ratio <= most:
             raise InputError("damping_ratio", self.damping_ratio).says(
@@ -483,10 +475,8 @@ class DesignSpectrum(metaclass=explained.Constructors):
             raise InputError("motions", motions).give("three ground motions or more")
         several = list(motions)
         for one in several:
-            if not isinstance(one, GroundMotion):
-                raise InputError("motions", one).give("GroundMotions alone")
-            if one.is_vertical:
-                raise InputError("motions", one.name).give("horizontal components")
+            require(isinstance(one, GroundMotion), "", "motions", one, "give GroundMotions alone")
+            require(not one.is_vertical, "", "motions", one.name, "give horizontal components")
         if not several:
             raise InputError("motions").says("there are no motions to check: give three or more")
         periods = np.geomspace(BAND[0] * t_1, BAND[1] * t_1, _CHECKED)

@@ -1,11 +1,9 @@
 """The controlled wall as an oscillator: its energy ratio of the speed, and the speed of a start."""
 
-from __future__ import annotations
-
 import dataclasses
 import math
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -48,7 +46,7 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
         held: bool = True,
         regularisation: float | None = None,
         effective_mass: float | None = None,
-    ) -> ControlledWallOscillator:
+    ) -> Self:
         """Wall of `rockeom.analysis` as an equivalent oscillator.
 
         Parameters
@@ -83,7 +81,7 @@ class ControlledWallOscillator(RockingWall, declared.ControlledWallOscillator):
         energy_ratio: float | EnergyRatioAtSpeed,
         initial_force: float = 75.6e3,
         held: bool = True,
-    ) -> ControlledWallOscillator:
+    ) -> Self:
         """Wall of thesis chapter 4 as an equivalent oscillator.
 
         Parameters

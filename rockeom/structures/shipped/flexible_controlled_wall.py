@@ -89,18 +89,10 @@ class FlexibleControlledWall(RockingWall, declared.FlexibleControlledWall):
         FixedBase
             Structure on a fixed base.
         """
-        return FlexibleStructure(
-            mass=self.mass,
-            height=self.centroid_height,
-            inertia=self.inertia,
-            base_mass=0.0,
-            base_height=0.0,
-            base_inertia=0.0,
-            half_width=self.half_width,
-            gravity=self.gravity,
-            stiffness=self.stiffness,
-            damping=self.damping,
-        ).fixed_base()
+        same = ("mass", "inertia", "half_width", "gravity", "stiffness", "damping")
+        values = {name: getattr(self, name) for name in same}
+        base = dict.fromkeys(("base_mass", "base_height", "base_inertia"), 0.0)
+        return FlexibleStructure(height=self.centroid_height, **values, **base).fixed_base()
 
     def load(self, mode: int, y: np.ndarray) -> float:
         """Force with which the rotation of a state is in equilibrium, as for the rigid wall.

@@ -14,11 +14,9 @@ fitted to tests (4-7), the uplifts of a base (the oscillator has no feet), the v
 (B-9; the oscillator has a constant mass), a single tendon, and the formulas of design.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -67,7 +65,7 @@ class RotationCentre:
         not_negative("RotationCentre", C2=self.C2)
 
     @classmethod
-    def thesis_gauge(cls) -> RotationCentre:
+    def thesis_gauge(cls) -> Self:
         """Wall of 4-7 as printed, and used ever after: fitted to distances from the gauge.
 
         Returns
@@ -78,7 +76,7 @@ class RotationCentre:
         return cls(C1=0.412, C2=0.096, epsilon=3.551e-3)
 
     @classmethod
-    def thesis_edge(cls) -> RotationCentre:
+    def thesis_edge(cls) -> Self:
         """Wall of 4-7 referred to the edge of the wall, 30 mm inside the gauge.
 
         Returns
@@ -194,70 +192,11 @@ class Tendon:
         positive("Tendon", stiffness=self.stiffness, yield_force=self.yield_force)
         not_negative("Tendon", initial_force=self.initial_force)
         numbers("Tendon", eccentricity=self.eccentricity)
-        rule = "it must be below yield_force"
-        require(
-            self.initial_force < self.yield_force,
-            "Tendon",
-            "initial_force",
-            self.initial_force,
-            rule,
-        )
+        force, rule = self.initial_force, "it must be below yield_force"
+        require(force < self.yield_force, "Tendon", "initial_force", force, rule)
 
     @classmethod
-    def between_anchors(
-        cls,
-        distance: float,
-        modulus: float,
-        area: float,
-        yield_stress: float,
-        initial_force: float,
-        eccentricity: float = 0.0,
-    ) -> Tendon:
-        """Tendon that has the force P0 between two anchors; thesis B-11.
-
-        Parameters
-        ----------
-        distance : float
-            Distance of the anchors [m].
-        modulus : float
-            Young's modulus E [Pa].
-        area : float
-            Area A [m2].
-        yield_stress : float
-            Yield stress [Pa].
-        initial_force : float
-            Initial force P0 [N].
-        eccentricity : float, optional
-            Place along the base, from the centreline, positive to the right [m].
-
-        Returns
-        -------
-        Tendon
-            Tendon.
-
-        Raises
-        ------
-        ValueError
-            For numbers that are not positive.
-
-        Notes
-        -----
-        Its unstressed length is distance/(1 + P0/(E A)), less than the distance: the 3106.6 mm of
-        4-16 add the extension to 3100 mm, where appendix B takes it off.
-        """
-        positive(
-            "Tendon.between_anchors",
-            distance=distance,
-            modulus=modulus,
-            area=area,
-            yield_stress=yield_stress,
-        )
-        rigidity = modulus * area
-        stiffness = (rigidity + initial_force) / distance
-        return cls(stiffness, initial_force, yield_stress * area, eccentricity)
-
-    @classmethod
-    def thesis(cls, initial_force: float = 75.6e3) -> Tendon:
+    def thesis(cls, initial_force: float = 75.6e3) -> Self:
         """Tendon of thesis chapter 4.
 
         Parameters
@@ -474,7 +413,7 @@ class Wall:
         object.__setattr__(self, "tendons", tuple(self.tendons))  # which can be looked up
 
     @classmethod
-    def thesis(cls, initial_force: float = 75.6e3) -> Wall:
+    def thesis(cls, initial_force: float = 75.6e3) -> Self:
         """Wall of thesis chapter 4.
 
         Parameters
@@ -752,7 +691,7 @@ class Wall:
             For a displacement that reaches H.
         """
         q = self._sine("Wall.gravity_energy", displacement)
-        energy = self._without_tendons(displacement).energy
+        energy = _Held(self, None, displacement).energy
         # the term that 4-18 leaves out is missing in the derived energy too
         if self.p_delta:
             energy = energy - self._descending_weight * q**2 / (1 + np.sqrt(1 - q**2))
@@ -777,7 +716,7 @@ class Wall:
             For a displacement that reaches H.
         """
         q = self._sine("Wall.elastic_energy", displacement)
-        bare = self._without_tendons(displacement).energy
+        bare = _Held(self, None, displacement).energy
         work = np.zeros(np.shape(q))
         for tendon in self.tendons:
             held = _Held(self, tendon, displacement)
@@ -854,7 +793,7 @@ class Wall:
         first, *others = self.tendons or (None,)
         force = _Held(self, first, displacement).force
         if others:  # the weight counts once
-            bare = self._without_tendons(displacement).force
+            bare = _Held(self, None, displacement).force
             force = force + sum(_Held(self, t, displacement).force - bare for t in others)
         if self.p_delta:
             force = force - self._descending_weight * q / (self.height * np.sqrt(1 - q**2))
@@ -1063,9 +1002,6 @@ class Wall:
         require(0 <= fraction <= 1, "Wall.dissipation_limit", "fraction", fraction, rule)
         limit = fraction * peak
         return DissipationLimit(limit, np.abs(self.phase_trajectory(peak, limit)))
-
-    def _without_tendons(self, displacement: ArrayLike) -> _Held:
-        return _Held(self, None, displacement)
 
     @property
     def _descending_weight(self) -> float:

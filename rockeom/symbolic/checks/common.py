@@ -1,7 +1,8 @@
 """Words that checks of declarations share: names of a response, and symbols by what they are."""
 
 from collections.abc import Iterable, Iterator
-from typing import Any, NamedTuple, NoReturn
+from contextlib import contextmanager
+from typing import Any, NamedTuple
 
 from rockeom.symbolic.model import Body
 
@@ -40,8 +41,17 @@ class Names(NamedTuple):
     chosen: set[str]
 
 
-def fail(model: str, what: str) -> NoReturn:
-    raise ValueError(f"{model}: {what}")
+class ModelError(Exception):
+    """What is wrong with a declaration, before the name of the model stands in front of it."""
+
+
+@contextmanager
+def naming(model: str, remedy: str = "") -> Iterator[None]:
+    """Make a fault a ValueError that names the model, and adds a remedy."""
+    try:
+        yield
+    except ModelError as fault:
+        raise ValueError(f"{model}: {fault}{remedy}") from None
 
 
 def springs_outputs(springs: Iterable[str]) -> tuple[str, ...]:
@@ -50,8 +60,13 @@ def springs_outputs(springs: Iterable[str]) -> tuple[str, ...]:
     return tuple(f"{name}_{what}" for name in springs for what in quantities)
 
 
-def shape(body: Body) -> Expressions:
-    """The outline of a body is fixed to it."""
+def body_expressions(body: Body, where: str, may: str) -> Expressions:
+    """Those of a body, whose outline is fixed to it."""
+    yield f"mass{where}", body.mass, may
+    yield f"inertia{where}", body.inertia, may
+    yield f"rotation{where}", body.rotation, may
+    for axis, e in zip("xy", body.position, strict=True):
+        yield f"{axis}{where}", e, may
     of = f"of the outline of body {body.name!r}"
     for corner in body.outline:
         for axis, e in zip("xy", corner, strict=True):

@@ -9,7 +9,14 @@ from rockeom.codes import MOST_MODES
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.beds import number_of_combinations
-from rockeom.symbolic.checks.common import Expressions, Names, fail, shape, springs_outputs
+from rockeom.symbolic.checks.common import (
+    Expressions,
+    ModelError,
+    Names,
+    body_expressions,
+    naming,
+    springs_outputs,
+)
 from rockeom.symbolic.contacts import Contact, ContactDeclaration, Force
 from rockeom.symbolic.elements import Spring, Unilateral, Yielding
 from rockeom.symbolic.model import Body, Coordinate, InternalVariable
@@ -17,33 +24,33 @@ from rockeom.symbolic.model import Body, Coordinate, InternalVariable
 
 def check_items(of: ContactDeclaration) -> None:
     """The lists of a declaration hold what belongs there."""
-    _are(of, "bodies", Body)
-    _are(of, "contacts", Contact)
-    _are(of, "elements", Spring, Unilateral, Yielding)
-    _are(of, "forces", Force)
-    _rates(of)
+    with naming(of.name):
+        _are(of, "bodies", Body)
+        _are(of, "contacts", Contact)
+        _are(of, "elements", Spring, Unilateral, Yielding)
+        _are(of, "forces", Force)
+        _rates(of)
 
 
 def _are(of: ContactDeclaration, item: str, *kinds: type) -> None:
     for x in getattr(of, item):
         if not isinstance(x, kinds):
             names = " or ".join(kind.__name__ for kind in kinds)
-            fail(of.name, f"{item} holds {x!r}: give objects of {names}")
+            raise ModelError(f"{item} holds {x!r}: give objects of {names}")
 
 
 def _rates(of: ContactDeclaration) -> None:
     """A rate for each internal variable."""
     if not isinstance(of.rates, Mapping):
-        fail(of.name, f"rates is {of.rates!r}: give a mapping, {{z: its rate}}")
+        raise ModelError(f"rates is {of.rates!r}: give a mapping, {{z: its rate}}")
     for z, expr in of.rates.items():
         if isinstance(z, Coordinate):
-            fail(
-                of.name,
+            raise ModelError(
                 f"rates holds the coordinate {z.name!r}, whose acceleration follows from masses "
                 "and forces: declare these, or a state of its own by `internal_variable(...)`",
             )
         if not isinstance(z, InternalVariable):
-            fail(of.name, f"rates holds {z!r}: give what `internal_variable(...)` returns")
+            raise ModelError(f"rates holds {z!r}: give what `internal_variable(...)` returns")
         valid.expressions(f"{of.name}: rates", **{f"the rate of {z.name!r}": expr})
 
 
@@ -52,18 +59,10 @@ def names_of_contacts(of: ContactDeclaration) -> Names:
     named = [c.name for c in of.contacts] + [e.name for e in of.elements]
     items = [(f"internal variable {z.symbol}", z.name) for z in of.internal]
     items += [("contact or element", name) for name in named]
-    outputs = outputs_of(of)
-    states = of.states
-    return Names(
-        items,
-        [
-            [*states, *outputs],
-            named,
-            [b.name for b in of.bodies],
-            [f.name for f in of.forces],
-        ],
-        {*states} - {*outputs},
-    )
+    outputs, states = outputs_of(of), of.states
+    bodies, forces = [b.name for b in of.bodies], [f.name for f in of.forces]
+    distinct = [[*states, *outputs], named, bodies, forces]
+    return Names(items, distinct, {*states} - {*outputs})
 
 
 def outputs_of(of: ContactDeclaration) -> tuple[str, ...]:
@@ -81,15 +80,14 @@ def check_contacts(of: ContactDeclaration) -> None:
     """Symbols, the rotation, masses, and pairs of points."""
     _reserved_symbols(of)
     if of.rotation not in of.coordinates:
-        fail(of.name, f"the rotation {of.rotation.name!r} is not in `coordinates`")
+        raise ModelError(f"the rotation {of.rotation.name!r} is not in `coordinates`")
     if not of.bodies:
-        fail(of.name, "it has no bodies: declare the masses")
+        raise ModelError("it has no bodies: declare the masses")
     if not of.contacts and not of.switching:
-        fail(of.name, "nothing touches: declare `contacts`, or `elements` that press")
+        raise ModelError("nothing touches: declare `contacts`, or `elements` that press")
     for contact in of.contacts:
         if contact.law.law != of.impact_law:
-            fail(
-                of.name,
+            raise ModelError(
                 f"contact {contact.name!r} has the impact law {contact.law.law!r}, and "
                 f"{of.contacts[0].name!r} has {of.impact_law!r}: points that meet at once have "
                 "one law",
@@ -114,8 +112,7 @@ def _reserved_symbols(of: ContactDeclaration) -> None:
     given += [z.symbol for z in of.internal]
     for symbol in given:
         if str(symbol).startswith((r"\sigma", r"\chi_")):
-            fail(
-                of.name,
+            raise ModelError(
                 f"the symbol {symbol} is reserved for the sign of a slip or the state of an "
                 "element: choose another",
             )
@@ -125,8 +122,7 @@ def _are_few(of: ContactDeclaration) -> None:
     """Refuse more combinations of states of elements than a structure may have modes."""
     ways, most = number_of_combinations(of.switching), MOST_MODES
     if ways > most:
-        fail(
-            of.name,
+        raise ModelError(
             f"its {len(of.switching)} elements have {ways} combinations of states, more than "
             f"{most}: declare fewer of them; n springs in a straight row whose damping is in one "
             "proportion to the stiffness have n (n + 1)/2 + 1, others 2^n",
@@ -138,9 +134,11 @@ def _side(of: ContactDeclaration, contact: Contact) -> None:
     what = f"contact {contact.name!r}"
     sided = SIDE in contact.gap.free_symbols | contact.slip.free_symbols
     if contact.side not in (-1, 0, 1):
-        fail(of.name, f"{what}: its side is {contact.side!r}: give -1, 0 or 1")
+        raise ModelError(f"{what}: its side is {contact.side!r}: give -1, 0 or 1")
     if contact.side == 0 and sided:
-        fail(of.name, f"{what}: its gap or slip contains the side s: declare both by `feet(...)`")
+        raise ModelError(
+            f"{what}: its gap or slip contains the side s: declare both by `feet(...)`"
+        )
     images = [
         other
         for other in of.contacts
@@ -148,8 +146,7 @@ def _side(of: ContactDeclaration, contact: Contact) -> None:
         and (other.gap, other.slip, other.law) == (contact.gap, contact.slip, contact.law)
     ]
     if contact.side and len(images) != 1:
-        fail(
-            of.name,
+        raise ModelError(
             f"{what}: it has the side {contact.side}, and no other point is its image: declare "
             "both by `feet(...)`, or write it without s, its side 0",
         )
@@ -161,13 +158,7 @@ def expressions_of_contacts(of: ContactDeclaration) -> Expressions:
     yield "elastic energy", of.elastic_energy, "qz"
     yield "dissipation", of.dissipation, "qv"
     for b in of.bodies:
-        where = f" of body {b.name!r}"
-        yield f"mass{where}", b.mass, "q"
-        yield f"inertia{where}", b.inertia, "q"
-        yield f"rotation{where}", b.rotation, "q"
-        for axis, e in zip("xy", b.position, strict=True):
-            yield f"{axis}{where}", e, "q"
-        yield from shape(b)
+        yield from body_expressions(b, f" of body {b.name!r}", "q")
     for c in of.contacts:
         where = f" of contact {c.name!r}"
         yield f"gap{where}", c.gap, "qs"
@@ -202,29 +193,25 @@ def _moves(of: ContactDeclaration) -> None:
     for c in of.contacts:
         for item, e in zip(("gap", "slip"), c.at(c.side), strict=True):
             if not sp.sympify(e).free_symbols & q:
-                fail(
-                    of.name,
+                raise ModelError(
                     f"the {item} of contact {c.name!r} is {e}, which no coordinate changes: write "
                     "it with the coordinates of the structure when nothing holds it",
                 )
     for one, other in combinations(of.contacts, 2):
         if tidy(one.at(one.side)[0] - other.at(other.side)[0]) == 0:
-            fail(
-                of.name,
+            raise ModelError(
                 f"the contacts {one.name!r} and {other.name!r} have the same gap: they are one "
                 "point; declare it once",
             )
     for element in of.elements:
         if not sp.sympify(element.displacement).free_symbols & q:
-            fail(
-                of.name,
+            raise ModelError(
                 f"the displacement of element {element.name!r} is {element.displacement}, which no "
                 "coordinate changes",
             )
     for f in of.forces:
         if not any(sp.sympify(w).free_symbols & q for _, w in f.components):
-            fail(
-                of.name,
+            raise ModelError(
                 f"the displacement of force {f.name!r} is {f.displacement}, which no coordinate "
                 "changes: the force does no work",
             )
@@ -233,8 +220,7 @@ def _moves(of: ContactDeclaration) -> None:
 def _turns(of: ContactDeclaration) -> None:
     theta = of.rotation.position
     if not any(sp.sympify(b.rotation).has(theta) for b in of.bodies):
-        fail(
-            of.name,
+        raise ModelError(
             f"no body turns with the rotation {of.rotation.name!r}: declare the angle through "
             "which each turns, clockwise, as `Body(..., rotation=...)`",
         )
@@ -259,8 +245,7 @@ def _turns_with(of: ContactDeclaration, contact: Contact, body: Body) -> None:
         rate = sp.diff(turning, x)
         lacking = [sp.diff(across, x) - rate * up, sp.diff(up, x) + rate * across]
         if any(tidy(e) != 0 for e in lacking):
-            fail(
-                of.name,
+            raise ModelError(
                 f"contact {contact.name!r} is a point of body {body.name!r}, which turns clockwise "
                 f"by {turning}, and the point does not: place both by `turned(point, about, "
                 "angle)`, with one angle",

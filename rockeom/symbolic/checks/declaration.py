@@ -22,8 +22,9 @@ from rockeom.symbolic.checks.common import (
     SIDED,
     WORDS,
     Expressions,
+    ModelError,
     Names,
-    fail,
+    naming,
 )
 from rockeom.symbolic.checks.contacts import (
     check_contacts,
@@ -46,29 +47,30 @@ from rockeom.symbolic.valid import repeated
 
 def check(model: HybridModel) -> None:
     """Names, symbols, expressions and references of a declaration."""
-    ratio = model.rigid_velocity_ratio
-    valid.expressions(
-        str(model.name), overturning=model.overturning,
-        rigid_velocity_ratio=1 if ratio is None else ratio,
-    )  # fmt: skip
-    search = model.search
-    _names(model, names_of_modes(model) if search is None else names_of_contacts(search.of))
-    _distinct_symbols(model)
-    if search is None:
-        check_modes(model)
-        _contents(model, expressions_of_modes(model))
-        check_transitions(model)
-    else:
-        check_contacts(search.of)
-        _contents(model, expressions_of_contacts(search.of))
-        check_places(search.of)
+    with naming(model.name):
+        ratio = model.rigid_velocity_ratio
+        valid.expressions(
+            str(model.name), overturning=model.overturning,
+            rigid_velocity_ratio=1 if ratio is None else ratio,
+        )  # fmt: skip
+        search = model.search
+        _names(model, names_of_modes(model) if search is None else names_of_contacts(search.of))
+        _distinct_symbols(model)
+        if search is None:
+            check_modes(model)
+            _contents(model, expressions_of_modes(model))
+            check_transitions(model)
+        else:
+            check_contacts(search.of)
+            _contents(model, expressions_of_contacts(search.of))
+            check_places(search.of)
 
 
 def _names(model: HybridModel, names: Names) -> None:
     """Refuse names that Python, a file or a response cannot have, and those that stand twice."""
     valid.name("model", model.name)
     if not model.name.isascii():
-        fail(model.name, "a file is called by the model's name: write it in ASCII")
+        raise ModelError("a file is called by the model's name: write it in ASCII")
     valid.texts(model.name, title=model.title, reference=model.reference)
     items = [(f"parameter {p.symbol}", p.name) for p in model.parameters]
     items += [(f"coordinate {c.position}", c.name) for c in model.coordinates]
@@ -78,10 +80,10 @@ def _names(model: HybridModel, names: Names) -> None:
     for row in (of_states, *names.distinct):
         if repeated(row):
             twice = ", ".join(repeated(row))
-            fail(model.name, f"declared twice: {twice}; give each a name of its own")
+            raise ModelError(f"declared twice: {twice}; give each a name of its own")
     taken = ", ".join(sorted(RESPONSE & names.chosen))
     if taken:
-        fail(model.name, f"every response calls something else {taken}: choose another name")
+        raise ModelError(f"every response calls something else {taken}: choose another name")
 
 
 def _distinct_symbols(model: HybridModel) -> None:
@@ -92,8 +94,7 @@ def _distinct_symbols(model: HybridModel) -> None:
     symbols += [x for z in model.internal for x in (z.symbol, z.rate)]
     twice = repeated(symbols)
     if twice:
-        fail(
-            model.name,
+        raise ModelError(
             f"the symbol {', '.join(twice)} is declared twice, with two meanings: "
             "give each parameter, coordinate and internal variable a symbol of its own",
         )
@@ -104,7 +105,7 @@ def _distinct_symbols(model: HybridModel) -> None:
         LOAD: "the load of a pushover",
     }
     for symbol in reserved.keys() & set(symbols):
-        fail(model.name, f"the symbol {symbol} is reserved for {reserved[symbol]}: choose another")
+        raise ModelError(f"the symbol {symbol} is reserved for {reserved[symbol]}: choose another")
 
 
 def _contents(model: HybridModel, expressions: Expressions) -> None:
@@ -143,30 +144,28 @@ def _sketched(model: HybridModel) -> None:
     """Each place has a name of its own; members end at bodies; `falls` holds coordinates."""
     twice = repeated(names_of(model))
     if twice:
-        fail(
-            model.name,
+        raise ModelError(
             f"{', '.join(twice)} is the name of two of its bodies, contacts and elements, and the "
             f"load point, which is called {LOAD_POINT!r}: give each a name of its own",
         )
     bodies = [b.name for b in model.bodies]
     for m in model.members:
         if not isinstance(m, Member):
-            fail(model.name, f"members holds {m!r}: give objects of Member")
+            raise ModelError(f"members holds {m!r}: give objects of Member")
         for item, name in (("start", m.start), ("end", m.end)):
             require_word(item, name, (*bodies, GROUND), f"{model.name}: member")
     if not isinstance(model.falls, Mapping):
-        fail(model.name, f"falls is {model.falls!r}: give a mapping, {{coordinate: size}}")
+        raise ModelError(f"falls is {model.falls!r}: give a mapping, {{coordinate: size}}")
     for c, size in model.falls.items():
         if not isinstance(c, Coordinate) or c not in model.coordinates or c == model.rotation:
             others = [c.name for c in model.coordinates if c != model.rotation]
-            fail(
-                model.name,
+            raise ModelError(
                 f"falls holds {getattr(c, 'name', c)!r}: name coordinates besides the rotation, of "
                 f"which there are {', '.join(others) or 'none'}",
             )
         valid.expressions(f"{model.name}: falls", **{c.name: size})
         if sp.sympify(size).is_nonpositive:
-            fail(model.name, f"falls: the size of {c.name!r} is {size}: it must be positive")
+            raise ModelError(f"falls: the size of {c.name!r} is {size}: it must be positive")
 
 
 def _content(
@@ -183,15 +182,13 @@ def _content(
             if names & set(unknown)
             else ""
         )
-        fail(
-            model.name,
+        raise ModelError(
             f"{item} contains undeclared symbols {', '.join(unknown)}: add them to `parameters` "
             f"or `coordinates`{hint}",
         )
     for x in sorted(used, key=str):
         if known[x] not in kinds:
-            fail(
-                model.name,
+            raise ModelError(
                 f"{item} contains {WORDS[known[x]]} {x}, which it must not: it is a function of "
                 + (", ".join(["the parameters", *(WORDS[k] for k in kinds)])),
             )
@@ -211,7 +208,7 @@ _REMEDY = "write it with Max or tanh, or declare an element: Spring, Unilateral 
 def _has_functions(model: HybridModel, item: str, expr: sp.Expr, compiled: Collection[str]) -> None:
     for f in expr.atoms(sp.Function) - expr.atoms(AppliedUndef):
         if type(f).__name__ not in compiled:
-            fail(model.name, f"{item} contains {f}, which cannot be compiled: {_REMEDY}")
+            raise ModelError(f"{item} contains {f}, which cannot be compiled: {_REMEDY}")
 
 
 def _has_roots(expr: sp.Expr, moving: Set[sp.Basic]) -> bool:
@@ -230,4 +227,4 @@ def _has_slopes(model: HybridModel, item: str, expr: sp.Expr, moving: Set[sp.Bas
         before, after = (sp.N(slope.subs({**closed, x: place})) for place in (-_NEXT_TO, _NEXT_TO))
         jump = abs(after - before)
         if jump.is_number and jump > 1e-6:
-            fail(model.name, f"{item} has a kink where {x} is zero, {expr}: {_REMEDY}")
+            raise ModelError(f"{item} has a kink where {x} is zero, {expr}: {_REMEDY}")

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from rockeom.symbolic.checks.common import fail
+from rockeom.symbolic.checks.common import ModelError, naming
 from rockeom.symbolic.checks.modes import side_of, words_of
 from rockeom.symbolic.evaluate import array_function
 from rockeom.symbolic.hybrid import HybridModel
@@ -25,15 +25,16 @@ def check_derived(model: HybridModel) -> None:
 
     Modes of contacts are derived here, which refuses those that statics leaves open.
     """
-    sample = _Sample(model)
-    _ = model.mode_names
-    matrices = {p.equations.mass_matrix.as_immutable(): p for p in reversed(model.modes)}
-    for mode in reversed(matrices.values()):
-        _invertible(model, mode, sample)
-    _one_ratio(model, sample)
-    _guards_open(model, sample)
-    _rests(model, sample)
-    _energies_are_even(model, sample)
+    with naming(model.name):
+        sample = _Sample(model)
+        _ = model.mode_names
+        matrices = {p.equations.mass_matrix.as_immutable(): p for p in reversed(model.modes)}
+        for mode in reversed(matrices.values()):
+            _invertible(model, mode, sample)
+        _one_ratio(model, sample)
+        _guards_open(model, sample)
+        _rests(model, sample)
+        _energies_are_even(model, sample)
 
 
 class _Sample:
@@ -87,8 +88,7 @@ def _invertible(model: HybridModel, mode: Mode, sample: _Sample) -> None:
     matrices = matrices[np.isfinite(matrices).all(axis=(1, 2))]
     for i, c in enumerate(mode.coordinates):
         if len(matrices) and not (matrices[:, i, i] > 0).any():
-            fail(
-                model.name,
+            raise ModelError(
                 f"the coordinate {c.name!r} moves no mass in mode {'/'.join(mode.sides)}: "
                 "its mass matrix is singular; give a body whose position contains it a mass",
             )
@@ -96,8 +96,7 @@ def _invertible(model: HybridModel, mode: Mode, sample: _Sample) -> None:
     with np.errstate(all="ignore"):
         lowest = np.linalg.eigvalsh(matrices / size[:, :, None] / size[:, None, :])[:, 0]
     if len(lowest) and not (lowest > 1e-12).any():
-        fail(
-            model.name,
+        raise ModelError(
             f"the mass matrix of mode {'/'.join(mode.sides)} is singular: its coordinates "
             f"{', '.join(c.name for c in mode.coordinates)} move fewer masses than they are",
         )
@@ -116,8 +115,7 @@ def _one_ratio(model: HybridModel, sample: _Sample) -> None:
     ratios = sample(first.source, [model.velocity_ratio_at(t) for t in impacts])
     for t, ratio in zip(others, ratios[1:], strict=True):
         if not np.allclose(ratio, ratios[0], rtol=_NEGLIGIBLE, atol=0, equal_nan=True):
-            fail(
-                model.name,
+            raise ModelError(
                 f"the ratio of the angular velocities differs between {words_of(first)} and "
                 f"{words_of(t)}: the feet are not equally far from the masses, which is not "
                 "modelled; make both sides alike, or give `rigid_velocity_ratio`, or declare a "
@@ -142,8 +140,7 @@ def _guards_open(model: HybridModel, sample: _Sample) -> None:
             values = found[t.guard]
             known = values[np.isfinite(values)]
             if known.size and not (known > 0).any():
-                fail(
-                    model.name,
+                raise ModelError(
                     f"the guard of {words_of(t)} is nowhere positive where {model.rotation.name!r} "
                     f"has the sign of {t.source!r}: it must be positive inside its source; turn "
                     "its sign",
@@ -175,8 +172,7 @@ def _rests(model: HybridModel, sample: _Sample) -> None:
             if c != model.rotation:
                 pushed[c.name] = pushed.get(c.name, True) and bool(found.any())
     for name in (name for name, always in pushed.items() if always):
-        fail(
-            model.name,
+        raise ModelError(
             f"the elastic energy pushes {name!r} away from zero, where the structure "
             "rests: declare an energy such as k u**2/2, not a force",
         )
@@ -208,8 +204,7 @@ def _energies_are_even(model: HybridModel, sample: _Sample) -> None:
                     np.sign(gain) * (np.abs(gain) > 1e-12 * (np.abs(there) + np.abs(given)))
                 )
             if np.all(gains[0] * gains[1] < 0):
-                fail(
-                    model.name,
+                raise ModelError(
                     f"the elastic energy in {one!r} rises where {c.name!r} moves to one "
                     "side and falls on the other: it must grow to either side, as k u**2/2 does, "
                     "or k*SIDE*theta with rockeom.symbolic.SIDE, which has the sign of theta",

@@ -6,7 +6,13 @@ import sympy as sp
 
 from rockeom.numbers.checks import require_word
 from rockeom.symbolic.algebra import at_side
-from rockeom.symbolic.checks.common import Expressions, Names, fail, shape, springs_outputs
+from rockeom.symbolic.checks.common import (
+    Expressions,
+    ModelError,
+    Names,
+    body_expressions,
+    springs_outputs,
+)
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import Coordinate
@@ -40,12 +46,11 @@ def elements_of(mode: Mode) -> list[tuple[str, ...]]:
 
 def check_modes(model: HybridModel) -> None:
     if not model.coordinates:
-        fail(model.name, "it has no coordinates: declare the rotation")
+        raise ModelError("it has no coordinates: declare the rotation")
     if model.rotation not in model.coordinates:
-        fail(model.name, f"the rotation {model.rotation.name!r} is not in `coordinates`")
+        raise ModelError(f"the rotation {model.rotation.name!r} is not in `coordinates`")
     if len(model.mode_names) < 2 or not model.transitions:
-        fail(
-            model.name,
+        raise ModelError(
             f"its modes are {', '.join(model.mode_names) or 'none'}: declare two or more, "
             "and the transitions between them",
         )
@@ -106,8 +111,7 @@ def _same_outputs(model: HybridModel) -> None:
     first, *others = model.modes
     for mode in model.modes:
         if len({*elements_of(mode)}) > 1:
-            fail(
-                model.name,
+            raise ModelError(
                 f"mode {'/'.join(mode.sides)} has other elements on one side than on the "
                 "other: call an element and its image by `name` and `mirrored`, and each the other",
             )
@@ -120,8 +124,7 @@ def _same_outputs(model: HybridModel) -> None:
             ("quantities", lambda p: [(name, unit) for name, (unit, _) in p.quantities.items()]),
         ):
             if of(mode) != of(first):
-                fail(
-                    model.name,
+                raise ModelError(
                     f"modes {'/'.join(first.sides)} and {'/'.join(mode.sides)} differ "
                     f"in {item}: declare the same in each, in the same order",
                 )
@@ -137,13 +140,7 @@ def expressions_of_modes(model: HybridModel) -> Expressions:
     for mode in model.modes:
         of = f" in mode {'/'.join(mode.sides)}"
         for b in mode.bodies:
-            body = f" of body {b.name!r}{of}"
-            yield f"mass{body}", b.mass, "qs"
-            yield f"inertia{body}", b.inertia, "qs"
-            yield f"rotation{body}", b.rotation, "qs"
-            for axis, e in zip("xy", b.position, strict=True):
-                yield f"{axis}{body}", e, "qs"
-            yield from shape(b)
+            yield from body_expressions(b, f" of body {b.name!r}{of}", "qs")
         yield f"gravity{of}", mode.gravity, ""
         yield f"elastic energy{of}", mode.elastic_energy, "qs"
         yield f"dissipation{of}", mode.dissipation, "qvs"
@@ -200,7 +197,7 @@ def check_transitions(model: HybridModel) -> None:
         {"impact": _impact, "uplift": _uplift, "switch": _switch}[t.kind](model, t, what)
     impacts = [t.source for t in model.transitions if t.kind == "impact"]
     if repeated(impacts):
-        fail(model.name, f"two impacts end the mode {repeated(impacts)[0]!r}: declare one")
+        raise ModelError(f"two impacts end the mode {repeated(impacts)[0]!r}: declare one")
     _pairs(model)
     _grounded(model)
 
@@ -273,8 +270,7 @@ def _pairs(model: HybridModel) -> None:
             continue
         mine, other = (set(_parts(model, x)) for x in (t, back))
         if mine & other:
-            fail(
-                model.name,
+            raise ModelError(
                 f"the guards of {words_of(t)} and of {words_of(back)} have one sign "
                 f"({', '.join(map(str, mine & other))}): each must be positive inside its source",
             )
@@ -295,22 +291,19 @@ def _grounded(model: HybridModel) -> None:
         for name, side in mode.sides.items():
             out = [t for t in model.transitions if t.source == name]
             if side and (not out or ((rigid or name in lifted) and name not in impacts)):
-                fail(
-                    model.name,
+                raise ModelError(
                     f"no impact ends the mode {name!r}, and the structure would turn "
                     f'into the ground: add Transition("{name}", ..., "impact", guard='
                     f"{side * model.rotation.position})",
                 )
             if not side and rigid and not held:
-                fail(
-                    model.name,
+                raise ModelError(
                     f"the rotation is free in the mode {name!r}, which has no side, "
                     "and its feet have no force: declare the force on each foot",
                 )
             ends = {side_of(model, t.target) for t in out if t.kind == "uplift"}
             if not side and rigid and ends != {-1, 1}:
-                fail(
-                    model.name,
+                raise ModelError(
                     f"the mode {name!r} lifts to {len(ends)} of the two sides: add "
                     f'Transition("{name}", "left", "uplift"), and the same to "right"',
                 )

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import sympy as sp
 
 from rockeom.codes import LEAST_RESTITUTION as LEAST
-from rockeom.symbolic.checks.common import fail
+from rockeom.symbolic.checks.common import ModelError, naming
 from rockeom.symbolic.checks.derived import first_name
 from rockeom.symbolic.contacts import Contact
 from rockeom.symbolic.elements import Element
@@ -19,13 +19,14 @@ from rockeom.symbolic.mode import Mode
 
 def check_values(model: HybridModel, values: Mapping[str, float]) -> None:
     """Masses must not be negative, and the left foot stands to the left of the right one."""
-    put = {p.symbol: sp.Float(float(values[p.name])) for p in model.parameters}
-    for size in sizes(model):
-        found = size.value.xreplace(put)
-        if found > 0 or (found == 0 and size.may_vanish):
-            continue
-        given = ", ".join(f"{name} = {values[name]}" for name in size.parameters)
-        fail(model.name, f"{size.what} is {float(found):g} with {given}: {size.remedy}")
+    with naming(model.name):
+        put = {p.symbol: sp.Float(float(values[p.name])) for p in model.parameters}
+        for size in sizes(model):
+            found = size.value.xreplace(put)
+            if found > 0 or (found == 0 and size.may_vanish):
+                continue
+            given = ", ".join(f"{name} = {values[name]}" for name in size.parameters)
+            raise ModelError(f"{size.what} is {float(found):g} with {given}: {size.remedy}")
 
 
 class Size(NamedTuple):

@@ -36,18 +36,13 @@ def from_rest(balance: Balance, place: Mapping[sp.Symbol, sp.Expr]) -> Start:
     motions = of.motions.applyfunc(lambda e: brief(e.subs(still)))
     m = matrix.rows
     divisor = determinant(matrix.as_immutable(), brief)
-    above = sp.Matrix(
-        m, 1,
-        lambda i, _: brief(
-            sum(
-                (-1) ** (i + j)
-                * determinant(matrix.minor_submatrix(j, i).as_immutable(), brief)
-                * forcing[j]
-                for j in range(m)
-            )
-        ),
-    )  # fmt: skip
-    every = (motions * above if m else sp.zeros(of.n, 1)) + drift * divisor
+
+    def cofactor(j: int, i: int) -> sp.Expr:
+        minor = matrix.minor_submatrix(j, i).as_immutable()
+        return (-1) ** (i + j) * determinant(minor, brief)
+
+    above = [brief(sum(cofactor(j, i) * forcing[j] for j in range(m))) for i in range(m)]
+    every = (motions * sp.Matrix(m, 1, above) if m else sp.zeros(of.n, 1)) + drift * divisor
 
     def quotient(expr: sp.Expr) -> sp.Expr:
         expr = sp.expand(brief(expr.subs(still)))

@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from rockeom.numbers.checks import InputError, InputTypeError, require_word
+from rockeom.numbers.checks import InputTypeError, require, require_word
 from rockeom.symbolic import valid
 from rockeom.symbolic.algebra import SIDE, at_side
 from rockeom.symbolic.contact_model import Model
@@ -82,8 +82,7 @@ def winkler(of: Superstructure, springs: int) -> Model:
     The outer two stand at the feet, and the base's centre is guided vertically.
     """
     valid.counts(of.name, springs=springs)
-    if springs < 2:
-        raise InputError("springs", springs, of.name).give("two or more")
+    require(springs >= 2, of.name, "springs", springs, "give two or more")
     theta, place = ROTATION.position, moved((sp.S.Zero, level(of, springs)))
     last = springs - 1
     names = ["left", *(f"spring_{i}" for i in range(2, springs)), "right"]

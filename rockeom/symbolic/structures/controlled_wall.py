@@ -250,6 +250,11 @@ class Tendons:
         """End of the name of a structure with more than one."""
         return f"_{len(self.each)}_tendons" if len(self.each) != 1 else ""
 
+    def members(self, low: sp.Expr, high: sp.Expr) -> tuple[Member, ...]:
+        """For a sketch: from a depth under the base to a height over the centroid."""
+        places = (t.eccentricity.symbol for t in self.each)
+        return tuple(Member("tendon", "ground", "wall", (e, low), (e, high)) for e in places)
+
     def suffix(self, states: Iterable[int]) -> str:
         """End of the name of a mode."""
         pairs = zip(self.each, states, strict=True)
@@ -258,17 +263,13 @@ class Tendons:
     def switches(self, places: Iterable[str]) -> tuple[Switch, ...]:
         """The numbers by which equations serve all states, in the modes of some places."""
         words = {0: "is elastic", 1: "yields"}
+
+        def on(i: int, state: int) -> tuple[str, ...]:
+            there = [self.suffix(states) for states in self.states if states[i] == state]
+            return tuple(f"{place}{suffix}" for suffix in there for place in places)
+
         return tuple(
-            Switch(
-                chi,
-                f"while `{t.name}` {words[state]}",
-                tuple(
-                    f"{place}{self.suffix(states)}"
-                    for states in self.states
-                    for place in places
-                    if states[i] == state
-                ),
-            )
+            Switch(chi, f"while `{t.name}` {words[state]}", on(i, state))
             for i, t in enumerate(self.each)
             for state, chi in t.switches.items()
         )
@@ -301,40 +302,28 @@ class Tendons:
 
 
 def _tendons(count: int, moving: Coordinate) -> Tendons:
-    tendons = []
-    for i in range(1, count + 1):
-        mark, name, which = (f"_{i}", f"_{i}", f" {i}") if count > 1 else ("", "", "")
-
-        def of(symbol: str, word: str, unit: str, meaning: str) -> Parameter:
-            return parameter(symbol, f"{word}{name}", unit, f"{meaning}{which}")  # noqa: B023
-
-        eccentricity = Parameter(
-            sp.Symbol(f"e{mark}", real=True),
-            f"eccentricity{name}",
-            "m",
-            f"place of tendon{which} along the base, from the centreline, positive to the right",
-        )
-        tendons.append(
-            Tendon(
-                name,
-                of(f"k{mark or '_T'}", "tendon_stiffness", "N/m", "stiffness of tendon"),
-                of(f"P_{{0{i if count > 1 else ''}}}", "initial_force", "N", "force of tendon"),
-                of(f"F_{{y{i if count > 1 else ''}}}", "yield_force", "N", "yield force of tendon"),
-                eccentricity,
-                coordinate(
-                    f"x_{{p{i if count > 1 else ''}}}",
-                    f"permanent_extension{name}",
-                    "m",
-                    f"permanent extension of tendon{which} by yielding that has ended",
-                ),
-                sp.Function(f"x{mark or '_T'}", real=True)(moving.position),
-            )
-        )
-    return Tendons(tuple(tendons), moving)
+    numbers = [str(i) for i in range(1, count + 1)] if count > 1 else [""]
+    return Tendons(tuple(_tendon(number, moving) for number in numbers), moving)
 
 
-def _unique(parameters: Iterable[Parameter]) -> tuple[Parameter, ...]:
-    return tuple(dict.fromkeys(parameters))
+def _tendon(number: str, moving: Coordinate) -> Tendon:
+    """Tendon of that number, "" where it is alone."""
+    name, which = (f"_{number}", f"tendon {number}") if number else ("", "tendon")
+
+    def of(symbol: str, word: str, unit: str, meaning: str) -> Parameter:
+        return parameter(symbol, f"{word}{name}", unit, f"{meaning} of {which}")
+
+    place = f"place of {which} along the base, from the centreline, positive to the right"
+    permanent = f"permanent extension of {which} by yielding that has ended"
+    return Tendon(
+        name,
+        of(f"k{name or '_T'}", "tendon_stiffness", "N/m", "stiffness"),
+        of(f"P_{{0{number}}}", "initial_force", "N", "force"),
+        of(f"F_{{y{number}}}", "yield_force", "N", "yield force"),
+        Parameter(sp.Symbol(f"e{name}", real=True), f"eccentricity{name}", "m", place),
+        coordinate(f"x_{{p{number}}}", f"permanent_extension{name}", "m", permanent),
+        sp.Function(f"x{name or '_T'}", real=True)(moving.position),
+    )
 
 
 @dataclass(frozen=True)
@@ -379,6 +368,7 @@ def _model(wall: Wall, **described: Any) -> RockingModel:
                     )
                     for ending in tendon.endings(state, tendons.moving)
                 )
+    described["parameters"] = tuple(dict.fromkeys(described["parameters"]))  # each once
     mode = replace(wall.mode(sides), switches=tendons.switches(wall.places))
     return RockingModel(
         modes=(mode,), transitions=tuple(transitions), rotation=tendons.moving, **described
@@ -546,11 +536,9 @@ def controlled_wall_oscillator(
         wall,
         name=f"controlled_wall_oscillator{cables.several}",
         title="Controlled rocking wall as an equivalent oscillator",
-        parameters=_unique(
-            (
-                MASS, EFFECTIVE_MASS, HEIGHT, HALF_WIDTH, *centre.parameters, *cables.parameters,
-                REGULARISATION, HELD, *ratio_parameters, GRAVITY,
-            )
+        parameters=(
+            MASS, EFFECTIVE_MASS, HEIGHT, HALF_WIDTH, *centre.parameters, *cables.parameters,
+            REGULARISATION, HELD, *ratio_parameters, GRAVITY,
         ),
         coordinates=(DISPLACEMENT, *cables.permanent, PASSAGE_SPEED),
         functions=wall.functions(centre.distance(wall.q), ratio),
@@ -662,18 +650,13 @@ def substitute_gravity_wall(
         name="simplified_substitute_gravity_wall" if fixed else "substitute_gravity_wall",
         title="Controlled rocking wall with substitute gravity"
         + (", about its edges" if fixed else ""),
-        parameters=_unique(
-            (
-                MASS, PIVOT_INERTIA, CENTROID_HEIGHT, HEIGHT, HALF_WIDTH, *centre.parameters,
-                *lever.parameters, *cables.parameters, GRAVITY,
-            )
+        parameters=(
+            MASS, PIVOT_INERTIA, CENTROID_HEIGHT, HEIGHT, HALF_WIDTH, *centre.parameters,
+            *lever.parameters, *cables.parameters, GRAVITY,
         ),
         coordinates=(ROTATION, *cables.permanent),
         functions=wall.functions(centre.distance(D), lever.distance(D)),
-        members=tuple(
-            Member("tendon", "ground", "wall", (e, sp.S.Zero), (e, H - Hc))
-            for e in (t.eccentricity.symbol for t in cables.each)
-        ),
+        members=cables.members(sp.S.Zero, H - Hc),
         overturning=sp.pi / 3,  # far beyond overturning; the extension (4-13) has no value at pi/2
         reference="thesis 4-32" if fixed else "thesis 4-37, 4-40",
     )  # fmt: skip
@@ -817,22 +800,14 @@ def controlled_wall(
         name=("flexible_" if flexible else "") + f"controlled_wall{cables.several}",
         title="Controlled rocking wall" + (" that bends," if flexible else "")
         + " by Lagrange's equations",
-        parameters=_unique(
-            (
-                MASS, INERTIA, CENTROID_HEIGHT, HEIGHT, HALF_WIDTH, *centre.parameters,
-                ANCHOR_HEIGHT, ANCHOR_DEPTH, *cables.parameters,
-                *((STIFFNESS, DAMPING) if flexible else ()), GRAVITY,
-            )
+        parameters=(
+            MASS, INERTIA, CENTROID_HEIGHT, HEIGHT, HALF_WIDTH, *centre.parameters,
+            ANCHOR_HEIGHT, ANCHOR_DEPTH, *cables.parameters,
+            *((STIFFNESS, DAMPING) if flexible else ()), GRAVITY,
         ),
         coordinates=(*wall.moving, *cables.permanent),
         functions=wall.functions(centre.distance(HEIGHT.symbol * sp.sin(ROTATION.position))),
-        members=tuple(
-            Member(
-                "tendon", "ground", "wall", (e, -ANCHOR_DEPTH.symbol),
-                (e, ANCHOR_HEIGHT.symbol - CENTROID_HEIGHT.symbol),
-            )
-            for e in (t.eccentricity.symbol for t in cables.each)
-        ),
+        members=cables.members(-ANCHOR_DEPTH.symbol, ANCHOR_HEIGHT.symbol - CENTROID_HEIGHT.symbol),
         reference="thesis 4-8, 4-33; Lagrange's equations in place of 4-27 and 4-32"
         + ("; the fixed-base period of 4.7" if flexible else ""),
     )  # fmt: skip

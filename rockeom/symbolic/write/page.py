@@ -207,14 +207,20 @@ def _latex_text(text: str) -> str:
     return "".join(parts)
 
 
+def greek_letter(name: str) -> str:
+    """The letter that TeX calls by a name, or the name itself where there is none."""
+    case = "SMALL" if name.islower() else "CAPITAL"
+    try:
+        return unicodedata.lookup(f"GREEK {case} LETTER {name.upper().replace('LAMBDA', 'LAMDA')}")
+    except KeyError:
+        return name
+
+
 def _greek(text: str) -> list[str]:
     """Declarations of the Greek letters in names and meanings, which LaTeX does not know."""
     found = []
     for name in _GREEK.split():
-        case = "SMALL" if name.islower() else "CAPITAL"
-        letter = name.upper().replace("LAMBDA", "LAMDA")
-        char = unicodedata.lookup(f"GREEK {case} LETTER {letter}")
-        if char in text:
+        if (char := greek_letter(name)) in text:
             code = f"{ord(char):04X}"
             found.append(rf"\DeclareUnicodeCharacter{{{code}}}{{\ensuremath{{\{name}}}}}")
     return found

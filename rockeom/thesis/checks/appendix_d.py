@@ -1,7 +1,6 @@
 """Checks of the equations of Appendix D that the engine alone does not decide."""
 
 import cmath
-from collections.abc import Iterator
 
 import numpy as np
 import sympy as sp
@@ -9,10 +8,10 @@ import sympy as sp
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, turned
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks.check import Check, Finding, Means, close, vanishes
+from rockeom.thesis.checks.check import Checks, Finding, Findings, close, derived, vanishes
 from rockeom.thesis.checks.engine import MODE, residual, shipped
 from rockeom.thesis.comparison import PIER, at_side, in_engine_notation, normal_form
-from rockeom.thesis.equation import Equation, Relations
+from rockeom.thesis.equation import Equation
 
 MODEL_C = "flexible_structure"
 
@@ -48,8 +47,7 @@ def lagranges_equation(
     return left - statement.rhs.subs(th.Q_i, force)
 
 
-def _lagrange(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (statement,) = relations
+def _lagrange(equation: Equation, statement: sp.Eq) -> Findings:
     lagrangian = EQUATIONS["D-14"].right[0].rhs
     for row, (coordinate, force) in enumerate(((theta_t, "D-17"), (u_t, "D-18"))):
         stated = EQUATIONS[force].right[0].rhs
@@ -62,9 +60,8 @@ def _lagrange(equation: Equation, relations: Relations) -> Iterator[Finding]:
 # --- angles
 
 
-def _sum_of_angles(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _sum_of_angles(equation: Equation, relation: sp.Eq) -> Findings:
     """One turn after another, and the argument of a complex number."""
-    (relation,) = relations
     axis = ("D-9", "D-10").index(equation.number)
     for side in equation.sides:
         first = turned((0, 1), (0, 0), th.A_angle)
@@ -96,7 +93,7 @@ def coefficients(side: int) -> dict[sp.Symbol, sp.Expr]:
     return {x.lhs: in_engine_notation(x.rhs, side, STATES) for x in EQUATIONS["D-29"].right}
 
 
-def _rows(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _rows(equation: Equation, *relations: sp.Eq) -> Findings:
     mixed = set().union(*(x.free_symbols for x in relations)) & set(IN_TIME)
     yield Finding("coordinates besides the states y", mixed, not mixed)
     for side in equation.sides:
@@ -107,7 +104,7 @@ def _rows(equation: Equation, relations: Relations) -> Iterator[Finding]:
             yield vanishes(f"row {i} minus engine", rest, normal_form)
 
 
-def _coefficients(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _coefficients(equation: Equation, *relations: sp.Eq) -> Findings:
     for side in equation.sides:
         inertia = shipped(MODEL_C).equations(MODE[side]).mass_matrix
         for relation, exact in zip(relations, (inertia[0, 1], inertia[0, 0]), strict=True):
@@ -115,9 +112,8 @@ def _coefficients(equation: Equation, relations: Relations) -> Iterator[Finding]
             yield vanishes(f"{relation.lhs} minus the engine's inertia", rest, normal_form)
 
 
-def _first_order(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _first_order(equation: Equation, relation: sp.Eq) -> Findings:
     """Its rows are D-28; at states chosen at random the solution is the engine's acceleration."""
-    (relation,) = relations
     rows = sp.Matrix([x.lhs - x.rhs for x in EQUATIONS["D-28"].right])
     matrix, right = sp.linear_eq_to_matrix(list(rows), RATES)
     whole = {th.M_matrix: matrix, th.y_d_column: sp.Matrix(RATES), th.f_column: right}
@@ -150,11 +146,11 @@ def _first_order(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 _ENGINE = "equations of motion of flexible_structure"
 
-CHECKS: dict[str, Check | tuple[Check, ...]] = {
-    "D-5": Check(Means.DERIVED, f"with D-14, D-15, D-17 and D-18: {_ENGINE}", _lagrange),
-    "D-9": Check(Means.DERIVED, "one turn after another; complex numbers", _sum_of_angles),
-    "D-10": Check(Means.DERIVED, "one turn after another; complex numbers", _sum_of_angles),
-    "D-27": Check(Means.DERIVED, f"D-28 in matrices; solved: {_ENGINE}", _first_order),
-    "D-28": Check(Means.DERIVED, _ENGINE, _rows),
-    "D-29": Check(Means.DERIVED, "inertia of flexible_structure", _coefficients),
+CHECKS: Checks = {
+    "D-5": derived(f"with D-14, D-15, D-17 and D-18: {_ENGINE}", _lagrange),
+    "D-9": derived("one turn after another; complex numbers", _sum_of_angles),
+    "D-10": derived("one turn after another; complex numbers", _sum_of_angles),
+    "D-27": derived(f"D-28 in matrices; solved: {_ENGINE}", _first_order),
+    "D-28": derived(_ENGINE, _rows),
+    "D-29": derived("inertia of flexible_structure", _coefficients),
 }

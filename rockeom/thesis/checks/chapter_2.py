@@ -1,54 +1,30 @@
 """Checks of the equations of chapter 2 that the engine alone does not decide; not of 2.6."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import cache
 
 import sympy as sp
 from scipy.integrate import quad
 from sympy import Rational, cosh, pi, sqrt
 
-from rockeom.analysis.formulas.damping import (
-    DESIGN_FACTORS,
-    GRANT_FACTORS,
-    design_damping,
-    fema_356_damping,
-    grant_damping,
-    priestley_damping,
-    simplified_damping,
-)
+from rockeom.analysis import formulas
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.thesis import notation as th
+from rockeom.thesis import comparison, notation as th
 from rockeom.thesis.catalogue import EQUATIONS
+from rockeom.thesis.checks import check, engine
 from rockeom.thesis.checks.approximations import taylor
-from rockeom.thesis.checks.check import Check, Finding, Means, close, positive, vanishes
-from rockeom.thesis.checks.engine import (
-    MODE,
-    THETA,
-    THETA_D,
-    acceleration,
-    in_polar,
-    residual,
-    shipped,
-)
-from rockeom.thesis.comparison import (
-    ALPHA,
-    BLOCK,
-    PIER,
-    R,
-    in_engine_notation,
-    normal_form,
-    symbols_of,
-)
-from rockeom.thesis.equation import Equation, Relations
+from rockeom.thesis.checks.check import Finding, Findings, close, derived, transcribed, vanishes
+from rockeom.thesis.checks.engine import MODE, THETA, THETA_D, acceleration, in_polar, shipped
+from rockeom.thesis.comparison import ALPHA, BLOCK, PIER, R, in_engine_notation, normal_form
+from rockeom.thesis.equation import Equation
 from rockeom.thesis.printed import TABLES
 
 # --- the rigid block
 
 
-def _uplift(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _uplift(equation: Equation, relation: sp.Eq) -> Findings:
     """2-1: the acceleration with which a foot of the resting block would lift."""
-    (relation,) = relations
     whole = {th.B: 2 * BLOCK["half_width"], th.H: 2 * BLOCK["height"]}
     threshold = in_engine_notation(relation.rhs, 1, whole)
     for side in equation.sides:
@@ -61,9 +37,8 @@ def _uplift(equation: Equation, relations: Relations) -> Iterator[Finding]:
         yield Finding("a foot lifts where the relation holds, above the threshold", gain, beyond)
 
 
-def _kinetic_energies(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _kinetic_energies(equation: Equation, relation: sp.Eq) -> Findings:
     """2-4: upright, about one edge with the rate before and about the other with that after."""
-    (relation,) = relations
     block = shipped("rigid_block")
     for side in equation.sides:
         before, after = (
@@ -73,12 +48,11 @@ def _kinetic_energies(equation: Equation, relations: Relations) -> Iterator[Find
         yield vanishes("kinetic energies' ratio minus r", after / before - relation.rhs, sp.cancel)
 
 
-def _period(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _period(equation: Equation, period: sp.Eq, frequency: sp.Eq) -> Findings:
     """2-5: the motion from rest, put into the engine's slender block, is upright at T/4."""
-    period, frequency = relations
     turning = acceleration(shipped("slender_block"), 1)
     stated = in_engine_notation(frequency.rhs**2, 1)
-    yield positive("p, a frequency,", frequency.rhs)
+    yield check.positive("p, a frequency,", frequency.rhs)
     yield vanishes("growth of a rotation minus p**2", sp.diff(turning, THETA) - stated, normal_form)
     motion = th.alpha - (th.alpha - th.theta_0) * cosh(th.p * th.t)
     inertia = BLOCK["mass"] * R * PIER["gravity"] / th.p**2 - BLOCK["mass"] * R**2
@@ -110,7 +84,7 @@ def exact_quarter(ratio: float, alpha: float) -> float:
     return quad(time, 0, 1)[0]
 
 
-def _period_error(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _period_error(equation: Equation, *relations: sp.Eq) -> Findings:
     stated = sp.lambdify((th.theta_0, th.alpha), relations[0].rhs.subs(th.p, 1) / 4, "math")
 
     def excess(ratio: float, alpha: float) -> float:
@@ -136,11 +110,11 @@ def _growth(relation: sp.Eq) -> sp.Expr:
     return sp.diff(relation.rhs, quantity)
 
 
-def _scaling(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _scaling(equation: Equation, *relations: sp.Eq) -> Findings:
     """2-10 to 2-12, one of them as given, put into the engine's 2-9, give 2-13."""
     sides = {n: EQUATIONS[n].right for n in ("2-10", "2-11", "2-12")} | {equation.number: relations}
     for relation in relations:
-        yield positive("growth of the scaled quantity", _growth(relation))
+        yield check.positive("growth of the scaled quantity", _growth(relation))
     angle, excitation, clock = (relation.lhs / _growth(relation) for (relation,) in sides.values())
     angular = sp.diff(angle, th.x) * th.x_dd / sp.diff(clock, th.t) ** 2
     ground = th.alpha * th.beta * th.g * sp.cos(sp.simplify(excitation * clock))
@@ -148,7 +122,9 @@ def _scaling(equation: Equation, relations: Relations) -> Iterator[Finding]:
     for side in equation.sides:
         put = {THETA: angle, BLOCK["theta_dd"]: angular, GROUND_X: ground}
         put = {symbol: in_engine_notation(value, side) for symbol, value in put.items()}
-        moments = in_polar(residual(shipped("rigid_block"), side)).subs(put, simultaneous=True)
+        moments = in_polar(engine.residual(shipped("rigid_block"), side)).subs(
+            put, simultaneous=True
+        )
         moments /= BLOCK["mass"] * PIER["gravity"] * R
         stated = in_engine_notation(scaled.lhs - scaled.rhs, side)
         yield vanishes("scaled moments minus 2-13", moments - stated, normal_form)
@@ -156,7 +132,7 @@ def _scaling(equation: Equation, relations: Relations) -> Iterator[Finding]:
 
 # --- the flexible structure that uplifts
 
-OSCILLATOR = symbols_of(shipped("uplifting_oscillator"))
+OSCILLATOR = comparison.symbols_of(shipped("uplifting_oscillator"))
 FIGURE_2_6 = {
     OSCILLATOR["mass"]: 1,
     OSCILLATOR["height"]: 1,
@@ -196,21 +172,20 @@ def _fixed_base() -> dict[sp.Symbol, sp.Expr]:
     }
 
 
-def _uplifted_motion(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _uplifted_motion(equation: Equation, relation: sp.Eq) -> Findings:
     for side in equation.sides:
         stated = in_engine_notation(relation.lhs - relation.rhs, side, _fixed_base())
         derived = PIER["u_dd"] - deformation(side)
         yield vanishes("thesis minus engine", stated - derived, sp.simplify)
 
 
-def _uplifted_frequency(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    yield positive("lambda_r, a frequency,", relations[0].rhs)
+def _uplifted_frequency(equation: Equation, *relations: sp.Eq) -> Findings:
+    yield check.positive("lambda_r, a frequency,", relations[0].rhs)
     stated = in_engine_notation(relations[0].rhs, 1, _fixed_base())
     yield vanishes("lambda_r**2 minus the engine's", stated**2 - uplifted()[0], sp.simplify)
 
 
-def _uplifted_damping(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _uplifted_damping(equation: Equation, *relations: sp.Eq) -> Findings:
     squared, twice = uplifted()
     stated = in_engine_notation(relations[0].rhs, 1, _fixed_base())
     yield vanishes("damping minus the engine's", 2 * stated * sqrt(squared) - twice, sp.simplify)
@@ -234,9 +209,8 @@ def stiff_column(side: int) -> sp.Expr:
     return sp.cancel(exact.subs(small | stiff | same, simultaneous=True))
 
 
-def _uplifted_error(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _uplifted_error(equation: Equation, relation: sp.Eq) -> Findings:
     """2-7 is what is left of the exact structure; the first term left out is P-delta."""
-    (relation,) = relations
     width, height, g = (OSCILLATOR[n] for n in ("half_width", "height", "gravity"))
     mass = OSCILLATOR["mass"]
     u, theta = PIER["u"], PIER["theta"]
@@ -272,7 +246,7 @@ def peak_after(ratio: float, start: float, impacts: int) -> float:
     return energy / (1 + math.sqrt(1 - energy))
 
 
-def _against(function, stated, points) -> Iterator[Finding]:
+def _against(function, stated, points) -> Findings:
     for point in points:
         name = ", ".join(f"{x:g}" for x in point)
         yield close(f"{function.__name__} at {name}", function(*point), stated(*point), 1e-12)
@@ -282,13 +256,13 @@ RATIOS = [(0.49,), (0.723,), (0.831,), (0.888,), (0.954,), (1.0,)]
 """The r of Table 2-1 and no loss."""
 
 
-def _fema(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _fema(equation: Equation, *relations: sp.Eq) -> Findings:
     stated = sp.lambdify(th.r, relations[0].rhs, "math")
-    yield from _against(fema_356_damping, stated, RATIOS)
+    yield from _against(formulas.damping.fema_356_damping, stated, RATIOS)
     yield close("without loss", stated(1.0), 0, 1e-15)
 
 
-def _share_of_decrement(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _share_of_decrement(equation: Equation, *relations: sp.Eq) -> Findings:
     """A conservative damping: half to two thirds of the decrement of small rocking."""
     stated = sp.lambdify(th.r, relations[0].rhs, "math")
     for (r,) in RATIOS[:-1]:
@@ -301,11 +275,13 @@ def decrement(r: float, start: float) -> float:
     return math.log(start / peak_after(r, start, 2)) / (2 * math.pi)
 
 
-def _priestley(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    yield from _against(priestley_damping, sp.lambdify(th.r, relations[0].rhs, "math"), RATIOS)
+def _priestley(equation: Equation, *relations: sp.Eq) -> Findings:
+    yield from _against(
+        formulas.damping.priestley_damping, sp.lambdify(th.r, relations[0].rhs, "math"), RATIOS
+    )
 
 
-def _table_2_3(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _table_2_3(equation: Equation, *relations: sp.Eq) -> Findings:
     table = TABLES["2-3"]
     for r, percent in zip(table.column("r by 2-6"), table.column("damping by 2-16"), strict=True):
         assert isinstance(percent, float)
@@ -313,7 +289,7 @@ def _table_2_3(equation: Equation, relations: Relations) -> Iterator[Finding]:
         yield close("damping of a wall in per cent", damping, percent, 0.005)
 
 
-def _decrement(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _decrement(equation: Equation, *relations: sp.Eq) -> Findings:
     """2-16 lies between the decrements of small rocking and of rocking from 0.3 alpha."""
     stated = sp.lambdify(th.r, relations[0].rhs, "math")
     for (r,) in RATIOS[1:-1]:
@@ -328,14 +304,14 @@ def _decrement(equation: Equation, relations: Relations) -> Iterator[Finding]:
 # --- re-centring and hysteresis
 
 
-def _recentring(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _recentring(equation: Equation, *relations: sp.Eq) -> Findings:
     """2-30: what is left to close the gap once the dissipaters are reversed."""
     closing = th.M_AE + th.M_N - th.M_ED
     rest = sp.expand((relations[0].rhs - 1) * th.M_ED - closing)
     yield vanishes("lambda - 1, times M_ED, minus the moment that closes the gap", rest)
 
 
-def _sum_of_dampings(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _sum_of_dampings(equation: Equation, *relations: sp.Eq) -> Findings:
     """2-31: one cycle at resonance of a damper and a hysteresis, by the work of both."""
     k, w, u, time = sp.symbols("k w u time", positive=True)
 
@@ -402,7 +378,7 @@ DAMPING = {
 }
 
 
-def _loop(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _loop(equation: Equation, *relations: sp.Eq) -> Findings:
     stated = relations[0].rhs.subs(th.k_p, RATIO * th.k_i)
     rest = stated - DAMPING[equation.number]()
     yield vanishes("thesis minus the loop's damping", rest, sp.simplify)
@@ -438,22 +414,22 @@ def read(table: str) -> dict[str, dict[sp.Symbol, float]]:
     return {name: dict(zip(FACTORS, map(float, row), strict=False)) for name, *row in rows}
 
 
-def _table(printed: dict, used) -> Iterator[Finding]:
+def _table(printed: dict, used) -> Findings:
     yield Finding("rules of hysteresis", list(used), list(printed) == list(used))
     for rule, row in printed.items():
         for symbol, number in row.items():
             yield close(f"{symbol} of {rule}", getattr(used[rule], symbol.name), number, 0)
 
 
-def _grant(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _grant(equation: Equation, *relations: sp.Eq) -> Findings:
     printed = read(TABLE_2_4)
-    yield from _table(printed, GRANT_FACTORS)
+    yield from _table(printed, formulas.damping.GRANT_FACTORS)
     arguments = (th.mu, th.effective_period, th.xi_const, th.xi_tang)
     for rule, row in printed.items():
         stated = sp.lambdify(arguments, relations[0].rhs.subs(row))
         for mu in DUCTILITIES:
             for elastic in ((0.05, 0.0), (0.0, 0.03)):
-                damping = grant_damping(
+                damping = formulas.damping.grant_damping(
                     rule, mu, 1.3, constant_damping=elastic[0], tangent_damping=elastic[1]
                 )
                 yield close(f"{rule}, mu = {mu}", damping, stated(mu, 1.3, *elastic), 1e-12)
@@ -461,7 +437,7 @@ def _grant(equation: Equation, relations: Relations) -> Iterator[Finding]:
     yield vanishes("at mu = 1 minus the elastic damping, 2-31", elastic, sp.simplify)
 
 
-def _figure_2_23(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _figure_2_23(equation: Equation, *relations: sp.Eq) -> Findings:
     """The factor of the period, as the text reads it from Figure 2-23."""
     hysteretic = relations[0].rhs.subs({th.xi_const: 0, th.xi_tang: 0, th.mu: 2})
     for rule, row in read(TABLE_2_4).items():
@@ -475,7 +451,7 @@ def _figure_2_23(equation: Equation, relations: Relations) -> Iterator[Finding]:
             yield close(f"{rule}, 2 s, effectively one", factor(2.0), 1, 0.011)
 
 
-def _without_period(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _without_period(equation: Equation, *relations: sp.Eq) -> Findings:
     """2-34 with C_i = 2 and C_i = beta_FS: loops that do not harden."""
     added = relations[0].rhs - th.xi_v
     for coefficient, number in ((sp.Integer(2), "2-32a"), (th.beta_FS, "2-32c")):
@@ -484,22 +460,22 @@ def _without_period(equation: Equation, relations: Relations) -> Iterator[Findin
         yield vanishes(f"thesis minus the loop of {number} without hardening", rest, sp.simplify)
     stated = sp.lambdify((th.xi_v, th.C_i, th.mu), relations[0].rhs)
     points = [(0.05, 0.4, mu) for mu in DUCTILITIES]
-    yield from _against(simplified_damping, stated, points)
+    yield from _against(formulas.damping.simplified_damping, stated, points)
 
 
-def _design(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _design(equation: Equation, *relations: sp.Eq) -> Findings:
     printed = read(TABLE_2_5)
-    yield from _table(printed, DESIGN_FACTORS)
+    yield from _table(printed, formulas.damping.DESIGN_FACTORS)
     for rule, row in printed.items():
         stated = sp.lambdify((th.mu, th.effective_period), relations[0].rhs.subs(row))
         yield close(f"{rule}, mu = 1", stated(1.0, 0.7), 0.05, 1e-15)
         for mu in DUCTILITIES:
-            damping = design_damping(rule, mu, 1.3)
+            damping = formulas.damping.design_damping(rule, mu, 1.3)
             # 1 - mu**-b as printed loses digits in the flag's b
             yield close(f"{rule}, mu = {mu}", damping, stated(mu, 1.3), 1e-11)
 
 
-def _design_of_analysis(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _design_of_analysis(equation: Equation, *relations: sp.Eq) -> Findings:
     """2-35 was fitted to stay near 2-33 with 5 %, of the tangent stiffness as it turns out."""
     (analysis,) = EQUATIONS["2-33"].right
     arguments = (th.mu, th.effective_period)
@@ -513,17 +489,16 @@ def _design_of_analysis(equation: Equation, relations: Relations) -> Iterator[Fi
                 yield close(what, stated(mu, seconds), near(mu, seconds), 0.02)
 
 
-_SCALED = Check(Means.DERIVED, "put into the engine's 2-9 it gives 2-13", _scaling)
+_SCALED = derived("put into the engine's 2-9 it gives 2-13", _scaling)
 _OSCILLATOR = "Lagrange's equations with small displacements: uplifting_oscillator"
-_LOOP = Check(Means.DERIVED, "work around the loop over 4 pi times the secant's energy", _loop)
+_LOOP = derived("work around the loop over 4 pi times the secant's energy", _loop)
 
-CHECKS: dict[str, Check | tuple[Check, ...]] = {
-    "2-1": Check(Means.DERIVED, "angular acceleration at rest about an edge: rigid_block", _uplift),
-    "2-4": Check(Means.DERIVED, "kinetic energy about either edge: rigid_block", _kinetic_energies),
+CHECKS: check.Checks = {
+    "2-1": derived("angular acceleration at rest about an edge: rigid_block", _uplift),
+    "2-4": derived("kinetic energy about either edge: rigid_block", _kinetic_energies),
     "2-5": (
-        Check(Means.DERIVED, "the motion from rest, put into slender_block", _period),
-        Check(
-            Means.DERIVED,
+        derived("the motion from rest, put into slender_block", _period),
+        derived(
             "quarter period of 2-2 by energy and quadrature",
             _period_error,
             "order 2 in alpha: alpha**2/12 of T at most, for small rotations; "
@@ -531,50 +506,44 @@ CHECKS: dict[str, Check | tuple[Check, ...]] = {
         ),
     ),
     "2-7": (
-        Check(Means.DERIVED, _OSCILLATOR, _uplifted_motion),
-        Check(
-            Means.DERIVED,
+        derived(_OSCILLATOR, _uplifted_motion),
+        derived(
             "limit of small displacements of flexible_structure on a base without mass",
             _uplifted_error,
             "order 1 in theta and u, P-delta; for Figure 2-6 at the start below 1 % of g H/B",
         ),
     ),
-    "2-8a": Check(Means.DERIVED, _OSCILLATOR, _uplifted_frequency),
-    "2-8b": Check(Means.DERIVED, _OSCILLATOR, _uplifted_damping),
+    "2-8a": derived(_OSCILLATOR, _uplifted_frequency),
+    "2-8b": derived(_OSCILLATOR, _uplifted_damping),
     "2-10": _SCALED,
     "2-11": _SCALED,
     "2-12": _SCALED,
     "2-15": (
-        Check(Means.TRANSCRIBED, "the function of rockeom.analysis", _fema),
-        Check(
-            Means.DERIVED,
-            "decrement of the slender block by the energies of its peaks",
-            _share_of_decrement,
-        ),
+        transcribed("the function of rockeom.analysis", _fema),
+        derived("decrement of the slender block by the energies of its peaks", _share_of_decrement),
     ),
     "2-16": (
-        Check(Means.TRANSCRIBED, "the function of rockeom.analysis", _priestley),
-        Check(Means.REPRODUCED, "damping of Table 2-3, of the r printed there", _table_2_3),
-        Check(
-            Means.DERIVED,
+        transcribed("the function of rockeom.analysis", _priestley),
+        check.reproduced("damping of Table 2-3, of the r printed there", _table_2_3),
+        derived(
             "decrement of the slender block by the energies of its peaks",
             _decrement,
             "of small rocking it is -ln(r)/pi = -0.318 ln(r), 6.8 % less, and it grows with the "
             "amplitude: 0.340 is reached between 0 and 0.3 alpha",
         ),
     ),
-    "2-30": Check(Means.DERIVED, "moments at the gap while it closes", _recentring),
-    "2-31": Check(Means.DERIVED, "work of damper and hysteresis in a cycle", _sum_of_dampings),
+    "2-30": derived("moments at the gap while it closes", _recentring),
+    "2-31": derived("work of damper and hysteresis in a cycle", _sum_of_dampings),
     "2-32a": _LOOP,
     "2-32b": _LOOP,
     "2-32c": _LOOP,
     "2-33": (
-        Check(Means.TRANSCRIBED, "Table 2-4 and the function of rockeom.analysis", _grant),
-        Check(Means.REPRODUCED, "Figure 2-23 as the text describes it", _figure_2_23),
+        transcribed("Table 2-4 and the function of rockeom.analysis", _grant),
+        check.reproduced("Figure 2-23 as the text describes it", _figure_2_23),
     ),
-    "2-34": Check(Means.DERIVED, "work around loops that do not harden", _without_period),
+    "2-34": derived("work around loops that do not harden", _without_period),
     "2-35": (
-        Check(Means.TRANSCRIBED, "Table 2-5 and the function of rockeom.analysis", _design),
-        Check(Means.REPRODUCED, "2-33 with Table 2-4", _design_of_analysis),
+        transcribed("Table 2-5 and the function of rockeom.analysis", _design),
+        check.reproduced("2-33 with Table 2-4", _design_of_analysis),
     ),
 }

@@ -9,18 +9,11 @@ import sympy as sp
 from rockeom.symbolic.model import GROUND_X
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks.check import Check, Finding, Means, close, positive, vanishes
-from rockeom.thesis.checks.engine import (
-    MODE,
-    THETA,
-    THETA_D,
-    acceleration,
-    in_polar,
-    rectangular,
-    shipped,
-)
+from rockeom.thesis.checks import check, engine
+from rockeom.thesis.checks.check import Finding, Findings, close, derived, reproduced, vanishes
+from rockeom.thesis.checks.engine import MODE, THETA, THETA_D, in_polar, rectangular, shipped
 from rockeom.thesis.comparison import ALPHA, at_side, differences, in_engine_notation, normal_form
-from rockeom.thesis.equation import POSITIVE, Equation, Relations
+from rockeom.thesis.equation import POSITIVE, Equation
 from rockeom.thesis.printed import BLOCK, FIGURE_3_3, TABLE_3_1
 
 GRAVITY = 9.81
@@ -50,8 +43,7 @@ def spring(theta: sp.Expr) -> sp.Expr:
 def equals(value: Callable[[int], sp.Expr]) -> Callable:
     """That the single symbol on the left has this value on either side, in engine's symbols."""
 
-    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
-        (relation,) = relations
+    def find(equation: Equation, relation: sp.Eq) -> Findings:
         for side in equation.sides:
             (rest,) = differences(relation, value(side), side)
             what = f"thesis minus engine, theta {'>' if side > 0 else '<'} 0"
@@ -60,8 +52,7 @@ def equals(value: Callable[[int], sp.Expr]) -> Callable:
     return find
 
 
-def _spring(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _spring(equation: Equation, relation: sp.Eq) -> Findings:
     yield vanishes("thesis minus work", relation.rhs - spring(th.theta), sp.expand)
 
 
@@ -73,7 +64,7 @@ def ratio_of_peaks(
     more : energy, by the rotation, beyond that of gravity.
     """
 
-    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    def find(equation: Equation, *relations: sp.Eq) -> Findings:
         for side in equation.sides:
             before = potential(side, th.theta_before, name) + more(th.theta_before)
             after = potential(-side, th.theta_after, name) + more(th.theta_after)
@@ -86,7 +77,9 @@ def ratio_of_peaks(
                 yield vanishes("thesis minus ratio of energies", rest, normal_form)
 
             inertia = sp.diff(kinetic(side, name), THETA_D, 2)
-            free = in_thesis_lengths(name, acceleration(shipped(name), side)).subs(GROUND_X, 0)
+            free = in_thesis_lengths(name, engine.acceleration(shipped(name), side)).subs(
+                GROUND_X, 0
+            )
             free -= sp.diff(more(THETA), THETA) / inertia
             energy = kinetic(side, name) + potential(side, name=name) + more(THETA)
             power = sp.diff(energy, THETA) * THETA_D + sp.diff(energy, THETA_D) * free
@@ -125,7 +118,7 @@ def impacts() -> Iterator[tuple[float, float, float]]:
         yield -float(np.sign(before)) * speed, energy(before), energy(after) / energy(before)
 
 
-def _bunches(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _bunches(equation: Equation, *relations: sp.Eq) -> Findings:
     """Figure 3-3 falls into bunches by its edge, as Figure 3-19, on either side of 2-6."""
     numbers = {**block_numbers(), th.k_rot: 0}
     stated = sp.lambdify((th.theta_before, th.theta_after), relations[-1].rhs.subs(numbers))
@@ -141,9 +134,8 @@ def _bunches(equation: Equation, relations: Relations) -> Iterator[Finding]:
 # --- the support
 
 
-def _of_circle(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _of_circle(equation: Equation, relation: sp.Eq) -> Findings:
     """3-5 with the second derivative of the position about the pivot, against 3-6 and 3-7."""
-    (relation,) = relations
     theta = sp.Function("theta")(th.t)
     at_one_time = {
         theta.diff(th.t, 2): th.theta_dd,
@@ -162,12 +154,11 @@ def _of_circle(equation: Equation, relations: Relations) -> Iterator[Finding]:
             yield vanishes(f"3-5 minus {number}", sp.expand_trig(rest), sp.expand)
 
 
-def _largest_speed(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _largest_speed(equation: Equation, relation: sp.Eq) -> Findings:
     """The kinetic energy of the rectangular block after a fall, the sign that of the velocity.
 
     A positive velocity comes of a fall from theta = -alpha, on to the right edge.
     """
-    (relation,) = relations
     for direction in equation.sides:
         stated = at_side(relation.rhs, direction)
         fall = rectangular(potential(-direction, -direction * ALPHA))
@@ -175,13 +166,13 @@ def _largest_speed(equation: Equation, relations: Relations) -> Iterator[Finding
         gained = rectangular(kinetic(-direction)).subs(THETA_D, sp.sqrt(speed_squared))
         yield vanishes("kinetic energy minus what the fall gives", gained - fall, normal_form)
         velocity = float(stated.subs(block_numbers()))
-        yield positive("velocity times its sign, block of chapter 3,", direction * velocity)
+        yield check.positive("velocity times its sign, block of chapter 3,", direction * velocity)
 
 
 def _table_3_1(row: int) -> Callable:
     """A baseline of Table 3-1: the first impact of Figure 3-3."""
 
-    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    def find(equation: Equation, *relations: sp.Eq) -> Findings:
         direction, baseline, *_ = TABLE_3_1.rows[row]
         speed = next(impacts())[0]
         numbers = {**block_numbers(), th.theta_d_impact: speed}
@@ -199,7 +190,7 @@ BUNCHES = {("3-17", -1): (0.73, 0.76), ("3-17", 1): (0.80, 0.86), ("3-18", 1): (
 """Section 3.3: r of most impacts, by the equation and the sign of the velocity."""
 
 
-def _bunch(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _bunch(equation: Equation, *relations: sp.Eq) -> Findings:
     """The mean of r, from the least fitted impact of 6 J to the largest speed, by its bunch."""
     loss = sp.lambdify(th.theta_d_peak, relations[0].rhs)
     inertia = block_numbers()[th.I_o]
@@ -215,7 +206,7 @@ def largest_speed() -> float:
     return float(at_side(EQUATIONS["3-13"].right[0].rhs, 1).subs(block_numbers()))
 
 
-def _fit(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _fit(equation: Equation, *relations: sp.Eq) -> Findings:
     """A loss of some of the energy, up to the largest speed, 3-13.
 
     3-17 is one only from a speed on, below that of 6 J, the least of the fitted impacts.
@@ -240,7 +231,7 @@ def _fitted_impacts(within: float) -> Callable:
     So near and no nearer: impacts of one speed and one edge differ by as much.
     """
 
-    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    def find(equation: Equation, *relations: sp.Eq) -> Findings:
         loss = sp.lambdify(th.theta_d_peak, relations[0].rhs)
         # impacts on the right edge, with positive velocities, follow 3-18 in this run
         wanted = 1 if equation.number == "3-18" else -1
@@ -255,38 +246,33 @@ def _fitted_impacts(within: float) -> Callable:
 _FIT = "losses that an impact can have"
 _BUNCH = "bunches of r in section 3.3"
 
-CHECKS: dict[str, Check | tuple[Check, ...]] = {
-    "3-1": Check(Means.DERIVED, "energy of rigid_block", equals(kinetic)),
-    "3-2": Check(Means.DERIVED, "energy of rigid_block", equals(potential)),
+CHECKS: check.Checks = {
+    "3-1": derived("energy of rigid_block", equals(kinetic)),
+    "3-2": derived("energy of rigid_block", equals(potential)),
     "3-3": (
-        Check(
-            Means.DERIVED,
-            "energies of rigid_block, conserved between impacts",
-            ratio_of_peaks(),
-        ),
-        Check(Means.REPRODUCED, "peaks of Figure 3-3 in the bunches of Figure 3-19", _bunches),
+        derived("energies of rigid_block, conserved between impacts", ratio_of_peaks()),
+        reproduced("peaks of Figure 3-3 in the bunches of Figure 3-19", _bunches),
     ),
-    "3-4": Check(Means.DERIVED, "work against a moment k_rot theta", _spring),
-    "3-5": Check(Means.DERIVED, "positions in time, differentiated: 3-6 and 3-7", _of_circle),
-    "3-11": Check(Means.REPRODUCED, "Table 3-1", _table_3_1(1)),
-    "3-12": Check(Means.REPRODUCED, "Table 3-1", _table_3_1(0)),
-    "3-13": Check(Means.DERIVED, "energies of rigid_block, conserved in the fall", _largest_speed),
+    "3-4": derived("work against a moment k_rot theta", _spring),
+    "3-5": derived("positions in time, differentiated: 3-6 and 3-7", _of_circle),
+    "3-11": reproduced("Table 3-1", _table_3_1(1)),
+    "3-12": reproduced("Table 3-1", _table_3_1(0)),
+    "3-13": derived("energies of rigid_block, conserved in the fall", _largest_speed),
     "3-16": (
-        Check(
-            Means.DERIVED,
+        derived(
             "energies of rigid_block and of the spring, conserved between impacts",
             ratio_of_peaks(more=spring),
         ),
-        Check(Means.REPRODUCED, "peaks of Figure 3-3, without the spring", _bunches),
+        reproduced("peaks of Figure 3-3, without the spring", _bunches),
     ),
     "3-17": (
-        Check(Means.REPRODUCED, _BUNCH, _bunch),
-        Check(Means.DERIVED, _FIT, _fit),
-        Check(Means.REPRODUCED, "Figure 3-3, impacts on the left edge", _fitted_impacts(0.036)),
+        reproduced(_BUNCH, _bunch),
+        derived(_FIT, _fit),
+        reproduced("Figure 3-3, impacts on the left edge", _fitted_impacts(0.036)),
     ),
     "3-18": (
-        Check(Means.REPRODUCED, _BUNCH, _bunch),
-        Check(Means.DERIVED, _FIT, _fit),
-        Check(Means.REPRODUCED, "Figure 3-3, impacts on the right edge", _fitted_impacts(0.0065)),
+        reproduced(_BUNCH, _bunch),
+        derived(_FIT, _fit),
+        reproduced("Figure 3-3, impacts on the right edge", _fitted_impacts(0.0065)),
     ),
 }

@@ -1,6 +1,5 @@
 """Checks of the equations of chapter 5 that the engine alone does not decide."""
 
-from collections.abc import Iterator
 from functools import cache
 from itertools import pairwise
 
@@ -13,9 +12,10 @@ from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
+from rockeom.thesis.checks import check
 from rockeom.thesis.checks.approximations import taylor
 from rockeom.thesis.checks.chapter_3 import equals, potential, ratio_of_peaks
-from rockeom.thesis.checks.check import Check, Finding, Means, close, derived, vanishes
+from rockeom.thesis.checks.check import Finding, Findings, close, derived, reproduced, vanishes
 from rockeom.thesis.checks.engine import MODE, THETA, B, residual, shipped
 from rockeom.thesis.comparison import PIER, in_engine_notation, normal_form
 from rockeom.thesis.equation import Equation, Relations
@@ -65,8 +65,7 @@ def characteristic(rate: sp.Expr) -> sp.Expr:
     )
 
 
-def _period(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    formula, value = relations
+def _period(equation: Equation, formula: sp.Eq, value: sp.Eq) -> Findings:
     circular = 2 * sp.pi / th.T_fixed
     undamped = characteristic(sp.I * circular).subs(PIER["damping"], 0)
     (stiffness,) = sp.solve(undamped, PIER["stiffness"])
@@ -78,8 +77,7 @@ def _period(equation: Equation, relations: Relations) -> Iterator[Finding]:
     yield close("k in N/m with T_fixed = 0.092 s and the c of 5-36", k, value.rhs, 110)
 
 
-def _critical(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    formula, value = relations
+def _critical(equation: Equation, formula: sp.Eq, value: sp.Eq) -> Findings:
     rate = sp.Dummy("rate")
     critical = sp.discriminant(characteristic(rate), rate)
     stated = in_engine_notation(sp.nsimplify(formula.rhs), 1)
@@ -101,7 +99,7 @@ def branch(relation: sp.Eq, side: int) -> sp.Expr:
     return next(value for value, condition in relation.rhs.args if condition == wanted)
 
 
-def _about_pivot(relation: sp.Eq, sides: tuple[int, ...]) -> Iterator[Finding]:
+def _about_pivot(relation: sp.Eq, sides: tuple[int, ...]) -> Findings:
     """The displacement that a rotation of the rigid structure gives, put in, gives it back."""
     radius, angle = sp.sqrt(B**2 + PIER["height"] ** 2), sp.Dummy("alpha'", positive=True)
     symbols = {
@@ -128,8 +126,7 @@ def _about_pivot(relation: sp.Eq, sides: tuple[int, ...]) -> Iterator[Finding]:
         yield vanishes(what, rest, normal_form)
 
 
-def _rotation(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    turned, upright = relations
+def _rotation(equation: Equation, turned: sp.Eq, upright: sp.Eq) -> Findings:
     yield from _about_pivot(turned, equation.sides)
     yield vanishes("tangent of alpha'", sp.tan(upright.rhs) - th.B_measured / th.H_measured)
 
@@ -144,15 +141,14 @@ def measured_rotations(relations: Relations) -> list[float]:
     ]
 
 
-def _figure_5_6(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _figure_5_6(equation: Equation, *relations: sp.Eq) -> Findings:
     alpha_e = column_numbers()[th.alpha_e]
     stated = [number(ratio) for _, x, ratio in FIGURE_5_6.rows if x]
     for theta, ratio in zip(measured_rotations(relations), stated, strict=True):
         yield close("theta/alpha_e", theta / alpha_e, ratio, 6e-4)
 
 
-def _centre(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _centre(equation: Equation, relation: sp.Eq) -> Findings:
     both = relation.rhs + relation.rhs.subs(th.Delta, -th.Delta)
     yield vanishes("x at both displacements minus the width of 600 mm", both - 600, sp.simplify)
     place = sp.lambdify(th.Delta, relation.rhs)
@@ -165,9 +161,8 @@ def _centre(equation: Equation, relations: Relations) -> Iterator[Finding]:
     )
 
 
-def _moving_centre(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _moving_centre(equation: Equation, relation: sp.Eq) -> Findings:
     """For a centre that stays where it is, 5-6 is 5-2 with the distance 300 - min(x, y)."""
-    (relation,) = relations
     arm = sp.Min(th.x_centre, th.y_centre)
     fixed = sp.Eq(relation.lhs, relation.rhs.subs(arm, 300 - th.B_measured), evaluate=False)
     yield from _about_pivot(fixed, equation.sides)
@@ -177,9 +172,8 @@ CENTRE_MOVES = 1.7e-4
 """Relative error of 5-6 at the largest displacement of run 2, 28.58 mm."""
 
 
-def _centre_moves(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _centre_moves(equation: Equation, relation: sp.Eq) -> Findings:
     """A body that at each moment turns about the centre of 5-5: dDelta/dtheta is its height."""
-    (relation,) = relations
     (centre,) = EQUATIONS["5-5"].right
     place = {th.x_centre: centre.rhs, th.y_centre: 600 - centre.rhs}
     height = FOOT_WIDTH[th.H_measured]
@@ -217,8 +211,7 @@ def ratio_of_free_peaks() -> tuple[sp.Symbol, sp.Expr]:
     return xi, sp.exp(-real * 2 * sp.pi / circular)
 
 
-def _decrement(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _decrement(equation: Equation, relation: sp.Eq) -> Findings:
     xi, ratio = ratio_of_free_peaks()
     stated = relation.rhs.subs(th.Delta_i, ratio * th.Delta_next)
     stated = sp.simplify(sp.expand_log(stated))
@@ -240,7 +233,7 @@ DECREMENT_EXCESS = 5.4e-3
 # --- restitution
 
 
-def _average(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _average(equation: Equation, *relations: sp.Eq) -> Findings:
     """5.2.1: r from 0.75 to 0.95; 5.3.1: the r of 5-14, 0.74, is about 12 % below the average."""
     ratio = relations[-1].rhs.subs(column_numbers())
     stated = sp.lambdify((th.theta_before, th.theta_after), ratio)
@@ -257,13 +250,12 @@ OVERDRIVEN, TOO_INERT = 0.325, 0.020
 """Load and inertia of the cart 5-15, beyond those of the structure, for its column."""
 
 
-def _cart(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _cart(equation: Equation, relation: sp.Eq) -> Findings:
     """Small rotations with both springs pressed, u = H_e theta, the moments divided by H_e.
 
     The inertia is I_C / H_e**2 and the load (m_e + m_b H_b / H_e) a_g; the cart has the total
     mass in both, and the stiffness alone agrees.
     """
-    (relation,) = relations
     height = PIER["height"]
     equations = shipped("two_spring_structure").mode("both").equations
     heave = next(c for c in shipped("two_spring_structure").coordinates if c.name == "heave")
@@ -288,9 +280,8 @@ STRAIGHT = 1.25e-2
 """Largest error of 5-33 over the force at lift-off, for the column of chapter 5."""
 
 
-def _straight(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _straight(equation: Equation, top: sp.Eq, line: sp.Eq) -> Findings:
     """The line 5-33 and the curve 5-31, which is exact about the leading foot."""
-    top, line = relations
     (curve,), (start,), (lift_off,), (at,) = (
         EQUATIONS[number].right for number in ("5-31", "5-32", "5-22", "5-23")
     )
@@ -311,18 +302,18 @@ def _straight(equation: Equation, relations: Relations) -> Iterator[Finding]:
 _PIVOT = f"displacement by the rotation of {MODEL_A}, put in"
 
 
-CHECKS: dict[str, Check | tuple[Check, ...]] = {
-    "5-1": Check(Means.REPRODUCED, "period of flexible_structure at theta = 0; 5-36", _period),
+CHECKS: check.Checks = {
+    "5-1": reproduced("period of flexible_structure at theta = 0; 5-36", _period),
     "5-2": (
         derived(_PIVOT, _rotation),
-        Check(Means.REPRODUCED, "theta/alpha_e of Figure 5-6", _figure_5_6),
+        reproduced("theta/alpha_e of Figure 5-6", _figure_5_6),
     ),
     "5-3": derived(f"energy of {MODEL_A}", equals(lambda side: potential(side, name=MODEL_A))),
     "5-4": (
         derived(f"energies of {MODEL_A}, conserved between impacts", ratio_of_peaks(MODEL_A)),
-        Check(Means.REPRODUCED, "range and average of r, by Figure 5-6", _average),
+        reproduced("range and average of r, by Figure 5-6", _average),
     ),
-    "5-5": Check(Means.TRANSCRIBED, "the function of rockeom.analysis; its symmetry", _centre),
+    "5-5": check.transcribed("the function of rockeom.analysis; its symmetry", _centre),
     "5-6": (
         derived(f"{_PIVOT}, the centre fixed", _moving_centre),
         derived(
@@ -349,7 +340,5 @@ CHECKS: dict[str, Check | tuple[Check, ...]] = {
         f"a chord: exact at its ends, between them up to {STRAIGHT:.2%} of the force at lift-off, "
         "for the column of chapter 5 at 140 mm",
     ),
-    "5-36": Check(
-        Means.REPRODUCED, "critical damping of flexible_structure at theta = 0; 5-1", _critical
-    ),
+    "5-36": reproduced("critical damping of flexible_structure at theta = 0; 5-1", _critical),
 }

@@ -1,6 +1,6 @@
 """Checks of an equation: findings on its printed form, and on the corrected one."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from enum import Enum
 from typing import Any
@@ -8,7 +8,6 @@ from typing import Any
 import sympy as sp
 
 from rockeom.thesis.comparison import differs_somewhere
-from rockeom.thesis.equation import Equation, Relations
 
 
 class Means(Enum):
@@ -42,7 +41,9 @@ class Finding:
     comparable: bool = True
 
 
-Find = Callable[[Equation, Relations], Iterable[Finding]]
+Findings = Iterator[Finding]
+Find = Callable[..., Findings]
+"""Function of an equation and each of its relations."""
 
 
 @dataclass(frozen=True)
@@ -69,6 +70,10 @@ class Check:
     error: str = ""
 
 
+Checks = dict[str, Check | tuple[Check, ...]]
+"""Checks of equations by their numbers."""
+
+
 def derived(route: str, find: Find, error: str = "") -> Check:
     """A check from first principles."""
     return Check(Means.DERIVED, route, find, error)
@@ -77,6 +82,11 @@ def derived(route: str, find: Find, error: str = "") -> Check:
 def reproduced(route: str, find: Find, error: str = "") -> Check:
     """A check by numbers of a table, a figure or the text."""
     return Check(Means.REPRODUCED, route, find, error)
+
+
+def transcribed(route: str, find: Find) -> Check:
+    """A check of what the thesis fitted or chose, typed a second time: no evidence by itself."""
+    return Check(Means.TRANSCRIBED, route, find)
 
 
 @dataclass(frozen=True)

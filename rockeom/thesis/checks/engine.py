@@ -19,20 +19,11 @@ from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.reactions import total_reaction
 from rockeom.symbolic.statics import LOAD, equilibrium, pushover
 from rockeom.symbolic.structures.two_spring import bilinear_pushover
-from rockeom.thesis import notation as th
+from rockeom.thesis import comparison, notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks.check import Check, Finding, Means, vanishes
-from rockeom.thesis.comparison import (
-    ALPHA,
-    BLOCK,
-    PIER,
-    SCALED,
-    TO_ENGINE,
-    R,
-    differences,
-    normal_form,
-)
-from rockeom.thesis.equation import Equation, Relations
+from rockeom.thesis.checks.check import Check, Findings, derived, vanishes
+from rockeom.thesis.comparison import ALPHA, BLOCK, PIER, SCALED, R, differences, normal_form
+from rockeom.thesis.equation import Equation
 
 MODE = {1: "right", -1: "left"}
 THETA, THETA_D, THETA_DD = PIER["theta"], PIER["theta_d"], PIER["theta_dd"]
@@ -75,9 +66,7 @@ def _values(number: str, side: int, model: RockingModel) -> tuple[Value, dict]:
     return entry.value(model, side), entry.symbols(model, side)
 
 
-def compared(
-    number: str, relations, side: int, model: RockingModel | None = None
-) -> Iterator[Finding]:
+def compared(number: str, relations, side: int, model: RockingModel | None = None) -> Findings:
     """Thesis minus engine for each component of each relation."""
     values, symbols = evaluate(number, side, model)
     what = f"thesis minus engine, theta {'>' if side > 0 else '<'} 0"
@@ -254,7 +243,7 @@ def falling_branch(model: RockingModel, side: int) -> list[sp.Expr]:
     # the sine and the cosine of an arctangent: its root is R_c / H_c
     top = bilinear_pushover().overturning.replace(
         lambda e: e.is_Pow and abs(e.exp) == sp.Rational(1, 2),
-        lambda e: (th.R_c / TO_ENGINE[th.H_c]) ** (2 * e.exp),
+        lambda e: (th.R_c / comparison.TO_ENGINE[th.H_c]) ** (2 * e.exp),
     )
     return [top, cart.equations("right").stiffness[0]]
 
@@ -407,16 +396,16 @@ _ROUTES = {
 }
 
 
-def _find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _find(equation: Equation, *relations: sp.Eq) -> Findings:
     for side in equation.sides:
         yield from compared(equation.number, relations, side)
 
 
 def _checks() -> Iterator[tuple[str, Check]]:
     route_of = {n: route for route, numbers in _ROUTES.items() for n in numbers.split()}
-    for number, derived in DERIVED.items():
-        route = f"{route_of[number]}: {derived.structure}"
-        yield number, Check(Means.DERIVED, route, _find)
+    for number, entry in DERIVED.items():
+        route = f"{route_of[number]}: {entry.structure}"
+        yield number, derived(route, _find)
 
 
 CHECKS: dict[str, Check] = dict(_checks())

@@ -4,7 +4,6 @@ With the velocity v as a function of the rotation, x'' = v dv/dx, so that delta(
 dv/dx = delta(x) g(v) / v: separable, and with g = C v**2 solved by v_f = v_0 exp(C).
 """
 
-from collections.abc import Iterator
 from functools import cache
 
 import numpy as np
@@ -14,10 +13,10 @@ from scipy.integrate import solve_ivp
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks.check import Check, Finding, close, derived, vanishes
+from rockeom.thesis.checks.check import Checks, Finding, Findings, close, derived, vanishes
 from rockeom.thesis.checks.engine import shipped, slender_scaled
 from rockeom.thesis.comparison import differences, normal_form
-from rockeom.thesis.equation import Equation, Relations
+from rockeom.thesis.equation import Equation
 
 W = sp.Dummy("w", positive=True)
 """A speed."""
@@ -38,42 +37,37 @@ def smooth(expr: sp.Expr) -> sp.Expr:
 # --- 2-17 to 2-20
 
 
-def _motion(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _motion(equation: Equation, *relations: sp.Eq) -> Findings:
     for side in equation.sides:
         free = slender_scaled(shipped("slender_block"), side).subs(th.beta, 0)
         (rest,) = differences(relations[0], free - th.F_delta, side, {th.F_delta: th.F_delta})
         yield vanishes(f"2-17 minus engine, x {'>' if side > 0 else '<'} 0", rest, normal_form)
 
 
-def _product(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _product(equation: Equation, relation: sp.Eq) -> Findings:
     made = relation.rhs.subs({EQUATIONS["2-19a"].right[0].lhs: right("2-20")})
     made = made.subs(EQUATIONS["2-27"].right[0].lhs, right("2-27"))
     yield vanishes("2-18 with 2-20 and 2-27, minus 2-28", made - right("2-28"), sp.expand)
 
 
-def _concentrated(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _concentrated(equation: Equation, relation: sp.Eq) -> Findings:
     whole = sp.integrate(relation.rhs, (th.x, th.below_zero, th.above_zero))
     beside = sp.integrate(relation.rhs, (th.x, th.above_zero, 2 * th.above_zero))
     yield vanishes("integral over a passage minus the 1 of 2-22", whole - 1, sp.simplify)
     yield vanishes("integral next to the impact", beside)
 
 
-def _away_from_zero(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _away_from_zero(equation: Equation, relation: sp.Eq) -> Findings:
     for place in (W, -W):
         value = smooth(relation.lhs.subs(th.x, place))
         yield vanishes(f"limit of 2-20 at x = {'-' * (place != W)}w", value - relation.rhs)
 
 
-def _integral(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _integral(equation: Equation, relation: sp.Eq) -> Findings:
     yield vanishes("limit of the integral of 2-20", smooth(relation.lhs) - relation.rhs)
 
 
-def _normal(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _normal(equation: Equation, relation: sp.Eq) -> Findings:
     line = (th.x, -sp.oo, sp.oo)
     yield vanishes("its integral minus 1", sp.integrate(relation.rhs, line) - 1)
     wave = sp.integrate(relation.rhs * sp.cos(W * th.x), line)
@@ -84,7 +78,7 @@ def _normal(equation: Equation, relations: Relations) -> Iterator[Finding]:
 # --- 2-21
 
 
-def _without_gravity(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _without_gravity(equation: Equation, *relations: sp.Eq) -> Findings:
     """Lengths and times of the impact are of order n, x = n xi and t = n sigma."""
     xi, xi_dd, force = (sp.Dummy(name, real=True) for name in ("xi", "xi_dd", "force"))
 
@@ -98,9 +92,8 @@ def _without_gravity(equation: Equation, relations: Relations) -> Iterator[Findi
     yield vanishes("2-17 minus 2-21a in the scale of the impact, as n -> 0", rest)
 
 
-def _differentials(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _differentials(equation: Equation, relation: sp.Eq) -> Findings:
     """dx' = x'' dt and dx = x' dt, with x'' = f g by 2-18 and 2-21a."""
-    (relation,) = relations
     acceleration = right("2-18").subs(EQUATIONS["2-19a"].right[0].lhs, right("2-19a"))
     in_time = {th.dx_d: acceleration * th.dt, th.dx: th.x_d * th.dt}
     rest = (relation.lhs - relation.rhs).subs(in_time)
@@ -110,8 +103,7 @@ def _differentials(equation: Equation, relations: Relations) -> Iterator[Finding
 # --- 2-22 to 2-27
 
 
-def _requirement(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    before, after = relations
+def _requirement(equation: Equation, before: sp.Eq, after: sp.Eq) -> Findings:
     velocity, function = sp.Function("v")(th.x), EQUATIONS["2-23"].right[0].lhs.func
     left = before.lhs.subs(th.x_df, velocity).diff(th.x)
     left = left.subs(velocity.diff(th.x), right("2-20") * function(velocity) / velocity)
@@ -125,8 +117,7 @@ def _requirement(equation: Equation, relations: Relations) -> Iterator[Finding]:
     yield vanishes("the left integrals minus each other", before.lhs - after.lhs)
 
 
-def _power(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _power(equation: Equation, relation: sp.Eq) -> Findings:
     (stated,) = EQUATIONS["2-24"].right
     rest = th.x_d / relation.rhs - stated.lhs.function
     yield vanishes("x'/g minus the integrand of 2-24", rest, sp.simplify)
@@ -139,8 +130,7 @@ def factor_of_power(relation: sp.Eq, power: int) -> sp.Expr:
     return sp.simplify(sp.integrate(inside, (th.x_d, start, end)) / relation.rhs)
 
 
-def _exit_velocity(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _exit_velocity(equation: Equation, relation: sp.Eq) -> Findings:
     _, start, end = relation.lhs.limits[0]
     yield vanishes("ratio of kinetic energies of its limits minus r", end**2 / start**2 - th.r)
     rest = relation.lhs.function - th.x_d / right("2-23")
@@ -151,8 +141,7 @@ def _exit_velocity(equation: Equation, relations: Relations) -> Iterator[Finding
     yield Finding("K does not depend on the velocity for m = 2, of m = 1, 2, 3", slopes, holds)
 
 
-def _factor(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _factor(equation: Equation, relation: sp.Eq) -> Findings:
     (integral,) = EQUATIONS["2-24"].right
     rest = sp.expand_log(relation.rhs - factor_of_power(integral, 2))
     yield vanishes("K minus the integral of 2-24 for m = 2", rest, sp.simplify)
@@ -165,13 +154,13 @@ def velocity_left(g: sp.Expr, direction: int) -> sp.Expr:
     return sp.simplify(sp.exp(direction * factor))
 
 
-def _passages(g: sp.Expr, sides: tuple[int, ...]) -> Iterator[Finding]:
+def _passages(g: sp.Expr, sides: tuple[int, ...]) -> Findings:
     for direction in sides:
         what = f"ratio of the velocities of a passage to {'+-'[direction < 0]}x minus sqrt(r)"
         yield vanishes(what, velocity_left(g, direction) - sp.sqrt(th.r), sp.simplify)
 
 
-def _velocity_function(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _velocity_function(equation: Equation, *relations: sp.Eq) -> Findings:
     yield from _passages(relations[0].rhs, equation.sides)
 
 
@@ -191,17 +180,17 @@ def _same_force(rest: sp.Expr) -> sp.Expr:
     return sp.simplify(sp.expand_log(sp.expand(rest), force=True))
 
 
-def _force_over_rotation(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _force_over_rotation(equation: Equation, *relations: sp.Eq) -> Findings:
     """The limit n -> 0 does not see the width of the tanh; the force of the engine has one."""
     rest = relations[0].rhs - engine_impulse()
     yield vanishes("2-27 minus the engine's force over x", rest, _same_force)
 
 
-def _engine_impact(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _engine_impact(equation: Equation, *relations: sp.Eq) -> Findings:
     yield vanishes("2-28 minus the engine's force", relations[0].rhs - engine_force(), _same_force)
 
 
-def _force(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _force(equation: Equation, *relations: sp.Eq) -> Findings:
     force = relations[0].rhs
     g = sp.integrate(force, (th.x, -sp.oo, sp.oo))
     yield vanishes(
@@ -266,8 +255,7 @@ def peaks_with_impacts(release: float, count: int) -> list[float]:
     return [1 - np.sqrt(1 - 2 * energy) for energy in energies]
 
 
-def _in_one_equation(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _in_one_equation(equation: Equation, relation: sp.Eq) -> Findings:
     (pieces,) = EQUATIONS["2-17"].right
     yield vanishes("its force minus 2-28", relation.rhs - right("2-28"), sp.expand)
     for place in (W, -W):
@@ -293,7 +281,7 @@ def neglected(n: float) -> float:
     return np.log(after / before) / np.log(ENERGY_RATIO) - 1
 
 
-def _gravity_is_small(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _gravity_is_small(equation: Equation, *relations: sp.Eq) -> Findings:
     yield close("what gravity adds, n = 0.001", neglected(WIDTH), GRAVITY_ADDS, 0.02e-3)
     ratio = neglected(2 * WIDTH) / neglected(WIDTH)
     yield close("the same for twice the n, over it", ratio, 2, 0.1)
@@ -306,8 +294,7 @@ _NEGLECTED = (
 _BY_PASSAGE = "the velocity after one passage, dv/dx = delta(x) g(v)/v"
 
 
-def _engine(equation: Equation, relations: Relations) -> Iterator[Finding]:
-    (relation,) = relations
+def _engine(equation: Equation, relation: sp.Eq) -> Findings:
     yield vanishes("2-29 minus engine", relation.lhs - relation.rhs - _engine_motion(), _same_force)
 
 
@@ -323,7 +310,7 @@ def _engine_motion() -> sp.Expr:
     return motion.subs(put, simultaneous=True)
 
 
-CHECKS: dict[str, Check | tuple[Check, ...]] = {
+CHECKS: Checks = {
     "2-17": derived("slender block of the engine in scaled time, with a moment", _motion),
     "2-18": derived("with 2-20 and 2-27 it gives 2-28", _product),
     "2-19a": derived("its integrals across and next to the impact", _concentrated),

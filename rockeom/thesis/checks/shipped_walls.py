@@ -4,7 +4,7 @@ The equation of motion of a structure, with its functions put in, has to be that
 the forces and energies of the thesis put in. Tendons are elastic and on the centreline.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import partial
 
 import sympy as sp
@@ -14,11 +14,11 @@ from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.rocking import RockingModel
 from rockeom.thesis import notation as th
-from rockeom.thesis.checks.check import Check, Finding, derived, vanishes
+from rockeom.thesis.checks.check import Checks, Findings, derived, vanishes
 from rockeom.thesis.checks.engine import residual, shipped
 from rockeom.thesis.checks.wall import HALF_WIDTH, REMAINS, placed, reduced, right
 from rockeom.thesis.comparison import symbols_of
-from rockeom.thesis.equation import BOTH, Equation, Relations
+from rockeom.thesis.equation import BOTH, Equation
 
 OSCILLATOR = "controlled_wall_oscillator"
 ABOUT_CORNERS, ABOUT_MOVING_CENTRE = "simplified_substitute_gravity_wall", "substitute_gravity_wall"
@@ -63,7 +63,7 @@ def by_displacement(expr: sp.Expr) -> sp.Expr:
     return expr.xreplace(put).subs(1 - th.Delta**2 / th.H**2, cosine**2)
 
 
-def agree(what: str, thesis: sp.Expr, model: sp.Expr) -> Iterator[Finding]:
+def agree(what: str, thesis: sp.Expr, model: sp.Expr) -> Findings:
     """Check that two functions of Delta are the same on either side."""
     for side in BOTH:
         rest = (thesis - by_displacement(model(side))).subs(sp.Abs(th.Delta), side * th.Delta)
@@ -81,19 +81,19 @@ def of_function(structure: str, name: str) -> Callable[[int], sp.Expr]:
 # --- the rotation centre and the tendon
 
 
-def _rotation_centre(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _rotation_centre(equation: Equation, *relations: sp.Eq) -> Findings:
     numbers = {th.C_1: HALF_WIDTH - REMAINS, th.C_2: REMAINS}
     stated = HALF_WIDTH - relations[0].rhs.subs(numbers)
     for structure in (OSCILLATOR, ABOUT_MOVING_CENTRE, ABOUT_CORNERS, "controlled_wall"):
         yield from agree(f"b of {structure}", stated, of_function(structure, "rotation_centre"))
 
 
-def _moving_lever(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _moving_lever(equation: Equation, *relations: sp.Eq) -> Findings:
     lever = of_function(ABOUT_MOVING_CENTRE, "lever")
     yield from agree(f"lever of {ABOUT_MOVING_CENTRE}", relations[0].rhs, lever)
 
 
-def _tendon_force(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _tendon_force(equation: Equation, *relations: sp.Eq) -> Findings:
     stated = relations[0].rhs.subs(th.B, HALF_WIDTH)
     for structure in (OSCILLATOR, ABOUT_MOVING_CENTRE, ABOUT_CORNERS):
         model = shipped(structure)
@@ -116,9 +116,8 @@ def _motion(model: RockingModel, side: int) -> sp.Expr:
     return in_thesis_symbols(model, motion, side)
 
 
-def _oscillator(equation: Equation, relations: Relations) -> Iterator[Finding]:
+def _oscillator(equation: Equation, relation: sp.Eq) -> Findings:
     """4-27 with the energies of 4-18 and 4-16, and with 4-28 and 4-39."""
-    (relation,) = relations
     model = shipped(OSCILLATOR)
     numbers = {th.m_T: th.m, th.B: HALF_WIDTH}
     stiffness = th.E_tendon * th.A_tendon / th.L_T0
@@ -136,8 +135,7 @@ def _oscillator(equation: Equation, relations: Relations) -> Iterator[Finding]:
 def _substitute_gravity(structure: str) -> Callable:
     """The relations with the lever of the structure as R sin(alpha), and M_e as its mass."""
 
-    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
-        motion, *moment = relations
+    def find(equation: Equation, motion: sp.Eq, *moment: sp.Eq) -> Findings:
         model = shipped(structure)
         lever = sp.Dummy("lever", positive=True)
         own = symbols_of(model)
@@ -160,7 +158,7 @@ def _substitute_gravity(structure: str) -> Callable:
     return find
 
 
-CHECKS: dict[str, Check | tuple[Check, ...]] = {
+CHECKS: Checks = {
     "4-8": derived("rotation centres of the shipped walls", _rotation_centre),
     "4-16": derived("tendons of the shipped walls", _tendon_force),
     "4-27": derived(f"motion of {OSCILLATOR}, with 4-16, 4-18, 4-28 and 4-39", _oscillator),

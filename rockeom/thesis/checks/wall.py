@@ -6,7 +6,7 @@ in J.
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -14,14 +14,11 @@ import numpy as np
 import sympy as sp
 from sympy import Rational, cos, sin
 
-from rockeom.analysis.identification.free_vibration import (
-    FreeVibration,
-    coefficient_of_determination,
-)
+from rockeom.analysis.identification import free_vibration
 from rockeom.thesis import notation as th
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.checks.check import Finding, vanishes
-from rockeom.thesis.equation import Equation, Relations
+from rockeom.thesis.checks.check import Findings, vanishes
+from rockeom.thesis.equation import Equation
 
 # --- the wall of the tests
 
@@ -78,12 +75,12 @@ def radius() -> float:
 
 def measured() -> Any:
     """Table A-1, in SI units."""
-    return FreeVibration.table_a1()
+    return free_vibration.FreeVibration.table_a1()
 
 
 def r_squared(measured: np.ndarray, computed: np.ndarray) -> float:
     """Coefficient of determination of computed values."""
-    return float(coefficient_of_determination(measured, computed))
+    return float(free_vibration.coefficient_of_determination(measured, computed))
 
 
 def of_displacement(expr: sp.Expr) -> Callable:
@@ -166,7 +163,7 @@ def lifted() -> sp.Expr:
 def by_geometry(exact: Callable[[int], sp.Expr], **by_symbol: Callable[[int], sp.Expr]) -> Callable:
     """Check that the right side equals `exact(side)`, once `by_symbol` replaces its symbols."""
 
-    def find(equation: Equation, relations: Relations) -> Iterator[Finding]:
+    def find(equation: Equation, *relations: sp.Eq) -> Findings:
         for side in equation.sides:
             put = {getattr(th, name): value(side) for name, value in by_symbol.items()}
             for relation in relations:

@@ -4,6 +4,7 @@ import math
 from itertools import pairwise
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import rockeom as rk
@@ -11,7 +12,8 @@ from rockeom.analysis.formulas import foundation
 from rockeom.analysis.formulas.restitution import energy_ratio_of_block
 from rockeom.analysis.formulas.uplift import uplift_displacement, uplifted_frequency
 from rockeom.plots import style
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_panels
+from rockeom.thesis.free_vibration_table import let_go
 
 OMEGA_OF_2_6 = 56.10
 """Angular frequency of the column of Figure 2-6 on a fixed base [rad/s]."""
@@ -23,8 +25,8 @@ START, ENERGY_RATIO = 0.4, 0.7225
 # --- 2.4 flexible structures and foundations
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_6() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.2, 5.0)
+def figure_2_6(figure: Figure) -> None:
     """Free vibration of Chopra and Yim's oscillator: rotation and deformation.
 
     Given are H/B = 1/0.3, read as H = 1 m and B = 0.3 m, omega = 56.10 rad/s, xi = 0.03 and
@@ -43,18 +45,12 @@ def figure_2_6() -> Figure:
         mass=small.mass, height=height, inertia=0.0, base_mass=0.0, base_height=0.0,
         base_inertia=0.0, half_width=half_width, stiffness=small.stiffness, damping=small.damping,
     )  # fmt: skip
-    figure = style.new_figure(7.2, 5.0)
     top, bottom = figure.subplots(2, 1, sharex=True)
     for structure, label, line in (
         (small, "small displacements (2-7)", {"color": style.LINES[0]}),
         (exact, "exact kinematics, P-delta", {"color": style.LINES[1], "ls": "--", "lw": 0.8}),
     ):
-        run = rk.simulate(
-            structure,
-            rk.GroundMotion.none(2.0),
-            impact=rk.Impulsive(),
-            initial={"theta": 0.05 * crit, "u": u_c},
-        )
+        run = let_go(structure, 2.0, rk.Impulsive(), theta=0.05 * crit, u=u_c)
         top.plot(run.t, run["theta"] / crit, label=label, **line)
         bottom.plot(run.t, run["u"] / u_c, **line)
     for level in (-1.0, 1.0):
@@ -68,11 +64,10 @@ def figure_2_6() -> Figure:
         rf"$\lambda_r/\omega$ = {uplifted:.2f}",
         fontsize=9.5,
     )
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_8() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.0, 3.8)
+def figure_2_8(ax: Axes) -> None:
     """Moment and rotation of a mat on rigid ground, two springs and a tension-less Winkler bed.
 
     The figure gives no numbers. Here the two springs and the bed have the same vertical and
@@ -87,7 +82,6 @@ def figure_2_8() -> Figure:
     # the ground bears any moment up to that of the edge before the mat turns
     rigid = foundation.rigid_moment(rotation, weight, half_width)
     springs = foundation.two_spring_moment(rotation, weight, stiffness / 2, spacing)
-    figure, ax = style.new_axes(6.0, 3.8)
     ax.set_prop_cycle(color=style.LINES)
     for moment, label in (
         (rigid, "rigid ground"),
@@ -109,7 +103,6 @@ def figure_2_8() -> Figure:
         ylim=(0, 1.1),
     )
     ax.legend(loc="lower right")
-    return figure
 
 
 # --- 2.6 impacts as forces
@@ -120,34 +113,27 @@ def gaussian(x, n):
     return np.exp(-((x / n) ** 2)) / (n * math.sqrt(math.pi))
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_15() -> Figure:
+@thesis_axes(Source.COMPUTED, 5.6, 3.4)
+def figure_2_15(ax: Axes) -> None:
     """The Gaussian that becomes Dirac's delta; the text does not say for which n it is drawn."""
-    figure, ax = style.new_axes(5.6, 3.4)
     ax.set_prop_cycle(color=style.LINES)
     x = np.linspace(-2.0, 2.0, 2001)
     for n in (1.0, 0.5, 0.2, 0.1):
         ax.plot(x, gaussian(x, n), label=f"$n$ = {n:g}")
     ax.set(xlabel="$x$ [-]", ylabel=r"$\delta_n(x)$ [-]")
     ax.legend()
-    return figure
 
 
 def released(n: float, duration: float = 8.0) -> rk.Response:
     """The 1:3 block of Figures 2-16 and 2-17, its impacts spread over the width n."""
     block = rk.DiracDeltaBlock(alpha=math.atan(1 / 3), energy_ratio=ENERGY_RATIO, regularisation=n)
-    return rk.simulate(block, rk.GroundMotion.none(duration), initial={"x": START})
+    return let_go(block, duration, x=START)
 
 
 def released_with_impacts(duration: float = 8.0) -> rk.Response:
     """The same with impacts in no time; p = 1 rad/s, so that seconds are scaled time."""
     block = rk.SlenderBlock.from_frequency(p=1.0, alpha=math.atan(1 / 3))
-    return rk.simulate(
-        block,
-        rk.GroundMotion.none(duration),
-        impact=rk.EnergyRatio(ENERGY_RATIO),
-        initial={"theta": block.alpha * START},
-    )
+    return let_go(block, duration, rk.EnergyRatio(ENERGY_RATIO), theta=block.alpha * START)
 
 
 def peaks_between(run: rk.Response) -> np.ndarray:
@@ -164,8 +150,8 @@ def exact_peaks(number: int) -> np.ndarray:
     return 1 - np.sqrt(1 - 2 * energy)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_16() -> Figure:
+@thesis_panels(Source.COMPUTED, 9.0, 5.6)
+def figure_2_16(figure: Figure) -> None:
     """The block released from x = 0.4 by both formulations, and how the one nears the other.
 
     All is given: a 1:3 block, r = 0.7225, which is that of 2-6, and n = 1e-3. The steps are those
@@ -174,7 +160,6 @@ def figure_2_16() -> Figure:
     assert math.isclose(float(energy_ratio_of_block(math.atan(1 / 3))), ENERGY_RATIO)
     spread, sudden = released(1e-3), released_with_impacts()
     alpha = math.atan(1 / 3)
-    figure = style.new_figure(9.0, 5.6)
     grid = figure.add_gridspec(3, 2, width_ratios=(1.7, 1.0))
     axes = [figure.add_subplot(grid[i, 0]) for i in range(3)]
     x = sudden["theta"] / alpha
@@ -203,13 +188,11 @@ def figure_2_16() -> Figure:
     ax.loglog(widths, widths, ":", color=style.INK, label="$n$")
     ax.set(xlabel="$n$ [-]", ylabel="error of the peaks after an impact [-]")
     ax.legend()
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_17() -> Figure:
+@thesis_axes(Source.COMPUTED, 7.2, 3.6)
+def figure_2_17(ax: Axes) -> None:
     """The effect of n on the same motion; the text does not say for which three n it is drawn."""
-    figure, ax = style.new_axes(7.2, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     for n in (1e-1, 1e-2, 1e-3):
         run = released(n)
@@ -218,4 +201,3 @@ def figure_2_17() -> Figure:
     ax.plot(sudden.t, sudden["theta"] / math.atan(1 / 3), ":", color=style.INK, label="piecewise")
     ax.set(xlim=(0, 8), xlabel=r"scaled time $\tau$ [-]", ylabel="$x$ [-]")
     style.legend_above(ax)
-    return figure

@@ -15,30 +15,23 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import rockeom as rk
-from rockeom.analysis.dynamics.branches import (
-    FLIPS,
-    Cascade,
-    OrbitBranch,
-    orbit_branch,
-    period_doublings,
-)
-from rockeom.analysis.dynamics.orbits import StroboscopicMap
-from rockeom.analysis.dynamics.overturning import overturning_boundaries
+from rockeom.analysis import dynamics
+from rockeom.analysis.dynamics.branches import FLIPS
 from rockeom.analysis.formulas.restitution import energy_ratio_of_block
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.plots import style
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_panels
+from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import TABLE_2_1
 
 # --- 2.2 restitution
 
 
-@thesis_figure(Source.PRINTED)
-def figure_2_2() -> Figure:
+@thesis_axes(Source.PRINTED, 5.6, 3.6)
+def figure_2_2(ax: Axes) -> None:
     """Restitution of blocks of different slenderness: 2-6 and the measured values of Table 2-1."""
     ratio, measured = (np.array(TABLE_2_1.numbers(name)) for name in ("H/B", "measured r"))
     slender = np.linspace(1.8, 9.0, 200)
-    figure, ax = style.new_axes(5.6, 3.6)
     ax.plot(slender, energy_ratio_of_block(np.arctan(1 / slender)), color=style.INK, label="2-6")
     sources = (
         "Ogawa (1977)",
@@ -57,7 +50,6 @@ def figure_2_2() -> Figure:
         ylim=(0.35, 1.0),
     )
     ax.legend(loc="lower right")
-    return figure
 
 
 # --- 2.5 phase portraits
@@ -68,12 +60,7 @@ UNIT = rk.SlenderBlock.from_frequency(p=1.0, alpha=0.1)
 
 def free_portrait(start: float, law: rk.EnergyRatio, duration: float) -> rk.Response:
     """Free rocking of 2-14 from rest at x."""
-    return rk.simulate(
-        UNIT,
-        rk.GroundMotion.none(duration),
-        impact=law,
-        initial={"theta": start * UNIT.alpha},
-    )
+    return let_go(UNIT, duration, law, theta=start * UNIT.alpha)
 
 
 def bare_portrait(ax: Axes, reach: float) -> None:
@@ -91,15 +78,14 @@ def arrow(ax: Axes, x: np.ndarray, y: np.ndarray, at: int, color: str) -> None:
     )  # fmt: skip
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_9() -> Figure:
+@thesis_axes(Source.COMPUTED, 5.0, 4.2)
+def figure_2_9(ax: Axes) -> None:
     """Phase portrait of a free block without losses, from a range of rotations.
 
     Drawn is 2-14; its trajectories are hyperbolas, x'**2 = (1 - |x|)**2 - (1 - x_0)**2. The
     rotations of the thesis are not stated: here they are 0.2 to 0.95 of alpha, and the balance,
     which bounds them (dashed).
     """
-    figure, ax = style.new_axes(5.0, 4.2)
     for start, color in zip((0.2, 0.4, 0.6, 0.8, 0.95), style.LINES, strict=False):
         x = start * np.cos(np.linspace(0.0, np.pi, 801))  # closer together where it turns
         rate = -np.sqrt(np.maximum((1 - np.abs(x)) ** 2 - (1 - start) ** 2, 0.0))
@@ -108,7 +94,6 @@ def figure_2_9() -> Figure:
     ax.plot([1, 0, -1, 0, 1], [0, -1, 0, 1, 0], "--", color=style.INK, lw=0.9, label="balance")
     bare_portrait(ax, 1.15)
     ax.legend(loc="upper right", bbox_to_anchor=(1.0, 1.0), fontsize=7.5)
-    return figure
 
 
 @cache
@@ -117,8 +102,8 @@ def released_inside_balance() -> rk.Response:
     return free_portrait(0.99, rk.EnergyRatio(0.9), 120.0)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_10() -> Figure:
+@thesis_axes(Source.COMPUTED, 5.0, 4.2)
+def figure_2_10(ax: Axes) -> None:
     """Phase portrait of a free block with r = 0.9, released just inside its balance.
 
     Drawn is 2-14 from x = 0.99, which is a choice. r is the ratio of kinetic energies of 2-4, so
@@ -126,7 +111,6 @@ def figure_2_10() -> Figure:
     """
     run = released_inside_balance()
     x, rate = run["theta"] / UNIT.alpha, run["theta_dot"] / UNIT.alpha
-    figure, ax = style.new_axes(5.0, 4.2)
     ax.plot(x, rate, color=style.LINES[0], lw=0.9)
     arrow(ax, x, rate, int(np.argmax(x < 0.5)), style.LINES[0])
     crossings = run.impacts[:6]
@@ -134,7 +118,6 @@ def figure_2_10() -> Figure:
             color=style.LINES[1], ms=5, label="after an impact")  # fmt: skip
     bare_portrait(ax, 1.15)
     ax.legend(loc="upper right")
-    return figure
 
 
 # --- 2.5 harmonic shaking of 2-13
@@ -181,12 +164,14 @@ START = 2.0
 """beta at which the motion of two mirrored halves is stable."""
 
 
-def stroboscope(beta: float, speed_ratio: float = SPEED_RATIO) -> StroboscopicMap:
+def stroboscope(beta: float, speed_ratio: float = SPEED_RATIO) -> dynamics.StroboscopicMap:
     """The block under beta cos(omega t), looked at every half period, each second time mirrored."""
     ground = rk.GroundMotion.harmonic(
         SQUAT.alpha * beta, period=PERIOD, phase=math.pi / 2, duration=2 * PERIOD
     )
-    return StroboscopicMap(SQUAT, ground, PERIOD, rk.VelocityRatio(speed_ratio), mirrored=True)
+    return dynamics.StroboscopicMap(
+        SQUAT, ground, PERIOD, rk.VelocityRatio(speed_ratio), mirrored=True
+    )
 
 
 @cache
@@ -196,15 +181,17 @@ def symmetric_state() -> np.ndarray:
 
 
 @cache
-def cascade() -> Cascade:
+def cascade() -> dynamics.Cascade:
     """Break of symmetry and the first five doublings."""
-    return period_doublings(stroboscope, (START, AMPLITUDES[-1]), symmetric_state(), number=5)
+    return dynamics.period_doublings(
+        stroboscope, (START, AMPLITUDES[-1]), symmetric_state(), number=5
+    )
 
 
 @cache
-def branches(doublings: int) -> tuple[OrbitBranch, ...]:
+def branches(doublings: int) -> tuple[dynamics.OrbitBranch, ...]:
     """The symmetric motions, the asymmetric ones, and those of so many doublings, to the end."""
-    followed = [orbit_branch(stroboscope, (START, AMPLITUDES[-1]), symmetric_state())]
+    followed = [dynamics.orbit_branch(stroboscope, (START, AMPLITUDES[-1]), symmetric_state())]
     for _ in range(doublings + 1):
         leaves = next(one for one in followed[-1].bifurcations if one.kind in FLIPS)
         followed.append(followed[-1].switched(leaves))
@@ -212,16 +199,16 @@ def branches(doublings: int) -> tuple[OrbitBranch, ...]:
 
 
 @cache
-def branches_by_energy() -> tuple[OrbitBranch, OrbitBranch]:
+def branches_by_energy() -> tuple[dynamics.OrbitBranch, dynamics.OrbitBranch]:
     """Symmetric and asymmetric motions where 0.5 is the ratio of energies, to the end.
 
     The first of them is reached from the ratio of speeds, which grows to sqrt(0.5).
     """
     ratio = math.sqrt(SPEED_RATIO)
-    grown = orbit_branch(
+    grown = dynamics.orbit_branch(
         lambda e: stroboscope(START, e), (SPEED_RATIO, ratio), symmetric_state(), step=0.1
     )  # fmt: skip
-    symmetric = orbit_branch(
+    symmetric = dynamics.orbit_branch(
         lambda beta: stroboscope(beta, ratio), (START, AMPLITUDES[-1]), grown.orbits[-1].state,
         step=0.05,
     )  # fmt: skip
@@ -233,7 +220,7 @@ STABLE: dict[str, Any] = {"color": style.LINES[0], "lw": 0.9}
 UNSTABLE: dict[str, Any] = {"color": style.LINES[1], "lw": 0.7, "ls": "--"}
 
 
-def draw_branch(ax: Axes, branch: OrbitBranch, states: np.ndarray) -> None:
+def draw_branch(ax: Axes, branch: dynamics.OrbitBranch, states: np.ndarray) -> None:
     """States (k, m) of the motions of a branch, full where these last, dashed where they do not."""
     stable = np.abs(branch.multipliers).max(axis=1) < 1 - 1e-6  # not where one is on the circle
     until = stable | np.append(False, stable[:-1]) | np.append(stable[1:], False)
@@ -241,15 +228,14 @@ def draw_branch(ax: Axes, branch: OrbitBranch, states: np.ndarray) -> None:
     ax.plot(branch.values, np.where(until[:, None], states, np.nan), **STABLE)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_2_11() -> Figure:
+@thesis_panels(Source.IN_KIND, 8.6, 3.2)
+def figure_2_11(figure: Figure) -> None:
     """Steady orbits of a block under harmonic shaking: symmetric, asymmetric, of two cycles.
 
     The values of the thesis are not stated. Drawn is 2-13, put right, with alpha = atan(0.5),
     omega = 2 pi/3 and a speed ratio of 0.5 as in Figure 2-12, under beta = 2, 2.8 and 3.15: the
     orbit that lasts (full), and those that it has left, which are unstable (dashed).
     """
-    figure = style.new_figure(8.6, 3.2)
     for i, (ax, beta, title) in enumerate(zip(
         figure.subplots(1, 3, sharey=True), (2.0, 2.8, 3.15),
         ("symmetric", "asymmetric", "two cycles"), strict=True,
@@ -262,11 +248,10 @@ def figure_2_11() -> Figure:
         ax.set_title(rf"{title}, $\beta$ = {beta:g}", fontsize=9)
     for ax in figure.axes[1:]:
         ax.set_ylabel("")
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_12() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.6, 4.4)
+def figure_2_12(ax: Axes) -> None:
     """Period doubling under harmonic shaking: speeds when upright against the amplitude.
 
     All is given: alpha = atan(0.5), r = 0.5, omega = 2 pi/3, beta from 3 to 3.26. r is a ratio of
@@ -279,7 +264,6 @@ def figure_2_12() -> Figure:
     Where one leaves another a multiplier is -1. These beta are found to 1e-8; where they pile up
     follows from the last two and Feigenbaum's constant.
     """
-    figure, ax = style.new_axes(6.6, 4.4)
     for beta in AMPLITUDES:
         draw_settled(ax, float(beta))
     for branch in branches(doublings=3):
@@ -295,7 +279,6 @@ def figure_2_12() -> Figure:
     ax.plot([], [], **STABLE, label="stable orbit")
     ax.plot([], [], **UNSTABLE, label="unstable orbit")
     ax.legend(loc="center left", fontsize=7.5)
-    return figure
 
 
 def draw_settled(ax: Axes, beta: float) -> None:
@@ -366,7 +349,7 @@ def changes_of_fate(
 
     over = {name: np.linspace(first, last, cases)}
     sweep = rk.simulate_many(case, over)
-    return overturning_boundaries(case, sweep, accuracy=1e-9)
+    return dynamics.overturning_boundaries(case, sweep, accuracy=1e-9)
 
 
 def draw_fates(ax: Axes, boundaries: xr.Dataset, name: str, first: float, last: float) -> None:
@@ -398,8 +381,8 @@ def fates_of_2_13() -> xr.Dataset:
     return changes_of_fate("amplitude", 0.1, 0.6, 5001, slenderness=8.0, period=2.192, ratio=0.954)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_13() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.2, 4.4)
+def figure_2_13(figure: Figure) -> None:
     """A block under one sine that grows: 0.172 g overturns it, 0.454 g does not.
 
     T = 2.192 s and r = 0.954, the ratio of energies of 2-6. The block "1 m wide and 8 m high" has
@@ -409,20 +392,18 @@ def figure_2_13() -> Figure:
     """
     peaks = (0.14, 0.172, 0.3, 0.454, 0.5)
     runs = {peak: pulsed(8.0, peak, 2.192, 0.954) for peak in peaks}
-    figure = style.new_figure(7.2, 4.4)
     above, below = figure.subplots(2, height_ratios=(5, 1))
     draw_rotations(above, [(f"{peak:g} g", run) for peak, run in runs.items()], 1.8, 12.0)
     draw_fates(below, fates_of_2_13(), "amplitude", 0.1, 0.6)
     below.set_xlabel("peak of the pulse [g]")
-    return figure
 
 
 RATIOS_OF_2_14 = (3.8, 3.82, 4.26, 4.28)
 """Aspect ratios H/B of the blocks of Figure 2-14."""
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_14() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.2, 4.4)
+def figure_2_14(figure: Figure) -> None:
     """Four blocks under one sine: small changes of the aspect ratio, large ones of the motion.
 
     The sine has 0.3 g and 2 s, r is by 2-6. The width is not stated: the half-width is 1 m here,
@@ -430,10 +411,8 @@ def figure_2_14() -> Figure:
     1501 blocks from 3.5 to 5.
     """
     runs = {ratio: pulsed(ratio, 0.3, 2.0, None) for ratio in RATIOS_OF_2_14}
-    figure = style.new_figure(7.2, 4.4)
     above, below = figure.subplots(2, height_ratios=(5, 1))
     draw_rotations(above, [(f"H/B = {ratio:g}", run) for ratio, run in runs.items()], 1.6, 14.0)
     changes = changes_of_fate("slenderness", 3.5, 5.0, 1501, amplitude=0.3, period=2.0, ratio=None)
     draw_fates(below, changes, "slenderness", 3.5, 5.0)
     below.set_xlabel("aspect ratio $H/B$ [-]")
-    return figure

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis import design, formulas
 from rockeom.plots import style
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.drawn import Source, thesis_axes, thesis_panels
 
 LOADING, UNLOADING = style.LINES[0], style.LINES[1]
 HARDENING, FLAG_HEIGHT, BILINEAR_HARDENING = 0.05, 0.35, 0.2
@@ -45,8 +45,8 @@ def axes_through_zero(ax: Axes) -> None:
 # --- the three kinds of systems
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_19() -> Figure:
+@thesis_panels(Source.COMPUTED, 8.6, 3.2)
+def figure_2_19(figure: Figure) -> None:
     """Idealised force and displacement: fixed base, free rocking, controlled rocking.
 
     The figure gives no numbers. Here the ductile structure is bilinear, the block is rigid with
@@ -55,7 +55,6 @@ def figure_2_19() -> Figure:
     0.05 of the flag, beta_FS = 0.35. Blue is loading, orange unloading; the block's is the same
     line, drawn a little below.
     """
-    figure = style.new_figure(8.6, 3.2)
     axes = figure.subplots(1, 3, sharey=True)
     mu = 5.0
     for ax, name in ((axes[0], "bilinear"), (axes[2], "flag")):
@@ -78,14 +77,13 @@ def figure_2_19() -> Figure:
         ax.set_title(title, fontsize=9)
         ax.set_xlabel("displacement $u/u_y$ [-]")
     axes[0].set_ylabel("force $F/F_y$ [-]")
-    return figure
 
 
 # --- the flag and its dissipaters
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_20() -> Figure:
+@thesis_panels(Source.COMPUTED, 8.6, 3.2)
+def figure_2_20(figure: Figure) -> None:
     """Moment and rotation with added dissipaters: elastic and plastic, friction, viscous.
 
     The figure gives no numbers. The moment of the axial load and the added element is bilinear
@@ -94,7 +92,6 @@ def figure_2_20() -> Figure:
     M_ED = 1/(1 + lambda), by 2-30. The rotation is harmonic, with the design rotation as its
     amplitude.
     """
-    figure = style.new_figure(8.6, 3.2)
     for ax, kind in zip(figure.subplots(1, 3, sharey=True), DISSIPATERS, strict=True):
         for ratio, color in zip(LAMBDAS, style.LINES, strict=False):
             loop = loop_with_dissipaters(kind, ratio)
@@ -104,7 +101,6 @@ def figure_2_20() -> Figure:
         ax.set_xlabel(r"rotation $\theta/\theta_d$ [-]")
     figure.axes[0].set_ylabel("moment $M/M_d$ [-]")
     figure.axes[0].legend(loc="upper left", fontsize=7.5)
-    return figure
 
 
 DISSIPATERS = ("elastic and plastic", "friction", "viscous")
@@ -158,14 +154,13 @@ def dissipaters(
 # --- hysteresis and equivalent damping
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_21() -> Figure:
+@thesis_panels(Source.COMPUTED, 8.6, 3.4)
+def figure_2_21(figure: Figure) -> None:
     """Three rules of hysteresis, and what 2-32 makes of their loops.
 
     The figure gives no numbers: here the ductility is 4, k_p/k_i = 0.2 for the bilinear rule and
     0.05 for the others, beta_FS = 0.35, and alpha_T = 0.5, which is unsourced.
     """
-    figure = style.new_figure(8.6, 3.4)
     mu = 4.0
     for ax, (name, rule) in zip(figure.subplots(1, 3, sharey=True), RULES.items(), strict=True):
         loop = rule.simulated_loop(mu)
@@ -190,11 +185,10 @@ def figure_2_21() -> Figure:
         "", (3.0, height - FLAG_HEIGHT), (3.0, height), arrowprops={"arrowstyle": "<->", "lw": 0.8}
     )
     flag.annotate(r"$\beta_{FS} F_y$", (3.0, height - FLAG_HEIGHT), xytext=(-12, -13), **texts)
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_2_22() -> Figure:
+@thesis_axes(Source.COMPUTED, 5.8, 3.6)
+def figure_2_22(ax: Axes) -> None:
     """Equivalent hysteretic damping against ductility: 2-32a to 2-32c.
 
     The parameters are not stated under the figure. Here k_p/k_i = 0.2 for the bilinear rule and
@@ -202,7 +196,6 @@ def figure_2_22() -> Figure:
     band is of 0.3 (upper edge) to 0.5, an unsourced range, with k_p/k_i = 0.05.
     """
     mu = np.linspace(1.0, 8.0, 281)
-    figure, ax = style.new_axes(5.8, 3.6)
     for name, color in (("bilinear", style.LINES[0]), ("flag", style.LINES[2])):
         ax.plot(mu, 100 * RULES[name].damping(mu), color=color, label=name)
     edges = [design.TakedaRule(1.0, 1.0, HARDENING, exponent).damping(mu) for exponent in EXPONENTS]
@@ -217,7 +210,6 @@ def figure_2_22() -> Figure:
         ylim=(0, 30),
     )
     ax.legend(loc="upper left", ncols=2)
-    return figure
 
 
 def period_terms() -> tuple[np.ndarray, dict[str, np.ndarray]]:
@@ -227,11 +219,10 @@ def period_terms() -> tuple[np.ndarray, dict[str, np.ndarray]]:
     return period, {name: 1 + (period + f.c) ** -f.d for name, f in factors}
 
 
-@thesis_figure(Source.PRINTED)
-def figure_2_23() -> Figure:
+@thesis_axes(Source.PRINTED, 6.4, 3.6)
+def figure_2_23(ax: Axes) -> None:
     """How the damping of 2-33 depends on the period: its term 1 + (T_e + c)**-d, Table 2-4."""
     period, terms = period_terms()
-    figure, ax = style.new_axes(6.4, 3.6)
     lines = ("-", "--", "-.", ":", "-", "--")
     for (name, term), color, line in zip(terms.items(), style.LINES, lines, strict=True):
         ax.plot(period, term, line, color=color, label=name.replace("_", " "))
@@ -243,4 +234,3 @@ def figure_2_23() -> Figure:
         ylim=(0.9, 3.0),
     )
     ax.legend(loc="upper right", ncols=2)
-    return figure

@@ -18,12 +18,9 @@ from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
 from rockeom.symbolic import Body, coordinate, parameter, rocking_structure, turned
-from rockeom.thesis.figures.drawn import Source, thesis_figure
-from rockeom.thesis.points_of_interest import (
-    importance_scores,
-    points_by_prominence,
-    points_by_score,
-)
+from rockeom.thesis import points_of_interest
+from rockeom.thesis.figures.drawn import OPEN, Source, thesis_axes, thesis_panels
+from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import BLOCK as BLOCK_VALUES, FIGURE_3_3
 
 BLOCK = rk.RigidBlock(**BLOCK_VALUES)
@@ -74,10 +71,14 @@ def release_delay() -> float:
 def mark_points(ax: Axes, label: str = "Figure 3-3, measured") -> None:
     """The printed peaks and zeros, in degrees."""
     time, rotation = points()
-    ax.plot(
-        time, np.degrees(rotation), "o", color=style.INK, mfc="white", mew=0.9, ms=4, zorder=5,
-        label=label,
-    )  # fmt: skip
+    ax.plot(time, np.degrees(rotation), "o", ms=4, zorder=5, label=label, **OPEN)
+
+
+def mark_quarters(ax: Axes, ratio: np.ndarray, quarters: np.ndarray, of: str) -> None:
+    """Quarter periods (n,) against the peak that they begin or end at, in turn."""
+    for first, mark, name in ((0, "o", "from a peak"), (1, "s", "to a peak")):
+        label = f"{of}, {name}"
+        ax.plot(ratio[first::2], quarters[first::2], mark, ms=4, label=label, **OPEN)
 
 
 # --- records in kind
@@ -85,12 +86,7 @@ def mark_points(ax: Axes, label: str = "Figure 3-3, measured") -> None:
 
 def rocking(structure: rk.Structure, release: float, duration: float) -> rk.Response:
     """A free decay from a release [rad] whose r is that of the foot that lands."""
-    return rk.simulate(
-        structure,
-        rk.GroundMotion.none(duration),
-        impact=rk.EnergyRatio(**feet()),
-        initial={"theta": release},
-    )
+    return let_go(structure, duration, rk.EnergyRatio(**feet()), theta=release)
 
 
 @cache
@@ -139,19 +135,14 @@ RUNS = ((7.876, 1), (6.5, 2), (5.0, 3), (3.5, 4))
 @cache
 def housner(ratio: float, duration: float = 5.0) -> rk.Response:
     """Housner's block released as that of Figure 3-3."""
-    return rk.simulate(
-        BLOCK,
-        rk.GroundMotion.none(duration),
-        impact=rk.EnergyRatio(ratio),
-        initial={"theta": float(points()[1][0])},
-    )
+    return let_go(BLOCK, duration, rk.EnergyRatio(ratio), theta=float(points()[1][0]))
 
 
 # --- the motion
 
 
-@thesis_figure(Source.PRINTED)
-def figure_3_3() -> Figure:
+@thesis_axes(Source.PRINTED, 7.2, 3.2)
+def figure_3_3(ax: Axes) -> None:
     """Rotation of the block after a release: the thirteen printed points.
 
     The line is a simulated block in kind, its r that of the printed peaks of each foot. The block
@@ -160,7 +151,6 @@ def figure_3_3() -> Figure:
     _, rotation = points()
     run = rocking(BLOCK, float(rotation[0]), 3.2)
     late = release_delay()
-    figure, ax = style.new_axes(7.2, 3.2)
     left, right = (feet()[f] for f in ("left", "right"))
     label = f"simulated, r = {left:.2f} and {right:.2f} (left, right foot lands)"
     held = np.append(rotation[0], run["theta"])
@@ -168,11 +158,10 @@ def figure_3_3() -> Figure:
     mark_points(ax)
     ax.set(xlim=(0, 3.2), xlabel="time [s]", ylabel=r"rotation $\theta$ [deg]")
     style.legend_above(ax)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_3_4() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.2, 4.4)
+def figure_3_4(figure: Figure) -> None:
     """How the thesis's algorithm finds peaks: the score of each sample, and SciPy's finder.
 
     A window of 500 samples moves along; its largest and its smallest sample have a point each. The
@@ -181,10 +170,9 @@ def figure_3_4() -> Figure:
     the noise instead.
     """
     data = record()
-    scores = importance_scores(data["theta"], 500)
-    scored = points_by_score(data, "theta")
-    by_prominence = points_by_prominence(data, "theta")
-    figure = style.new_figure(7.2, 4.4)
+    scores = points_of_interest.importance_scores(data["theta"], 500)
+    scored = points_of_interest.points_by_score(data, "theta")
+    by_prominence = points_of_interest.points_by_prominence(data, "theta")
     trace, score = figure.subplots(2, 1, sharex=True, height_ratios=(1.5, 1.0))
     trace.plot(data.time, np.degrees(data["theta"]), lw=0.8, color=style.INK)
     for rows, mark, color, label in (
@@ -205,11 +193,10 @@ def figure_3_4() -> Figure:
         textcoords="offset points", va="center",
     )  # fmt: skip
     score.set(ylabel="score [-]", xlabel="time [s]", xlim=(0, 5))
-    return figure
 
 
-@thesis_figure(Source.PRINTED)
-def figure_3_5() -> Figure:
+@thesis_axes(Source.PRINTED, 6.2, 3.6)
+def figure_3_5(ax: Axes) -> None:
     """Quarter periods against the peak rotation: Figure 3-3, 2-5, and the block of any rotation.
 
     A quarter ends or begins at a printed peak. The first one of the test is 0.07 s too long: the
@@ -220,7 +207,6 @@ def figure_3_5() -> Figure:
     peaks = np.abs(np.where(rotation[:-1] != 0, rotation[:-1], rotation[1:]))
     p, alpha = BLOCK.frequency_parameter, BLOCK.alpha
     x = np.linspace(0.0, 0.8, 200)
-    figure, ax = style.new_axes(6.2, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     ax.plot(x, formulas.quarter_period(x, p), label="2-5, slender")
     ax.fill_between(
@@ -228,11 +214,7 @@ def figure_3_5() -> Figure:
         lw=0, label="within 10 %",
     )  # fmt: skip
     ax.plot(x, formulas.exact_quarter_period(x * alpha, alpha, p), "--", label="any rotation")
-    for first, mark, label in ((0, "o", "from a peak"), (1, "s", "to a peak")):
-        ax.plot(
-            peaks[first::2] / alpha, quarters[first::2], mark, color=style.INK, mfc="white",
-            mew=0.9, ms=4, label=f"Figure 3-3, {label}",
-        )  # fmt: skip
+    mark_quarters(ax, peaks / alpha, quarters, "Figure 3-3")
     ax.set(
         xlabel=r"peak rotation $|\theta_0|/\alpha$ [-]",
         ylabel="quarter period [s]",
@@ -240,11 +222,10 @@ def figure_3_5() -> Figure:
         ylim=(0, 0.6),
     )
     ax.legend(loc="upper left")
-    return figure
 
 
-@thesis_figure(Source.PRINTED)
-def figure_3_6() -> Figure:
+@thesis_axes(Source.PRINTED, 7.2, 3.2)
+def figure_3_6(ax: Axes) -> None:
     """Rotation in time: the printed points of Figure 3-3 and Housner's block with two r.
 
     r is the 0.89 of section 3.3, and 0.88 of it. The measured points are moved by the 0.07 s by
@@ -253,29 +234,23 @@ def figure_3_6() -> Figure:
     """
     time, rotation = points()
     late = release_delay()
-    figure, ax = style.new_axes(7.2, 3.2)
     for ratio, line in ((PRINTED_HOUSNER, "-"), (0.88 * PRINTED_HOUSNER, "--")):
         run = housner(ratio, 14.0)
         label = f"simulated, r = {ratio:.3f}"
         ax.plot(run.t, np.degrees(run["theta"]), line, lw=0.9, label=label)
     moved = np.maximum(time - late, 0.0)
-    ax.plot(
-        moved, np.degrees(rotation), "o", color=style.INK, mfc="white", mew=0.9, ms=4,
-        label="Figure 3-3, measured",
-    )  # fmt: skip
+    ax.plot(moved, np.degrees(rotation), "o", ms=4, label="Figure 3-3, measured", **OPEN)
     ax.set(xlim=(0, 6), xlabel="time after the release [s]", ylabel=r"rotation $\theta$ [deg]")
     style.legend_above(ax)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_3_7() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.6, 3.6)
+def figure_3_7(figure: Figure) -> None:
     """Phase diagrams of the record in kind and of Housner's block with two r.
 
     The rate of the record is found by differentiation (a polynomial of degree 4 over 0.05 s), which
     rounds the jumps at the impacts. A is the first quarter, B the return half a cycle later.
     """
-    figure = style.new_figure(7.6, 3.6)
     derived = record().with_derivatives("theta", 0.05)
     inside = derived.time < 2.4
     for ax, ratio in zip(
@@ -295,27 +270,29 @@ def figure_3_7() -> Figure:
         style.legend_above(ax)
         if not ax.get_subplotspec().colspan.start:
             ax.set_ylabel(r"rate $\dot\theta$ [rad/s]")
-    return figure
 
 
 # --- energy
 
 
-def draw_energies(
-    ax: Axes, time: np.ndarray, curves: list[tuple[str, np.ndarray, dict[str, Any]]]
-) -> None:
-    for label, energy, line in curves:
-        ax.plot(time, energy, label=label, **line)
+CURVES: dict[str, dict[str, Any]] = {
+    "potential": {"label": "potential $U$", "color": style.LINES[0], "lw": 0.9},
+    "kinetic": {"label": "kinetic $E_k$", "color": style.LINES[2], "lw": 0.9},
+    "spring": {"label": "spring", "color": style.LINES[3], "lw": 0.9},
+    "total": {"label": "total", "color": style.LINES[1], "lw": 1.2},
+    "alone": {"label": "without the spring", "color": style.LINES[1], "lw": 0.8, "ls": ":"},
+}
+
+
+def draw_energies(ax: Axes, time: np.ndarray, rows: np.ndarray, **energies: np.ndarray) -> None:
+    """Energies (n,) by their names in `CURVES`, of some rows."""
+    for name, energy in energies.items():
+        ax.plot(time[rows], energy[rows], **CURVES[name])
     ax.set(xlabel="time [s]", ylabel="energy [J]", ylim=(0, None))
 
 
-POTENTIAL = {"color": style.LINES[0], "lw": 0.9}
-KINETIC = {"color": style.LINES[2], "lw": 0.9}
-TOTAL = {"color": style.LINES[1], "lw": 1.2}
-
-
-@thesis_figure(Source.COMPUTED)
-def figure_3_8() -> Figure:
+@thesis_axes(Source.COMPUTED, 7.0, 3.2)
+def figure_3_8(ax: Axes) -> None:
     """Idealised energy of a rocking cycle: Housner's block, released as in Figure 3-3.
 
     A to D are those of 3-3: peak, just before the impact, just after it, next peak.
@@ -324,16 +301,7 @@ def figure_3_8() -> Figure:
     upright = BLOCK.energies({}, mode="both")["gravitational_energy"]
     end = run.t <= run.impacts[1].time + 0.4
     potential, kinetic = run["gravitational_energy"] - upright, run["kinetic_energy"]
-    figure, ax = style.new_axes(7.0, 3.2)
-    draw_energies(
-        ax,
-        run.t[end],
-        [
-            ("potential $U$", potential[end], POTENTIAL),
-            ("kinetic $E_k$", kinetic[end], KINETIC),
-            ("total", (potential + kinetic)[end], TOTAL),
-        ],
-    )
+    draw_energies(ax, run.t, end, potential=potential, kinetic=kinetic, total=potential + kinetic)
     first = run.impacts[0].time
     peak = run.t[np.argmin(np.where(run.t < run.impacts[1].time, run["theta"], np.inf))]
     start = potential[0]
@@ -345,7 +313,6 @@ def figure_3_8() -> Figure:
         ax.annotate(name, (at, height), (5, 4), textcoords="offset points")
     ax.set_ylim(0, 1.15 * start)
     style.legend_above(ax)
-    return figure
 
 
 @cache
@@ -355,8 +322,8 @@ def energies_in_kind() -> tuple[analysis.MeasuredRecord, identification.Energies
     return derived, identification.record_energies(derived, BLOCK)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_3_9() -> Figure:
+@thesis_axes(Source.IN_KIND, 7.0, 3.4)
+def figure_3_9(ax: Axes) -> None:
     """Energy of the block in a record in kind, whose block has a spring that nobody knows of.
 
     The text suspects the steel mechanism to be a rotational spring and does not print its
@@ -365,24 +332,15 @@ def figure_3_9() -> Figure:
     """
     derived, energies = energies_in_kind()
     end = derived.time < 3
-    figure, ax = style.new_axes(7.0, 3.4)
-    draw_energies(
-        ax,
-        derived.time[end],
-        [
-            ("potential $U$", energies.gravity[end], POTENTIAL),
-            ("kinetic $E_k$", energies.kinetic[end], KINETIC),
-            ("total", energies.total[end], TOTAL),
-        ],
-    )
+    parts = {"potential": energies.gravity, "kinetic": energies.kinetic}
+    draw_energies(ax, derived.time, end, **parts, total=energies.total)
     start = float(identification.static_energy(BLOCK, np.radians(7.876)))
     ax.axhline(start, color=style.INK, lw=0.7, ls="--", label="at the release")
     style.legend_above(ax)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_3_10() -> Figure:
+@thesis_axes(Source.IN_KIND, 7.0, 3.4)
+def figure_3_10(ax: Axes) -> None:
     """The same with the energy of the hypothetical spring, fitted to the record, 3-4.
 
     Fitted is the stiffness with which the total changes least within each half-cycle. The thesis
@@ -392,17 +350,7 @@ def figure_3_10() -> Figure:
     fit = identification.fitted_rotational_spring(derived, BLOCK, count=5)
     stored = formulas.spring_energy(derived["theta"], fit.stiffness)
     end = derived.time < 3
-    figure, ax = style.new_axes(7.0, 3.4)
-    draw_energies(
-        ax,
-        derived.time[end],
-        [
-            ("potential $U$", energies.gravity[end], POTENTIAL),
-            ("kinetic $E_k$", energies.kinetic[end], KINETIC),
-            ("spring", stored[end], {"color": style.LINES[3], "lw": 0.9}),
-            ("total", (energies.total + stored)[end], TOTAL),
-            ("without the spring", energies.total[end], TOTAL | {"ls": ":", "lw": 0.8}),
-        ],
-    )
+    parts = {"potential": energies.gravity, "kinetic": energies.kinetic, "spring": stored}
+    total, alone = energies.total + stored, energies.total
+    draw_energies(ax, derived.time, end, **parts, total=total, alone=alone)
     style.legend_above(ax)
-    return figure

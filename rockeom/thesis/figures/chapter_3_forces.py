@@ -8,17 +8,8 @@ from matplotlib.figure import Figure
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
-from rockeom.thesis.figures.chapter_3 import (
-    BLOCK,
-    NOISE,
-    R_HOUSNER,
-    RATE,
-    RUNS,
-    SHAPE,
-    housner,
-    rocking,
-)  # fmt: skip
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures import chapter_3
+from rockeom.thesis.figures.drawn import Source, thesis_figure, thesis_panels
 
 WINDOW = 0.03
 """Window of the derivatives that give impact forces [s]; the thesis does not state its own."""
@@ -35,7 +26,7 @@ def draw_forces(
     ):
         ax.plot(time, force / 1e3, lw=0.8, color=style.LINES[0])
         ax.set_ylabel(f"{name} force [kN]")
-    weight = BLOCK.mass * BLOCK.gravity / 1e3
+    weight = chapter_3.BLOCK.mass * chapter_3.BLOCK.gravity / 1e3
     axes[1].axhline(weight, color=style.INK, ls="--", lw=0.8, label="weight")
     axes[1].legend(loc="lower right")
     axes[1].set(xlabel="time [s]", xlim=(0, until))
@@ -51,7 +42,9 @@ def figure_3_12() -> Figure:
     its rotation is differentiated twice over a window of 0.03 s, which spreads the jumps of the
     rate at the impacts to spikes.
     """
-    forces = identification.support_forces_of_record(calm_record(*RUNS[0]), window=WINDOW, **SHAPE)
+    forces = identification.support_forces_of_record(
+        calm_record(*chapter_3.RUNS[0]), window=WINDOW, **chapter_3.SHAPE
+    )
     return draw_forces(forces.time, forces.horizontal, forces.vertical, 4.9)
 
 
@@ -62,24 +55,27 @@ def figure_3_13() -> Figure:
     r is 0.879, of 2-6; that of the figure is not printed. The forces at the impacts, infinite for
     no time, are not drawn.
     """
-    run = housner(R_HOUSNER, 14.0)
+    run = chapter_3.housner(chapter_3.R_HOUSNER, 14.0)
     vertical = run["left_reaction"] + run["right_reaction"]
     return draw_forces(run.t, run["horizontal_reaction"], vertical, 10.0)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_3_14() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.6, 3.0)
+def figure_3_14(figure: Figure) -> None:
     """Support forces just before and after an impact against the speed: 3-11 and 3-12.
 
     Up to the largest speed of free rocking, 3-13. Positive speed: the right foot lands. The angle
     is that of the resultant from the vertical.
     """
-    most = float(formulas.impact_speed(BLOCK.alpha, alpha=BLOCK.alpha, radius=BLOCK.radius))
+    most = float(
+        formulas.impact_speed(
+            chapter_3.BLOCK.alpha, alpha=chapter_3.BLOCK.alpha, radius=chapter_3.BLOCK.radius
+        )
+    )
     speed = np.linspace(-most, most, 401)
-    figure = style.new_figure(7.6, 3.0)
     axes = figure.subplots(1, 3)
     for side, label, line in ((1, "on the right foot", "-"), (-1, "on the left foot", "--")):
-        h, v = formulas.block_reactions_at_impact(speed, side, slender=True, **SHAPE)
+        h, v = formulas.block_reactions_at_impact(speed, side, slender=True, **chapter_3.SHAPE)
         angle = np.degrees(np.arctan2(h, v))
         for ax, y in zip(axes, (h / 1e3, v / 1e3, angle), strict=True):
             ax.plot(speed, y, line, label=label)
@@ -90,15 +86,14 @@ def figure_3_14() -> Figure:
     for ax in axes:
         ax.set_xlabel(r"speed $\dot\theta$ [rad/s]")
     axes[2].legend(loc="center")
-    return figure
 
 
 @cache
 def calm_record(release: float, seed: int) -> analysis.MeasuredRecord:
     """A simulated record from a release [deg], with a tenth of the noise of the others."""
-    motion = rocking(BLOCK, float(np.radians(release)), 5.0)
-    t = np.arange(5 * RATE) / RATE
-    noise = np.random.default_rng(seed).normal(0.0, NOISE / 10, len(t))
+    motion = chapter_3.rocking(chapter_3.BLOCK, float(np.radians(release)), 5.0)
+    t = np.arange(5 * chapter_3.RATE) / chapter_3.RATE
+    noise = np.random.default_rng(seed).normal(0.0, chapter_3.NOISE / 10, len(t))
     return analysis.MeasuredRecord(t, {"theta": motion.at(t)["theta"] + noise})
 
 
@@ -106,8 +101,8 @@ def calm_record(release: float, seed: int) -> analysis.MeasuredRecord:
 def impact_forces() -> identification.ImpactForces:
     """Impacts of the four runs in kind above 0.15 rad/s, with a tenth of the noise."""
     forces = [
-        identification.impact_forces_of_record(calm_record(*run), window=WINDOW, **SHAPE)
-        for run in RUNS
+        identification.impact_forces_of_record(calm_record(*run), window=WINDOW, **chapter_3.SHAPE)
+        for run in chapter_3.RUNS
     ]
     columns = [np.concatenate(column) for column in zip(*forces, strict=True)]
     fast = np.abs(columns[1]) > 0.15
@@ -125,8 +120,8 @@ def feet_of(speed: np.ndarray) -> list[tuple[str, str, np.ndarray]]:
     return [("left", "<", speed < 0), ("right", ">", speed > 0)]
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_3_15() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.4, 5.4)
+def figure_3_15(figure: Figure) -> None:
     """Forces about each impact of records in kind against the speed, and the baseline.
 
     Upper row: the largest vertical force about an impact, and the horizontal one where it is
@@ -137,7 +132,6 @@ def figure_3_15() -> Figure:
     the others.
     """
     forces, before = impact_forces(), vertical_before_impacts()
-    figure = style.new_figure(7.4, 5.4)
     (a, b), (c, d) = figure.subplots(2, 2, sharex=True)
     base = {"color": style.INK, "ms": 6, "ls": "", "marker": "_", "label": "baseline"}
     for ax, values, baseline, chosen, name in (
@@ -162,31 +156,29 @@ def figure_3_15() -> Figure:
         ax.set_title(letter, loc="left", fontsize=9)
     handles, labels = a.get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=3)
-    return figure
 
 
 @cache
 def vertical_before_impacts() -> np.ndarray:
     """Vertical support force of the records, a window before each impact of `impact_forces` [N]."""
     forces_before = []
-    for release, seed in RUNS:
+    for release, seed in chapter_3.RUNS:
         calm = calm_record(release, seed)
-        forces = identification.support_forces_of_record(calm, window=WINDOW, **SHAPE)
-        impacts = identification.impact_forces_of_record(calm, window=WINDOW, **SHAPE)
+        forces = identification.support_forces_of_record(calm, window=WINDOW, **chapter_3.SHAPE)
+        impacts = identification.impact_forces_of_record(calm, window=WINDOW, **chapter_3.SHAPE)
         time = impacts.time[np.abs(impacts.speed) > 0.15]
         forces_before.append(np.interp(time - WINDOW, forces.time, forces.vertical))
     return np.concatenate(forces_before)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_3_16() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.4, 3.2)
+def figure_3_16(figure: Figure) -> None:
     """Magnitude and direction of the largest forces of Figure 3-15 against the speed; in kind.
 
     The angle is that of the resultant from the vertical.
     """
     forces = impact_forces()
     angle = np.degrees(forces.angle)
-    figure = style.new_figure(7.4, 3.2)
     axes = figure.subplots(1, 2)
     for foot, side, mark in (("left", -1, "<"), ("right", 1, ">")):
         one = np.sign(forces.speed) == side
@@ -200,4 +192,3 @@ def figure_3_16() -> Figure:
     for ax in axes:
         ax.set_xlabel(r"speed $\dot\theta$ before the impact [rad/s]")
     axes[0].legend(loc="lower center")
-    return figure

@@ -14,8 +14,14 @@ from matplotlib.figure import Figure
 
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
-from rockeom.thesis.figures.chapter_4_wall import GAUGE, MM, draw_measured, legible, quarters
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.chapter_4_wall import (
+    GAUGE,
+    draw_measured,
+    draw_sides,
+    legible,
+    quarters,
+)
+from rockeom.thesis.figures.drawn import MM, Source, thesis_axes, thesis_figure, thesis_panels
 from rockeom.thesis.free_vibration_table import PEAKS, WALL
 from rockeom.thesis.printed import FIGURE_4_29
 from rockeom.thesis.wall_tests import quarter_period_fit
@@ -47,8 +53,8 @@ def peaks() -> np.ndarray:
 # --- 4.5 the record
 
 
-@thesis_figure(Source.PRINTED)
-def figure_4_11() -> Figure:
+@thesis_panels(Source.PRINTED, 7.2, 6.0)
+def figure_4_11(figure: Figure) -> None:
     """Corrected response of the wall in run 5: displacement, uplifts and rotation centre.
 
     Drawn are the rows of Table A-1, whose uplifts are corrected already: its last column is the
@@ -57,7 +63,6 @@ def figure_4_11() -> Figure:
     still in this test; the record of its motion is not printed.
     """
     measured, chosen = identification.FreeVibration.table_a1(), legible()
-    figure = style.new_figure(7.2, 6.0)
     top, uplifts, centre = figure.subplots(3, 1, sharex=True)
     top.plot(measured.time[chosen], measured.displacement[chosen] * MM, ms=3.2, **MEASURED)
     top.set_ylabel(r"displacement $\Delta$ [mm]")
@@ -87,23 +92,20 @@ def figure_4_11() -> Figure:
     centre.annotate("centreline", (0.02, (WALL.half_width + GAUGE) * MM - 45), fontsize=7.5)
     centre.set(ylabel="centre from\nthe gauge [mm]", ylim=(0, 620), xlabel="time [s]")
     figure.align_ylabels((top, uplifts, centre))
-    return figure
 
 
-@thesis_figure(Source.PRINTED)
-def figure_4_12() -> Figure:
+@thesis_axes(Source.PRINTED, 7.2, 3.2)
+def figure_4_12(ax: Axes) -> None:
     """Free vibration of the wall, its peaks and crossings marked: Table A-1.
 
     A crossing is where the acceleration vanishes; the displacement there is up to 3 mm, since the
     wall slid. Crosses are rows of which a number had to be guessed.
     """
     measured, chosen = identification.FreeVibration.table_a1(), legible()
-    figure, ax = style.new_axes(7.2, 3.2)
     ax.axhline(0.0, color=style.INK, lw=0.6)
     draw_marked(ax, measured.time, measured.displacement * MM, measured.at_peak, chosen)
     ax.set(xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     ax.legend()
-    return figure
 
 
 def draw_marked(
@@ -126,8 +128,8 @@ def fitted_quarters() -> identification.Fit:
     return identification.fit(lambda k, c: k * root + c, time, {"k": 0.3, "c": 0.01})
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_13() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.0, 3.6)
+def figure_4_13(ax: Axes) -> None:
     """Quarter periods against the peak they begin at: Table A-1 and the fit 4-5.
 
     4-5 has three numbers, of which these data tell only two: what counts of the first two is the
@@ -143,7 +145,6 @@ def figure_4_13() -> Figure:
     spread = np.sqrt(np.einsum("ni,ij,nj->n", slopes, fit.covariance, slopes))
     reach = (fit.interval("c")[1] - fit.values["c"]) / fit.standard_error["c"]
 
-    figure, ax = style.new_axes(6.0, 3.6)
     band: dict[str, Any] = {"color": style.LINES[1], "alpha": 0.15, "lw": 0}
     ax.fill_between(d * MM, fitted - reach * spread, fitted + reach * spread, **band)
     ax.plot(d * MM, quarter_period_fit(d), color=style.LINES[0], label="4-5")
@@ -156,17 +157,6 @@ def figure_4_13() -> Figure:
         ylim=(0, 0.08),
     )
     ax.legend(loc="lower right")
-    return figure
-
-
-def draw_sides(ax: Axes, peak: np.ndarray, y: np.ndarray) -> None:
-    """Draw values at peaks [m], with one mark for peaks to the right and one for the left."""
-    for side, mark, name in ((1, ">", "from peaks to the right"), (-1, "<", "to the left")):
-        rows = np.sign(peak) == side
-        ax.plot(
-            np.abs(peak[rows]) * MM, y[rows], mark, color=style.INK, ms=4, mfc="white", mew=0.9,
-            label=name,
-        )  # fmt: skip
 
 
 def draw_uplifts_and_force(close: bool) -> Figure:
@@ -226,14 +216,13 @@ def inertia_over_radius() -> tuple[np.ndarray, np.ndarray]:
     return b, WALL.moment_of_inertia(WALL.half_width + b) / np.hypot(b, WALL.centroid_height)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_22b() -> Figure:
+@thesis_axes(Source.COMPUTED, 5.0, 3.2)
+def figure_4_22b(ax: Axes) -> None:
     """I_o/R against the place of the rotation centre, from the centreline to the edge.
 
     I_o is B-9 with the added masses where they are, (d - B)^2; R from the centre to the centroid.
     """
     b, ratio = inertia_over_radius()
-    figure, ax = style.new_axes(5.0, 3.2)
     ax.plot(b * MM, ratio, color=style.LINES[0])
     ax.axhline(ratio[-1], color=style.INK, lw=0.6, ls=":")
     ax.set(
@@ -241,7 +230,6 @@ def figure_4_22b() -> Figure:
         ylabel="$I_o/R$ [kg m]",
         ylim=(0.95 * ratio.min(), 1.05 * ratio.max()),
     )
-    return figure
 
 
 # --- 4.7 energy
@@ -256,15 +244,14 @@ def draw_speeds(ax: Axes) -> None:
     )
 
 
-@thesis_figure(Source.PRINTED)
-def figure_4_25() -> Figure:
+@thesis_axes(Source.PRINTED, 5.4, 4.0)
+def figure_4_25(ax: Axes) -> None:
     """Free vibration of the wall in the phase plane: Table A-1.
 
     Dotted are motions without losses from the first five peaks to upright, 4-23. That the record
     has no steps of speed, as the thesis says, its peaks and crossings cannot show.
     """
     measured, chosen = identification.FreeVibration.table_a1(), legible()
-    figure, ax = style.new_axes(5.4, 4.0)
     ax.axhline(0.0, color=style.INK, lw=0.6)
     ax.axvline(0.0, color=style.INK, lw=0.6)
     draw_marked(ax, measured.displacement * MM, measured.velocity, measured.at_peak, chosen)
@@ -273,7 +260,6 @@ def figure_4_25() -> Figure:
         label = "without losses, 4-23" if n == 0 else None
         ax.plot(d * MM, -np.sign(d[0]) * speed, ":", color=style.LINES[1], lw=0.9, label=label)
     ax.legend(loc="upper right", fontsize=7.5)
-    return figure
 
 
 def paths_without_losses() -> list[tuple[np.ndarray, np.ndarray]]:
@@ -287,21 +273,19 @@ def paths_without_losses() -> list[tuple[np.ndarray, np.ndarray]]:
     return paths
 
 
-@thesis_figure(Source.PRINTED)
-def figure_4_26() -> Figure:
+@thesis_axes(Source.PRINTED, 6.4, 3.8)
+def figure_4_26(ax: Axes) -> None:
     """Speed against displacement, whichever way the wall moves: Table A-1.
 
     Dotted is the motion without losses from each of the first five peaks to upright, 4-23, above
     which no point can lie.
     """
-    figure, ax = style.new_axes(6.4, 3.8)
     draw_speeds(ax)
     for n, (d, speed) in enumerate(paths_without_losses()):
         label = "without losses, 4-23" if n == 0 else None
         ax.plot(d * MM, speed, ":", color=style.LINES[1], lw=0.9, label=label)
     ax.set_ylim(0, 0.9)
     style.legend_above(ax)
-    return figure
 
 
 def draw_boundary(ax: Axes) -> None:
@@ -320,25 +304,23 @@ def draw_boundary(ax: Axes) -> None:
     )  # fmt: skip
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_27() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.4, 3.8)
+def figure_4_27(ax: Axes) -> None:
     """Where the wall loses energy, by displacement and speed: 4-25, 4-26 and Table A-1.
 
     The boundary of the thesis is drawn by eye into the record, which is not printed. Here it is a
     quarter of each peak with the speed that the wall has there without losses; both equations are
     missing from the text and follow its words. Dotted are the 4 mm of the text.
     """
-    figure, ax = style.new_axes(6.4, 3.8)
     draw_boundary(ax)
     draw_speeds(ax)
     for side in (-4, 4):
         ax.axvline(side, color=style.LINES[2], lw=0.9, ls=":", label="4 mm" if side > 0 else None)
     style.legend_above(ax)
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_28() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.6, 3.6)
+def figure_4_28(ax: Axes) -> None:
     """Energies of the wall in the first three cycles: 4-18 to 4-20 at the rows of Table A-1.
 
     The elastic energy is that of the measured force of the tendon, as in Figure 4-29. Lines connect
@@ -347,7 +329,6 @@ def figure_4_28() -> Figure:
     measured = identification.FreeVibration.table_a1()
     energies = measured.energies(WALL)
     n = 13
-    figure, ax = style.new_axes(6.6, 3.6)
     for values, label, color in (
         (energies.total, "total", style.INK),
         (energies.elastic, "tendon $U_E$", style.LINES[0]),
@@ -357,18 +338,16 @@ def figure_4_28() -> Figure:
         ax.plot(measured.time[:n], values[:n], "o-", ms=3.5, lw=0.9, color=color, label=label)
     ax.set(xlabel="time [s]", ylabel="energy [J]", ylim=(0, 700))
     ax.legend(loc="upper right", ncols=4)
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_29() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.0, 4.4)
+def figure_4_29(figure: Figure) -> None:
     """Displacement and total energy in the free vibration: 4-18 to 4-20 and Table A-1.
 
     Filled are the energies at the peaks, crosses those of the table in the thesis's figure.
     """
     measured, chosen = identification.FreeVibration.table_a1(), legible()
     energies, rows = measured.energies(WALL).total, peaks()
-    figure = style.new_figure(7.0, 4.4)
     top, bottom = figure.subplots(2, 1, sharex=True)
     top.plot(measured.time[chosen], measured.displacement[chosen] * MM, ms=3.2, **MEASURED)
     top.set_ylabel(r"displacement $\Delta$ [mm]")
@@ -384,7 +363,6 @@ def figure_4_29() -> Figure:
     )
     bottom.set(xlabel="time [s]", ylabel="total energy [J]", ylim=(0, None))
     bottom.legend()
-    return figure
 
 
 class Losses(NamedTuple):
@@ -443,8 +421,8 @@ def figure_4_31() -> Figure:
     return draw_ratios(0.7, 1.0)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_34() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.0, 3.6)
+def figure_4_34(ax: Axes) -> None:
     """Where the wall begins to lose energy: 4-25 and 4-26 about the crossings of Table A-1.
 
     The boundary found by eye in Figure 4-27 is not printed; what can be said is whether the
@@ -452,7 +430,6 @@ def figure_4_34() -> Figure:
     """
     measured, chosen = identification.FreeVibration.table_a1(), legible()
     rows = ~measured.at_peak & chosen
-    figure, ax = style.new_axes(6.0, 3.6)
     draw_boundary(ax)
     size, speed = measured.displacement[rows], np.abs(measured.velocity[rows])
     ax.plot(size * MM, speed, "o", color=style.INK, mfc="white", ms=4, label="crossings, Table A-1")
@@ -460,4 +437,3 @@ def figure_4_34() -> Figure:
         xlabel=r"displacement $\Delta$ [mm]", ylabel=r"speed $|\dot\Delta|$ [m/s]", ylim=(0, 1.0)
     )
     ax.legend(loc="lower right", fontsize=7.5)
-    return figure

@@ -13,8 +13,7 @@ import rockeom as rk
 from rockeom.plots import style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
-from rockeom.thesis.figures.chapter_4_wall import MM
-from rockeom.thesis.figures.drawn import Source, ThesisFigure, thesis_figure
+from rockeom.thesis.figures.drawn import MM, Source, ThesisFigure, thesis_axes, thesis_panels
 from rockeom.thesis.printed import TABLE_4_2, TABLE_4_3, TABLE_4_4
 
 CONSTANT = 0.835
@@ -54,32 +53,28 @@ def draw_run(ax: Axes, run: str, start: float, end: float) -> None:
     style.legend_above(ax)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_66() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.2, 3.2)
+def figure_4_66(figure: Figure) -> None:
     """Test run 2, El Centro 180, simulated by 4-27 and by 4-40.
 
     The measured trace is lost; its largest displacement, Table 4-2, is the dotted line. r is
     that of 4-31 for the oscillator and of 4-38 for substitute gravity.
     """
-    figure = style.new_figure(7.2, 3.2)
     draw_run(figure.add_subplot(), "2", 0.0, 30.0)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_67() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.2, 3.2)
+def figure_4_67(figure: Figure) -> None:
     """Test run 4, Sylmar 360 in 0.6 of its time, simulated by 4-27 and by 4-40.
 
     As Figure 4-66. The run is on a cliff: the oscillator comes to 17.6 mm at 1.3 times the peak of
     the record, and with its time scaled by 0.38, as that of Tabas is, to the printed 23 mm.
     """
-    figure = style.new_figure(7.2, 3.2)
     draw_run(figure.add_subplot(), "4", 0.0, 15.0)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_68() -> Figure:
+@thesis_panels(Source.IN_KIND, 5.6, 3.2)
+def figure_4_68(figure: Figure) -> None:
     """Test run 4 while it moves most, by 4-27 and by 4-40: part of Figure 4-67.
 
     Which part the thesis shows is not stated; here it is two seconds about the largest
@@ -88,20 +83,17 @@ def figure_4_68() -> Figure:
     t = np.arange(0.0, 15.0, 2e-3)
     middle = float(t[np.abs(displacement(substitute_run("4"), t)).argmax()])
     start, end = middle - 1.0, middle + 1.0
-    figure = style.new_figure(5.6, 3.2)
     draw_run(figure.add_subplot(), "4", start, end)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_79() -> Figure:
+@thesis_axes(Source.IN_KIND, 7.2, 3.2)
+def figure_4_79(ax: Axes) -> None:
     """Test run 9, Sylmar 360 in 0.6 of its time with 111 kN, by 4-27 with a constant r = 0.852.
 
     The thesis shows one of its tests with 110 kN; which one is not stated, and its text has 0.835
     in place of the caption's 0.852. The measured trace is lost; its largest displacement is the
     dotted line.
     """
-    figure, ax = style.new_axes(7.2, 3.2)
     t = np.arange(0.0, 15.0, 2e-3)
     run = shaken.oscillator_run("9", 0.852)
     ax.plot(t, displacement(run, t) * MM, lw=0.9, label="SDOF, 4-27")
@@ -109,7 +101,6 @@ def figure_4_79() -> Figure:
     ax.axhline(measured, color=style.INK, lw=0.9, ls=":", label="measured peak")
     ax.set(xlim=(0, 15), xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     style.legend_above(ax)
-    return figure
 
 
 # --- appendix C

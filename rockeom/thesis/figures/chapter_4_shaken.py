@@ -19,8 +19,8 @@ import rockeom as rk
 from rockeom.analysis import design, dynamics, formulas
 from rockeom.plots import style
 from rockeom.thesis.figures.chapter_2_blocks import draw_branch
-from rockeom.thesis.figures.chapter_4_wall import MM, overview_and_origin, symmetric
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.chapter_4_wall import overview_and_origin, symmetric
+from rockeom.thesis.figures.drawn import MM, Source, thesis_panels
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.shaken import oscillator_of, wall_motion
 from rockeom.thesis.wall_tests import back_calculated_force, energy_ratio_4_31
@@ -54,8 +54,8 @@ def forces_when_still(run: rk.Response) -> tuple[np.ndarray, np.ndarray]:
     return displacement, force
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_69() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.6, 3.4)
+def figure_4_69(figure: Figure) -> None:
     """The static restoring force, 4-30, and the force by 4-42 from a dynamic response.
 
     The traces are lost. `ControlledWall` replaces them, the wall by Lagrange's equations with all
@@ -64,7 +64,7 @@ def figure_4_69() -> Figure:
     below the curve with its prestress. M_e is the whole mass, as in the thesis.
     """
     motion = wall_motion("4")
-    figure, left, right = overview_and_origin()
+    left, right = overview_and_origin(figure)
     parts = []
     for scale, mark, color in ((1.0, "o", style.LINES[1]), (1.4, "^", style.LINES[2])):
         run = rk.simulate(
@@ -84,7 +84,6 @@ def figure_4_69() -> Figure:
         ax.set_xlim(-far * MM, far * MM)
     left.set_ylabel("restoring force $F_k$ [kN]")
     left.legend(loc="upper left", fontsize=7.5)
-    return figure
 
 
 # --- trials of 4.9.1.4
@@ -123,8 +122,8 @@ def trials() -> dict[str, design.OscillatorResponse]:
     }
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_70() -> Figure:
+@thesis_panels(Source.IN_KIND, 8.8, 3.6)
+def figure_4_70(figure: Figure) -> None:
     """The oscillator with r = 0.852 under the record of test run 4, and other trials.
 
     The motion is the record that the test names, not that of the table, and the measured trace is
@@ -136,7 +135,6 @@ def figure_4_70() -> Figure:
     the same ratio there.
     """
     responses = trials()
-    figure = style.new_figure(8.8, 3.6)
     left, right = figure.subplots(1, 2, width_ratios=(1.7, 1.0))
     for name, color, width in (
         ("r = 0.852", style.LINES[0], 1.1),
@@ -153,7 +151,6 @@ def figure_4_70() -> Figure:
     right.axvline(-MEASURED_PEAK * MM, color=style.INK, lw=0.8, ls=":")
     right.set_yticks(places, list(peaks))
     right.set_xlabel(r"largest $|\Delta|$ [mm]")
-    return figure
 
 
 # --- the oscillator for many r, and under harmonic motion
@@ -172,8 +169,8 @@ def peaks_by_ratio() -> tuple[np.ndarray, np.ndarray]:
     return ratios, sweep.peak.sel(state="u").values
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_71() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.6, 3.4)
+def figure_4_71(figure: Figure) -> None:
     """Peaks of the oscillator in test run 4 for many r about 0.852.
 
     The motion of the table is not printed. Here it is the intended record, Northridge 1994, Sylmar
@@ -183,7 +180,6 @@ def figure_4_71() -> Figure:
     """
     ratios, peaks = peaks_by_ratio()
     reference = peaks[len(ratios) // 2]
-    figure = style.new_figure(7.6, 3.4)
     left, right = figure.subplots(1, 2)
     left.plot(ratios, peaks * MM, ".-", ms=3, lw=0.5, color=style.LINES[0])
     left.plot(0.852, reference * MM, "o", ms=6, mfc="none", color=style.LINES[1])
@@ -199,7 +195,6 @@ def figure_4_71() -> Figure:
         ylabel="part of the analyses at or above [-]",
         ylim=(0, 1.02),
     )
-    return figure
 
 
 CYCLES = 120
@@ -269,8 +264,8 @@ def branches_of(frequency: float, start: ArrayLike) -> list[dynamics.OrbitBranch
     return [down, up, *(up.switched(one) for one in flips[:1])]
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_73() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.6, 3.6)
+def figure_4_73(figure: Figure) -> None:
     """Velocities when upright under Z sin(16 pi t): at 8 Hz nothing splits, at 4.553 Hz it does.
 
     The thesis has one line for Z from 5.7 to 6.0 m/s2, a period that doubles at 6.03, and a smear
@@ -284,7 +279,6 @@ def figure_4_73() -> Figure:
     of two passages a cycle, which stays stable next to the other. A third, with passages of
     0.8 m/s, is out of the picture. The oscillator is that of 4-37 with the constant r = 0.852.
     """
-    figure = style.new_figure(7.6, 3.6)
     stated, sought = figure.subplots(1, 2)
 
     def dots(ax: Axes, z: float, speeds: np.ndarray, color: str, size: float) -> None:
@@ -309,4 +303,3 @@ def figure_4_73() -> Figure:
         ax.axvline(6.03, color=style.INK, lw=0.6, ls=":")
         ax.set(xlabel="amplitude $Z$ [m/s$^2$]", ylim=(-reach, reach))
     stated.set_ylabel(r"velocity when upright $\dot\Delta$ [m/s]")
-    return figure

@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any, NamedTuple
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import rockeom as rk
@@ -15,10 +16,10 @@ from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import free_body as fb, style
 from rockeom.structures.impact_laws import ImpactLaw
-from rockeom.thesis.figures.chapter_4_free_vibration import HOUSNER, draw_sides
-from rockeom.thesis.figures.chapter_4_wall import MM, legible, symmetric, tilted_wall
-from rockeom.thesis.figures.drawn import Source, thesis_figure
-from rockeom.thesis.free_vibration_table import STIFFER, WALL, measured_peaks
+from rockeom.thesis.figures.chapter_4_free_vibration import HOUSNER, MEASURED
+from rockeom.thesis.figures.chapter_4_wall import draw_sides, legible, symmetric, tilted_wall
+from rockeom.thesis.figures.drawn import MM, OPEN, Source, thesis_axes, thesis_figure, thesis_panels
+from rockeom.thesis.free_vibration_table import STIFFER, WALL, let_go, measured_peaks
 
 FIXED = rk.SimplifiedSubstituteGravityWall.from_wall(WALL)
 """The wall of 4-32, about its corners."""
@@ -45,7 +46,7 @@ def released(structure: rk.Structure, law: ImpactLaw | None = None) -> History:
     start = float(identification.FreeVibration.table_a1().displacement[0])
     oscillates = isinstance(structure, rk.ControlledWallOscillator)
     initial = {"u": start} if oscillates else {"theta": float(WALL.rotation(start))}
-    run = rk.simulate(structure, rk.GroundMotion.none(2.0), impact=law, initial=initial)
+    run = let_go(structure, 2.0, law, **initial)
     if oscillates:
         mass = structure.parameters()["effective_mass"]
         return History(run.t, run["u"], run["u_dot"], run["horizontal_reaction"] / mass)
@@ -69,10 +70,7 @@ def draw_histories(curves: list[tuple[str, History, dict[str, Any]]]) -> Figure:
             ax.plot(history.time, y * unit, label=label, **line)
     columns = (measured.displacement * MM, measured.velocity, measured.acceleration)
     for ax, y in zip(axes, columns, strict=True):
-        ax.plot(
-            measured.time[chosen], y[chosen], "o", color=style.INK, mfc="white", mew=0.8, ms=3.2,
-            label="Table A-1", zorder=5,
-        )  # fmt: skip
+        ax.plot(measured.time[chosen], y[chosen], ms=3.2, label="Table A-1", **MEASURED)
     names = (r"$\Delta$ [mm]", r"$\dot\Delta$ [m/s]", r"$\ddot\Delta$ [m/s$^2$]")
     for ax, name in zip(axes, names, strict=True):
         ax.set_ylabel(name)
@@ -98,10 +96,8 @@ def draw_displacements(curves: list[tuple[str, History]]) -> Figure:
                 history.time, reference.time, reference.displacement
             )
             below.plot(history.time, off * MM, **kind)
-    ax.plot(
-        measured.time[chosen], measured.displacement[chosen] * MM, "o", color=style.INK,
-        mfc="white", mew=0.8, ms=3.0, label="Table A-1", zorder=5,
-    )  # fmt: skip
+    time, displacement = measured.time[chosen], measured.displacement[chosen] * MM
+    ax.plot(time, displacement, ms=3.0, label="Table A-1", **MEASURED)
     below.axhline(0.0, color=style.LINES[0], lw=0.8)
     below.set_xlabel("time [s]")
     ax.set_ylabel(r"displacement $\Delta$ [mm]")
@@ -238,8 +234,8 @@ def ratios_by_release() -> tuple[np.ndarray, np.ndarray]:
     return r, WALL.height * np.array(speed)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_40() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.6, 3.4)
+def figure_4_40(figure: Figure) -> None:
     """r with which the substitute-gravity wall comes from each measured peak to the next.
 
     About fixed corners, by release at each of the first twelve peaks of Table A-1; against the
@@ -247,20 +243,16 @@ def figure_4_40() -> Figure:
     """
     r, speed = ratios_by_release()
     peak = measured_peaks()[1][:-1]
-    figure = style.new_figure(7.6, 3.4)
     by_speed, by_peak = figure.subplots(1, 2, sharey=True)
     for side, mark in ((1, ">"), (-1, "<")):
         rows = np.sign(peak) == side
-        by_speed.plot(
-            speed[rows], r[rows], mark, color=style.INK, ms=4, mfc="white", mew=0.9
-        )  # fmt: skip
+        by_speed.plot(speed[rows], r[rows], mark, ms=4, **OPEN)
     draw_sides(by_peak, peak, r)
     by_speed.set_xlabel(r"speed at the impact $|\dot\Delta|$ [m/s]")
     by_peak.set_xlabel(r"peak before $|\Delta_0|$ [mm]")
     by_speed.set(ylabel="energy ratio $r$ [-]", ylim=(0.6, 1.0), xlim=(0, None))
     by_peak.set_xlim(0, None)
     style.legend_above(by_peak)
-    return figure
 
 
 def upright(passages: int) -> identification.Fit:
@@ -277,8 +269,8 @@ def upright(passages: int) -> identification.Fit:
     return identification.fit(off, np.zeros(passages), {"r": 0.89, "x": 5e-4})
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_41() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.0, 3.6)
+def figure_4_41(ax: Axes) -> None:
     """Moving averages of two successive r of Figure 4-40 against their speed, and 4-31.
 
     Also drawn: pieces fitted to the r of Figure 4-40 themselves in the bands of 4-31, without
@@ -289,7 +281,6 @@ def figure_4_41() -> Figure:
     law = rk.EnergyRatioAtSpeed.equation_4_31()
     limits = [limit for limit, _, _ in law.pieces[:-1] if np.sum(speed < limit) >= 1]
     fitted = rk.EnergyRatioAtSpeed.from_data(speed, r, limits=limits, slopes=False)
-    figure, ax = style.new_axes(6.0, 3.6)
     v = np.linspace(0.01, 0.9, 800)
     ax.plot(v, [law.at(x) for x in v], color=style.LINES[0], label="4-31")
     ax.plot(v, [fitted.at(x) for x in v], "--", color=style.LINES[1], label="fitted in its bands")
@@ -302,7 +293,6 @@ def figure_4_41() -> Figure:
         ylim=(0.7, 1.0),
     )
     style.legend_above(ax)
-    return figure
 
 
 class Miss(NamedTuple):
@@ -319,8 +309,7 @@ class Miss(NamedTuple):
 def miss(law: rk.EnergyRatio | rk.EnergyRatioAtSpeed) -> Miss:
     """Free vibration of the wall about fixed corners, as in `thesis.free_vibration_table`."""
     time, peak = measured_peaks()
-    start = {"theta": float(WALL.rotation(peak[0]))}
-    run = rk.simulate(FIXED, rk.GroundMotion.none(1.6), impact=law, initial=start)
+    run = let_go(FIXED, 1.6, law, theta=float(WALL.rotation(peak[0])))
     simulated = identification.swings(run, "theta", len(peak))
     off = WALL.height * np.sin(simulated.peak) - peak, simulated.peak_time - time
     return Miss(*(float(np.sqrt(np.mean(x**2)) * MM) for x in off))
@@ -357,14 +346,13 @@ def draw_law(law: rk.EnergyRatioAtSpeed, name: str) -> Figure:
 # --- the substitute-gravity wall with a moving rotation centre
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_44() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.6, 3.8)
+def figure_4_44(figure: Figure) -> None:
     """Changes of R, alpha and b' by a rotation centre that moves, and its path: 4-37.
 
     With 4-37 the centre reaches the edge of the wall, 508 mm, where 4-7, which the tendon's force
     still follows, stops 96 mm before. Both are drawn.
     """
-    figure = style.new_figure(7.6, 3.8)
     wall, path = figure.subplots(1, 2, width_ratios=(1.0, 1.7))
     theta, b = 0.12, 0.34
     at = tilted_wall(wall, b, theta)
@@ -384,16 +372,14 @@ def figure_4_44() -> Figure:
     path.plot(d * MM, WALL.rotation_centre.distance(d) * MM, "--", label="as 4-7: 412 mm")
     path.set(xlabel=r"displacement $\Delta$ [mm]", ylabel="$b'$ [mm]")
     path.legend(loc="lower right")
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_46() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.6, 3.2)
+def figure_4_46(figure: Figure) -> None:
     """Effect of 10 % of n: the half-width b' of 4-37 and the force of the tendon, 4-16.
 
     n is the epsilon of 4-7, 3.551 mm.
     """
-    figure = style.new_figure(7.6, 3.2)
     left, right = figure.subplots(1, 2)
     d = symmetric(0.015)
     for color, line, factor in ((style.LINES[1], "--", 0.9), (style.LINES[0], "-", 1.0),
@@ -407,7 +393,6 @@ def figure_4_46() -> Figure:
     for ax, name in ((left, "$b'$ [mm]"), (right, "tendon force $P$ [kN]")):
         ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel=name)
         ax.legend(loc="lower right" if ax is left else "upper center", fontsize=7.5)
-    return figure
 
 
 def substitute_gravity(factor: float = 1.0) -> rk.SubstituteGravityWall:

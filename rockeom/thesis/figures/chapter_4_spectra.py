@@ -16,9 +16,8 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import identification
 from rockeom.plots import style
-from rockeom.thesis.figures.chapter_4_wall import MM
-from rockeom.thesis.figures.drawn import Source, thesis_figure
-from rockeom.thesis.free_vibration_table import STIFFER, WALL
+from rockeom.thesis.figures.drawn import MM, Source, thesis_panels
+from rockeom.thesis.free_vibration_table import STIFFER, WALL, let_go
 
 RATE, NOISE = 200.0, 0.05e-3
 START = -0.03041
@@ -43,8 +42,7 @@ def sampled(run: rk.Response, duration: float, **more: np.ndarray) -> analysis.M
 
 @cache
 def free_decay() -> analysis.MeasuredRecord:
-    run = rk.simulate(oscillator(), rk.GroundMotion.none(3.5), initial={"u": START})
-    return sampled(run, 3.5)
+    return sampled(let_go(oscillator(), 3.5, u=START), 3.5)
 
 
 @cache
@@ -115,8 +113,8 @@ def draw_stack(ax: Axes, windows: identification.MovingWindow) -> None:
     ax.grid(visible=False)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_50() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.6, 7.2)
+def figure_4_50(figure: Figure) -> None:
     """How the moving window finds the frequencies of a structure, step by step; in kind.
 
     The wall is the oscillator of Figure 4-37 under noise between 0.5 and 20 Hz of at most 6 m/s2;
@@ -129,7 +127,6 @@ def figure_4_50() -> Figure:
     which = int(np.searchsorted(windows.time, 2.5))
     middle = float(windows.time[which])
     inside = record.between(middle - windows.span / 2, middle + windows.span / 2)
-    figure = style.new_figure(7.6, 7.2)
     grid = figure.add_gridspec(3, 2)
     draw_records(figure.add_subplot(grid[0, :]), record, (inside.time[0], inside.time[-1]))
     draw_spectra(figure.add_subplot(grid[1, 0]), inside)
@@ -137,11 +134,10 @@ def figure_4_50() -> Figure:
     draw_stack(figure.add_subplot(grid[2, 0]), windows)
     draw_spectrogram(above := figure.add_subplot(grid[2, 1]), windows)
     above.set_ylabel("5. frequency [Hz]")
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_51() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.2, 4.8)
+def figure_4_51(figure: Figure) -> None:
     """The moving window on the free decay of the wall: its response alone; in kind.
 
     The table stands still, so that there is no input to divide by: this is the spectrum of the
@@ -150,7 +146,6 @@ def figure_4_51() -> Figure:
     a centre that hardly leaves the middle.
     """
     record, windows = free_decay(), windows_of_decay()
-    figure = style.new_figure(7.2, 4.8)
     trace, ax = figure.subplots(2, 1, sharex=True, height_ratios=(1.0, 1.8))
     trace.plot(record.time, record["displacement"] * MM, lw=0.8)
     trace.set_ylabel(r"displacement $\Delta$ [mm]")
@@ -167,4 +162,3 @@ def figure_4_51() -> Figure:
             bbox={"boxstyle": "circle", "fc": "white", "ec": style.INK},
         )  # fmt: skip
     ax.legend(loc="upper right")
-    return figure

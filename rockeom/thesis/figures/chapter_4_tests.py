@@ -21,8 +21,8 @@ from rockeom.thesis import shaken
 from rockeom.thesis.figures.chapter_4_runs import displacement, oscillator_run
 from rockeom.thesis.figures.chapter_4_shaken import CYCLES, forces_when_still
 from rockeom.thesis.figures.chapter_4_spectra import NOISE, RATE
-from rockeom.thesis.figures.chapter_4_wall import MM, draw_measured, overview_and_origin, symmetric
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.chapter_4_wall import draw_measured, overview_and_origin, symmetric
+from rockeom.thesis.figures.drawn import MM, Source, thesis_axes, thesis_figure, thesis_panels
 from rockeom.thesis.free_vibration_table import STIFFER, WALL
 from rockeom.thesis.printed import TABLE_4_2
 
@@ -86,8 +86,8 @@ def figure_4_6() -> Figure:
     return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_7() -> Figure:
+@thesis_axes(Source.IN_KIND, 6.0, 3.6)
+def figure_4_7(ax: Axes) -> None:
     """Response spectra of the tests and the elastic design spectrum of NZS 1170.5.
 
     Spectra of the motions intended, damped by 5 %, without those of Tabas and Llolleo, which are
@@ -95,7 +95,6 @@ def figure_4_7() -> Figure:
     very soft soil is class E, and Z R is at most 0.7. It is second-hand, by a public program for
     the standard. The band holds the rocking periods.
     """
-    figure, ax = style.new_axes(6.0, 3.6)
     runs = {"1": "run 1", "2": "runs 2, 7", "4": "runs 4, 9"}
     for run, label in runs.items():
         draw_spectrum(ax, run, f"{label}: {shaken.MOTION_NAMES[run]}")
@@ -106,7 +105,6 @@ def figure_4_7() -> Figure:
     ax.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2], ["0.05", "0.1", "0.2", "0.5", "1", "2"])
     ax.set(xlabel="period [s]", ylabel=r"spectral acceleration [m/s$^2$]")
     ax.legend(loc="upper right", fontsize=7.5)
-    return figure
 
 
 # --- moving windows
@@ -126,10 +124,9 @@ def windows(run: str) -> tuple[analysis.MeasuredRecord, identification.MovingWin
     )
 
 
-def draw_windows(run: str, until: float) -> tuple[Figure, np.ndarray]:
-    """The trace and its spectrogram; the largest frequency of the windows that are shaken (n,)."""
+def draw_windows(figure: Figure, run: str, until: float) -> None:
+    """The trace and its spectrogram."""
     record, moving = windows(run)
-    figure = style.new_figure(7.2, 4.8)
     trace, ax = figure.subplots(2, 1, sharex=True, height_ratios=(1.0, 1.6))
     trace.plot(record.time, record["displacement"] * MM, lw=0.7)
     trace.set_ylabel(r"displacement $\Delta$ [mm]")
@@ -139,9 +136,14 @@ def draw_windows(run: str, until: float) -> tuple[Figure, np.ndarray]:
     ax.grid(visible=False)
     ax.set_xlim(0, until)
     style.legend_above(ax, markerscale=4)
+
+
+def frequencies(run: str, until: float) -> np.ndarray:
+    """The largest frequency of the windows that are shaken (n,) [Hz]."""
+    record, moving = windows(run)
     table = np.abs(np.interp(moving.time, record.time, envelope(record)))
     strong = (table > 0.1 * table.max()) & (moving.time < until)
-    return figure, moving.dominant[strong]
+    return moving.dominant[strong]
 
 
 def envelope(record: analysis.MeasuredRecord) -> np.ndarray:
@@ -155,13 +157,8 @@ def between(values: np.ndarray, low: float, high: float) -> float:
     return 100 * float(np.mean((values >= low) & (values <= high)))
 
 
-def of_el_centro(run: str, until: float) -> Figure:
-    figure, _ = draw_windows(run, until)
-    return figure
-
-
-@thesis_figure(Source.IN_KIND)
-def figure_4_52() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.2, 4.8)
+def figure_4_52(figure: Figure) -> None:
     """Moving window on test run 1: half of El Centro 180.
 
     Simulated by 4-27 with r of 4-31 and sampled as the tests were, 200 times a second, with noise
@@ -172,26 +169,25 @@ def figure_4_52() -> Figure:
     count as shaken where the table has more than a tenth of its largest mean acceleration. The
     oscillator cannot bend: its high frequencies are those of small turns about the middle.
     """
-    return of_el_centro("1", 30.0)
+    draw_windows(figure, "1", 30.0)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_53() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.2, 4.8)
+def figure_4_53(figure: Figure) -> None:
     """Moving window on test run 2: El Centro 180.
 
     As Figure 4-52. The caption is lost; the text has Figures 4-52 to 4-56 for the runs in order.
     """
-    return of_el_centro("2", 30.0)
+    draw_windows(figure, "2", 30.0)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_55() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.2, 4.8)
+def figure_4_55(figure: Figure) -> None:
     """Moving window on test run 4: Sylmar 360 in 0.6 of its time.
 
     As Figure 4-52, with the record that was meant in place of the table's own motion.
     """
-    figure, _ = draw_windows("4", 15.0)
-    return figure
+    draw_windows(figure, "4", 15.0)
 
 
 # --- sensitivity, section 4.9.1.5
@@ -214,8 +210,8 @@ def settled() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return last["u"], last["u_dot"], speeds
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_72() -> Figure:
+@thesis_axes(Source.COMPUTED, 4.6, 3.6)
+def figure_4_72(ax: Axes) -> None:
     """Phase diagram of the oscillator under 5.88 sin(16 pi t), when it has settled.
 
     From rest, after 120 cycles of the ground, four cycles; r = 0.852. The oscillator is that of
@@ -223,20 +219,18 @@ def figure_4_72() -> Figure:
     of mass. Dots are passages through upright, the points of Figure 4-73.
     """
     u, v, speeds = settled()
-    figure, ax = style.new_axes(4.6, 3.6)
     ax.plot(u * MM, v, lw=1.0)
     ax.plot(np.zeros_like(speeds), speeds, "o", ms=4, color=style.LINES[1])
     ax.axvline(0.0, color=style.INK, lw=0.5)
     ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel=r"velocity $\dot\Delta$ [m/s]")
-    return figure
 
 
 BESIDE = 0.1e-3
 """How far from upright the second of two runs begins [m]."""
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_74() -> Figure:
+@thesis_axes(Source.IN_KIND, 7.2, 3.2)
+def figure_4_74(ax: Axes) -> None:
     """The same motion twice, the wall once upright and once 0.1 mm from it.
 
     The two tests are lost, runs 18 and 19 of another study with the same motion and prestress; what
@@ -247,12 +241,10 @@ def figure_4_74() -> Figure:
     again = rk.simulate(first.structure, first.motion, initial={"u": BESIDE})
     t = np.arange(0.0, 15.0, 2e-3)
     one, other = displacement(first, t), displacement(again, t)
-    figure, ax = style.new_axes(7.2, 3.2)
     ax.plot(t, one * MM, lw=0.9, label="from upright")
     ax.plot(t, other * MM, lw=0.9, label="from 0.1 mm next to it")
     ax.set(xlim=(0, 15), xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     style.legend_above(ax)
-    return figure
 
 
 # --- uplifts and tendon forces, sections 4.9.1.1 and 4.9.2
@@ -317,15 +309,15 @@ def draw_read(ax: Axes, quantity: str, unit: float) -> None:
     ax.set_xlabel(r"displacement $|\Delta|$ [mm]")
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_57() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.6, 3.4)
+def figure_4_57(figure: Figure) -> None:
     """Uplifts of both edges against the displacement on the shaking table: 4-9 and Table 4-2.
 
     The measured uplifts of the tests are lost. Points are what Table 4-2 says of them: the uplift
     of the edge at the largest displacement of each test with 75 kN, by the extension of the tendon,
     without and with the bending of the wall. The band is 2.5 mm of sliding to either side of 4-9.
     """
-    figure, *axes = overview_and_origin()
+    axes = overview_and_origin(figure)
     b = WALL.half_width
     for ax, far in zip(axes, (0.032, 0.008), strict=True):
         d = symmetric(far + SPREAD)
@@ -346,11 +338,10 @@ def figure_4_57() -> Figure:
     axes[0].set_ylabel("uplift $u'$ [mm]")
     axes[0].legend(loc="upper center", fontsize=7.5)
     axes[1].set_ylim(-0.6, 4.0)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_58() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.6, 3.4)
+def figure_4_58(figure: Figure) -> None:
     """Tendon force against the displacement: 4-16, and the largest of each test in Table 4-2.
 
     The traces are lost; the thesis prints the largest displacement and the largest tendon force of
@@ -358,7 +349,7 @@ def figure_4_58() -> Figure:
     of the curve is 75.6 kN.
     """
     tests = rows_of_75_kn()
-    figure, *axes = overview_and_origin()
+    axes = overview_and_origin(figure)
     for ax, far in zip(axes, (0.032, 0.012), strict=True):
         d = symmetric(far + SPREAD)
         force = WALL.tendon_force(d) / 1e3
@@ -373,11 +364,10 @@ def figure_4_58() -> Figure:
     axes[0].set(ylabel="tendon force $P$ [kN]", ylim=(70, 165))
     axes[1].set_ylim(72, 115)
     axes[0].legend(loc="upper center", fontsize=7)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_75() -> Figure:
+@thesis_axes(Source.IN_KIND, 6.0, 3.6)
+def figure_4_75(ax: Axes) -> None:
     """Distance of the rotation centre from the edge: 4-7, and what Table 4-2 says of the tests.
 
     The uplifts measured are lost. The points follow from the largest tendon force and displacement
@@ -386,7 +376,6 @@ def figure_4_75() -> Figure:
     sliding is part of it the centre comes out too near the middle. 4-7 is drawn as seen from the
     edge, 442 and 66 mm, and as printed, from the gauge.
     """
-    figure, ax = style.new_axes(6.0, 3.6)
     d = np.linspace(0.0, 0.03, 600)
     edge, gauge = formulas.RotationCentre.thesis_edge(), formulas.RotationCentre.thesis_gauge()
     ax.plot(d * MM, edge.distance_from_edge(d) * MM, label="4-7 from the edge")
@@ -395,32 +384,28 @@ def figure_4_75() -> Figure:
     draw_read(ax, "from_edge", 1e-3)
     ax.set_ylabel("distance from the edge [mm]")
     ax.legend()
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_76() -> Figure:
+@thesis_axes(Source.IN_KIND, 6.0, 3.6)
+def figure_4_76(ax: Axes) -> None:
     """Uplift of the edge against the displacement: 4-9, and what Table 4-2 says of the tests.
 
     As Figure 4-75: the uplift of the edge follows from the tendon's extension and the rotation,
     without the bending of the wall.
     """
-    figure, ax = style.new_axes(6.0, 3.6)
     d = np.linspace(0.0, 0.03, 600)
     ax.plot(d * MM, MORE.uplift(d) * MM, label="4-9")
     draw_read(ax, "uplift", 1e-3)
     ax.set_ylabel("uplift $u'$ [mm]")
     ax.legend()
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_77() -> Figure:
+@thesis_axes(Source.IN_KIND, 6.0, 3.6)
+def figure_4_77(ax: Axes) -> None:
     """Tendon force against the displacement with 110 kN: 4-16, and the largest of each test.
 
     The traces are lost; Table 4-2 has the largest displacement and tendon force of each test.
     """
-    figure, ax = style.new_axes(6.0, 3.6)
     d = symmetric(0.012)
     for wall, label, color in (
         (MORE, "4-16, 111 kN", style.LINES[1]), (WALL, "4-16, 75.6 kN", style.INK),
@@ -433,18 +418,17 @@ def figure_4_77() -> Figure:
                 mfc="white", label=f"tests with {label}")  # fmt: skip
     ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel="tendon force $P$ [kN]", ylim=(70, 150))
     ax.legend(loc="upper center", ncols=2, fontsize=7.5)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_4_78() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.6, 3.4)
+def figure_4_78(figure: Figure) -> None:
     """Restoring force with 75.6 and with 111 kN, and what 4-42 reads from a dynamic response.
 
     The traces are lost. Points are those of `ControlledWall` with 111 kN and r = 0.852 under the
     motions of runs 7 and 9, where the wall turns back, as in Figure 4-69. The tendon of both yields
     at the same force.
     """
-    figure, *axes = overview_and_origin()
+    axes = overview_and_origin(figure)
     for run, mark, color in (("7", "^", style.LINES[2]), ("9", "o", style.LINES[4])):
         response = rk.simulate(
             rk.ControlledWall.from_wall(shaken.wall_of(run)), shaken.wall_motion(run),
@@ -467,4 +451,3 @@ def figure_4_78() -> Figure:
         ax.set_xlim(-far * MM, far * MM)
     axes[0].set_ylabel("restoring force $F_k$ [kN]")
     axes[0].legend(loc="upper left", fontsize=7.5)
-    return figure

@@ -17,11 +17,10 @@ from matplotlib.figure import Figure
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import free_body as fb, style
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.drawn import MM, OPEN, Source, thesis_axes, thesis_panels
 from rockeom.thesis.free_vibration_table import WALL
 from rockeom.thesis.wall_tests import back_calculated_force, quarter_period_fit
 
-MM = 1e3
 GAUGE = 0.030
 """Distance from the edge of the wall outward to the uplift gauge [m]."""
 
@@ -55,27 +54,39 @@ def draw_measured(ax: Axes, column: str, unit: float, label: str = "") -> None:
         ax.plot(x[rows] * MM, y[rows] / unit, mfc=face, ms=ms, label=f"{label}{name}", **marks)
 
 
+def draw_sides(
+    ax: Axes,
+    peak: np.ndarray,
+    y: np.ndarray,
+    right: str = "from peaks to the right",
+    left: str = "to the left",
+) -> None:
+    """Draw values at peaks [m], with one mark for peaks to the right and one for the left."""
+    for side, mark, label in ((1, ">", right), (-1, "<", left)):
+        rows = np.sign(peak) == side
+        ax.plot(np.abs(peak[rows]) * MM, y[rows], mark, ms=4, label=label, **OPEN)
+
+
 def symmetric(largest: float, number: int = 1201) -> np.ndarray:
     """(number,) displacements from -largest to largest [m], closer together about zero."""
     s = np.linspace(-1.0, 1.0, number)
     return largest * s * np.abs(s)
 
 
-def overview_and_origin(width: float = 7.6) -> tuple[Figure, Axes, Axes]:
-    """A figure of two axes side by side: all displacements, and those about zero."""
-    figure = style.new_figure(width, 3.4)
+def overview_and_origin(figure: Figure) -> tuple[Axes, Axes]:
+    """Two axes side by side: all displacements, and those about zero."""
     left, right = figure.subplots(1, 2)
     for ax, title in ((left, "a) all displacements"), (right, "b) about upright")):
         ax.set_title(title, fontsize=9)
         ax.set_xlabel(r"displacement $\Delta$ [mm]")
-    return figure, left, right
+    return left, right
 
 
 # --- the rotation centre, the uplift and the tendon
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_17() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.6, 3.6)
+def figure_4_17(ax: Axes) -> None:
     """Distance of the rotation centre from the edge against the displacement: 4-7 and Table A-1.
 
     The distances of the table count from the uplift gauge, 30 mm outside the edge: at the peaks
@@ -85,7 +96,6 @@ def figure_4_17() -> Figure:
     measured = identification.FreeVibration.table_a1()
     d = symmetric(0.032)
     printed, edge = formulas.RotationCentre.thesis_gauge(), formulas.RotationCentre.thesis_edge()
-    figure, ax = style.new_axes(6.6, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     ax.plot(d * MM, printed.distance_from_edge(d) * MM, label="4-7 as printed: 412, 96 mm")
     ax.plot(d * MM, (edge.distance_from_edge(d) + GAUGE) * MM, "--", label="442, 66 mm, plus 30 mm")
@@ -100,17 +110,16 @@ def figure_4_17() -> Figure:
         xlabel=r"displacement $\Delta$ [mm]", ylabel="distance from the gauge [mm]", ylim=(0, 600)
     )
     ax.legend(loc="upper left", fontsize=7.5)
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_18() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.6, 3.4)
+def figure_4_18(figure: Figure) -> None:
     """Uplift of both edges of the base against the displacement: 4-9 and Table A-1.
 
     The curve of 4-9 continues to the pressed edge, whose uplift it makes -(B - b) sin(theta).
     """
     measured = identification.FreeVibration.table_a1()
-    figure, *axes = overview_and_origin()
+    axes = overview_and_origin(figure)
     b = WALL.half_width
     chosen = legible()
     for ax, far in zip(axes, (0.032, 0.005), strict=True):
@@ -130,7 +139,6 @@ def figure_4_18() -> Figure:
     axes[0].set_ylabel("uplift $u'$ [mm]")
     axes[0].legend(loc="upper center", fontsize=7.5)
     axes[1].set_xlim(-5, 5)
-    return figure
 
 
 def tilted_wall(ax: Axes, b: float, theta: float) -> dict[str, np.ndarray]:
@@ -155,14 +163,13 @@ def tilted_wall(ax: Axes, b: float, theta: float) -> dict[str, np.ndarray]:
     return points | {"centre": centre}
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_19() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.4, 4.2)
+def figure_4_19(figure: Figure) -> None:
     """Geometry of the extension of the tendon: the wall turned about O in its base.
 
     Drawn to scale, but turned much further than in any of the tests. The base is straight and the
     pressed edge enters the ground, as 4-1 has it.
     """
-    figure = style.new_figure(7.4, 4.2)
     whole, base = figure.subplots(1, 2, width_ratios=(1.0, 1.75))
     b, anchor = 0.32, np.array([0.0, -0.32])
     for ax, theta in ((whole, 0.16), (base, 0.26)):
@@ -193,7 +200,6 @@ def figure_4_19() -> Figure:
     fb.dimension(base, (0.0, -0.2), (b, -0.2), "$b$", offset=(0, -8))
     base.annotate("tendon", anchor, (9, -3), textcoords="offset points", color=fb.FORCE)
     base.set(xlim=(-0.85, 0.95), ylim=(-0.42, 0.95))
-    return figure
 
 
 class TendonOfTable(NamedTuple):
@@ -231,8 +237,8 @@ def tendon_line(d: np.ndarray, start: float, factor: float) -> np.ndarray:
     return start + factor * WALL.tendons[0].stiffness * WALL.tendon_extension(d)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_20() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.6, 3.4)
+def figure_4_20(figure: Figure) -> None:
     """Force of the tendon against the displacement: 4-16 and Table A-1.
 
     With the stiffness of appendix B, an unstressed length of 3093.5 mm; 4-16 adds the extension
@@ -241,7 +247,7 @@ def figure_4_20() -> Figure:
     """
     measured = TendonOfTable.fitted()
     edge = replace(WALL, rotation_centre=formulas.RotationCentre.thesis_edge())
-    figure, *axes = overview_and_origin()
+    axes = overview_and_origin(figure)
     for ax, far in zip(axes, (0.032, 0.005), strict=True):
         d = symmetric(far)
         line = tendon_line(d, **measured.fit.values)
@@ -253,14 +259,13 @@ def figure_4_20() -> Figure:
     axes[0].set(ylabel="tendon force $P$ [kN]", ylim=(70, 175))
     axes[0].legend(loc="upper center", fontsize=7.5)
     axes[1].set(xlim=(-5, 5), ylim=(74, 88))
-    return figure
 
 
 # --- quarter periods and conservative motion
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_24() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.0, 3.6)
+def figure_4_24(ax: Axes) -> None:
     """Quarter periods against the peak: 4-17, the fit 4-5, quadrature, and Table A-1.
 
     The thesis does not have the time of a conservative motion to upright, 4-24. It ends at D = 0,
@@ -268,7 +273,6 @@ def figure_4_24() -> Figure:
     """
     peak, time = quarters()
     d = np.linspace(1e-3, 0.032, 200)
-    figure, ax = style.new_axes(6.0, 3.6)
     ax.set_prop_cycle(color=style.LINES)
     heavier = replace(WALL, inertia=13215.0)
     printed = r"4-17, $I_o$ = 13 215 kg m$^2$ (B-9 as printed)"
@@ -278,12 +282,9 @@ def figure_4_24() -> Figure:
     ax.plot(d * MM, heavier.quarter_period_substitute_gravity(d), ":", label=printed)
     ax.plot(d * MM, quarter_period_fit(d), "--", label="4-5, fitted")
     ax.plot(d * MM, WALL.quarter_period_exact(d), "-.", label="4-24, no losses, to upright")
-    for side, mark, name in ((1, ">", "to the right"), (-1, "<", "to the left")):
-        rows = np.sign(peak) == side
-        ax.plot(
-            np.abs(peak[rows]) * MM, time[rows], mark, color=style.INK, ms=4, mfc="white", mew=0.9,
-            label=f"Table A-1, from peaks {name}",
-        )  # fmt: skip
+    draw_sides(
+        ax, peak, time, *(f"Table A-1, from peaks to the {side}" for side in ("right", "left"))
+    )
     ax.set(
         xlabel=r"peak displacement $|\Delta_0|$ [mm]",
         ylabel="quarter period [s]",
@@ -291,18 +292,16 @@ def figure_4_24() -> Figure:
         ylim=(0, 0.085),
     )
     ax.legend(loc="lower right", fontsize=7.5)
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_32() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.4, 4.0)
+def figure_4_32(ax: Axes) -> None:
     """Trajectories without losses from measured peaks, 4-23, and the measured zero crossings.
 
     Table A-1 has only both ends of the measured trajectories. Their distance from the
     curves at the zero crossing is the energy lost by then: about half of r.
     """
     measured = identification.FreeVibration.table_a1()
-    figure, ax = style.new_axes(6.4, 4.0)
     for color, row in zip(style.LINES, (0, 4, 8, 12, 16, 20), strict=True):
         for start, line in ((row, "-"), (row + 2, "--")):
             d0 = measured.displacement[start]
@@ -319,11 +318,10 @@ def figure_4_32() -> Figure:
     ax.axvline(0.0, color=style.INK, lw=0.6)
     ax.set(xlabel=r"displacement $\Delta$ [mm]", ylabel=r"velocity $\dot\Delta$ [m/s]")
     ax.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=7.5)
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_33() -> Figure:
+@thesis_axes(Source.COMPUTED, 6.4, 3.6)
+def figure_4_33(ax: Axes) -> None:
     """Displacement in time without losses, 4-24, from five measured peaks to upright.
 
     The thesis does not say which five; here the 1st, 5th, 9th, 13th and 17th peak of Table A-1,
@@ -331,7 +329,6 @@ def figure_4_33() -> Figure:
     ahead of the curve, which the 6 % more of F_k in 4.8.1 make up for in part.
     """
     measured = identification.FreeVibration.table_a1()
-    figure, ax = style.new_axes(6.4, 3.6)
     for color, start in zip(style.LINES, (0, 8, 16, 24, 32), strict=False):
         d0 = measured.displacement[start]
         d = np.abs(d0) * np.cos(np.linspace(0.1, np.pi / 2, 40))
@@ -351,11 +348,10 @@ def figure_4_33() -> Figure:
         ylim=(0, None),
     )
     ax.legend()
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_4_35() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.6, 3.4)
+def figure_4_35(figure: Figure) -> None:
     """Restoring force F_k of the wall against displacement, 4-30, and -M a at measured peaks.
 
     The force of 4-30 is the exact derivative of the energies, where the thesis has differences.
@@ -363,7 +359,7 @@ def figure_4_35() -> Figure:
     """
     measured = identification.FreeVibration.table_a1()
     rows = measured.at_peak & legible()
-    figure, left, right = overview_and_origin()
+    left, right = overview_and_origin(figure)
     stronger = analysis.Wall.thesis(111e3)
     for ax, far in ((left, 0.055), (right, 0.012)):
         d = symmetric(far)
@@ -373,10 +369,8 @@ def figure_4_35() -> Figure:
         ax.plot(d * MM, stronger.restoring_force(d) / 1e3, ":", label="4-30, 111 kN")
         near = rows & (np.abs(measured.displacement) < far)
         force = back_calculated_force(WALL.mass, measured.acceleration)
-        ax.plot(
-            measured.displacement[near] * MM, force[near] / 1e3, "o", color=style.INK, ms=3.6,
-            mfc="white", mew=0.9, label="measured, 75.6 kN",
-        )  # fmt: skip
+        at = measured.displacement[near] * MM
+        ax.plot(at, force[near] / 1e3, "o", ms=3.6, label="measured, 75.6 kN", **OPEN)
     d = np.linspace(2e-3, 0.012, 2001)
     force = WALL.restoring_force(d)
     top = int(force[: len(d) // 2].argmax())
@@ -398,4 +392,3 @@ def figure_4_35() -> Figure:
     )
     left.set_ylabel("restoring force $F_k$ [kN]")
     left.legend(loc="upper left", fontsize=7.5)
-    return figure

@@ -16,8 +16,8 @@ from rockeom.analysis import design
 from rockeom.plots import style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
-from rockeom.thesis.figures.chapter_5_rigid import MM, RUN_3, draw_decay, draw_shaken, released
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.chapter_5_rigid import draw_decay, draw_shaken, released
+from rockeom.thesis.figures.drawn import MM, Source, thesis_figure, thesis_panels
 
 MODEL_C = shaken.model_c()
 STILL = 0.1e-3
@@ -76,14 +76,13 @@ def figure_5_41() -> Figure:
     return draw_decay("Figure 5-6", ("Model C, r = 0.81", run), uplift=run)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_5_42() -> Figure:
+@thesis_panels(Source.COMPUTED, 6.6, 5.4)
+def figure_5_42(figure: Figure) -> None:
     """Displacement, rotation and deformation after the release with r = 0.74 and r = 0.81.
 
     As Figure 5-38; time counts from the release.
     """
     runs = {r: released(MODEL_C, r) for r in (0.74, 0.81)}
-    figure = style.new_figure(6.6, 5.4)
     axes = figure.subplots(3, 1, sharex=True)
     for (r, run), color in zip(runs.items(), style.LINES, strict=False):
         for ax, name in zip(axes, ("displacement", "theta", "u"), strict=True):
@@ -92,7 +91,6 @@ def figure_5_42() -> Figure:
         ax.set_ylabel(label)
     style.legend_above(axes[0])
     axes[-1].set(xlabel="time [s]", xlim=(0, 2.2))
-    return figure
 
 
 # --- shaken
@@ -109,10 +107,7 @@ def figure_5_43() -> Figure:
     Model C. The record and its scale are those of Figure 5-24.
     """
     run, rigid = shaken_column(), shaken.column_run("3", shaken.MODEL_A, 0.74)
-    figure = draw_shaken(
-        ("Model C", run), ("Model A", rigid), peak=float(RUN_3 or 0), uplift=run, end=4.5
-    )
-    return figure
+    return draw_shaken("3", ("Model C", run), ("Model A", rigid))
 
 
 @thesis_figure(Source.IN_KIND)
@@ -138,8 +133,8 @@ def beside(scale: float = 1.0, run: str = "3") -> design.Isolation:
 SCALES = (0.25, 0.5, 1.0, 2.0)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_5_45() -> Figure:
+@thesis_panels(Source.IN_KIND, 6.8, 6.2)
+def figure_5_45(figure: Figure) -> None:
     """Lateral force and displacement of the column in run 3, rocking and on a fixed base.
 
     Model C with r = 0.74, k = 571.8 kN/m, c = 502.4 N s/m, under the record of Figure 5-24. The
@@ -147,7 +142,6 @@ def figure_5_45() -> Figure:
     the column that rocks over those on the fixed base, against the scale of the record.
     """
     compared = beside()
-    figure = style.new_figure(6.8, 6.2)
     force, drift, ratio = figure.subplots(3, 1)
     for run, label, color in (
         (compared.fixed_run, "fixed base", style.LINES[1]),
@@ -169,7 +163,6 @@ def figure_5_45() -> Figure:
         xlabel="scale of the record [-]", ylabel="rocking over fixed base [-]", ylim=(0, None)
     )
     style.legend_above(ratio)
-    return figure
 
 
 def draw_range(ax: Axes, curves: dict[str, Response]) -> None:
@@ -203,30 +196,26 @@ def with_dampings() -> dict[str, Response]:
     }
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_5_46() -> Figure:
+@thesis_panels(Source.IN_KIND, 6.6, 4.6)
+def figure_5_46(figure: Figure) -> None:
     """Displacement of the column in run 3 with a range of r and of k.
 
     The values of the thesis are not legible; taken are r = 0.70, 0.74 and 0.78, and k 10 % below
     and above 571.8 kN/m, with c = 502.4 N s/m. The record is that of Figure 5-24.
     """
-    figure = style.new_figure(6.6, 4.6)
     top, below = figure.subplots(2, 1, sharex=True)
     draw_range(top, with_ratios())
     draw_range(below, with_stiffnesses())
     below.set_xlabel("time [s]")
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_5_47() -> Figure:
+@thesis_panels(Source.IN_KIND, 6.6, 3.2)
+def figure_5_47(figure: Figure) -> None:
     """Displacement of the column in run 3 with a range of c, k = 571.8 kN/m.
 
     The values of the thesis are not legible; taken are none, 3 % (502.4 N s/m) and 6 % of critical
     damping, with r = 0.74. The record is that of Figure 5-24.
     """
-    figure = style.new_figure(6.6, 3.2)
     ax = figure.subplots()
     draw_range(ax, with_dampings())
     ax.set_xlabel("time [s]")
-    return figure

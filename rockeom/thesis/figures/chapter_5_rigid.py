@@ -18,14 +18,15 @@ from rockeom.analysis import identification
 from rockeom.plots import free_body as fb, style
 from rockeom.simulation.response import Response
 from rockeom.thesis import shaken
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.drawn import MM, OPEN, Source, thesis_figure, thesis_panels
+from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import COLUMN, GAUGE, TABLES
 
-MM = 1e3
 WEIGHT = (COLUMN["mass"] + COLUMN["base_mass"]) * 9.81
 RATIOS = (0.74, 0.76, 0.78, 0.80, 0.82, 0.84)
 """Energy ratios of which Figure 5-32 seeks the best."""
-RUN_3, RUN_4 = (TABLES["5-1"].rows[i][2] for i in (2, 3))  # largest displacements [mm]
+END = {"3": 4.5, "4": 8.0}
+"""Until when runs of Table 5-1 are drawn [s]."""
 
 
 # --- releases
@@ -36,24 +37,14 @@ def released(structure: rk.Structure, r: float, duration: float = 4.0) -> Respon
     """Run 1 by a structure on rigid ground: let go at rest from the first peak of Figure 5-6."""
     start = float(TABLES["Figure 5-6"].rows[0][1] or 0.0) / MM
     theta = float(identification.rotation_from_displacement(start, *GAUGE))
-    return rk.simulate(
-        structure,
-        rk.GroundMotion.none(duration),
-        impact=rk.EnergyRatio(r),
-        initial={"theta": theta},
-    )
+    return let_go(structure, duration, rk.EnergyRatio(r), theta=theta)
 
 
 @cache
 def released_on_springs(foundation_stiffness: float, r: float = 0.74) -> Response:
     """Run 2 by the cart on two springs."""
     start = float(TABLES["Figure 5-10"].rows[0][1] or 0.0) / MM
-    return rk.simulate(
-        shaken.model_b(foundation_stiffness),
-        rk.GroundMotion.none(2.2),
-        impact=rk.EnergyRatio(r),
-        initial={"u": start},
-    )
+    return let_go(shaken.model_b(foundation_stiffness), 2.2, rk.EnergyRatio(r), u=start)
 
 
 def measured(number: str) -> tuple[np.ndarray, np.ndarray]:
@@ -107,10 +98,7 @@ def draw_decay(
         top.plot(
             run.t + shift(run, number), MM * run["displacement"], line, color=color, label=label
         )
-    top.plot(
-        *measured(number), "o", color=style.INK, mfc="white", ms=3.8, mew=0.9, zorder=5,
-        label=f"measured ({number})",
-    )  # fmt: skip
+    top.plot(*measured(number), "o", ms=3.8, zorder=5, label=f"measured ({number})", **OPEN)
     top.set_ylabel("displacement [mm]")
     style.legend_above(top)
     if uplift is not None:
@@ -170,8 +158,7 @@ def figure_5_22() -> Figure:
     """
     run = released(shaken.MODEL_A, 0.74)
     by_rate = released(shaken.MODEL_A, 0.74**2)
-    figure = draw_decay("Figure 5-6", ("r = 0.74", run), ("rate times 0.74", by_rate), uplift=run)
-    return figure
+    return draw_decay("Figure 5-6", ("r = 0.74", run), ("rate times 0.74", by_rate), uplift=run)
 
 
 @thesis_figure(Source.COMPUTED)
@@ -187,8 +174,9 @@ def figure_5_23() -> Figure:
 # --- shaken on steel feet
 
 
-def draw_shaken(*curves: tuple[str, Response], peak: float, uplift: Response, end: float) -> Figure:
-    """Displacements with the measured peak as a line, and the uplift of both feet."""
+def draw_shaken(number: str, *curves: tuple[str, Response]) -> Figure:
+    """Displacements in a run of Table 5-1, its measured peak, and the uplift of the first curve."""
+    peak = TABLES["5-1"].cell(number, "largest displacement")
     figure = style.new_figure(6.6, 4.6)
     top, below = figure.subplots(2, 1, sharex=True)
     for (label, run), color, line in zip(curves, style.LINES[0::3], ("-", "--"), strict=False):
@@ -198,8 +186,8 @@ def draw_shaken(*curves: tuple[str, Response], peak: float, uplift: Response, en
     top.plot([], [], ":", color=style.INK, lw=0.8, label="largest measured")
     top.set_ylabel("displacement [mm]")
     style.legend_above(top)
-    draw_uplifts(below, uplift)
-    below.set(xlabel="time [s]", xlim=(0, end))
+    draw_uplifts(below, curves[0][1])
+    below.set(xlabel="time [s]", xlim=(0, END[number]))
     return figure
 
 
@@ -236,7 +224,7 @@ def band(run: str, structure: rk.Structure, *ratios: float) -> np.ndarray:
 
 def run_3(r: float) -> Figure:
     run = shaken.column_run("3", shaken.MODEL_A, r)
-    return draw_shaken((f"Model A, r = {r:g}", run), peak=float(RUN_3 or 0), uplift=run, end=4.5)
+    return draw_shaken("3", (f"Model A, r = {r:g}", run))
 
 
 @thesis_figure(Source.IN_KIND)
@@ -261,13 +249,12 @@ def figure_5_25() -> Figure:
 # --- on two springs
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_5_28() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.4, 3.8)
+def figure_5_28(figure: Figure) -> None:
     """Forces on the column on two springs: both press, one is about to lift, one has lifted.
 
     Drawn to scale, but turned much further than the column of the tests, and on springs 0.2 m long.
     """
-    figure = style.new_figure(7.4, 3.8)
     half, height = COLUMN["half_width"], COLUMN["height"]
     for ax, theta, (left, right), title in zip(
         figure.subplots(1, 3), (0.05, 0.12, 0.28), ((0.35, 0.65), (0.0, 1.0), (0.0, 1.0)),
@@ -303,7 +290,6 @@ def figure_5_28() -> Figure:
         fb.line(ax, (axis[0][0], 0.2), (axis[0][0], 0.2 + height))
         fb.pivot(ax, pivot)
         ax.set(xlim=(-0.68, 0.75), ylim=(-0.42, 1.5))
-    return figure
 
 
 def approximation(k_f: float) -> dict[str, float]:
@@ -323,15 +309,14 @@ def approximation(k_f: float) -> dict[str, float]:
     }  # fmt: skip
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_5_29() -> Figure:
+@thesis_panels(Source.COMPUTED, 6.0, 3.5)
+def figure_5_29(figure: Figure) -> None:
     """Restoring force against displacement of a rigid structure on two springs: 5-25 and 5-33.
 
     The column has k_f = 550 kN/m. The thesis's closed form jumps at lift-off from P_crit to
     P_crit2; the exact characteristic does not, it is an artefact of the linearisation.
     """
     a = approximation(550e3)
-    figure = style.new_figure(6.0, 3.5)
     ax = figure.subplots()
     ax.plot([0, a["u_crit"] * MM], [0, a["P_crit"]], color=style.LINES[0], label="5-25")
     ax.plot(
@@ -355,7 +340,6 @@ def figure_5_29() -> Figure:
         ylim=(0, None),
     )
     style.legend_above(ax)
-    return figure
 
 
 def exact_pushover(k_f: float) -> tuple[np.ndarray, np.ndarray]:
@@ -374,8 +358,8 @@ def approximate_force(k_f: float, u: np.ndarray) -> np.ndarray:
     return np.where(u < a["u_crit"], a["P_crit"] * u / a["u_crit"], falling)
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_5_31() -> Figure:
+@thesis_panels(Source.COMPUTED, 7.2, 3.4)
+def figure_5_31(figure: Figure) -> None:
     """Restoring force of the column on two springs: exact pushover, 5-25 and 5-33.
 
     The exact one replaces the simulation with Working Model 2D: the rigid structure on two
@@ -383,7 +367,6 @@ def figure_5_31() -> Figure:
     550 kN/m.
     """
     u, force = exact_pushover(550e3)
-    figure = style.new_figure(7.2, 3.4)
     whole, start = figure.subplots(1, 2)
     for ax, far in ((whole, 300), (start, 10)):
         ax.plot(u * MM, force, color=style.LINES[0], lw=2.4, alpha=0.45, label="exact pushover")
@@ -392,7 +375,6 @@ def figure_5_31() -> Figure:
         ax.set(xlabel="displacement $u$ [mm]", xlim=(0, far), ylim=(0, None))
     whole.set_ylabel("restoring force $P$ [N]")
     style.legend_above(whole)
-    return figure
 
 
 @cache
@@ -412,13 +394,12 @@ def figure_5_32() -> Figure:
     """
     run = released_on_springs(550e3)
     best = min(RATIOS, key=lambda r: errors_on_rubber()[r])
-    figure = draw_decay(
+    return draw_decay(
         "Figure 5-10",
         ("r = 0.74", run),
         (f"r = {best:.2f}", released_on_springs(550e3, best)),
         uplift=run,
     )
-    return figure
 
 
 @thesis_figure(Source.COMPUTED)
@@ -428,8 +409,7 @@ def figure_5_33() -> Figure:
     As Figure 5-32, with r = 0.74.
     """
     runs = {k: released_on_springs(k * 1e3) for k in (550, 275, 825)}
-    figure = draw_decay("Figure 5-10", *((f"$k_f$ = {k} kN/m", run) for k, run in runs.items()))
-    return figure
+    return draw_decay("Figure 5-10", *((f"$k_f$ = {k} kN/m", run) for k, run in runs.items()))
 
 
 # --- shaken on rubber
@@ -447,9 +427,7 @@ def figure_5_34() -> Figure:
     component 164 would come near the displacement measured. Only that largest displacement of
     the measured trace is printed.
     """
-    run = run_4(shaken.model_b())
-    figure = draw_shaken(("Model B, 550 kN/m", run), peak=float(RUN_4 or 0), uplift=run, end=8.0)
-    return figure
+    return draw_shaken("4", ("Model B, 550 kN/m", run_4(shaken.model_b())))
 
 
 @thesis_figure(Source.IN_KIND)
@@ -459,10 +437,7 @@ def figure_5_35() -> Figure:
     As Figure 5-34.
     """
     run, soft = run_4(shaken.model_b(10e6)), run_4(shaken.model_b())
-    figure = draw_shaken(
-        ("Model B, 10 MN/m", run), ("550 kN/m", soft), peak=float(RUN_4 or 0), uplift=run, end=8.0
-    )
-    return figure
+    return draw_shaken("4", ("Model B, 10 MN/m", run), ("550 kN/m", soft))
 
 
 @thesis_figure(Source.IN_KIND)
@@ -472,7 +447,4 @@ def figure_5_36() -> Figure:
     As Figure 5-34.
     """
     run, cart = run_4(shaken.MODEL_A), run_4(shaken.model_b(10e6))
-    figure = draw_shaken(
-        ("Model A", run), ("Model B, 10 MN/m", cart), peak=float(RUN_4 or 0), uplift=run, end=8.0
-    )
-    return figure
+    return draw_shaken("4", ("Model A", run), ("Model B, 10 MN/m", cart))

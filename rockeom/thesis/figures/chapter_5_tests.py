@@ -14,10 +14,11 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.plots import style
-from rockeom.thesis.figures.drawn import Source, thesis_figure
+from rockeom.thesis.figures.chapter_3 import mark_quarters
+from rockeom.thesis.figures.drawn import MM, OPEN, Source, thesis_axes, thesis_figure, thesis_panels
+from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import COLUMN as COLUMN_VALUES, FIGURE_5_6, FIGURE_5_10, GAUGE
 
-MM = 1e3
 RIGID = rk.LumpedMassStructure(**COLUMN_VALUES)
 FLEXIBLE = rk.FlexibleStructure(**COLUMN_VALUES, stiffness=571.8e3, damping=502.4)
 ALPHA = float(np.arctan2(RIGID.half_width, RIGID.height))
@@ -44,10 +45,7 @@ def smooth_trace(run: int, n: int = 1200) -> tuple[np.ndarray, np.ndarray]:
 
 def mark_points(ax: Axes, run: int, label: str = "printed") -> None:
     time, displacement = points(run)
-    ax.plot(
-        time, displacement * MM, "o", color=style.INK, mfc="white", mew=0.9, ms=4, zorder=5,
-        label=label,
-    )  # fmt: skip
+    ax.plot(time, displacement * MM, "o", ms=4, zorder=5, label=label, **OPEN)
 
 
 @cache
@@ -62,14 +60,13 @@ def impacts() -> identification.Impacts:
 # --- run 1: steel feet
 
 
-@thesis_figure(Source.PRINTED)
-def figure_5_6() -> Figure:
+@thesis_axes(Source.PRINTED, 7.2, 3.2)
+def figure_5_6(ax: Axes) -> None:
     """Displacement of the column in run 1, released on steel feet: the sixteen printed points.
 
     Dashed: a curve through them that is level at the peaks, no measurement. The uplifts of the
     thesis's figure are not printed. Above each impact is its r, by 5-4 of the peaks on both sides.
     """
-    figure, ax = style.new_axes(7.2, 3.2)
     t, trace = smooth_trace(1)
     ax.plot(t, trace * MM, "--", lw=0.8, label="curve through the points")
     mark_points(ax, 1)
@@ -80,7 +77,6 @@ def figure_5_6() -> Figure:
         ax.axvline(time, 0.0, 0.93, color="0.85", lw=0.6, zorder=0)
     ax.set(ylim=(-30, 36), xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     style.legend_above(ax)
-    return figure
 
 
 def draw_quarters(run: int, peaks: np.ndarray, label: str) -> Figure:
@@ -98,11 +94,7 @@ def draw_quarters(run: int, peaks: np.ndarray, label: str) -> Figure:
     p = np.sqrt(-RIGID.accelerations({"theta": alpha / 2})["theta"] / np.sin(alpha / 2))
     figure, ax = style.new_axes(6.2, 3.6)
     ax.plot(own / ALPHA, formulas.exact_quarter_period(own, alpha, p), label=label)
-    for first, mark, name in ((0, "o", "from a peak"), (1, "s", "to a peak")):
-        ax.plot(
-            size[first::2] / ALPHA, quarters[first::2], mark, color=style.INK, mfc="white",
-            mew=0.9, ms=4, label=f"printed points, {name}",
-        )  # fmt: skip
+    mark_quarters(ax, size / ALPHA, quarters, "printed points")
     ax.set(
         xlabel=r"peak rotation $|\theta_0|/\alpha_e$ [-]",
         ylabel="quarter period [s]",
@@ -123,12 +115,11 @@ def figure_5_7() -> Figure:
     """
     _, displacement = points(1)
     rotation = identification.rotation_from_displacement(displacement, **MEASURED_AT)
-    figure = draw_quarters(1, rotation, "rigid column")
-    return figure
+    return draw_quarters(1, rotation, "rigid column")
 
 
-@thesis_figure(Source.PRINTED)
-def figure_5_9() -> Figure:
+@thesis_axes(Source.PRINTED, 6.0, 3.4)
+def figure_5_9(ax: Axes) -> None:
     """r of run 1 against the peak rotation before the impact, by 5-4 from the printed peaks.
 
     The figure of the thesis has the whole record, which continues to smaller rotations. Bars: what
@@ -136,7 +127,6 @@ def figure_5_9() -> Figure:
     """
     rocking = impacts()
     r, peak = rocking.energy_ratio, np.abs(rocking.peak_before) / ALPHA
-    figure, ax = style.new_axes(6.0, 3.4)
     for foot, mark in (("left", "<"), ("right", ">")):
         one = rocking.foot == foot
         ax.errorbar(
@@ -152,30 +142,27 @@ def figure_5_9() -> Figure:
         ylim=(0.7, 1.0),
     )
     ax.legend(loc="upper right")
-    return figure
 
 
 # --- run 2: soft rubber
 
 
-@thesis_figure(Source.PRINTED)
-def figure_5_10() -> Figure:
+@thesis_axes(Source.PRINTED, 7.2, 3.2)
+def figure_5_10(ax: Axes) -> None:
     """Displacement of the column in run 2, released on soft rubber: the sixteen printed points.
 
     Dashed: a curve through them that is level at the peaks, no measurement. The uplifts of the
     thesis's figure are not printed.
     """
-    figure, ax = style.new_axes(7.2, 3.2)
     t, trace = smooth_trace(2)
     ax.plot(t, trace * MM, "--", lw=0.8, label="curve through the points")
     mark_points(ax, 2)
     ax.set(xlabel="time [s]", ylabel=r"displacement $\Delta$ [mm]")
     style.legend_above(ax)
-    return figure
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_5_12() -> Figure:
+@thesis_axes(Source.IN_KIND, 7.2, 3.2)
+def figure_5_12(ax: Axes) -> None:
     """Place of the rotation centre in run 2 in time, by 5-5 of the displacement.
 
     The uplifts from which the thesis found it are not printed. Here it is 5-5 of the curve through
@@ -183,24 +170,21 @@ def figure_5_12() -> Figure:
     """
     t, trace = smooth_trace(2)
     centre = identification.rotation_centre(trace)
-    figure, ax = style.new_axes(7.2, 3.2)
     ax.plot(t, centre * MM, label="5-5 of the curve through the points")
     for edge, name in ((0, "left edge"), (600, "right edge")):
         ax.axhline(edge, color=style.INK, lw=0.8, ls="--")
         ax.annotate(name, (1.79, edge), (0, 3), textcoords="offset points", ha="right", fontsize=8)
     ax.set(xlabel="time [s]", ylabel="from the left edge $x$ [mm]", ylim=(-20, 640))
     style.legend_above(ax)
-    return figure
 
 
-@thesis_figure(Source.COMPUTED)
-def figure_5_13() -> Figure:
+@thesis_axes(Source.COMPUTED, 5.6, 3.4)
+def figure_5_13(ax: Axes) -> None:
     """Place of the rotation centre against the displacement in run 2: 5-5.
 
     The measured values, by direction of motion, are not printed.
     """
     d = np.linspace(-0.03, 0.03, 301)
-    figure, ax = style.new_axes(5.6, 3.4)
     ax.plot(d * MM, identification.rotation_centre(d) * MM, label="5-5")
     for edge in (0, 600):
         ax.axhline(edge, color=style.INK, lw=0.8, ls="--")
@@ -211,7 +195,6 @@ def figure_5_13() -> Figure:
         ylim=(-20, 620),
     )
     ax.legend(loc="upper left", bbox_to_anchor=(0.0, 0.9))
-    return figure
 
 
 @thesis_figure(Source.PRINTED)
@@ -226,8 +209,7 @@ def figure_5_14() -> Figure:
     rotation = identification.rotation_about_moving_centre(
         displacement, identification.rotation_centre(displacement), MEASURED_AT["height"]
     )
-    figure = draw_quarters(2, rotation, "rigid column on its feet")
-    return figure
+    return draw_quarters(2, rotation, "rigid column on its feet")
 
 
 def frequencies(mode: str) -> list[float]:
@@ -249,8 +231,8 @@ def frequencies(mode: str) -> list[float]:
     return sorted(float(np.sqrt(s) / (2 * np.pi)) for s in squares if s > 0)
 
 
-@thesis_figure(Source.IN_KIND)
-def figure_5_15() -> Figure:
+@thesis_panels(Source.IN_KIND, 7.2, 4.6)
+def figure_5_15(figure: Figure) -> None:
     """Horizontal acceleration of the column's mass after a release, and its spectrum; in kind.
 
     The measured trace, on rubber, is not printed. Here the flexible column is released on steel
@@ -259,13 +241,10 @@ def figure_5_15() -> Figure:
     one foot.
     """
     start = float(identification.rotation_from_displacement(0.02858, **MEASURED_AT))
-    run = rk.simulate(
-        FLEXIBLE, rk.GroundMotion.none(2.5), initial={"theta": start}, impact=rk.Impulsive()
-    )
+    run = let_go(FLEXIBLE, 2.5, rk.Impulsive(), theta=start)
     t = np.arange(2500) / 1000
     x = run.at(t, names=["displacement"])["displacement"]
     record = analysis.MeasuredRecord(t, {"x": x}, {"x": 0.0}).with_derivatives("x", 0.008)
-    figure = style.new_figure(7.2, 4.6)
     trace, spectrum = figure.subplots(2, 1)
     trace.plot(t, record["x_ddot"], lw=0.7, color=style.LINES[0])
     trace.set(xlabel="time [s]", ylabel=r"acceleration [m/s$^2$]")
@@ -292,11 +271,10 @@ def figure_5_15() -> Figure:
         ylabel="amplitude over its largest [-]",
     )
     spectrum.legend(loc="center right")
-    return figure
 
 
-@thesis_figure(Source.PRINTED)
-def figure_5_16() -> Figure:
+@thesis_axes(Source.PRINTED, 5.6, 3.4)
+def figure_5_16(ax: Axes) -> None:
     """Damping ratio of each cycle of run 2 against its peak, by 5-7.
 
     A cycle goes from a printed peak to the next but one, on the same side. The record of the
@@ -306,7 +284,6 @@ def figure_5_16() -> Figure:
     peaks = displacement[::2]
     ratio = formulas.damping_from_decrement(peaks[:-2], peaks[2:])
     size = np.abs(peaks[:-2])
-    figure, ax = style.new_axes(5.6, 3.4)
     for side, mark, name in ((1, ">", "to the right"), (-1, "<", "to the left")):
         one = np.sign(peaks[:-2]) == side
         ax.plot(size[one] * MM, ratio[one], mark, ms=5, label=f"peaks {name}")
@@ -320,4 +297,3 @@ def figure_5_16() -> Figure:
         ylim=(0, 0.12),
     )
     ax.legend(loc="lower left")
-    return figure

@@ -4,11 +4,19 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 from types import ModuleType
+from typing import Any
 
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rockeom.plots import style
 from rockeom.thesis.equation import place_of
+
+MM = 1e3
+"""Millimetres of a metre."""
+
+OPEN: dict[str, Any] = {"color": style.INK, "mfc": "white", "mew": 0.9}
+"""Look of measured points."""
 
 
 class Source(Enum):
@@ -51,13 +59,34 @@ class ThesisFigure:
 
 def thesis_figure(source: Source) -> Callable[[Callable[[], Figure]], ThesisFigure]:
     """Make a function `figure_2_16` the figure 2-16 in the style of all, with its docstring."""
+    return lambda draw: _entry(draw, source, draw)
 
-    def made(draw: Callable[[], Figure]) -> ThesisFigure:
-        number = draw.__name__.removeprefix("figure_").replace("_", "-")
-        text = (draw.__doc__ or "").strip()
-        return ThesisFigure(number, source, text, style.styled(draw))
 
-    return made
+def thesis_panels(
+    source: Source, width: float, height: float
+) -> Callable[[Callable[[Figure], None]], ThesisFigure]:
+    """The same of a function that draws into an empty figure of that size [in]."""
+    return lambda draw: _entry(draw, source, lambda: _filled(width, height, draw))
+
+
+def thesis_axes(
+    source: Source, width: float, height: float
+) -> Callable[[Callable[[Axes], None]], ThesisFigure]:
+    """The same of a function that draws into the only axes of such a figure."""
+    return lambda draw: _entry(
+        draw, source, lambda: _filled(width, height, lambda figure: draw(figure.add_subplot()))
+    )
+
+
+def _filled(width: float, height: float, draw: Callable[[Figure], None]) -> Figure:
+    figure = style.new_figure(width, height)
+    draw(figure)
+    return figure
+
+
+def _entry(named: Callable, source: Source, draw: Callable[[], Figure]) -> ThesisFigure:
+    number = named.__name__.removeprefix("figure_").replace("_", "-")
+    return ThesisFigure(number, source, (named.__doc__ or "").strip(), style.styled(draw))
 
 
 def figures_of(modules: tuple[ModuleType, ...]) -> dict[str, ThesisFigure]:

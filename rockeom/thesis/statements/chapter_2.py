@@ -10,25 +10,12 @@ from rockeom.analysis.sweeps import STANDS
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.thesis.catalogue import EQUATIONS
 from rockeom.thesis.figures import chapter_2 as forces, chapter_2_blocks as blocks
+from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import BLOCK, TABLE_2_1, TABLE_2_3, number
-from rockeom.thesis.statements.statement import (
-    Finding,
-    Register,
-    about,
-    at_least,
-    at_most,
-    between,
-    closed_form,
-    finding,
-    near,
-    printed,
-    ranging,
-    rounded,
-    simulation,
-)
+from rockeom.thesis.statements import statement as st
 from rockeom.thesis.tables import computed
 
-statement = Register()
+statement = st.Register()
 
 
 # --- 2.2 Housner's block
@@ -37,23 +24,23 @@ statement = Register()
 @statement(
     "2.2", "blocks with \N{GREEK SMALL LETTER ALPHA} less than 20\N{DEGREE SIGN}, Equation 2-2 can "
     "be approximated as",
-    at_most(0.1, why="approximated: 10 % of the quarter period"),
-    closed_form("quarter period of 2-2"), closed_form("quarter period of 2-3, which is 2-5"),
+    st.at_most(0.1, why="approximated: 10 % of the quarter period"),
+    st.closed_form("quarter period of 2-2"), st.closed_form("quarter period of 2-3, which is 2-5"),
 )  # fmt: skip
-def approximation_of_slender_blocks() -> Finding:
+def approximation_of_slender_blocks() -> st.Finding:
     alpha, ratio = np.radians(20.0), np.linspace(0.001, 0.99, 100)
     exact = formulas.exact_quarter_period(ratio * alpha, alpha, 1.0)
     error = np.abs(formulas.quarter_period(ratio, 1.0) / exact - 1)
-    return finding(error.max(), f"off by {100 * error.max():.1f} % at most for 20 degrees")
+    return st.finding(error.max(), f"off by {100 * error.max():.1f} % at most for 20 degrees")
 
 
 @statement(
     "2.2", "the vulnerability of a slender freestanding block to overturn is inversely "
     "proportional to the square root of its size",
-    rounded("-0.5", why="exponent of the size; half of the last digit"),
-    closed_form("Housner's spectral velocity that overturns"),
+    st.rounded("-0.5", why="exponent of the size; half of the last digit"),
+    st.closed_form("Housner's spectral velocity that overturns"),
 )  # fmt: skip
-def vulnerability_with_size() -> Finding:
+def vulnerability_with_size() -> st.Finding:
     size = np.array([1.0, 2.0, 4.0, 8.0])
     p = np.sqrt(3 * STANDARD_GRAVITY / (4 * size))
     exponent, *pushed = (
@@ -63,7 +50,7 @@ def vulnerability_with_size() -> Finding:
             *(formulas.overturning_constant(duration, 0.2, p) for duration in (0.05, 3.0)),
         )
     )
-    return finding(
+    return st.finding(
         exponent,
         f"{exponent:.2f} in an earthquake; a constant push of 0.05 s {pushed[0]:.2f}, of 3 s "
         f"{pushed[1]:.2f}, so that the size counts the less the longer the push",
@@ -73,13 +60,13 @@ def vulnerability_with_size() -> Finding:
 @statement(
     "2.2", "The block used in Aslam's experiment was 76.2 cm tall with a height to width ratio of "
     "5",
-    rounded("762", "5", why="76.2 cm and 5 to half of the last digit"),
-    printed("Table 2-1, row 5"),
+    st.rounded("762", "5", why="76.2 cm and 5 to half of the last digit"),
+    st.printed("Table 2-1, row 5"),
 )  # fmt: skip
-def block_of_aslam() -> Finding:
+def block_of_aslam() -> st.Finding:
     height, width, *_ = TABLE_2_1.rows[4]
     sizes = number(height), number(width)
-    return finding([sizes[0], sizes[0] / sizes[1]], f"{sizes[0]:g} mm x {sizes[1]:g} mm")
+    return st.finding([sizes[0], sizes[0] / sizes[1]], f"{sizes[0]:g} mm x {sizes[1]:g} mm")
 
 
 # --- 2.2 restitution
@@ -93,26 +80,26 @@ def _errors_of_2_6() -> tuple[np.ndarray, np.ndarray]:
 
 @statement(
     "2.2", "experimental r values in general exceed those predicted by Equation 2-6",
-    at_least(5, "rows of 8", why="in general: more than half"),
-    closed_form("2-6"), printed("Table 2-1, experimental r"),
+    st.at_least(5, "rows of 8", why="in general: more than half"),
+    st.closed_form("2-6"), st.printed("Table 2-1, experimental r"),
     figure="2-2",
 )  # fmt: skip
-def measured_ratios_above_2_6() -> Finding:
+def measured_ratios_above_2_6() -> st.Finding:
     _, error = _errors_of_2_6()
     above = int((error > 0).sum())
-    return finding(above, f"{above} of {len(error)} rows")
+    return st.finding(above, f"{above} of {len(error)} rows")
 
 
 @statement(
     "2.2", "the inconsistencies diminish as the slenderness of the block is increased",
-    at_most(1.0, why="mean error of slender blocks over that of squat ones"),
-    closed_form("2-6"), printed("Table 2-1, experimental r"),
+    st.at_most(1.0, why="mean error of slender blocks over that of squat ones"),
+    st.closed_form("2-6"), st.printed("Table 2-1, experimental r"),
     figure="2-2",
 )  # fmt: skip
-def errors_of_slender_blocks() -> Finding:
+def errors_of_slender_blocks() -> st.Finding:
     ratio, error = _errors_of_2_6()
     squat, slim = (float(np.abs(error[of]).mean()) for of in (ratio <= 4, ratio > 4))
-    return finding(slim / squat, f"mean error {squat:.3f} up to H/B = 4, {slim:.3f} beyond")
+    return st.finding(slim / squat, f"mean error {squat:.3f} up to H/B = 4, {slim:.3f} beyond")
 
 
 # --- 2.4 flexible structures and foundations
@@ -120,65 +107,63 @@ def errors_of_slender_blocks() -> Finding:
 
 @statement(
     "2.4.1", "an effective damping ratio close to 0.5",
-    about(0.5, why="close to"),
-    closed_form("2-8b"),
+    st.about(0.5, why="close to"),
+    st.closed_form("2-8b"),
 )  # fmt: skip
-def damping_of_the_uplifted_column() -> Finding:
+def damping_of_the_uplifted_column() -> st.Finding:
     ratio = float(formulas.uplifted_damping(0.05, 1.0, 10.0))
     half = float(formulas.uplifted_damping(0.05, 0.5, 10.0))
-    return finding(
+    return st.finding(
         ratio, f"{ratio:.3f} for 0.05 and H/B = 10; {half:.2f} where B is the whole width, not half"
     )
 
 
 @statement(
     "2.4.1, Figure 2-6", "f = 8.9 Hz",
-    rounded("8.9", unit="Hz"),
-    closed_form("omega/(2 pi)"), printed("Figure 2-6, omega = 56.10 rad/s"),
+    st.rounded("8.9", unit="Hz"),
+    st.closed_form("omega/(2 pi)"), st.printed("Figure 2-6, omega = 56.10 rad/s"),
     figure="2-6",
 )  # fmt: skip
-def frequency_of_figure_2_6() -> Finding:
+def frequency_of_figure_2_6() -> st.Finding:
     frequency = forces.OMEGA_OF_2_6 / (2 * math.pi)
-    return finding(frequency, f"{frequency:.2f} Hz")
+    return st.finding(frequency, f"{frequency:.2f} Hz")
 
 
 @statement(
     "2.4.1", "The long period motion tends to alternate between the \N{PLUS-MINUS SIGN}u_c",
-    near(1.0, 0.1, "u_c", why="10 % of the critical deformation"),
-    simulation("2-7 released as under Figure 2-6"),
+    st.near(1.0, 0.1, "u_c", why="10 % of the critical deformation"),
+    st.simulation("2-7 released as under Figure 2-6"),
     figure="2-6",
     lost="the deformation at the release and the meaning of theta_crit are not stated",
 )  # fmt: skip
-def mean_deformation_while_uplifted() -> Finding:
+def mean_deformation_while_uplifted() -> st.Finding:
     omega, height, half_width = forces.OMEGA_OF_2_6, 1.0, 0.3
     u_c = float(formulas.uplift.uplift_displacement(omega, half_width, height))
     structure = rk.UpliftingOscillator.from_frequency(
         angular_frequency=omega, damping_ratio=0.03, height=height, half_width=half_width
     )
-    run = rk.simulate(
-        structure, rk.GroundMotion.none(2.0), impact=rk.Impulsive(),
-        initial={"theta": 0.05 * math.atan(half_width / height), "u": u_c},
-    )  # fmt: skip
+    start = 0.05 * math.atan(half_width / height)
+    run = let_go(structure, 2.0, rk.Impulsive(), theta=start, u=u_c)
     first = run.impacts[0].time
     t = np.linspace(0.0, first, 2001)
     mean = float(abs(np.mean(run.at(t)["u"]))) / u_c
-    return finding(mean, f"{mean:.2f} u_c on average until the first impact")
+    return st.finding(mean, f"{mean:.2f} u_c on average until the first impact")
 
 
 @statement(
     "2.4.2", "the lengthening of fundamental period (T_l) of the rocking system is a function of "
     "the uplift",
-    at_least(1.1, why="lengthening: 10 % or more of the secant period, at three times the rotation "
-             "of the uplift"),
-    closed_form("moment of two springs, Figure 2-8"),
+    st.at_least(1.1, why="lengthening: 10 % or more of the secant period, at three times the "
+                "rotation of the uplift"),
+    st.closed_form("moment of two springs, Figure 2-8"),
 )  # fmt: skip
-def lengthening_of_the_period() -> Finding:
+def lengthening_of_the_period() -> st.Finding:
     lifts = float(formulas.foundation.two_spring_uplift_rotation(1.0, 0.5, 1.0))
     rotations = lifts * np.array([1.0, 2.0, 3.0])
     moment = formulas.foundation.two_spring_moment(rotations, 1.0, 0.5, 1.0)
     periods = np.sqrt(rotations / moment)
     longer = periods / periods[0]
-    return finding(
+    return st.finding(
         float(longer[-1]),
         f"the secant period is {longer[1]:.2f} and {longer[2]:.2f} times that before at twice and "
         "three times the rotation at which a spring is free",
@@ -187,13 +172,13 @@ def lengthening_of_the_period() -> Finding:
 
 @statement(
     "2.4.2", "the mode shapes and ratio of natural vibration modes do not change",
-    near(1.0, 0.1, why="do not change: 10 % of T_1/T_2, in any frame"),
-    closed_form("periods of shear frames on two springs"),
+    st.near(1.0, 0.1, why="do not change: 10 % of T_1/T_2, in any frame"),
+    st.closed_form("periods of shear frames on two springs"),
 )  # fmt: skip
-def ratio_of_periods_with_uplift() -> Finding:
+def ratio_of_periods_with_uplift() -> st.Finding:
     first, second = _lengthening_of_frames()
     ratio = first / second
-    return finding(
+    return st.finding(
         ratio.max(),
         f"T_1/T_2 of {_FRAMES} grows by a factor of {ratio.min():.2f} to {ratio.max():.2f}, as the "
         "third finding of the same list has it: T_1 changes and T_2 does not",
@@ -202,12 +187,12 @@ def ratio_of_periods_with_uplift() -> Finding:
 
 @statement(
     "2.4.2", "the second and higher modes are typically not affected at all",
-    near(1.0, 0.02, why="not at all: 2 % of T_2, in every frame"),
-    closed_form("periods of shear frames on two springs"),
+    st.near(1.0, 0.02, why="not at all: 2 % of T_2, in every frame"),
+    st.closed_form("periods of shear frames on two springs"),
 )  # fmt: skip
-def second_period_with_uplift() -> Finding:
+def second_period_with_uplift() -> st.Finding:
     first, second = _lengthening_of_frames()
-    return ranging(
+    return st.ranging(
         second,
         f"{_FRAMES}: T_1 grows by a factor of {first.min():.2f} to {first.max():.2f}, T_2 of "
         f"{second.min():.3f} to {second.max():.3f}",
@@ -248,27 +233,29 @@ def _periods_of_frame(storeys: int, ground: float) -> np.ndarray:
 
 @statement(
     "Table 2-2", "k_f = K_z B_f and c_f = C_z B_f of a rectangular mat",
-    near(1.0, 0.0, "B_f K_z", why="as printed, for a half-width of 1 m"),
-    closed_form("two springs that share K_z"),
+    st.near(1.0, 0.0, "B_f K_z", why="as printed, for a half-width of 1 m"),
+    st.closed_form("two springs that share K_z"),
     slip=True,
 )  # fmt: skip
-def stiffness_of_a_rectangular_mat() -> Finding:
+def stiffness_of_a_rectangular_mat() -> st.Finding:
     mat = formulas.rectangular_mat(1.0, 1.0, 2.18, 20e6, 1 / 3, 1800.0)
     ratio = float(mat.stiffness / mat.vertical_stiffness)
-    return finding(ratio, f"k_f = {ratio:g} K_z: two springs share it, and K_z B_f is no stiffness")
+    return st.finding(
+        ratio, f"k_f = {ratio:g} K_z: two springs share it, and K_z B_f is no stiffness"
+    )
 
 
 @statement(
     "2.4.2, circular mat", "stiffness and damping values to match the vertical and rotational "
     "equations of motion",
-    near(1.0, 1e-9, why="rotational stiffness of two springs over that of the half-space"),
-    closed_form("Table 2-2"), closed_form("8 G R**3/(3 (1 - nu)) of a circular mat"),
+    st.near(1.0, 1e-9, why="rotational stiffness of two springs over that of the half-space"),
+    st.closed_form("Table 2-2"), st.closed_form("8 G R**3/(3 (1 - nu)) of a circular mat"),
 )  # fmt: skip
-def rotational_stiffness_of_a_circular_mat() -> Finding:
+def rotational_stiffness_of_a_circular_mat() -> st.Finding:
     radius, modulus, poisson = 1.0, 20e6, 1 / 3
     springs = formulas.circular_mat(radius, modulus, poisson, 1800.0)
     ratio = float(springs.rotational_stiffness / (8 * modulus * radius**3 / (3 * (1 - poisson))))
-    return finding(ratio, f"{ratio:.3f} of that of the half-space")
+    return st.finding(ratio, f"{ratio:.3f} of that of the half-space")
 
 
 _SIDES = np.array([0.25, 0.5, 1.0, 2.0, 4.0])
@@ -278,14 +265,14 @@ _SIDES = np.array([0.25, 0.5, 1.0, 2.0, 4.0])
 @statement(
     "2.4.2, rectangular mat", "stiffness and damping values to match the vertical and rotational "
     "equations of motion",
-    near(1.0, 0.1, why="match: 10 %; rotational stiffness of two springs over the half-space's"),
-    closed_form("Table 2-2, springs at 1/sqrt(3) of the half-width that share K_z"),
-    closed_form("footing on a half-space by Pais and Kausel (1988)"),
+    st.near(1.0, 0.1, why="match: 10 %; rotational stiffness of two springs over the half-space's"),
+    st.closed_form("Table 2-2, springs at 1/sqrt(3) of the half-width that share K_z"),
+    st.closed_form("footing on a half-space by Pais and Kausel (1988)"),
 )  # fmt: skip
-def rotational_stiffness_of_a_rectangular_mat() -> Finding:
+def rotational_stiffness_of_a_rectangular_mat() -> st.Finding:
     mat = formulas.rectangular_footing(1.0, _SIDES, 20e6, 1 / 3)
     ratio = mat.vertical / 3 / mat.rotational
-    return ranging(
+    return st.ranging(
         ratio,
         f"{ratio.min():.2f} to {ratio.max():.2f} of that of the half-space for sides of 1:4 to "
         "4:1: it is that of a Winkler bed with the same K_z",
@@ -295,14 +282,15 @@ def rotational_stiffness_of_a_rectangular_mat() -> Finding:
 @statement(
     "2.4.3", "it is impossible to select a single Winkler spring stiffness value, k_w, to model "
     "exactly the vertical and rotational stiffness simultaneously",
-    at_least(1.1, why="the two stiffnesses ask for k_w that differ by 10 % or more"),
-    closed_form("a Winkler bed"), closed_form("footing on a half-space by Pais and Kausel (1988)"),
+    st.at_least(1.1, why="the two stiffnesses ask for k_w that differ by 10 % or more"),
+    st.closed_form("a Winkler bed"),
+    st.closed_form("footing on a half-space by Pais and Kausel (1988)"),
 )  # fmt: skip
-def winkler_stiffness_of_both_motions() -> Finding:
+def winkler_stiffness_of_both_motions() -> st.Finding:
     mat = formulas.rectangular_footing(1.0, _SIDES, 20e6, 1 / 3)
     by_rotation = formulas.winkler_stiffness_from_rotation(mat.rotational, 1.0)
     ratio = by_rotation / formulas.winkler_stiffness(mat.vertical, 1.0)
-    return ranging(
+    return st.ranging(
         ratio,
         f"the rotation asks for {ratio.min():.1f} to {ratio.max():.1f} times the k_w of the "
         "settlement, for sides of 1:4 to 4:1",
@@ -314,23 +302,23 @@ def winkler_stiffness_of_both_motions() -> Finding:
 
 @statement(
     "2.5.1", "in the long term, the block will come to rest",
-    at_most(120.0, "p t", why="within the time simulated"),
-    simulation("2-14 with r = 0.9"),
+    st.at_most(120.0, "p t", why="within the time simulated"),
+    st.simulation("2-14 with r = 0.9"),
     figure="2-10",
 )  # fmt: skip
-def time_of_rest() -> Finding:
+def time_of_rest() -> st.Finding:
     run = blocks.released_inside_balance()
     rest = run.events.rest_time
-    return finding(math.inf if rest is None else rest, f"{run.outcome} after p t = {rest:.1f}")
+    return st.finding(math.inf if rest is None else rest, f"{run.outcome} after p t = {rest:.1f}")
 
 
 @statement(
     "Figure 2-11", "symmetric and asymmetric steady state orbits",
-    at_least(1.0, why="stable orbits of each kind"),
-    simulation("2-13 under harmonic shaking"),
+    st.at_least(1.0, why="stable orbits of each kind"),
+    st.simulation("2-13 under harmonic shaking"),
     figure="2-11", lost="the amplitudes and frequencies of the orbits are not stated",
 )  # fmt: skip
-def steady_orbits_of_both_kinds() -> Finding:
+def steady_orbits_of_both_kinds() -> st.Finding:
     lasting = [
         (beta, blocks.branches(doublings=1)[i].at(beta)) for i, beta in enumerate((2.0, 2.8, 3.15))
     ]
@@ -340,34 +328,35 @@ def steady_orbits_of_both_kinds() -> Finding:
         f"{abs(one.multipliers[0]):.3f}"
         for beta, one in lasting
     )
-    return finding(min(kinds.count(True), kinds.count(False)), said)
+    return st.finding(min(kinds.count(True), kinds.count(False)), said)
 
 
 @statement(
     "2.5.1", "Two dots ... (1,1) orbit ... while 4 and 8 dots corresponds with the period 2 and 4 "
     "cycles",
-    at_least(1, "values of beta", why="each number of dots occurs"),
-    simulation("2-13 with the values of Figure 2-12, r of speeds"),
+    st.at_least(1, "values of beta", why="each number of dots occurs"),
+    st.simulation("2-13 with the values of Figure 2-12, r of speeds"),
     figure="2-12",
 )  # fmt: skip
-def dots_of_the_bifurcation_diagram() -> Finding:
+def dots_of_the_bifurcation_diagram() -> st.Finding:
     counts = blocks.settled_counts()
     at = {n: blocks.AMPLITUDES[counts == n] for n in (2, 4, 8)}
     said = "; ".join(f"{n} dots from {b.min():.3f} to {b.max():.3f}" for n, b in at.items())
-    return finding(min(map(len, at.values())), said)
+    return st.finding(min(map(len, at.values())), said)
 
 
 @statement(
     "2.5.1", "doubling in period occurs with increasing frequency until at a distinct point",
-    between(4.0, 5.5, why="the ratio of successive intervals nears 4.669 where doublings pile up"),
-    simulation("2-13 with the values of Figure 2-12, r of speeds"),
+    st.between(4.0, 5.5,
+               why="the ratio of successive intervals nears 4.669 where doublings pile up"),
+    st.simulation("2-13 with the values of Figure 2-12, r of speeds"),
     figure="2-12",
 )  # fmt: skip
-def cascade_of_doublings() -> Finding:
+def cascade_of_doublings() -> st.Finding:
     breaks, *values = blocks.cascade().values
     limits = blocks.cascade().accumulations
     ratio = float(blocks.cascade().ratios[-1])
-    return finding(
+    return st.finding(
         ratio,
         f"the last ratio of intervals is {ratio:.3f}; the symmetry breaks at {breaks:.8f}, the "
         f"period doubles at {', '.join(f'{value:.8f}' for value in values)}, and the doublings "
@@ -377,17 +366,17 @@ def cascade_of_doublings() -> Finding:
 
 @statement(
     "2.5.1, Figure 2-12", "r = 0.5",
-    at_least(1, "doublings", why="with r the ratio of energies of 2-4"),
-    simulation("2-13 with r = 0.5 as the ratio of energies"),
+    st.at_least(1, "doublings", why="with r the ratio of energies of 2-4"),
+    st.simulation("2-13 with r = 0.5 as the ratio of energies"),
     figure="2-12", slip=True,
 )  # fmt: skip
-def doublings_with_the_ratio_of_energies() -> Finding:
+def doublings_with_the_ratio_of_energies() -> st.Finding:
     symmetric, asymmetric = blocks.branches_by_energy()
     flips = [one for one in asymmetric.bifurcations if one.value > blocks.AMPLITUDES[0]]
     counts = [
         blocks.distinct(np.abs(blocks.upright_speeds(blocks.driven(b)))) for b in (3.0, 3.18, 3.22)
     ]
-    return finding(
+    return st.finding(
         len(flips),
         f"none from 3 to 3.26: the symmetry breaks at {symmetric.bifurcations[0].value:.8f}, and "
         f"the orbit behind lasts; with 0.5 as the ratio of velocities the doublings come out, "
@@ -397,13 +386,13 @@ def doublings_with_the_ratio_of_energies() -> Finding:
 
 @statement(
     "2.5.1", "in the smeared bands for \N{GREEK SMALL LETTER BETA} > 3.34",
-    at_most(blocks.AMPLITUDES[-1], why="within Figure 2-12, which ends at 3.26"),
-    printed("Figure 2-12, beta from 3 to 3.26"),
+    st.at_most(blocks.AMPLITUDES[-1], why="within Figure 2-12, which ends at 3.26"),
+    st.printed("Figure 2-12, beta from 3 to 3.26"),
     slip=True,
 )  # fmt: skip
-def smeared_bands() -> Finding:
+def smeared_bands() -> st.Finding:
     smeared = blocks.AMPLITUDES[blocks.settled_counts() > 16]
-    return finding(
+    return st.finding(
         3.34, f"smeared from {smeared.min():.3f} on: 3.234 may be meant; the doublings end there"
     )
 
@@ -413,54 +402,54 @@ def smeared_bands() -> Finding:
 
 @statement(
     "2.5.1", "a pulse with a peak acceleration of 0.172 g results in overturning",
-    near(1.0, 0.0, "overturned", why="it overturns"),
-    simulation("2-9 with the values of Figure 2-13"),
+    st.near(1.0, 0.0, "overturned", why="it overturns"),
+    st.simulation("2-9 with the values of Figure 2-13"),
     figure="2-13",
 )  # fmt: skip
-def weak_pulse_overturns() -> Finding:
+def weak_pulse_overturns() -> st.Finding:
     weak = blocks.pulsed(8.0, 0.172, 2.192, 0.954)
     at = blocks.fates_of_2_13()["amplitude"].values
-    return finding(
+    return st.finding(
         weak.outcome == "overturned", f"{weak.outcome}; pulses do so from {at[0]:.6f} g on"
     )
 
 
 @statement(
     "2.5.1", "while a pulse of 0.454 g does not",
-    near(1.0, 0.0, "survived", why="it does not overturn"),
-    simulation("2-9 with the values of Figure 2-13"),
+    st.near(1.0, 0.0, "survived", why="it does not overturn"),
+    st.simulation("2-9 with the values of Figure 2-13"),
     figure="2-13",
 )  # fmt: skip
-def strong_pulse_does_not_overturn() -> Finding:
+def strong_pulse_does_not_overturn() -> st.Finding:
     strong = blocks.pulsed(8.0, 0.454, 2.192, 0.954)
     reached = abs(strong.extremes("theta").peak) / strong.structure.alpha  # type: ignore[attr-defined]
-    return finding(strong.outcome in STANDS, f"{strong.outcome}, at most {reached:.2f} alpha")
+    return st.finding(strong.outcome in STANDS, f"{strong.outcome}, at most {reached:.2f} alpha")
 
 
 @statement(
     "2.5.1", "increasing peak ground acceleration may not necessarily lead to increased risk of "
     "overturning",
-    at_least(1, "safe ranges", why="above a peak that overturns"),
-    simulation("2-9 with the values of Figure 2-13"),
+    st.at_least(1, "safe ranges", why="above a peak that overturns"),
+    st.simulation("2-9 with the values of Figure 2-13"),
     figure="2-13",
 )  # fmt: skip
-def safe_peaks_above_overturning() -> Finding:
+def safe_peaks_above_overturning() -> st.Finding:
     changes = blocks.fates_of_2_13()
     fates = [
         f"{blocks.fate(f)} from {a:.6f} g"
         for a, f in zip(changes["amplitude"].values, changes["above"].values, strict=True)
     ]
-    return finding(int(np.isinf(changes["above"]).sum()), "; ".join(fates))
+    return st.finding(int(np.isinf(changes["above"]).sum()), "; ".join(fates))
 
 
 @statement(
     "2.5.1", "a small change in aspect ratio of a block can lead to very different time-history "
     "response",
-    at_least(1, "of two pairs", why="one block of a pair overturns, the other does not"),
-    simulation("2-9 with half-widths of 1 m"),
+    st.at_least(1, "of two pairs", why="one block of a pair overturns, the other does not"),
+    st.simulation("2-9 with half-widths of 1 m"),
     figure="2-14", lost="the size of the blocks is not stated",
 )  # fmt: skip
-def fates_of_similar_blocks() -> Finding:
+def fates_of_similar_blocks() -> st.Finding:
     ratios = blocks.RATIOS_OF_2_14
     fell = [blocks.pulsed(x, 0.3, 2.0, None).outcome == "overturned" for x in ratios]
     at = blocks.changes_of_fate(
@@ -469,7 +458,7 @@ def fates_of_similar_blocks() -> Finding:
     said = ", ".join(
         f"{x:g} {'overturns' if f else 'stands'}" for x, f in zip(ratios, fell, strict=True)
     )
-    return finding(
+    return st.finding(
         (fell[0] != fell[1]) + (fell[2] != fell[3]),
         f"with half-widths of 1 m {said}; the fate changes at {', '.join(f'{x:.6f}' for x in at)}",
     )
@@ -477,38 +466,38 @@ def fates_of_similar_blocks() -> Finding:
 
 @statement(
     "2.5.1", "differing only by 0.5% in aspect ratio",
-    rounded("0.5", "0.5", unit="%"),
-    printed("2.5.1, ratios 3.8, 3.82, 4.26 and 4.28"),
+    st.rounded("0.5", "0.5", unit="%"),
+    st.printed("2.5.1, ratios 3.8, 3.82, 4.26 and 4.28"),
 )  # fmt: skip
-def differences_of_aspect_ratio() -> Finding:
+def differences_of_aspect_ratio() -> st.Finding:
     pairs = np.reshape(blocks.RATIOS_OF_2_14, (2, 2))
     difference = 100 * (pairs[:, 1] / pairs[:, 0] - 1)
-    return finding(difference, f"{difference[0]:.2f} and {difference[1]:.2f} %")
+    return st.finding(difference, f"{difference[0]:.2f} and {difference[1]:.2f} %")
 
 
 @statement(
     "Figure 2-13", "r = 0.954",
-    rounded("0.954"),
-    closed_form("2-6 of a block of 1:8"),
+    st.rounded("0.954"),
+    st.closed_form("2-6 of a block of 1:8"),
     figure="2-13",
 )  # fmt: skip
-def energy_ratio_of_figure_2_13() -> Finding:
+def energy_ratio_of_figure_2_13() -> st.Finding:
     alpha = math.atan(1 / 8)
     r = float(formulas.energy_ratio_of_block(alpha))
-    return finding(r, f"{r:.4f}, with alpha = {math.degrees(alpha):.3f} degrees")
+    return st.finding(r, f"{r:.4f}, with alpha = {math.degrees(alpha):.3f} degrees")
 
 
 @statement(
     "2.5.1, Figure 2-13", "a 1 m wide by 8 m high rigid block",
-    near(1.0, 0.0, "survived", why="0.454 g does not overturn it"),
-    simulation("2-9 with half-sizes of 0.5 and 4 m"),
+    st.near(1.0, 0.0, "survived", why="0.454 g does not overturn it"),
+    st.simulation("2-9 with half-sizes of 0.5 and 4 m"),
     figure="2-13", slip=True,
 )  # fmt: skip
-def size_of_the_block_of_2_13() -> Finding:
+def size_of_the_block_of_2_13() -> st.Finding:
     block = rk.RigidBlock(half_width=0.5, half_height=4.0)
     pulse = rk.GroundMotion.single_sine(0.454 * STANDARD_GRAVITY, 2.192, duration=20.0)
     run = rk.simulate(block, pulse, impact=rk.EnergyRatio(0.954))
-    return finding(
+    return st.finding(
         run.outcome in STANDS,
         f"{run.outcome} without an impact; half-sizes of 1 and 8 m stand, and the pulse of 2.192 s "
         "is 2 pi/(3 p) of these",
@@ -518,14 +507,14 @@ def size_of_the_block_of_2_13() -> Finding:
 @statement(
     "2.5.1", "the spectral acceleration, S_a , at the fundamental non rocking period is greater "
     "than",
-    near(1.0, 0.0, "tan(alpha)", why="as printed"),
-    closed_form("uplift of a rigid block, g tan(alpha)"),
+    st.near(1.0, 0.0, "tan(alpha)", why="as printed"),
+    st.closed_form("uplift of a rigid block, g tan(alpha)"),
     lost="the unit of S_a is not stated: it is right with S_a in g, and off by 9.81 in m/s2",
 )  # fmt: skip
-def acceleration_of_uplift() -> Finding:
+def acceleration_of_uplift() -> st.Finding:
     width, height = BLOCK["half_width"], BLOCK["half_height"]
     uplift = float(formulas.uplift_acceleration(width, height))
-    return finding(
+    return st.finding(
         uplift / STANDARD_GRAVITY / (width / height),
         f"the block of chapter 3 lifts at {uplift:.2f} m/s2 = {uplift / STANDARD_GRAVITY:.3f} g",
     )
@@ -533,24 +522,24 @@ def acceleration_of_uplift() -> Finding:
 
 @statement(
     "2.5.1", "The FEMA 365 procedure",
-    near(365, 0.0, why="the number of the document"),
-    printed("2.5.1, FEMA 356 (2000)"),
+    st.near(365, 0.0, why="the number of the document"),
+    st.printed("2.5.1, FEMA 356 (2000)"),
     slip=True,
 )  # fmt: skip
-def number_of_the_fema_document() -> Finding:
-    return finding(356, "FEMA 356, as elsewhere in the text")
+def number_of_the_fema_document() -> st.Finding:
+    return st.finding(356, "FEMA 356, as elsewhere in the text")
 
 
 @statement(
     "2.5.1", "converted into a peak rotation following Equation 2-16",
-    near(1.0, 0.0, why="2-16 has a displacement in it"),
-    printed("2-16"),
+    st.near(1.0, 0.0, why="2-16 has a displacement in it"),
+    st.printed("2-16"),
     slip=True,
 )  # fmt: skip
-def equation_of_the_peak_rotation() -> Finding:
+def equation_of_the_peak_rotation() -> st.Finding:
     of = EQUATIONS["2-16"]
     names = {symbol.name for symbol in of.symbols}
-    return finding(
+    return st.finding(
         any("delta" in name.lower() for name in names),
         f"2-16 is the {of.meaning}; a rotation is the displacement over R cos(alpha)",
     )
@@ -558,15 +547,15 @@ def equation_of_the_peak_rotation() -> Finding:
 
 @statement(
     "2.5.1", "the FEMA damping value in Equation 2-15 is up to 10% less",
-    at_most(10.0, "%", why="the printed number"),
-    closed_form("2-15 and 2-16 for r from 0.49 to 1"),
+    st.at_most(10.0, "%", why="the printed number"),
+    st.closed_form("2-15 and 2-16 for r from 0.49 to 1"),
     slip=True,
 )  # fmt: skip
-def damping_of_fema_356() -> Finding:
+def damping_of_fema_356() -> st.Finding:
     r = np.linspace(0.49, 0.999, 200)
     fema, priestley = formulas.fema_356_damping(r), formulas.priestley_damping(r)
     less = 100 * (1 - fema / priestley)
-    return finding(
+    return st.finding(
         less.max(),
         f"{less.min():.0f} to {less.max():.0f} % less; of the critical damping it is up to "
         f"{100 * (priestley - fema).max():.0f} %",
@@ -578,39 +567,41 @@ def damping_of_fema_356() -> Finding:
 
 @statement(
     "2.6", "the two formulations yield near identical results",
-    at_most(0.01, "alpha", why="near identical: 1 % of the overturning angle, with n = 0.001"),
-    simulation("2-29"), closed_form("piecewise energies at the peaks"),
+    st.at_most(0.01, "alpha", why="near identical: 1 % of the overturning angle, with n = 0.001"),
+    st.simulation("2-29"), st.closed_form("piecewise energies at the peaks"),
     figure="2-16",
 )  # fmt: skip
-def peaks_of_the_dirac_formulation() -> Finding:
+def peaks_of_the_dirac_formulation() -> st.Finding:
     error = np.abs(forces.peaks_between(forces.released(1e-3))[:3] - forces.exact_peaks(3))
-    return finding(error.max(), f"the first three peaks are off by {error.max():.4f} alpha at most")
+    return st.finding(
+        error.max(), f"the first three peaks are off by {error.max():.4f} alpha at most"
+    )
 
 
 @statement(
     "2.6", "a much higher acceleration from the Dirac-\N{GREEK SMALL LETTER DELTA} formulation at "
     "the instant of an impact",
-    at_least(2.0, why="much: twice or more of the largest piecewise acceleration"),
-    closed_form("2-28 at x = 0 of the first impact"), closed_form("2-14, whose largest is 1"),
+    st.at_least(2.0, why="much: twice or more of the largest piecewise acceleration"),
+    st.closed_form("2-28 at x = 0 of the first impact"), st.closed_form("2-14, whose largest is 1"),
     figure="2-16",
 )  # fmt: skip
-def acceleration_of_the_impulse() -> Finding:
+def acceleration_of_the_impulse() -> st.Finding:
     n, r = 1e-3, forces.ENERGY_RATIO
     # half of the pulse is over at x = 0: the square of the speed there is sqrt(r) of that before
     squared = 2 * (forces.START - forces.START**2 / 2) * math.sqrt(r)
     largest = -math.log(math.sqrt(r)) / (n * math.sqrt(math.pi)) * squared
-    return finding(largest, f"{largest:.0f} against 1")
+    return st.finding(largest, f"{largest:.0f} against 1")
 
 
 @statement(
     "Figure 2-16", "r = 0.7225",
-    rounded("0.7225"),
-    closed_form("2-6 of a block of 1:3"),
+    st.rounded("0.7225"),
+    st.closed_form("2-6 of a block of 1:3"),
     figure="2-16",
 )  # fmt: skip
-def energy_ratio_of_figure_2_16() -> Finding:
+def energy_ratio_of_figure_2_16() -> st.Finding:
     r = float(formulas.energy_ratio_of_block(math.atan(1 / 3)))
-    return finding(r, f"{r:.6f}")
+    return st.finding(r, f"{r:.6f}")
 
 
 # --- Table 2-3
@@ -618,15 +609,15 @@ def energy_ratio_of_figure_2_16() -> Finding:
 
 @statement(
     "Table 2-3", "r = 0.944 and 0.914 by 2-6",
-    near(TABLE_2_3.numbers("r by 2-6"), 0.0005, why="half of the last digit"),
-    closed_form("2-6 with the inertia of B-9"),
+    st.near(TABLE_2_3.numbers("r by 2-6"), 0.0005, why="half of the last digit"),
+    st.closed_form("2-6 with the inertia of B-9"),
     slip=True,
 )  # fmt: skip
-def ratios_of_table_2_3() -> Finding:
+def ratios_of_table_2_3() -> st.Finding:
     rows = computed("2-3")
     r, damping = ([float(row[i] or 0.0) for row in rows] for i in (5, 6))
     roots = [math.sqrt(x) for x in r]
-    return finding(
+    return st.finding(
         r,
         f"{r[0]:.3f} and {r[1]:.3f}, and by 2-16 a damping of {damping[0]:.1f} and "
         f"{damping[1]:.1f} %; printed are the velocity ratios, {roots[0]:.3f} and {roots[1]:.3f}",
@@ -636,12 +627,12 @@ def ratios_of_table_2_3() -> Finding:
 @statement(
     "2.7", "3%, which is a typically assumed value ... and matches the value suggested by Equation "
     "2-16",
-    rounded("3", unit="%"),
-    closed_form("2-16 with r by 2-6, wall UoA6"),
+    st.rounded("3", unit="%"),
+    st.closed_form("2-16 with r by 2-6, wall UoA6"),
 )  # fmt: skip
-def damping_suggested_for_the_walls() -> Finding:
+def damping_suggested_for_the_walls() -> st.Finding:
     other, wall = (float(row[6] or 0.0) for row in computed("2-3"))
-    return finding(
+    return st.finding(
         wall,
         f"{wall:.1f} %, and {other:.1f} % for UoA4 with the masses of UoA6; about 3 % comes of the "
         "velocity ratio that Table 2-3 takes for r",
@@ -650,9 +641,9 @@ def damping_suggested_for_the_walls() -> Finding:
 
 @statement(
     "2.7", "Recent free vibration decay test results ... confirm that this is indeed reasonable",
-    rounded("3", "3", unit="%", why="3 % to half of the last digit"),
-    printed("Table 2-3, measured damping"),
+    st.rounded("3", "3", unit="%", why="3 % to half of the last digit"),
+    st.printed("Table 2-3, measured damping"),
 )  # fmt: skip
-def damping_measured_on_the_walls() -> Finding:
+def damping_measured_on_the_walls() -> st.Finding:
     measured = TABLE_2_3.numbers("measured damping")
-    return finding(measured, " and ".join(f"{x:g} %" for x in measured))
+    return st.finding(measured, " and ".join(f"{x:g} %" for x in measured))

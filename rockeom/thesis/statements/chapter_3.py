@@ -7,18 +7,8 @@ import numpy as np
 from rockeom.analysis import formulas, identification
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.thesis.catalogue import EQUATIONS
-from rockeom.thesis.figures.chapter_3 import (
-    BLOCK,
-    PRINTED_HOUSNER,
-    R_HOUSNER,
-    RUNS,
-    SHAPE,
-    housner,
-    measured_impacts,
-    points,
-    record,
-    release_delay,
-)
+from rockeom.thesis.figures import chapter_3 as figures
+from rockeom.thesis.figures.chapter_3 import BLOCK, PRINTED_HOUSNER, R_HOUSNER, measured_impacts
 from rockeom.thesis.figures.chapter_3_forces import impact_forces
 from rockeom.thesis.figures.chapter_3_impacts import (
     THRESHOLD,
@@ -28,25 +18,12 @@ from rockeom.thesis.figures.chapter_3_impacts import (
 )
 from rockeom.thesis.points_of_interest import points_by_score
 from rockeom.thesis.printed import TABLE_3_1
-from rockeom.thesis.statements.statement import (
-    Finding,
-    Register,
-    about,
-    at_least,
-    at_most,
-    between,
-    closed_form,
-    finding,
-    near,
-    printed,
-    rounded,
-    simulation,
-)
+from rockeom.thesis.statements import statement as st
 
-statement = Register()
+statement = st.Register()
 
 _TRACES = "the measured traces are lost"
-_POINTS = printed("Figure 3-3, thirteen points")
+_POINTS = st.printed("Figure 3-3, thirteen points")
 
 
 # --- 3.2 the motion
@@ -55,37 +32,37 @@ _POINTS = printed("Figure 3-3, thirteen points")
 @statement(
     "3.2", "the period of vibration decreases as the peak amplitude of each quarter cycle is "
     "decreased",
-    at_most(1.0, why="each quarter from a peak over that before"),
+    st.at_most(1.0, why="each quarter from a peak over that before"),
     _POINTS,
     figure="3-3",
 )  # fmt: skip
-def quarters_of_figure_3_3() -> Finding:
-    quarters = np.diff(points()[0])[::2]
+def quarters_of_figure_3_3() -> st.Finding:
+    quarters = np.diff(figures.points()[0])[::2]
     ratio = float((quarters[1:] / quarters[:-1]).max())
-    return finding(ratio, f"{', '.join(f'{q:.3f}' for q in quarters)} s")
+    return st.finding(ratio, f"{', '.join(f'{q:.3f}' for q in quarters)} s")
 
 
 @statement(
     "3.2", "each test run contained at least 20 peaks and zero crossings",
-    at_least(20, "points", why="the printed number"),
-    simulation("a record in kind of 5 s"),
+    st.at_least(20, "points", why="the printed number"),
+    st.simulation("a record in kind of 5 s"),
     figure="3-4", lost=_TRACES,
 )  # fmt: skip
-def points_of_a_record() -> Finding:
-    scored = points_by_score(record(), "theta")
+def points_of_a_record() -> st.Finding:
+    scored = points_by_score(figures.record(), "theta")
     n = len(scored.peaks) + len(scored.crossings)
-    return finding(n, f"{len(scored.peaks)} peaks and {len(scored.crossings)} crossings in kind")
+    return st.finding(n, f"{len(scored.peaks)} peaks and {len(scored.crossings)} crossings in kind")
 
 
 @statement(
     "3.2.1", "was generally accurate within 10%",
-    at_most(10.0, "%", why="the printed number"),
-    closed_form("2-5"), _POINTS,
+    st.at_most(10.0, "%", why="the printed number"),
+    st.closed_form("2-5"), _POINTS,
     figure="3-5",
 )  # fmt: skip
-def accuracy_of_2_5() -> Finding:
+def accuracy_of_2_5() -> st.Finding:
     error = _errors_of_quarters()
-    return finding(
+    return st.finding(
         100 * np.abs(error[1:]).max(),
         f"{100 * np.abs(error[1:]).max():.1f} % at most of 11 quarters; the first, which holds the "
         f"delay of the release, {100 * error[0]:.1f} %",
@@ -94,13 +71,13 @@ def accuracy_of_2_5() -> Finding:
 
 @statement(
     "3.2.1", "the formula typically over-predicted the experimental periods",
-    at_least(6, "of 11 quarters", why="typically: more than half"),
-    closed_form("2-5"), _POINTS,
+    st.at_least(6, "of 11 quarters", why="typically: more than half"),
+    st.closed_form("2-5"), _POINTS,
     figure="3-5",
 )  # fmt: skip
-def sign_of_the_error_of_2_5() -> Finding:
+def sign_of_the_error_of_2_5() -> st.Finding:
     error = _errors_of_quarters()[1:]
-    return finding(
+    return st.finding(
         int((error > 0).sum()),
         f"{(error > 0).sum()} of 11, by {100 * error.mean():+.1f} % on the average",
     )
@@ -108,7 +85,7 @@ def sign_of_the_error_of_2_5() -> Finding:
 
 def _errors_of_quarters() -> np.ndarray:
     """Relative errors of 2-5 at the twelve quarters of Figure 3-3."""
-    time, rotation = points()
+    time, rotation = figures.points()
     peaks = np.abs(np.where(rotation[:-1] != 0, rotation[:-1], rotation[1:]))
     predicted = formulas.quarter_period(peaks / BLOCK.alpha, BLOCK.frequency_parameter)
     return predicted / np.diff(time) - 1
@@ -117,17 +94,17 @@ def _errors_of_quarters() -> np.ndarray:
 @statement(
     "3.2.1", "The matching is improved for the first few cycles of the motion in the time domain "
     "if the coefficient of restitution, r, is decreased to 0.88",
-    at_most(1.0, why="largest error of six crossings over that with r = 0.89"),
-    simulation("2-9"), _POINTS,
+    st.at_most(1.0, why="largest error of six crossings over that with r = 0.89"),
+    st.simulation("2-9"), _POINTS,
     figure="3-6",
 )  # fmt: skip
-def crossings_with_less_restitution() -> Finding:
-    measured = points()[0][1::2] - release_delay()
+def crossings_with_less_restitution() -> st.Finding:
+    measured = figures.points()[0][1::2] - figures.release_delay()
     off = [
-        float(np.abs([hit.time for hit in housner(r, 14.0).impacts[:6]] - measured).max())
+        float(np.abs([hit.time for hit in figures.housner(r, 14.0).impacts[:6]] - measured).max())
         for r in (PRINTED_HOUSNER, 0.88 * PRINTED_HOUSNER)
     ]
-    return finding(
+    return st.finding(
         off[1] / off[0],
         f"off by {off[0]:.2f} s at most with 0.89, by {off[1]:.2f} s with 0.88 of it",
     )
@@ -135,29 +112,29 @@ def crossings_with_less_restitution() -> Finding:
 
 @statement(
     "3.2.1", "this substitution predicts the motion to cease much earlier",
-    at_most(0.8, why="much earlier: a fifth of the time or more"),
-    simulation("2-9 with both r"),
+    st.at_most(0.8, why="much earlier: a fifth of the time or more"),
+    st.simulation("2-9 with both r"),
     figure="3-6",
 )  # fmt: skip
-def end_with_less_restitution() -> Finding:
+def end_with_less_restitution() -> st.Finding:
     ends = [
-        housner(r, 14.0).events.rest_time or math.inf
+        figures.housner(r, 14.0).events.rest_time or math.inf
         for r in (PRINTED_HOUSNER, 0.88 * PRINTED_HOUSNER)
     ]
-    return finding(ends[1] / ends[0], f"at {ends[1]:.1f} s instead of {ends[0]:.1f} s")
+    return st.finding(ends[1] / ends[0], f"at {ends[1]:.1f} s instead of {ends[0]:.1f} s")
 
 
 @statement(
     "3.2.1", "it did not reach the predicted peak rotation at the opposing side yet it attained "
     "the predicted speed by the next impact",
-    about(1.0, why="speed at the second impact over that predicted"),
-    closed_form("energy at the printed peaks"), simulation("2-9 with r = 0.89"),
+    st.about(1.0, why="speed at the second impact over that predicted"),
+    st.closed_form("energy at the printed peaks"), st.simulation("2-9 with r = 0.89"),
     figure="3-7", lost="the measured speeds are not printed",
 )  # fmt: skip
-def speed_at_the_second_impact() -> Finding:
+def speed_at_the_second_impact() -> st.Finding:
     own = float(abs(measured_impacts().speed[1]))
-    predicted = abs(housner(PRINTED_HOUSNER, 14.0).impacts[1].before["theta_dot"])
-    return finding(
+    predicted = abs(figures.housner(PRINTED_HOUSNER, 14.0).impacts[1].before["theta_dot"])
+    return st.finding(
         own / predicted,
         f"from the printed peaks, without another energy, {own:.3f} rad/s; predicted "
         f"{predicted:.3f} rad/s",
@@ -169,13 +146,13 @@ def speed_at_the_second_impact() -> Finding:
 
 @statement(
     "3.2.2", "These analyses all resulted in more or less the same velocity data",
-    at_most(1.5, why="error of resampling over the noise of the rate"),
-    simulation("a record in kind"),
+    st.at_most(1.5, why="error of resampling over the noise of the rate"),
+    st.simulation("a record in kind"),
     figure="3-7", lost=_TRACES,
 )  # fmt: skip
-def rate_by_resampling() -> Finding:
-    again = record().velocities_by_resampling("theta", 0.05)
-    return finding(
+def rate_by_resampling() -> st.Finding:
+    again = figures.record().velocities_by_resampling("theta", 0.05)
+    return st.finding(
         again.spread / again.noise,
         f"in kind, the rate at half and twice the sampling is off by {again.spread:.4f} rad/s "
         f"(standard deviation), its noise being {again.noise:.4f} rad/s",
@@ -184,48 +161,48 @@ def rate_by_resampling() -> Finding:
 
 @statement(
     "3.2.2", "Immediately after an impact, the kinetic energy is reduced to",
-    near(R_HOUSNER, 1e-9, why="r times the energy before"),
-    simulation("2-9"),
+    st.near(R_HOUSNER, 1e-9, why="r times the energy before"),
+    st.simulation("2-9"),
     figure="3-8",
 )  # fmt: skip
-def kinetic_energy_after_an_impact() -> Finding:
-    first = housner(R_HOUSNER).impacts[0]
+def kinetic_energy_after_an_impact() -> st.Finding:
+    first = figures.housner(R_HOUSNER).impacts[0]
     after = float(BLOCK.energies(first.after, mode="left")["kinetic_energy"])
     ratio = after / float(BLOCK.energies(first.before, mode="right")["kinetic_energy"])
-    return finding(ratio, f"{ratio:.9f} of it, with r = {R_HOUSNER:.6f}")
+    return st.finding(ratio, f"{ratio:.9f} of it, with r = {R_HOUSNER:.6f}")
 
 
 @statement(
     "3.2.2", "possessed potential and kinetic energy greater than the theoretical maximum",
-    at_least(1.0, why="energy over that at the release"),
-    closed_form("energies at the printed peaks of Figure 3-3"),
+    st.at_least(1.0, why="energy over that at the release"),
+    st.closed_form("energies at the printed peaks of Figure 3-3"),
     figure="3-9", lost="the trace, whose energy between the peaks this is of, is lost",
 )  # fmt: skip
-def energy_between_the_peaks() -> Finding:
+def energy_between_the_peaks() -> st.Finding:
     energy = measured_impacts().energy_before
     ratio = float(energy[1:].max() / energy[0])
-    return finding(ratio, f"at the later printed peaks {100 * ratio:.0f} % at most")
+    return st.finding(ratio, f"at the later printed peaks {100 * ratio:.0f} % at most")
 
 
 @statement(
     "3.2.4", "Six joules is approximately the same energy content as the block being displaced by "
     "1.1 degree off vertical",
-    about(THRESHOLD, "J", why="approximately"),
-    closed_form("3-1"),
+    st.about(THRESHOLD, "J", why="approximately"),
+    st.closed_form("3-1"),
 )  # fmt: skip
-def energy_at_one_degree() -> Finding:
+def energy_at_one_degree() -> st.Finding:
     energy = float(identification.static_energy(BLOCK, math.radians(1.1)))
-    return finding(energy, f"{energy:.2f} J, for the printed mass and size")
+    return st.finding(energy, f"{energy:.2f} J, for the printed mass and size")
 
 
 @statement(
     "3.2.4", "1.1 degree off vertical or 10% of the",
-    about(10.0, "% of alpha", why="approximately"),
-    closed_form("alpha of the printed size"),
+    st.about(10.0, "% of alpha", why="approximately"),
+    st.closed_form("alpha of the printed size"),
 )  # fmt: skip
-def rotation_of_the_threshold() -> Finding:
+def rotation_of_the_threshold() -> st.Finding:
     share = 100 * math.radians(1.1) / BLOCK.alpha
-    return finding(share, f"{share:.1f} % of {math.degrees(BLOCK.alpha):.2f} degrees")
+    return st.finding(share, f"{share:.1f} % of {math.degrees(BLOCK.alpha):.2f} degrees")
 
 
 # --- 3.2.3 support forces
@@ -233,28 +210,30 @@ def rotation_of_the_threshold() -> Finding:
 
 @statement(
     "Table 3-1", "baseline peak values 3.08 and 0.48 kN",
-    near(TABLE_3_1.numbers("baseline"), 0.005, "kN", why="half of the last digit"),
-    closed_form("3-11 and 3-12 at the first impact of Figure 3-3"),
+    st.near(TABLE_3_1.numbers("baseline"), 0.005, "kN", why="half of the last digit"),
+    st.closed_form("3-11 and 3-12 at the first impact of Figure 3-3"),
     figure="3-13", lost="the speed of the typical run of Table 3-1 is not printed",
 )  # fmt: skip
-def baseline_of_table_3_1() -> Finding:
-    first = housner(R_HOUSNER, 14.0).impacts[0]
+def baseline_of_table_3_1() -> st.Finding:
+    first = figures.housner(R_HOUSNER, 14.0).impacts[0]
     speed = abs(first.before["theta_dot"])
-    horizontal, vertical = formulas.block_reactions_at_impact(speed, 1, slender=True, **SHAPE)
+    horizontal, vertical = formulas.block_reactions_at_impact(
+        speed, 1, slender=True, **figures.SHAPE
+    )
     v, h = float(vertical) / 1e3, abs(float(horizontal)) / 1e3
-    return finding([v, h], f"{v:.3f} and {h:.3f} kN at {speed:.3f} rad/s")
+    return st.finding([v, h], f"{v:.3f} and {h:.3f} kN at {speed:.3f} rad/s")
 
 
 @statement(
     "3.2.3", "the vertical support force settles to a value less than the full weight",
-    at_most(1.0, "weights", why="less than the weight"),
-    closed_form("limits 3-14 and 3-15"),
+    st.at_most(1.0, "weights", why="less than the weight"),
+    st.closed_form("limits 3-14 and 3-15"),
     figure="3-13",
 )  # fmt: skip
-def limit_of_the_vertical_force() -> Finding:
-    h, v = formulas.block_reactions_at_impact(0.0, 1, slender=True, **SHAPE)
+def limit_of_the_vertical_force() -> st.Finding:
+    h, v = formulas.block_reactions_at_impact(0.0, 1, slender=True, **figures.SHAPE)
     weight = BLOCK.mass * BLOCK.gravity
-    return finding(
+    return st.finding(
         float(v) / weight,
         f"{float(v) / 1e3:.3f} kN of {weight / 1e3:.3f} kN; the horizontal force chatters between "
         f"\N{PLUS-MINUS SIGN}{abs(float(h)) / 1e3:.3f} kN",
@@ -265,19 +244,19 @@ def _support_forces() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Speeds of impacts up to the largest [rad/s], with the forces H and V [N], (201,) each."""
     most = float(formulas.impact_speed(BLOCK.alpha, alpha=BLOCK.alpha, radius=BLOCK.radius))
     speed = np.linspace(0.0, most, 201)
-    return speed, *formulas.block_reactions_at_impact(speed, 1, slender=True, **SHAPE)
+    return speed, *formulas.block_reactions_at_impact(speed, 1, slender=True, **figures.SHAPE)
 
 
 @statement(
     "3.2.3", "remain relatively constant for the probable range of angular impact speeds",
-    at_most(10.0, "% of the largest", why="relatively constant: 10 %, of either component"),
-    closed_form("3-11 to 3-13"),
+    st.at_most(10.0, "% of the largest", why="relatively constant: 10 %, of either component"),
+    st.closed_form("3-11 to 3-13"),
     figure="3-14",
 )  # fmt: skip
-def range_of_the_support_forces() -> Finding:
+def range_of_the_support_forces() -> st.Finding:
     speed, h, v = _support_forces()
     change = [100 * float(np.ptp(x) / np.abs(x).max()) for x in (v, h)]
-    return finding(
+    return st.finding(
         max(change),
         f"up to {speed[-1]:.2f} rad/s the vertical force changes by {change[0]:.0f} %, the "
         f"horizontal one by {change[1]:.0f} %",
@@ -286,14 +265,14 @@ def range_of_the_support_forces() -> Finding:
 
 @statement(
     "3.2.3", "the direction of the resultant support force is also effectively constant",
-    at_most(1.0, "degrees", why="effectively constant: 10 % of the least angle"),
-    closed_form("3-11 to 3-13"),
+    st.at_most(1.0, "degrees", why="effectively constant: 10 % of the least angle"),
+    st.closed_form("3-11 to 3-13"),
     figure="3-14",
 )  # fmt: skip
-def direction_of_the_support_force() -> Finding:
+def direction_of_the_support_force() -> st.Finding:
     _, h, v = _support_forces()
     angle = np.degrees(np.arctan2(np.abs(h), v))
-    return finding(
+    return st.finding(
         float(np.ptp(angle)), f"from {angle.min():.2f} to {angle.max():.2f} degrees of the vertical"
     )
 
@@ -308,40 +287,40 @@ def _slope(values: np.ndarray) -> float:
 
 @statement(
     "3.2.3", "the vertical impact forces remain fairly constant and insensitive to impact speed",
-    at_most(10.0, "%", why="insensitive: 10 %, from 0.2 to 0.8 rad/s"),
-    simulation("records in kind, differentiated"),
+    st.at_most(10.0, "%", why="insensitive: 10 %, from 0.2 to 0.8 rad/s"),
+    st.simulation("records in kind, differentiated"),
     figure="3-15", lost="the measured traces are lost, and these impacts have no duration",
 )  # fmt: skip
-def vertical_impact_forces() -> Finding:
+def vertical_impact_forces() -> st.Finding:
     growth = 100 * _slope(impact_forces().vertical)
-    return finding(growth, f"in kind {growth:+.0f} % (left foot)")
+    return st.finding(growth, f"in kind {growth:+.0f} % (left foot)")
 
 
 @statement(
     "3.2.3", "increases linearly with larger impact speed",
-    at_least(10.0, "%", why="increases: 10 % or more, from 0.2 to 0.8 rad/s"),
-    simulation("records in kind, differentiated"),
+    st.at_least(10.0, "%", why="increases: 10 % or more, from 0.2 to 0.8 rad/s"),
+    st.simulation("records in kind, differentiated"),
     figure="3-15", lost="the measured traces are lost, and these impacts have no duration",
 )  # fmt: skip
-def horizontal_impact_forces() -> Finding:
+def horizontal_impact_forces() -> st.Finding:
     growth = 100 * _slope(impact_forces().horizontal)
-    return finding(growth, f"in kind {growth:+.0f} % (left foot)")
+    return st.finding(growth, f"in kind {growth:+.0f} % (left foot)")
 
 
 @statement(
     "3.2.3", "the direction of the resultant becomes more horizontal as the impact speed is "
     "increased",
-    at_least(1.0, "degrees", why="more horizontal, from 0.2 to 0.8 rad/s"),
-    simulation("records in kind, differentiated"),
+    st.at_least(1.0, "degrees", why="more horizontal, from 0.2 to 0.8 rad/s"),
+    st.simulation("records in kind, differentiated"),
     figure="3-16", lost="the measured traces are lost, and these impacts have no duration",
 )  # fmt: skip
-def direction_of_impact_forces() -> Finding:
+def direction_of_impact_forces() -> st.Finding:
     forces = impact_forces()
     left = forces.speed < 0
     line = np.polyfit(np.abs(forces.speed[left]), np.degrees(forces.angle[left]), 1)
     change = [float(np.polyval(line, v)) for v in (0.2, 0.8)]
     more = 100 * _slope(forces.magnitude)
-    return finding(
+    return st.finding(
         change[1] - change[0],
         f"in kind from {change[0]:.0f} to {change[1]:.0f} degrees, the magnitude {more:+.0f} %",
     )
@@ -353,85 +332,85 @@ def direction_of_impact_forces() -> Finding:
 @statement(
     "3.2.4", "the amount of energy dissipation for impacts on the left edge is markedly different "
     "to impacts on the right edge",
-    at_least(0.05, why="gap between the r of both feet: 5 %"),
+    st.at_least(0.05, why="gap between the r of both feet: 5 %"),
     _POINTS,
     figure="3-3",
 )  # fmt: skip
-def restitution_by_foot() -> Finding:
+def restitution_by_foot() -> st.Finding:
     impacts = measured_impacts()
     gap = impacts.at_foot("right").energy_ratio.min() - impacts.at_foot("left").energy_ratio.max()
     listed = ", ".join(f"{r:.3f}" for r in impacts.energy_ratio)
-    return finding(float(gap), f"r by 3-3 {listed}; the left foot lands first")
+    return st.finding(float(gap), f"r by 3-3 {listed}; the left foot lands first")
 
 
 @statement(
     "3.2.4", "the energy correction typically has little effect on the coefficient of restitution "
     "calculations except for the first cycle",
-    at_most(0.02, why="little: 0.02 of r after the first cycle"),
-    simulation("records in kind with a spring"),
+    st.at_most(0.02, why="little: 0.02 of r after the first cycle"),
+    st.simulation("records in kind with a spring"),
     figure="3-17", lost="the measured traces and the stiffness of the spring are lost",
 )  # fmt: skip
-def effect_of_the_correction() -> Finding:
+def effect_of_the_correction() -> st.Finding:
     changes = [
         np.abs(corrected.energy_ratio - plain.energy_ratio)
-        for plain, corrected in (corrected_impacts(*run) for run in RUNS)
+        for plain, corrected in (corrected_impacts(*run) for run in figures.RUNS)
     ]
     first = max(float(x[0]) for x in changes)
     later = max(float(x[2:].max()) for x in changes)
-    return finding(
+    return st.finding(
         later, f"in kind by {first:.3f} at most at the first impact, {later:.3f} after the cycle"
     )
 
 
 @statement(
     "3.2.4", "the overall average experimental r value is fairly close to Housner's prediction",
-    about(R_HOUSNER, why="fairly close"),
+    st.about(R_HOUSNER, why="fairly close"),
     _POINTS,
     figure="3-20",
     lost="the average is of thousands of impacts, of which Figure 3-3 prints six",
 )  # fmt: skip
-def mean_restitution() -> Finding:
+def mean_restitution() -> st.Finding:
     mean = float(measured_impacts().energy_ratio.mean())
     kind = float(filtered().energy_ratio.mean())
-    return finding(mean, f"{mean:.3f} of the six printed, {kind:.3f} of the runs in kind")
+    return st.finding(mean, f"{mean:.3f} of the six printed, {kind:.3f} of the runs in kind")
 
 
 @statement(
     "3.3", "the experimentally established coefficient of restitution varied between 0.72 and 0.97",
-    between([0.72] * 6, [0.97] * 6, why="the printed range"),
+    st.between([0.72] * 6, [0.97] * 6, why="the printed range"),
     _POINTS,
     figure="3-19",
 )  # fmt: skip
-def range_of_restitution() -> Finding:
+def range_of_restitution() -> st.Finding:
     r = measured_impacts().energy_ratio
-    return finding(r, f"{r.min():.3f} to {r.max():.3f}, the six printed")
+    return st.finding(r, f"{r.min():.3f} to {r.max():.3f}, the six printed")
 
 
 @statement(
     "3.2.4, at 3-17", "one which covered the entire impact velocity range",
-    at_most(1.5, "J", why="a quarter of the six joules below which impacts are left out"),
-    closed_form("3-17"), _POINTS,
+    st.at_most(1.5, "J", why="a quarter of the six joules below which impacts are left out"),
+    st.closed_form("3-17"), _POINTS,
     figure="3-22",
 )  # fmt: skip
-def fit_of_3_17() -> Finding:
+def fit_of_3_17() -> st.Finding:
     left = measured_impacts().at_foot("left")
     off = float(np.abs(left.energy_change - fitted_change("3-17", left.speed)).max())
-    return finding(off, f"off by {off:.2f} J at most where the left foot lands")
+    return st.finding(off, f"off by {off:.2f} J at most where the left foot lands")
 
 
 @statement(
     "3.2.4, at 3-18", "one for impacts on the \"right\" edge only",
-    at_most(1.5, "J", why="a quarter of the six joules below which impacts are left out"),
-    closed_form("3-18"), _POINTS,
+    st.at_most(1.5, "J", why="a quarter of the six joules below which impacts are left out"),
+    st.closed_form("3-18"), _POINTS,
     figure="3-22",
 )  # fmt: skip
-def fit_of_3_18() -> Finding:
+def fit_of_3_18() -> st.Finding:
     right = measured_impacts().at_foot("right")
     off, other = (
         float(np.abs(right.energy_change - fitted_change(number, right.speed)).max())
         for number in ("3-18", "3-17")
     )
-    return finding(
+    return st.finding(
         off, f"off by {off:.2f} J at most where the right foot lands, 3-17 by {other:.2f}"
     )
 
@@ -441,35 +420,37 @@ def fit_of_3_18() -> Finding:
 
 @statement(
     "Table 3-1", "the horizontal force rises by 337.5 %",
-    near(TABLE_3_1.cell("horizontal", "increase"), 0.05, "%", why="half of the last digit"),
-    printed("Table 3-1, baseline and peak of the horizontal force"),
+    st.near(TABLE_3_1.cell("horizontal", "increase"), 0.05, "%", why="half of the last digit"),
+    st.printed("Table 3-1, baseline and peak of the horizontal force"),
     slip=True,
 )  # fmt: skip
-def rise_of_the_horizontal_force() -> Finding:
+def rise_of_the_horizontal_force() -> st.Finding:
     ratio = TABLE_3_1.cell("horizontal", "measured peak") / TABLE_3_1.cell("horizontal", "baseline")
-    return finding(100 * (ratio - 1), f"by {100 * (ratio - 1):.1f} %: {ratio:.3f} is the ratio")
+    return st.finding(100 * (ratio - 1), f"by {100 * (ratio - 1):.1f} %: {ratio:.3f} is the ratio")
 
 
 @statement(
     "3.2.3", "theoretical values predicted by Equations 3-11",
-    near(1.0, 0.0, why="3-11 is the vertical force"),
-    printed("3-11 and 3-12"),
+    st.near(1.0, 0.0, why="3-11 is the vertical force"),
+    st.printed("3-11 and 3-12"),
     slip=True,
 )  # fmt: skip
-def equation_of_the_vertical_force() -> Finding:
+def equation_of_the_vertical_force() -> st.Finding:
     meanings = [EQUATIONS[n].meaning for n in ("3-11", "3-12")]
-    return finding("vertical" in meanings[0], f"3-11 is the {meanings[0]}; 3-12 the {meanings[1]}")
+    return st.finding(
+        "vertical" in meanings[0], f"3-11 is the {meanings[0]}; 3-12 the {meanings[1]}"
+    )
 
 
 @statement(
     "3.1, 3.3", "Housner's formula ($r_{Housner} = 0.89$)",
-    near(PRINTED_HOUSNER, 0.005, why="half of the last digit"),
-    closed_form("2-6 for 190 mm by 2 x 454.9 mm"),
+    st.near(PRINTED_HOUSNER, 0.005, why="half of the last digit"),
+    st.closed_form("2-6 for 190 mm by 2 x 454.9 mm"),
     slip=True,
 )  # fmt: skip
-def restitution_of_the_block() -> Finding:
+def restitution_of_the_block() -> st.Finding:
     five = float(formulas.energy_ratio_of_block(math.atan(1 / 5.0)))
-    return finding(
+    return st.finding(
         R_HOUSNER,
         f"{R_HOUSNER:.3f} at {1 / math.tan(BLOCK.alpha):.2f}; {five:.3f} belongs to 5",
     )
@@ -477,11 +458,11 @@ def restitution_of_the_block() -> Finding:
 
 @statement(
     "Notation, chapter 3", "g = 0.91 m/s2",
-    rounded("0.91", unit="m/s2"),
-    closed_form("standard gravity"),
+    st.rounded("0.91", unit="m/s2"),
+    st.closed_form("standard gravity"),
     slip=True,
 )  # fmt: skip
-def gravity_of_chapter_3() -> Finding:
-    return finding(
+def gravity_of_chapter_3() -> st.Finding:
+    return st.finding(
         STANDARD_GRAVITY, f"{STANDARD_GRAVITY:.2f} m/s2; perhaps only ill read from the page"
     )
