@@ -235,7 +235,7 @@ assert max(draws.rhat.values()) < 1.06
 
 # %%
 first = one_by_one[0]
-alone = first.sample(100, warm_up=30, seed=1)
+alone = first.sample(70, warm_up=20, seed=1)
 logs = [np.log(alone.values[name].ravel()) for name in ("left", "right")]
 print(f"correlation of the ratios {np.corrcoef(logs)[0, 1]:.2f}")
 assert np.std(logs[0] + logs[1]) < 0.5 * np.std(logs[0] - logs[1])

@@ -31,13 +31,15 @@ def functions(
 ) -> dict[str, Callable[..., Any]]:
     """The entries of a text, which may call all that the program of a generated module has.
 
+    Of that program only what the text calls is made, or all of it where the text is empty.
     more : modules that are part of the program, too.
     """
     roots, modules, _ = ALONE if of is None else linked(of, method)
-    roots = [*roots, *map(module_text, more)]
-    texts = modules.closure(roots)
+    rules = [*map(module_text, more)]
+    texts = modules.closure([*roots, *rules])
     own = Text("the test's text", importing(text, texts) + text, fused=True)
-    printed = Program([*texts, own], modules, contract, bounds=bounds)
+    needed = modules.closure([*rules, own]) if text else texts
+    printed = Program(needed, modules, contract, bounds=bounds)
     return Loaded(compiled(printed.ir()), printed.entries, bounds=bounds).functions
 
 

@@ -471,7 +471,7 @@ def test_a_dozen_tests_hold_their_truth():
     for seed in range(12):
         truth, observed, _ = design.test(seed)
         drawn = posterior(observed, design.priors, seed=seed).sample(
-            70, chains=1, warm_up=20, seed=seed
+            40, chains=1, warm_up=20, seed=seed
         )
         for name, x in truth.items():
             low, high = drawn.interval(name, 0.8)

@@ -123,10 +123,7 @@ def test_energy_and_velocity_ratios_are_not_confused():
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (
-            lambda: formulas.velocity_ratio_from_energy_ratio(1.1),
-            "energy_ratio is 1.1: it must lie",
-        ),
+        (lambda: formulas.velocity_ratio_from_energy_ratio(1.1), "energy_ratio is 1.1"),
         (lambda: formulas.energy_ratio_from_velocity_ratio(-0.1), "velocity_ratio is -0.1"),
         (lambda: formulas.energy_ratio_of_block(1.2), "alpha is 1.2: so squat"),
         (lambda: formulas.energy_ratio_of_block(0.2, mass=3.0), "inertia, radius is missing"),
@@ -134,14 +131,8 @@ def test_energy_and_velocity_ratios_are_not_confused():
             lambda: formulas.energy_ratio_of_lumped_mass(**(COLUMN | {"half_width": 2.0})),
             "half_width is 2: so squat",
         ),
-        (
-            lambda: formulas.energy_ratios_from_peaks([0.1], 0.2),
-            r"peaks is an array of shape \(1,\): give at least two",
-        ),
-        (
-            lambda: formulas.energy_ratios_from_peaks([7.9, -5.1], 0.2),
-            r"peaks\[0\] is 7.9: a free structure turns back .* give radians",
-        ),
+        (lambda: formulas.energy_ratios_from_peaks([0.1], 0.2), r"peaks is .* \(1,\): give at"),
+        (lambda: formulas.energy_ratios_from_peaks([7.9, -5.1], 0.2), r"\[0\] is 7.9.* radians"),
         (lambda: formulas.energy_ratios_from_peaks([0.1, 0.0], 0.2), r"peaks\[1\] is 0"),
         (
             lambda: formulas.energy_ratios_from_peaks([0.1, 0.05], 0.2, rotational_stiffness=9.0),

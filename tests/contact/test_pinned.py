@@ -31,17 +31,16 @@ from rockeom.symbolic.modes.balance import free_motion
 from rockeom.symbolic.reactions import reactions
 from rockeom.symbolic.structures.flexible import flexible_structure
 from rockeom.symbolic.structures.rigid_block import rigid_block
+from tests.contact import declared
+from tests.contact.declared import X, Y
 
-X = coordinate("x", "x", "m", "place of the base's centre")
-Y = coordinate("y", "y", "m", "height of the base's centre")
 NEVER_SLIPS = Rigid(restitution=sp.S.Zero, friction=None)
 SIDES = (("left", -1), ("right", 1))
 
 
 def placed(point, angle):
     """A point of a base whose centre is at (x, y)."""
-    across, up = turned(point, (0, 0), angle)
-    return X.position + across, Y.position + up
+    return declared.placed(point, theta=angle)
 
 
 def freed(shipped: RockingModel, masses, width, **changes) -> Model:

@@ -137,99 +137,83 @@ def test_at2_without_units_takes_those_of_the_caller(tmp_path):
 
 
 AT2_ERRORS = {
-    "cut short": (
-        at2(VALUES)[:-50],
-        r"r\.AT2, line 4: NPTS says 120 values, but the file holds 11\d.*download it again",
-    ),
-    "one value too many": (
-        at2(VALUES) + " .1E+00\n",
-        r"line 4: NPTS says 120 values, but the file holds 121",
-    ),
-    "NaN": (
-        at2(VALUES).replace(fortran(VALUES[7]), "            NaN"),
-        r"r\.AT2, line 6: sample 8 is NaN, not a finite number. Remedy: take the record from",
-    ),
-    "infinity": (
-        at2([0.1, 0.2]).replace(".2000000E+00", "-Inf"),
-        r"line 5: sample 2 is -Inf, not a finite number",
-    ),
-    "overflow": (
-        at2([0.1, 0.2]).replace(".2000000E+00", "1.0E+999"),
-        r"line 5: sample 2 is 1\.0E\+999, not a finite number",
-    ),
+    "cut short": (at2(VALUES)[:-50], 4, r"says 120 values, .* holds 11\d.*download it"),
+    "one value too many": (at2(VALUES) + " .1E+00\n", 4, "120 values, but the file holds 121"),
+    "NaN": (at2(VALUES).replace(fortran(VALUES[7]), "            NaN"), 6, "8 is NaN, .* take the"),
+    "infinity": (at2([0.1, 0.2]).replace(".2000000E+00", "-Inf"), 5, r"sample 2 is -Inf"),
+    "overflow": (at2([0.1, 0.2]).replace(".2000000E+00", "1.0E+999"), 5, r"sample 2 is 1\.0E\+999"),
     "Fortran overflow": (
         at2([0.1, 0.2]).replace(".2000000E+00", "************"),
-        r"line 5: sample 2 is '\*{12}', which is no number. Remedy: .*correct this line",
+        5,
+        r"'\*{12}'.*this",
     ),
-    "text among the numbers": (
-        at2(VALUES) + "end of record\n",
-        r"line 29: sample 121 is 'end', which is no number",
-    ),
-    "underscore in a number": (
-        at2([0.1, 0.2]).replace(".2000000E+00", "1_000"),
-        r"line 5: sample 2 is '1_000', which is no number",
-    ),
-    "no DT": (
-        at2(VALUES, "NPTS= {n}"),
-        r"line 4: DT is missing: no number follows it in 'NPTS= 120'. Remedy: write the time step",
-    ),
-    "DT without number": (at2(VALUES, "NPTS= {n}, DT= SEC"), r"line 4: DT is missing.*DT= SEC"),
-    "DT zero": (at2(VALUES, "NPTS= {n}, DT= .0000 SEC"), r"line 4: DT is \.0000 s, not positive"),
-    "DT negative": (at2(VALUES, "NPTS= {n}, DT= -.01"), r"line 4: DT is -\.01 s, not positive"),
-    "old header, DT zero": (at2(VALUES, "{n} 0.0 NPTS, DT"), r"line 4: DT is 0\.0 s, not positive"),
+    "text among the numbers": (at2(VALUES) + "end of record\n", 29, r"sample 121 is 'end'"),
+    "underscore in a number": (at2([0.1, 0.2]).replace(".2000000E+00", "1_000"), 5, "2 is '1_000'"),
+    "no DT": (at2(VALUES, "NPTS= {n}"), 4, "DT is missing: .*120'.*write the time step"),
+    "DT without number": (at2(VALUES, "NPTS= {n}, DT= SEC"), 4, r"DT is missing.*DT= SEC"),
+    "DT zero": (at2(VALUES, "NPTS= {n}, DT= .0000 SEC"), 4, r"DT is \.0000 s, not positive"),
+    "DT negative": (at2(VALUES, "NPTS= {n}, DT= -.01"), 4, r"DT is -\.01 s, not positive"),
+    "old header, DT zero": (at2(VALUES, "{n} 0.0 NPTS, DT"), 4, r"DT is 0\.0 s, not positive"),
     "DT in milliseconds": (
         at2(VALUES, "NPTS= {n}, DT= 10. MSEC"),
-        r"line 4: DT is in 'msec'.*Remedy: write the time step in seconds",
+        4,
+        "'msec'.*time step in seconds",
     ),
     "NPTS no whole number": (
         at2(VALUES, "NPTS= ****, DT= .01"),
-        r"line 4: NPTS is '\*{4}' .*not a whole number. Remedy: correct the header",
+        4,
+        r"'\*{4}' .*correct the header",
     ),
-    "no values": (at2([]), r"r\.AT2, line 2: Somewhere-01, 1/2/1999,"),
-    "no step line": (
-        at2(VALUES).replace("NPTS", "POINTS"),
-        r"r\.AT2: no line with NPTS and DT among the first 28.*from_columns",
-    ),
+    "no step line": (at2(VALUES).replace("NPTS", "POINTS"), None, "the first 28.*from_columns"),
     "velocity": (
         at2(VALUES, units="VELOCITY TIME SERIES IN UNITS OF CM/S"),
-        r"line 3: this is a record of velocity, .*'VELOCITY TIME SERIES.*use the acceleration",
+        3,
+        r"this is a record of velocity, .*'VELOCITY TIME SERIES.*use the acceleration",
     ),
     "displacement": (
         at2(VALUES, units="DISPLACEMENT TIME HISTORY IN UNITS OF CM"),
-        r"line 3: this is a record of displacement, not of acceleration",
+        3,
+        "of displacement, not",
     ),
-    "no units": (
-        at2(VALUES, units="ACCELERATION TIME SERIES"),
-        r"r\.AT2: the file does not say its units.*Remedy: say units=, one of m/s2, g",
-    ),
+    "no units": (at2(VALUES, units="ACCELERATION TIME SERIES"), None, "say units=, one of m/s2, g"),
     "unknown units": (
         at2(VALUES, units="ACCELERATION TIME SERIES IN UNITS OF FURLONGS"),
-        r"line 3: the file states accelerations in 'FURLONGS', which is unknown.*one of m/s2",
+        3,
+        r"the file states accelerations in 'FURLONGS', which is unknown.*one of m/s2",
     ),
-    "empty": ("", r"r\.AT2: the file is empty \(0 bytes\). Remedy: .*download"),
-    "blank": ("\n \n\n", r"the file is empty \(4 bytes\)"),
+    "empty": ("", None, r"the file is empty \(0 bytes\). Remedy: .*download"),
+    "blank": ("\n \n\n", None, r"the file is empty \(4 bytes\)"),
     "web page": (
         "\n<!DOCTYPE html>\n<html><head><title>Sign in</title></head></html>\n",
-        r"r\.AT2, line 2: this is a web page \(HTML\), .*<!DOCTYPE html>.*sign-in page",
+        2,
+        r"web page \(HTML\)",
     ),
-    "binary": (
-        b"PK\x03\x04" + bytes(range(256)),
-        r"r\.AT2, line 1: the file is not plain text \(byte 3\). Remedy: unpack it",
-    ),
-    "UTF-16": (
-        at2(VALUES).encode("utf-16"),
-        r"line 1: the file is not plain text \(byte 0\).*export it as text \(UTF-8\)",
-    ),
+    "binary": (b"PK\x03\x04" + bytes(range(256)), 1, r"not plain text \(byte 3\).*unpack it"),
+    "UTF-16": (at2(VALUES).encode("utf-16"), 1, r"plain text \(byte 0\).*as text \(UTF-8\)"),
 }
 
 
-@pytest.mark.parametrize(("content", "message"), AT2_ERRORS.values(), ids=AT2_ERRORS)
+def assert_refused(read, path: Path, line: int | None, what: str, **units: str) -> None:
+    """The error has the file and the line, says what is wrong with it, and a remedy."""
+    with pytest.raises(InputError, match=what) as caught:
+        read(path, **units)
+    error = caught.value
+    assert (error.file, error.line) == (path, line), str(error)
+    assert error.remedy
+    assert len(str(error)) < 1000
+
+
+@pytest.mark.parametrize(("content", "line", "what"), AT2_ERRORS.values(), ids=AT2_ERRORS)
 @pytest.mark.parametrize("reader", ["from_at2", "read"])
-def test_bad_at2_file_is_refused(tmp_path, reader, content, message):
+def test_bad_at2_file_is_refused(tmp_path, reader, content, line, what):
     path = write(tmp_path, "r.AT2", content)
-    with pytest.raises(InputError, match=message) as caught:
-        getattr(GroundMotion, reader)(path)
-    assert "Remedy: " in str(caught.value) or "two samples or more" in str(caught.value)
+    assert_refused(getattr(GroundMotion, reader), path, line, what)
+
+
+@pytest.mark.parametrize("reader", ["from_at2", "read"])
+def test_at2_file_without_values_is_refused_by_the_motion(tmp_path, reader):
+    with refuses("acceleration"):
+        getattr(GroundMotion, reader)(write(tmp_path, "r.AT2", at2([])))
 
 
 @pytest.mark.parametrize(
@@ -373,76 +357,71 @@ def with_line(number: int, line: str) -> str:
 COLUMN_ERRORS = {
     "non-uniform time": (
         "\n".join([*columns(TIMES, VALUES).split("\n")[:56], "0.57 0.1", "0.58 0.1"]),
-        r"r\.txt, line 57: the time column is not uniform: the step to 0\.57 s is 0\.02 s, "
+        57,
+        r"the time column is not uniform: the step to 0\.57 s is 0\.02 s, "
         r"the usual step 0\.01 s. Remedy: resample",
     ),
     "two time steps": (
         columns(np.concatenate([TIMES, 1.19 + 0.0101 * np.arange(1, 200)]), np.zeros(319), "{} {}"),
-        r"line 120: .*up to 1\.19 s the mean step is 0\.01 s, after it 0\.0101 s.*resample",
+        120,
+        r".*up to 1\.19 s the mean step is 0\.01 s, after it 0\.0101 s.*resample",
     ),
     "time that stands still": (
         with_line(31, "0.29 0.1"),
-        r"line 31: time 0\.29 s does not come after 0\.29 s of line 30. Remedy: .*enough digits",
+        31,
+        r"0\.29 s .* 0\.29 s of line 30.*enough digits",
     ),
-    "time that falls": (
-        with_line(31, "0.03 0.1"),
-        r"line 31: time 0\.03 s does not come after 0\.29 s of line 30",
-    ),
-    "NaN": (
-        with_line(40, "0.39 nan"),
-        r"r\.txt, line 40: acceleration of sample 40 is nan, not a finite number. Remedy",
-    ),
-    "NaN time": (with_line(40, "NaN 0.1"), r"line 40: time of sample 40 is NaN, not a finite"),
-    "text": (
-        with_line(12, "0.11 strong"),
-        r"line 12: acceleration of sample 12 is 'strong', which is no number",
-    ),
+    "time that falls": (with_line(31, "0.03 0.1"), 31, r"0\.03 s .* after 0\.29 s of line 30"),
+    "NaN": (with_line(40, "0.39 nan"), 40, r"acceleration of sample 40 is nan"),
+    "NaN time": (with_line(40, "NaN 0.1"), 40, r"time of sample 40 is NaN, not a finite"),
+    "text": (with_line(12, "0.11 strong"), 12, r"acceleration of sample 12 is 'strong'"),
     "decimal comma": (
         columns(TIMES, VALUES, "{:.2f};{:.6f}").replace(".", ","),
-        r"line 1: time of sample 1 is '0,00', .*decimal point",
+        1,
+        "'0,00', .*decimal point",
     ),
     "decimal comma and blanks": (
         columns(TIMES, VALUES).replace(".", ","),
-        r"line 1: 3 columns .*where two are needed.*decimal point",
+        1,
+        "3 columns .*decimal point",
     ),
     "one column": (
         "\n".join(f"{a}" for a in VALUES),
-        r"line 1: one column, where two are needed. Remedy: .* give dt=0.01; see .*from_csv",
+        1,
+        "one column, .* give dt=0.01; see .*from_csv",
     ),
     "three columns": (
         columns(TIMES, VALUES, "{0:.2f} {1:.6f} {1:.6f}"),
-        r"line 1: 3 columns .*Remedy: name the columns .*from_csv",
+        1,
+        "3 columns .*name the columns .*from_csv",
     ),
-    "ragged": (with_line(9, "0.08"), r"line 9: 1 columns, where line 1 has 2. Remedy: complete"),
-    "empty": ("", r"r\.txt: the file is empty"),
-    "only comments": ("# time acceleration\n", r"r\.txt: the file holds nothing but comments"),
-    "only a heading": ("time acceleration\n", r"r\.txt, line 1: no numbers follow the heading"),
-    "first line spoilt": (with_line(1, "*** ***"), r"line 1: time of sample 1 is '\*\*\*', which"),
-    "first line without a number": (with_line(1, "nan nan"), r"line 1: time of sample 1 is nan"),
+    "ragged": (with_line(9, "0.08"), 9, r"1 columns, where line 1 has 2. Remedy: complete"),
+    "empty": ("", None, r"the file is empty"),
+    "only comments": ("# time acceleration\n", None, r"the file holds nothing but comments"),
+    "only a heading": ("time acceleration\n", 1, r"no numbers follow the heading"),
+    "first line spoilt": (with_line(1, "*** ***"), 1, r"time of sample 1 is '\*\*\*', which"),
+    "first line without a number": (with_line(1, "nan nan"), 1, r"time of sample 1 is nan"),
     "first line with decimal commas": (
         with_line(1, "0,0E+00;0,5E-03").replace(" ", ";"),
-        r"line 1: time of sample 1 is '0,0E\+00', which",
+        1,
+        r"is '0,0E\+00', which",
     ),
     "two headings": (
         "time acceleration\ns m/s2\n" + columns(TIMES, VALUES),
-        r"line 2: time of sample 1 is 's', which is no number",
+        2,
+        r"time of sample 1 is 's'",
     ),
-    "one row": ("0.0 1.0\n", r"line 1: one sample, where a record needs two or more"),
-    "milliseconds": (
-        "t (ms),a\n0,1\n10,2\n",
-        r"r\.txt, line 1: time is in 'ms'. Remedy: convert the time column to seconds",
-    ),
-    "web page": ("<html>\n", r"r\.txt, line 1: this is a web page \(HTML\)"),
+    "one row": ("0.0 1.0\n", 1, r"one sample, where a record needs two or more"),
+    "milliseconds": ("t (ms),a\n0,1\n10,2\n", 1, "'ms'.*convert the time column to seconds"),
+    "web page": ("<html>\n", 1, r"web page \(HTML\)"),
 }
 
 
-@pytest.mark.parametrize(("content", "message"), COLUMN_ERRORS.values(), ids=COLUMN_ERRORS)
+@pytest.mark.parametrize(("content", "line", "what"), COLUMN_ERRORS.values(), ids=COLUMN_ERRORS)
 @pytest.mark.parametrize("reader", ["from_columns", "read"])
-def test_bad_columns_are_refused(tmp_path, reader, content, message):
+def test_bad_columns_are_refused(tmp_path, reader, content, line, what):
     path = write(tmp_path, "r.txt", content)
-    with pytest.raises(InputError, match=message) as caught:
-        getattr(GroundMotion, reader)(path, units="m/s2")
-    assert "Remedy: " in str(caught.value)
+    assert_refused(getattr(GroundMotion, reader), path, line, what, units="m/s2")
 
 
 def test_columns_without_units_are_refused(tmp_path):
@@ -584,50 +563,41 @@ def test_line_of_the_fault_is_told_in_a_later_block(tmp_path):
 FOREIGN = {
     "NPTS of 5000 digits": (
         HEADER.format(n="9" * 5000) + "1 2\n",
-        r"line 4: NPTS says 9{57}\.\.\. values, but the file holds 2\. Remedy",
+        4,
+        r"9{57}\.\.\. values, .* holds 2\.",
     ),
     "DT of 5000 digits": (
         HEADER.format(n=2).replace(".0100", "9" * 5000) + "1 2\n",
-        r"line 4: DT is 9{57}\.\.\., not a finite number. Remedy",
+        4,
+        r"DT is 9{57}\.\.\.",
     ),
-    "other digits in NPTS": (
-        HEADER.format(n="\u0662") + "1 2\n",
-        r"line 4: NPTS is .*whole number",
-    ),
-    "other digits": (
-        "0 1\n1 \u0662\n",
-        r"line 2: acceleration of sample 2 is '\u0662', which is no",
-    ),
+    "other digits in NPTS": (HEADER.format(n="\u0662") + "1 2\n", 4, r"NPTS is .*whole number"),
+    "other digits": ("0 1\n1 \u0662\n", 2, r"acceleration of sample 2 is '\u0662'"),
     "quoted field of 140 kB": (
         '0,"' + "1" * 140_000 + '"\n1,2\n',
-        r"line 1: the fields of '0,\"1{54}\.\.\.' cannot be told apart .*Remedy: write plain",
+        1,
+        r"the fields of '0,\"1{54}\.\.\.' cannot be told apart .*Remedy: write plain",
     ),
-    "field of 140 kB": (
-        "0," + "1" * 140_000 + "\n1,2\n",
-        r"line 1: acceleration of sample 1 is 1{57}\.\.\., not a finite number. Remedy",
-    ),
-    "line of 80 kB": (
-        ",".join(["1.2345678"] * 8000),
-        r"line 1: 8000 columns .*where two are needed. Remedy",
-    ),
-    "line of 2 MB": ("1 " * 1_100_000, r"line 1: a line of 2200000 letters, .*Remedy: break it"),
+    "field of 140 kB": ("0," + "1" * 140_000 + "\n1,2\n", 1, r"sample 1 is 1{57}\.\.\."),
+    "line of 80 kB": (",".join(["1.2345678"] * 8000), 1, r"8000 columns .*where two are needed"),
+    "line of 2 MB": ("1 " * 1_100_000, 1, r"a line of 2200000 letters, .*Remedy: break it"),
     "quotes within quotes": (
         '0,"1"2"\n1,2\n',
-        r"line 1: the fields of '0,\"1\"2\"' cannot be told apart .*Remedy: write plain numbers",
+        1,
+        r"the fields of '0,\"1\"2\"' cannot be told apart .*Remedy: write plain numbers",
     ),
-    "quote that is not closed": ('0,"1\n1,2\n', r"line 1: the fields of .*cannot be told apart"),
+    "quote that is not closed": ('0,"1\n1,2\n', 1, r"the fields of .*cannot be told apart"),
     "exponent of 22 digits": (
         "0e9999999999999999999999 1\n1 2\n",
-        r"line 1: time is 0e9{22}, whose exponent no time has. Remedy",
+        1,
+        "0e9{22}, whose exponent no time has",
     ),
 }
 
 
-@pytest.mark.parametrize(("content", "message"), FOREIGN.values(), ids=FOREIGN)
-def test_no_error_but_that_of_the_motion(tmp_path, content, message):
-    with pytest.raises(InputError, match=message) as caught:
-        GroundMotion.read(write(tmp_path, "r.txt", content), units="g")
-    assert len(str(caught.value)) < 1000
+@pytest.mark.parametrize(("content", "line", "what"), FOREIGN.values(), ids=FOREIGN)
+def test_no_error_but_that_of_the_motion(tmp_path, content, line, what):
+    assert_refused(GroundMotion.read, write(tmp_path, "r.txt", content), line, what, units="g")
 
 
 @pytest.mark.parametrize("path", ["a\0b.AT2", "\ud800.txt", "x" * 5000, ""])

@@ -1,12 +1,9 @@
 """Figures of sweeps: what stands in them is what the dataset says; no case is shown as another."""
 
-import warnings
-
 import matplotlib as mpl
 import numpy as np
 import pytest
 import xarray as xr
-from matplotlib.figure import Figure
 
 from rockeom.analysis.risk.fragility import fit_fragility, fragility_of
 from rockeom.plots import (
@@ -16,17 +13,10 @@ from rockeom.plots import (
     rocking_spectrum,
 )
 from rockeom.plots.sweeps import _CLASSES, _demands_at
+from tests.drawing.test_pictures import drawn
 from tests.refusals import refused, told
 
 STANDS, FELL, NOT_RUN, STALLED = "completed", "overturned", "not run", "stalled"
-
-
-def drawn(figure: Figure) -> Figure:
-    """Drawn once, as for a file; a layout that does not fit is an error."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        figure.draw_without_rendering()
-    return figure
 
 
 def rgb(colour):

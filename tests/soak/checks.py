@@ -137,9 +137,12 @@ class Record:
     @cached_property
     def ground(self) -> tuple[np.ndarray, np.ndarray]:
         """(n, 8) accelerations at the nodes of each step."""
-        t = self.start[:, None] + self.length[:, None] * NODES
+        return self.shaking(self.start[:, None] + self.length[:, None] * NODES)
+
+    def shaking(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Accelerations of the ground at times of any shape."""
         vertical = self.motion.vertical
-        ay = np.zeros(t.shape) if vertical is None else vertical.acceleration(t)
+        ay = np.zeros(np.shape(t)) if vertical is None else vertical.acceleration(t)
         return self.motion.motion.acceleration(t), ay
 
     @cached_property

@@ -92,20 +92,11 @@ class Told(Record):
         internal = {name: y[:, names.index(name)] for name in self.by_hand.internal}
         return self.by_hand.at(y[:, self.columns], y[:, self.rates_of], internal)
 
-    def shaking(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        vertical = self.motion.vertical
-        ay = np.zeros(np.shape(t)) if vertical is None else vertical.acceleration(t)
-        return self.motion.motion.acceleration(t), ay
-
     @cached_property
     def loose(self) -> float:
         """Relative error that a state may have."""
         o = self.motion.options
         return SLACK * max(o.rtol, FINEST)
-
-    @cached_property
-    def length(self) -> np.ndarray:  # type: ignore[override]
-        return self.run.steps.span[:, 1]
 
     @cached_property
     def speed(self) -> float:
