@@ -6,7 +6,7 @@ import pytest
 
 import rockeom as rk
 from rockeom.compiler.machine import OutOfBoundsError
-from rockeom.integrator import program
+from rockeom.integrator import linking, program
 from tests.soak import bounds
 
 FAULT = "rockeom.integrator.transitions.candidates"
@@ -20,11 +20,11 @@ def test_no_index_leaves_its_array_in_motions_lanes_and_derivatives(name):
 
 def test_a_planted_read_beyond_the_scratch_of_a_stack_is_found(monkeypatch):
     """The one that these programs once had: of a foot's friction, in the row behind the last."""
-    right = program.module_text(FAULT)
+    right = linking.module_text(FAULT)
     wrong = replace(right, source=right.source.replace("row + friction[s]", "row + unknown[s] + 1"))
     assert wrong != right
-    own = program.module_text
-    monkeypatch.setattr(program, "module_text", lambda name: wrong if name == FAULT else own(name))
+    own = linking.module_text
+    monkeypatch.setattr(linking, "module_text", lambda name: wrong if name == FAULT else own(name))
     program._of_parts.cache_clear()
     line = wrong.source[: wrong.source.index("row + unknown[s] + 1")].count("\n") + 1
     stack = rk.StackedBlocks(
