@@ -333,7 +333,9 @@ class Assessment:
         """The effect of a change on overturning, averaged over all intensities."""
         if remedy.gain is None or not (self.trials.fell.any() or remedy.trials.fell.any()):
             return ""
-        mean, low, high = (f"{percent(abs(x))} {_fewer(x)}" for x in remedy.gain)
+        mean, low, high = (
+            f"{percent(abs(x))} {'fewer' if x > 0.0 else 'more'}" for x in remedy.gain
+        )
         said = f"of all scaled motions {mean} overturn"
         if remedy.gain.lower <= 0.0 <= remedy.gain.upper:
             said = "no measurable difference in how many overturn"
@@ -627,10 +629,6 @@ def check_page(path: str | Path) -> None:
 def _by_side(texts: Iterable[str]) -> str:
     left, right = texts
     return left if left == right else f"{left} to the left and {right} to the right"
-
-
-def _fewer(part: float) -> str:
-    return "fewer" if part > 0.0 else "more"
 
 
 def _s(n: int) -> str:

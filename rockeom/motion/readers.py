@@ -566,17 +566,13 @@ def _table(text: _Text) -> _Table:
     header_line = None
     number, line = start[0]
     first = _fields(path, number, line, delimiter)
-    if any(first) and all(_is_name(field) or not field for field in first):
+    if any(first) and all(not f or (_NAME.match(f) and not _looks_numeric(f)) for f in first):
         header_line, names = number, _names(path, number, line, delimiter)
         if len(start) < 2:
             raise InputError.at(path, number, "no numbers follow the heading", _GET_AGAIN)
         number, line = start[1]
         first = _fields(path, number, line, delimiter)
     return _Table(text, delimiter, header_line, names, number, first)
-
-
-def _is_name(field: str) -> bool:
-    return bool(_NAME.match(field)) and not _looks_numeric(field)
 
 
 def _fields(path: FilePath, number: int, line: str, delimiter: str | None) -> list[str]:

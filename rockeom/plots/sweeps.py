@@ -10,7 +10,7 @@ import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
-from matplotlib.colors import ListedColormap
+from matplotlib.colors import ListedColormap, to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
@@ -141,7 +141,7 @@ def _classes(sweep: xr.Dataset) -> xr.DataArray:
 def _cells(ax: Axes, kinds: xr.DataArray, x: str, y: str) -> None:
     """A rectangle around each pair of values; those without an answer are crossed out."""
     edges = [coordinates.edges(coordinates.places(kinds[name])) for name in (x, y)]
-    colours = np.array([_rgb(colour) for _, colour in _CLASSES])
+    colours = np.array([to_rgb(colour) for _, colour in _CLASSES])
     ax.pcolormesh(*edges, colours[kinds.values], rasterized=True)
     unknown = np.ma.masked_not_equal(kinds.values, _NO_ANSWER)
     if unknown.count():
@@ -206,10 +206,6 @@ def _closest(points: np.ndarray, there: list[tuple[int, tuple[int, int]]]) -> li
             pairs.append((i, j))
             taken |= {i, j}
     return pairs
-
-
-def _rgb(colour: str) -> list[float]:
-    return [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
 
 
 # --- how far it rocks

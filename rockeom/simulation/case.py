@@ -124,16 +124,12 @@ class Problems(NamedTuple):
 
     def bits(self, places: Iterable[int]) -> list[list[tuple[str, bytes]]]:
         """The numbers of some of the cases, to compare them with others."""
-        return [
-            [(x.dtype.str, x.tobytes()) for x in (*self._tables(i), *self._of_each(i))]
-            for i in places
-        ]
+        return [[(x.dtype.str, x.tobytes()) for x in self._numbers(i)] for i in places]
 
-    def _tables(self, i: int) -> tuple[np.ndarray, np.ndarray]:
-        return self.horizontal[slice(*self.h_rows[i])], self.vertical[slice(*self.v_rows[i])]
-
-    def _of_each(self, i: int) -> Iterator[np.ndarray]:
-        return (x[i] for name, x in self._asdict().items() if name not in _OF_TABLES)
+    def _numbers(self, i: int) -> Iterator[np.ndarray]:
+        yield self.horizontal[slice(*self.h_rows[i])]
+        yield self.vertical[slice(*self.v_rows[i])]
+        yield from (x[i] for name, x in self._asdict().items() if name not in _OF_TABLES)
 
 
 _OF_TABLES = {"horizontal", "h_rows", "vertical", "v_rows"}

@@ -37,7 +37,7 @@ def filled(
 
     def fill(number: int, rows: np.ndarray) -> None:
         if len(rows) == 1:  # the same bits, sooner
-            alone = (float(_of(x, rows)) for x in more)
+            alone = (float(x if np.ndim(x) == 0 else x[rows[0]]) for x in more)
             getattr(m, function)(number, y[rows[0]], p, *alone, result[:, rows[0]])
             return
         states = np.array([Many(column) for column in y[rows].T], dtype=object)
@@ -49,10 +49,6 @@ def filled(
 
     by_mode(modes, fill)
     return result
-
-
-def _of(values: Any, rows: np.ndarray) -> Any:
-    return values if np.ndim(values) == 0 else values[rows[0]]
 
 
 def jets(

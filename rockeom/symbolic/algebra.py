@@ -15,16 +15,11 @@ def at_side(expr: sp.Expr, side: int) -> sp.Expr:
     return sp.sympify(expr).subs(SIDE, side)
 
 
-def _even_power(power: sp.Expr, base: sp.Expr, square: sp.Expr) -> sp.Expr:
-    half, odd = divmod(int(power), 2)
-    return square**half * base**odd
-
-
 def square_is(expr: sp.Expr, base: sp.Expr, square: sp.Expr) -> sp.Expr:
     """Replace base**2 by `square` in every integer power of `base`."""
     return expr.replace(
         lambda e: e.is_Pow and e.base == base and e.exp.is_Integer and e.exp > 1,
-        lambda e: _even_power(e.exp, base, square),
+        lambda e: square ** (e.exp // 2) * base ** (e.exp % 2),
     )
 
 

@@ -29,11 +29,9 @@ def rows_of(elements: Sequence[Switching]) -> list[tuple[int, ...]]:
         else:
             rows.append([i])
 
-    return [_along(elements, row) for row in rows]
-
-
-def _along(elements: Sequence[Switching], row: list[int]) -> tuple[int, ...]:
-    return tuple(sorted(row, key=lambda i: _place(elements, row, elements[i]) or 0))
+    return [
+        tuple(sorted(row, key=lambda i: _place(elements, row, elements[i]) or 0)) for row in rows
+    ]
 
 
 def combinations_of(elements: Sequence[Switching]) -> dict[Combination, list[str]]:

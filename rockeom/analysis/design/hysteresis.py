@@ -431,7 +431,8 @@ class TakedaRule(HysteresisRule):
         u0, f0, right, left, zero = memory
         way = np.sign(displacement - u0)
         side = np.where(f0 != 0, np.sign(f0), way)
-        stiffness = self._unloading(np.where(side > 0, right, left))
+        peak = np.where(side > 0, right, left)
+        stiffness = self.stiffness * (self.yield_displacement / peak) ** self.unloading_exponent
         trial = f0 + stiffness * (displacement - u0)
         crossed = trial * side <= 0
         zero = np.where(crossed | (f0 == 0), u0 - f0 / stiffness, zero)
@@ -441,9 +442,6 @@ class TakedaRule(HysteresisRule):
         force = side * np.maximum(np.where(crossed | (f0 == 0), aimed, kept), 0.0)
         right, left = np.maximum(right, displacement), np.maximum(left, -displacement)
         return HysteresisStep(force, np.array([displacement + 0 * u0, force, right, left, zero]))
-
-    def _unloading(self, peak: np.ndarray) -> np.ndarray:
-        return self.stiffness * (self.yield_displacement / peak) ** self.unloading_exponent
 
     def _reloading(self, u: np.ndarray, zero: np.ndarray, peak: np.ndarray) -> np.ndarray:
         """Forces on the way from zero to the peak, and on the envelope beyond it."""

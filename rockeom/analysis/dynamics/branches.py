@@ -392,17 +392,13 @@ class _Follower:
 
     def tests(self, point: _Point) -> dict[str, float]:
         """Functions that change their sign at bifurcations, by kind."""
-        multipliers = point.orbit.multipliers
-        flip = FLIPS[0] if self._half(point.orbit) else FLIPS[1]
-        values = {flip: np.prod(multipliers + 1).real}
+        orbit = point.orbit
+        half = orbit.mirror is not None and orbit.cycles % 2 == 1
+        values = {FLIPS[0] if half else FLIPS[1]: np.prod(orbit.multipliers + 1).real}
         if point.crossing:
             return values
         bordered = np.vstack([point.jacobian, point.way])
         return {"fold": point.way[-1], "branch point": np.linalg.det(bordered)} | values
-
-    @staticmethod
-    def _half(orbit: PeriodicOrbit) -> bool:
-        return orbit.mirror is not None and orbit.cycles % 2 == 1
 
     def next(self, here: _Point, length: float, start: _Point | None) -> tuple[_Point, str]:
         """The next point, and why it is the last, if it is.

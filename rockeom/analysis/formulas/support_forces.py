@@ -219,7 +219,8 @@ def acceleration_at_impact(
     alpha = slenderness(where, alpha)
     radius, gravity = positive(where, radius=radius, gravity=gravity)
     s = side_of(where, np.zeros(()), side)
-    return -s * _radius_ratio(where, radius_ratio) * gravity / radius * _moment_arm(alpha, slender)
+    arm = alpha if slender else np.sin(alpha)
+    return -s * _radius_ratio(where, radius_ratio) * gravity / radius * arm
 
 
 def block_reactions_at_impact(
@@ -281,11 +282,6 @@ def block_reactions_at_impact(
     return block_reactions(
         0.0, rate, acceleration, mass=mass, alpha=alpha, radius=radius, gravity=gravity, side=side
     )
-
-
-def _moment_arm(alpha, slender: bool):
-    """Moment arm of the weight of the block upright on one foot, over R."""
-    return alpha if slender else np.sin(alpha)
 
 
 def _radius_ratio(where: str, value: ArrayLike) -> np.ndarray:

@@ -167,7 +167,8 @@ def _searched(
     step = t[1] - t[0]
     for period in np.geomspace(band[0], band[1], _PERIODS):
         for gamma in np.atleast_1d(gammas):
-            reach = math.ceil(_half_length(model, period, gamma) / step)
+            half = 0.5 * gamma if model == "mavroeidis_papageorgiou" else 2.0
+            reach = math.ceil(half * period / step)
             x = step * np.arange(-reach, reach + 1)
             shapes = _shapes(model, x, period, gamma)
             taken = sum(
@@ -179,10 +180,6 @@ def _searched(
             starts.append((taken[best], (float(period), float(t[best]), float(gamma))))
     starts.sort(key=lambda one: -one[0])
     return [place for _, place in starts[:_STARTS]]
-
-
-def _half_length(model: str, period: float, gamma: float) -> float:
-    return (0.5 * gamma if model == "mavroeidis_papageorgiou" else 2.0) * period
 
 
 def _lead(model: str, period: float, gamma: float) -> float:

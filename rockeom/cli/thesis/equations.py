@@ -113,17 +113,12 @@ def _shown(decision: thesis.Decision, columns: int) -> str:
     passed = sum(f.holds for f in decision.findings)
     lines.append(_point(f"{passed} of {len(decision.findings)} comparisons hold.", columns))
     for failed in (f for f in decision.against if not f.holds):
-        lines.append(
-            _point(f"the printed form fails: {failed.what}: {_rest(failed.rest)}", columns)
-        )
+        rest = str(failed.rest)
+        rest = rest if len(rest) <= 160 else f"{rest[:150]} ..."
+        lines.append(_point(f"the printed form fails: {failed.what}: {rest}", columns))
     if decision.why:
         lines.append(_point(f"FAILED: {decision.why}", columns))
     return text + "\n" + "\n".join(lines)
-
-
-def _rest(rest: object) -> str:
-    text = str(rest)
-    return text if len(text) <= 160 else f"{text[:150]} ..."
 
 
 def _symbols(one: thesis.Equation) -> tuple[tuple[str, ...], ...]:

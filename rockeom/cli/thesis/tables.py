@@ -33,7 +33,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     if not args.numbers:
-        print(_list())
+        rows = [("", "WHAT IT HOLDS"), *((n, table.title) for n, table in TABLES.items())]
+        print(f"{listing(rows)}\n\n{len(TABLES)} tables; rockeom thesis tables NUMBER shows one.")
         return 0
     for number in args.numbers:
         if number not in TABLES:
@@ -42,11 +43,6 @@ def run(args: argparse.Namespace) -> int:
     shown = [_shown(table) for number in args.numbers for table in side_by_side(number)]
     print("\n\n".join(shown))
     return 0
-
-
-def _list() -> str:
-    rows = [("", "WHAT IT HOLDS"), *((n, table.title) for n, table in TABLES.items())]
-    return f"{listing(rows)}\n\n{len(TABLES)} tables; rockeom thesis tables NUMBER shows one."
 
 
 def _shown(table: TextTable) -> str:

@@ -1,6 +1,6 @@
 """The rigid controlled wall, made from a wall of the thesis or of `rockeom.analysis`."""
 
-from __future__ import annotations
+from typing import Self
 
 from rockeom.structures.shipped.declarations import controlled_wall as declared
 from rockeom.structures.shipped.tendoned_wall import Wall
@@ -9,7 +9,7 @@ from rockeom.structures.shipped.walls import RockingWall, of_wall
 
 class ControlledWall(RockingWall, declared.ControlledWall):
     @classmethod
-    def from_wall(cls, wall: Wall, anchor_distance: float = 3.1) -> ControlledWall:
+    def from_wall(cls, wall: Wall, anchor_distance: float = 3.1) -> Self:
         """Wall of `rockeom.analysis`.
 
         The lower anchor is put at the base. The inertia about the centroid is that of 4-19 when the
@@ -38,7 +38,7 @@ class ControlledWall(RockingWall, declared.ControlledWall):
         )
 
     @classmethod
-    def thesis(cls, initial_force: float = 75.6e3) -> ControlledWall:
+    def thesis(cls, initial_force: float = 75.6e3) -> Self:
         """Wall of thesis chapter 4.
 
         Parameters

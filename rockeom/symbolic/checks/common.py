@@ -42,7 +42,7 @@ class Names(NamedTuple):
 
 
 class ModelError(Exception):
-    """What is wrong with a declaration, before the name of the model stands in front of it."""
+    """A fault of a declaration; the name of the model is put before it where it is known."""
 
 
 @contextmanager
@@ -60,8 +60,13 @@ def springs_outputs(springs: Iterable[str]) -> tuple[str, ...]:
     return tuple(f"{name}_{what}" for name in springs for what in quantities)
 
 
-def shape(body: Body) -> Expressions:
-    """The outline of a body is fixed to it."""
+def body_expressions(body: Body, where: str, may: str) -> Expressions:
+    """The expressions of a body, whose outline is fixed to it."""
+    yield f"mass{where}", body.mass, may
+    yield f"inertia{where}", body.inertia, may
+    yield f"rotation{where}", body.rotation, may
+    for axis, e in zip("xy", body.position, strict=True):
+        yield f"{axis}{where}", e, may
     of = f"of the outline of body {body.name!r}"
     for corner in body.outline:
         for axis, e in zip("xy", corner, strict=True):

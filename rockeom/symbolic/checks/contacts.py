@@ -13,8 +13,8 @@ from rockeom.symbolic.checks.common import (
     Expressions,
     ModelError,
     Names,
+    body_expressions,
     naming,
-    shape,
     springs_outputs,
 )
 from rockeom.symbolic.contacts import Contact, ContactDeclaration, Force
@@ -158,13 +158,7 @@ def expressions_of_contacts(of: ContactDeclaration) -> Expressions:
     yield "elastic energy", of.elastic_energy, "qz"
     yield "dissipation", of.dissipation, "qv"
     for b in of.bodies:
-        where = f" of body {b.name!r}"
-        yield f"mass{where}", b.mass, "q"
-        yield f"inertia{where}", b.inertia, "q"
-        yield f"rotation{where}", b.rotation, "q"
-        for axis, e in zip("xy", b.position, strict=True):
-            yield f"{axis}{where}", e, "q"
-        yield from shape(b)
+        yield from body_expressions(b, f" of body {b.name!r}", "q")
     for c in of.contacts:
         where = f" of contact {c.name!r}"
         yield f"gap{where}", c.gap, "qs"

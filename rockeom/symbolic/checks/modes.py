@@ -10,7 +10,7 @@ from rockeom.symbolic.checks.common import (
     Expressions,
     ModelError,
     Names,
-    shape,
+    body_expressions,
     springs_outputs,
 )
 from rockeom.symbolic.hybrid import HybridModel
@@ -140,13 +140,7 @@ def expressions_of_modes(model: HybridModel) -> Expressions:
     for mode in model.modes:
         of = f" in mode {'/'.join(mode.sides)}"
         for b in mode.bodies:
-            body = f" of body {b.name!r}{of}"
-            yield f"mass{body}", b.mass, "qs"
-            yield f"inertia{body}", b.inertia, "qs"
-            yield f"rotation{body}", b.rotation, "qs"
-            for axis, e in zip("xy", b.position, strict=True):
-                yield f"{axis}{body}", e, "qs"
-            yield from shape(b)
+            yield from body_expressions(b, f" of body {b.name!r}{of}", "qs")
         yield f"gravity{of}", mode.gravity, ""
         yield f"elastic energy{of}", mode.elastic_energy, "qs"
         yield f"dissipation{of}", mode.dissipation, "qvs"

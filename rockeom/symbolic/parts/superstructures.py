@@ -159,7 +159,8 @@ def shear_frame(storeys: int) -> Superstructure:
         coordinate(f"u_{i}", f"u_{i}", "m", f"displacement of floor {i} relative to the base")
         for i in floors
     ]
-    drifts = _differences([u.position for u in moved])
+    places = [u.position for u in moved]
+    drifts = [places[0], *(b - a for a, b in pairwise(places))]
 
     thick = heights[-1].symbol / 50
     slab = rectangle(HALF_WIDTH.symbol, thick)
@@ -195,8 +196,3 @@ def shear_frame(storeys: int) -> Superstructure:
             for i, drift, k, c in zip(floors, drifts, stiffnesses, dampings, strict=True)
         ),
     )  # fmt: skip
-
-
-def _differences(values: list[sp.Symbol]) -> list[sp.Expr]:
-    """The first, and of each other by how much it is more than the one before."""
-    return [values[0], *(b - a for a, b in pairwise(values))]
