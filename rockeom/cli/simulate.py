@@ -8,7 +8,7 @@ from rockeom.cli import output
 from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import add_motion, motions
-from rockeom.cli.options import add_number, add_pairs
+from rockeom.cli.text.options import add_number, add_pairs
 from rockeom.files import check_target
 from rockeom.numbers.checks import near
 from rockeom.simulation.case import Case

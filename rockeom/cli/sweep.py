@@ -10,9 +10,9 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from rockeom.cli.errors import spread, words
-from rockeom.cli.options import add_pairs
 from rockeom.cli.output import csv_of
 from rockeom.cli.simulate import add_case, case, check_folder
+from rockeom.cli.text.options import add_pairs
 from rockeom.drawing.style import save_figure
 from rockeom.files import write
 from rockeom.plots.sweeps import overturning_map, rocking_spectrum as draw_spectrum
