@@ -137,14 +137,8 @@ def one_body(**changes):
         ),
         (lambda: one_body(elements=[SPRING, SPRING]), "declared twice: column"),
         (lambda: one_body(elements=[replace(SPRING, name="a b")]), "letters, digits"),
-        (
-            lambda: one_body(elements=[replace(SPRING, mirrored="image")]),
-            "other elements on one side",
-        ),
-        (
-            lambda: one_body(elements=[replace(SPRING, deformation=U.velocity)]),
-            "deformation of element 'column'",
-        ),
+        (lambda: one_body(elements=[replace(SPRING, mirrored="image")]), "elements on one side"),
+        (lambda: one_body(elements=[replace(SPRING, deformation=U.velocity)]), "element 'column'"),
         (
             lambda: replace(
                 named_column(), elements=(Unilateral("column", U.position, sp.S.One),)
