@@ -246,7 +246,7 @@ def test_impossible_wall_is_refused(change, message):
         (lambda: WEAK.along([0.01, np.inf]), r"displacements\[1\] is inf"),
         (lambda: WEAK.along([[0.01]]), "displacements.* give a list"),
         (lambda: WEAK.pushover(np.nan), r"displacements\[0\] is nan"),
-        (lambda: WEAK.cycles([0.01, -0.02]), r"amplitudes\[1\] is -0\.02: give a pos"),
+        (lambda: WEAK.cycles([0.01, -0.02]), r"amplitudes\[1\] is -0\.02: give"),
         (lambda: WEAK.cycles([0.01], repeat=0), "repeat is 0: give a whole number"),
         (
             lambda: replace(WEAK, bed_modulus=1e6, strength=1e7).effective_stiffness(),

@@ -139,7 +139,11 @@ def test_at2_without_units_takes_those_of_the_caller(tmp_path):
 AT2_ERRORS = {
     "cut short": (at2(VALUES)[:-50], 4, r"says 120 values, .* holds 11\d.*download it"),
     "one value too many": (at2(VALUES) + " .1E+00\n", 4, "120 values, but the file holds 121"),
-    "NaN": (at2(VALUES).replace(fortran(VALUES[7]), "            NaN"), 6, "8 is NaN, .* take the"),
+    "NaN": (
+        at2(VALUES).replace(fortran(VALUES[7]), "            NaN"),
+        6,
+        "8 is NaN.*Remedy: take",
+    ),
     "infinity": (at2([0.1, 0.2]).replace(".2000000E+00", "-Inf"), 5, r"sample 2 is -Inf"),
     "overflow": (at2([0.1, 0.2]).replace(".2000000E+00", "1.0E+999"), 5, r"sample 2 is 1\.0E\+999"),
     "Fortran overflow": (
