@@ -108,7 +108,7 @@ def _refuse(what: str, remedy: str) -> NoReturn:
 
 
 def _refused(what: str, remedy: str) -> Callable[..., NoReturn]:
-    """What a page cannot repeat of a number."""
+    """Operation on a number that a page cannot repeat."""
     return lambda *_: _refuse(what, remedy)
 
 

@@ -103,7 +103,7 @@ class Writer:
         """Nothing where it is written out wherever it is used."""
 
     def type_word(self, value: ast.expr) -> str:
-        """What stands before the name of a temporary value."""
+        """Words before the name of a temporary value."""
         return ""
 
     # -- expressions --------------------------------------------------------------------------

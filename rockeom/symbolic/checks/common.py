@@ -42,7 +42,7 @@ class Names(NamedTuple):
 
 
 class ModelError(Exception):
-    """What is wrong with a declaration, before the name of the model stands in front of it."""
+    """A fault of a declaration; `naming` puts the name of the model before it."""
 
 
 @contextmanager
@@ -61,7 +61,7 @@ def springs_outputs(springs: Iterable[str]) -> tuple[str, ...]:
 
 
 def body_expressions(body: Body, where: str, may: str) -> Expressions:
-    """Those of a body, whose outline is fixed to it."""
+    """Expressions of a body and of its outline, which is fixed to it."""
     yield f"mass{where}", body.mass, may
     yield f"inertia{where}", body.inertia, may
     yield f"rotation{where}", body.rotation, may
