@@ -215,12 +215,12 @@ def public_names(package: str) -> int:
 
 
 BOUNDS = {
-    "rockeom": 63_176, "tests": 46_166, "generated": 14_265,
-    "/.": 299, "/analysis": 7_486, "/assessment": 1_039, "/browser": 3_610, "/cli": 2_616,
+    "rockeom": 63_149, "tests": 46_166, "generated": 14_265,
+    "/.": 299, "/analysis": 7_486, "/assessment": 1_039, "/browser": 3_610, "/cli": 2_623,
     "/codegen": 2_148, "/compiler": 2_121, "/drawing": 1_384, "/exports": 1_926, "/generated":
     56, "/integrator": 7_028, "/modelling": 542, "/motion": 3_399, "/numbers": 1_042, "/plots":
     1_170, "/simulation": 2_169, "/structures": 3_519, "/sweeps": 2_077, "/symbolic": 6_790,
-    "/teaching": 40, "/thesis": 13_118,
+    "/teaching": 40, "/thesis": 13_108,
 }  # fmt: skip
 """Lines of code of the package, of each of its folders, of tests and of generated modules."""
 

@@ -108,7 +108,7 @@ def _refuse(what: str, remedy: str) -> NoReturn:
 
 
 def _refused(what: str, remedy: str) -> Callable[..., NoReturn]:
-    """Operation on a number that a page cannot repeat."""
+    """An operation on a number that a page cannot repeat: an error with its remedy."""
     return lambda *_: _refuse(what, remedy)
 
 

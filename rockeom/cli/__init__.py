@@ -154,9 +154,9 @@ def _write_any_letter() -> None:
 
 def _errors() -> ModuleType:
     """The words of errors, which load NumPy: only where there is one."""
-    from rockeom.cli import options
+    from rockeom.cli import errors
 
-    return options
+    return errors
 
 
 def _show_warning(message, category, filename, lineno, file=None, line=None) -> None:

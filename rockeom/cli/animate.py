@@ -3,8 +3,8 @@
 import argparse
 from pathlib import Path
 
-from rockeom.cli.options import add_number
 from rockeom.cli.simulate import add_case, case
+from rockeom.cli.text.options import add_number
 from rockeom.drawing.animation import FILES, Animation, animate, check_file
 from rockeom.simulation.options import SolverOptions
 from rockeom.simulation.simulate import simulate

@@ -9,8 +9,8 @@ from rockeom.assessment.assess import assess, by_recording
 from rockeom.assessment.result import UNITS_CHECKED, check_page
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, accelerations, add_records, records
-from rockeom.cli.options import add_number, add_words
 from rockeom.cli.simulate import impact_law
+from rockeom.cli.text.options import add_number, add_words
 from rockeom.motion.floor import floor_motion
 
 DESCRIPTION = """\

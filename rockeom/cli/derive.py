@@ -4,8 +4,8 @@ import argparse
 import sys
 from pathlib import Path
 
+from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_details, details
-from rockeom.cli.options import UsageError
 from rockeom.cli.text.plain import to_text
 from rockeom.cli.text.terminal import width
 from rockeom.codegen import module_text

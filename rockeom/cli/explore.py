@@ -9,9 +9,10 @@ from typing import Any
 from rockeom.browser.controls import slider
 from rockeom.browser.page import explorer
 from rockeom.browser.traced import UntracedError
+from rockeom.cli.errors import UsageError, words
 from rockeom.cli.models import dimensions_of, made
-from rockeom.cli.options import UsageError, add_pairs, words
 from rockeom.cli.simulate import add_case, case
+from rockeom.cli.text.options import add_pairs
 from rockeom.files import check_target
 from rockeom.modelling.named import class_named
 from rockeom.simulation.case import Case

@@ -4,9 +4,10 @@ import argparse
 import sys
 from pathlib import Path
 
+from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import add_details, details, made
 from rockeom.cli.motions import add_motion, motions
-from rockeom.cli.options import UsageError, add_number, add_pairs, numbers
+from rockeom.cli.text.options import add_number, add_pairs
 from rockeom.exports.code import code, file_name
 from rockeom.exports.opensees import script
 from rockeom.files import check_target, write

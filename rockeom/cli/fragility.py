@@ -10,11 +10,12 @@ import xarray as xr
 from rockeom.analysis.risk.fragility import Fragility, fragility_of
 from rockeom.analysis.sweeps import exceedances
 from rockeom.assessment.words import plural
+from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, accelerations, add_records, records
-from rockeom.cli.options import UsageError, add_number, add_words
 from rockeom.cli.output import csv_of
 from rockeom.cli.simulate import check_folder, impact_law
+from rockeom.cli.text.options import add_number, add_words
 from rockeom.drawing.style import save_figure
 from rockeom.files import write
 from rockeom.motion import GroundMotion

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Collection
 from pathlib import Path
 
-from rockeom.cli.options import UsageError
+from rockeom.cli.errors import UsageError
 from rockeom.codegen import write
 from rockeom.numbers.checks import near
 

@@ -5,7 +5,8 @@ import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from rockeom.cli.options import UsageError, add_pairs, lists, numbers, words
+from rockeom.cli.errors import UsageError, lists, numbers, words
+from rockeom.cli.text.options import add_pairs
 from rockeom.integrator.schema import GeneratedModule
 from rockeom.modelling import named
 from rockeom.modelling.declared import module_of

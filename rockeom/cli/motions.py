@@ -7,7 +7,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rockeom.cli.options import UsageError, add_number, add_words, spread, words
+from rockeom.cli.errors import UsageError, spread, words
+from rockeom.cli.text.options import add_number, add_words
 from rockeom.files import in_text
 from rockeom.motion import GroundMotion, MotionSet, units
 from rockeom.motion.recordings import COMPONENTS

@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
-from rockeom.cli.options import UsageError, check_picture
+from rockeom.cli.errors import UsageError, check_picture
 from rockeom.drawing.style import save_figure
 from rockeom.motion import GroundMotion, library
 from rockeom.motion.units import STANDARD_GRAVITY

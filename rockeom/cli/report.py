@@ -6,8 +6,8 @@ from pathlib import Path
 
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import SETS, add_records, add_scale, records, scaled
-from rockeom.cli.options import add_number
 from rockeom.cli.simulate import impact_law
+from rockeom.cli.text.options import add_number
 from rockeom.files import check_target
 from rockeom.plots.design_report import check_name, design_report
 

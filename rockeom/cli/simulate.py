@@ -5,9 +5,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 from rockeom.cli import output
+from rockeom.cli.errors import UsageError, numbers
 from rockeom.cli.models import add_structure, made
 from rockeom.cli.motions import add_motion, motions
-from rockeom.cli.options import UsageError, add_number, add_pairs, numbers
+from rockeom.cli.text.options import add_number, add_pairs
 from rockeom.files import check_target
 from rockeom.numbers.checks import near
 from rockeom.simulation.case import Case

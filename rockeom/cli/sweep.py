@@ -9,9 +9,10 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
-from rockeom.cli.options import add_pairs, spread, words
+from rockeom.cli.errors import spread, words
 from rockeom.cli.output import csv_of
 from rockeom.cli.simulate import add_case, case, check_folder
+from rockeom.cli.text.options import add_pairs
 from rockeom.drawing.style import save_figure
 from rockeom.files import write
 from rockeom.plots.sweeps import overturning_map, rocking_spectrum as draw_spectrum

@@ -10,7 +10,16 @@ from typing import Any
 import numpy as np
 
 from rockeom.compiler.frontend import Function, has_duals
-from rockeom.compiler.lines import Value, described, literal, parts_of, returned
+from rockeom.compiler.lines import (
+    Lines,
+    Value,
+    a_tuple,
+    described,
+    literal,
+    parts_of,
+    returned,
+    size_of,
+)
 from rockeom.compiler.modules import Modules, Text
 from rockeom.compiler.parsed import ANNOTATIONS, Definition, Texts
 from rockeom.compiler.types import BOOL, FLOAT, INT, NOTHING, WIDTH, Array, Entry, Tuple, Type
@@ -58,41 +67,20 @@ class Program(Texts):
     def entry(self, name: str, definition: Definition) -> None:
         """Print a function, and one that takes all its arguments from a row of 64-bit places.
 
-        Arrays come as address and shape, a record as its fields. The place behind them is for the
-        value that the function returns.
+        Arrays come as address and shape, a record as its fields: the row is a tuple in memory. The
+        place behind them is for the value that the function returns.
         """
         arguments = definition.arguments(self.names_in(definition.text))
         types = tuple(type_ for _, type_ in arguments)
         symbol, returns = self.function(definition, types, None, definition)
         if returns not in (FLOAT, INT, BOOL, NOTHING):
             definition.refuse(None, f"an entry returns a number, not {described(returns)}")
-        lines, operands, i = [], [], 0
-        parts = [part for type_ in types for part in parts_of(type_)]
-        for type_ in types:
-            if isinstance(type_, Tuple):  # its fields lie in the row as in a record
-                lines += [f"%p{i} = getelementptr i64, ptr %row, i64 {i}"]
-                operands.append(f"ptr %p{i}")
-                i += len(parts_of(type_))
-                continue
-            for part in parts_of(type_):
-                kind = INT if part == BOOL else part
-                lines += [f"%p{i} = getelementptr i64, ptr %row, i64 {i}"]
-                lines += [f"%x{i} = load {kind}, ptr %p{i}"]
-                if part == BOOL:
-                    lines += [f"%b{i} = icmp ne i64 %x{i}, 0"]
-                operands.append(f"{part} %{'b' if part == BOOL else 'x'}{i}")
-                i += 1
-        call = f"call {returned(returns)} @{symbol}({', '.join(operands)})"
-        if returns == NOTHING:
-            lines.append(call)
-        else:
-            lines += [f"%r = {call}", f"%place = getelementptr i64, ptr %row, i64 {len(parts)}"]
-            if returns == BOOL:
-                lines += ["%wide = zext i1 %r to i64", "store i64 %wide, ptr %place"]
-            else:
-                lines.append(f"store {returns} %r, ptr %place")
-        body = "\n".join(f"  {line}" for line in [*lines, "ret void"])
-        self.bodies[name] = f"define void @{name}(ptr %row) nounwind {{\n{body}\n}}"
+        ir, row = Lines((), False, self.declared), Value(Tuple(types), ("%row",))
+        values = [ir.item(row, i) for i in range(len(types))]
+        operands = [operand for value in values for operand in ir.operands_of(value)]
+        ir.put(ir.call(symbol, returns, operands), ir.inside("%row", size_of(row.type)))
+        head = f"define void @{name}(ptr %row) nounwind {{"
+        self.bodies[name] = "\n".join([head, *ir.head, *ir.lines, "  ret void", "}"])
         self.of_text[name] = definition.text
         self.entries[name] = Entry(flattened(arguments), returns)
 
@@ -103,32 +91,20 @@ class Program(Texts):
         returns = ANNOTATIONS.get(annotation.id) if isinstance(annotation, ast.Name) else NOTHING
         if returns is None:
             definition.refuse(None, "what it returns has no annotation that is known")
-        parts = [part for _, type_ in arguments for part in parts_of(type_)]
-        lines, operands, i = [f"%row = alloca i64, i64 {len(parts) + 1}"], [], 0
+        ir, values = Lines((), False, self.declared), []
+        operands: list[str] = []
         for _, type_ in arguments:
-            record = f"%x{i}" if isinstance(type_, Tuple) else ""
-            operands += [f"ptr {record}"] if record else []
-            for at, part in enumerate(parts_of(type_)):
-                lines.append(f"%p{i} = getelementptr i64, ptr %row, i64 {i}")
-                if record:
-                    lines.append(f"%q{i} = getelementptr i64, ptr {record}, i64 {at}")
-                    lines.append(f"%w{i} = load i64, ptr %q{i}")
-                elif part == BOOL:
-                    lines.append(f"%w{i} = zext i1 %x{i} to i64")
-                wide = f"i64 %w{i}" if record or part == BOOL else f"{part} %x{i}"
-                lines.append(f"store {wide}, ptr %p{i}")
-                operands += [] if record else [f"{part} %x{i}"]
-                i += 1
-        lines.append(f"call void @{name}(ptr %row)")
-        if returns == NOTHING:
-            lines.append("ret void")
-        else:
-            lines.append(f"%place = getelementptr i64, ptr %row, i64 {len(parts)}")
-            lines += [f"%r = load {returns}, ptr %place", f"ret {returns} %r"]
-        body = "\n".join(f"  {line}" for line in lines)
-        self.bodies[symbol] = (
-            f"define internal {returned(returns)} @{symbol}({', '.join(operands)}) {{\n{body}\n}}"
-        )
+            parts = ("ptr",) if isinstance(type_, Tuple) else parts_of(type_)
+            names = [f"%x{len(operands) + i}" for i in range(len(parts))]
+            values.append(Value(type_, tuple(names)))
+            operands += [f"{part} {x}" for part, x in zip(parts, names, strict=True)]
+        types = Tuple((*(type_ for _, type_ in arguments), returns))
+        row = ir.place_of(types)
+        ir.put(a_tuple(values), row)
+        ir.line(f"call void @{name}(ptr {row})")
+        ir.give_back(ir.item(Value(types, (row,)), len(values)))
+        head = f"define internal {returned(returns)} @{symbol}({', '.join(operands)}) {{"
+        self.bodies[symbol] = "\n".join([head, *ir.head, *ir.lines, "}"])
         self.of_text[symbol] = definition.text
         self.declared[name] = f"void @{name}(ptr)"
         return returns

@@ -103,7 +103,7 @@ class Writer:
         """Nothing where it is written out wherever it is used."""
 
     def type_word(self, value: ast.expr) -> str:
-        """Words before the name of a temporary value."""
+        """The type that a declaration of a temporary value begins with, if any."""
         return ""
 
     # -- expressions --------------------------------------------------------------------------

@@ -18,7 +18,6 @@ import rockeom as rk
 from rockeom import analysis
 from rockeom.analysis import formulas, identification
 from rockeom.thesis import printed, shaken
-from rockeom.thesis.free_vibration_table import let_go
 from rockeom.thesis.printed import TABLES, Cell, PrintedTable, Row, number
 
 __all__ = ["TABLES", "PrintedTable", "computed"]
@@ -318,7 +317,7 @@ def _free_decay(structure, impact, state: str, release: float, peaks: int):
     middle between two impacts.
     """
 
-    run = let_go(structure, 4.0, impact, **{state: release})
+    run = rk.simulate(structure, rk.GroundMotion.none(4.0), impact=impact, initial={state: release})
     zeros = [event.time for event in run.impacts[:peaks]]
     points = [(0.0, release)]
     for before, after in itertools.pairwise(zeros):

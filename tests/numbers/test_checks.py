@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from rockeom.cli.options import in_options
+from rockeom.cli.errors import in_options
 from rockeom.numbers.checks import InputError, InputTypeError, number, numbers, require
 from tests.refusals import refused, refuses
 

@@ -10,7 +10,7 @@ from scipy.linalg import eigh
 
 import rockeom as rk
 from rockeom.cli import models as command_line
-from rockeom.cli.options import UsageError
+from rockeom.cli.errors import UsageError
 from rockeom.symbolic.algebra import at_side, tidy
 from rockeom.symbolic.modes.balance import free_motion
 from rockeom.symbolic.write.page import to_latex, to_markdown

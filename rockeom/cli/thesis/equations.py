@@ -4,7 +4,7 @@ import argparse
 import textwrap
 
 from rockeom import thesis
-from rockeom.cli.options import UsageError
+from rockeom.cli.errors import UsageError
 from rockeom.cli.text.plain import to_text
 from rockeom.cli.text.terminal import listing, width
 from rockeom.modelling.named import FAMILIES

@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Mapping
 from pathlib import Path
 
-from rockeom.cli.options import UsageError, check_picture
+from rockeom.cli.errors import UsageError, check_picture
 from rockeom.cli.text.terminal import listing, width
 from rockeom.cli.thesis.statements import in_words
 from rockeom.drawing.style import save_figure

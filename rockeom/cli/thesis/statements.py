@@ -4,7 +4,7 @@ import argparse
 import sys
 import textwrap
 
-from rockeom.cli.options import UsageError
+from rockeom.cli.errors import UsageError
 from rockeom.cli.text.terminal import width
 from rockeom.thesis import statements
 

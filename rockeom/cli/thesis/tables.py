@@ -4,7 +4,7 @@ import argparse
 import sys
 import textwrap
 
-from rockeom.cli.options import UsageError
+from rockeom.cli.errors import UsageError
 from rockeom.cli.text.terminal import listing, width
 from rockeom.thesis.side_by_side import TextTable, side_by_side
 from rockeom.thesis.tables import TABLES

@@ -42,7 +42,7 @@ class Names(NamedTuple):
 
 
 class ModelError(Exception):
-    """A fault of a declaration; `naming` puts the name of the model before it."""
+    """A fault of a declaration; the name of the model is put before it where it is known."""
 
 
 @contextmanager
@@ -61,7 +61,7 @@ def springs_outputs(springs: Iterable[str]) -> tuple[str, ...]:
 
 
 def body_expressions(body: Body, where: str, may: str) -> Expressions:
-    """Expressions of a body and of its outline, which is fixed to it."""
+    """The expressions of a body, whose outline is fixed to it."""
     yield f"mass{where}", body.mass, may
     yield f"inertia{where}", body.inertia, may
     yield f"rotation{where}", body.rotation, may

@@ -8,15 +8,7 @@ import sympy as sp
 from scipy.integrate import quad
 from sympy import Rational, cosh, pi, sqrt
 
-from rockeom.analysis.formulas.damping import (
-    DESIGN_FACTORS,
-    GRANT_FACTORS,
-    design_damping,
-    fema_356_damping,
-    grant_damping,
-    priestley_damping,
-    simplified_damping,
-)
+from rockeom.analysis import formulas
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.thesis import comparison, notation as th
 from rockeom.thesis.catalogue import EQUATIONS
@@ -266,7 +258,7 @@ RATIOS = [(0.49,), (0.723,), (0.831,), (0.888,), (0.954,), (1.0,)]
 
 def _fema(equation: Equation, *relations: sp.Eq) -> Findings:
     stated = sp.lambdify(th.r, relations[0].rhs, "math")
-    yield from _against(fema_356_damping, stated, RATIOS)
+    yield from _against(formulas.damping.fema_356_damping, stated, RATIOS)
     yield close("without loss", stated(1.0), 0, 1e-15)
 
 
@@ -284,7 +276,9 @@ def decrement(r: float, start: float) -> float:
 
 
 def _priestley(equation: Equation, *relations: sp.Eq) -> Findings:
-    yield from _against(priestley_damping, sp.lambdify(th.r, relations[0].rhs, "math"), RATIOS)
+    yield from _against(
+        formulas.damping.priestley_damping, sp.lambdify(th.r, relations[0].rhs, "math"), RATIOS
+    )
 
 
 def _table_2_3(equation: Equation, *relations: sp.Eq) -> Findings:
@@ -429,13 +423,13 @@ def _table(printed: dict, used) -> Findings:
 
 def _grant(equation: Equation, *relations: sp.Eq) -> Findings:
     printed = read(TABLE_2_4)
-    yield from _table(printed, GRANT_FACTORS)
+    yield from _table(printed, formulas.damping.GRANT_FACTORS)
     arguments = (th.mu, th.effective_period, th.xi_const, th.xi_tang)
     for rule, row in printed.items():
         stated = sp.lambdify(arguments, relations[0].rhs.subs(row))
         for mu in DUCTILITIES:
             for elastic in ((0.05, 0.0), (0.0, 0.03)):
-                damping = grant_damping(
+                damping = formulas.damping.grant_damping(
                     rule, mu, 1.3, constant_damping=elastic[0], tangent_damping=elastic[1]
                 )
                 yield close(f"{rule}, mu = {mu}", damping, stated(mu, 1.3, *elastic), 1e-12)
@@ -466,17 +460,17 @@ def _without_period(equation: Equation, *relations: sp.Eq) -> Findings:
         yield vanishes(f"thesis minus the loop of {number} without hardening", rest, sp.simplify)
     stated = sp.lambdify((th.xi_v, th.C_i, th.mu), relations[0].rhs)
     points = [(0.05, 0.4, mu) for mu in DUCTILITIES]
-    yield from _against(simplified_damping, stated, points)
+    yield from _against(formulas.damping.simplified_damping, stated, points)
 
 
 def _design(equation: Equation, *relations: sp.Eq) -> Findings:
     printed = read(TABLE_2_5)
-    yield from _table(printed, DESIGN_FACTORS)
+    yield from _table(printed, formulas.damping.DESIGN_FACTORS)
     for rule, row in printed.items():
         stated = sp.lambdify((th.mu, th.effective_period), relations[0].rhs.subs(row))
         yield close(f"{rule}, mu = 1", stated(1.0, 0.7), 0.05, 1e-15)
         for mu in DUCTILITIES:
-            damping = design_damping(rule, mu, 1.3)
+            damping = formulas.damping.design_damping(rule, mu, 1.3)
             # 1 - mu**-b as printed loses digits in the flag's b
             yield close(f"{rule}, mu = {mu}", damping, stated(mu, 1.3), 1e-11)
 

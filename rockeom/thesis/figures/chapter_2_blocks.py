@@ -15,15 +15,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 import rockeom as rk
-from rockeom.analysis.dynamics.branches import (
-    FLIPS,
-    Cascade,
-    OrbitBranch,
-    orbit_branch,
-    period_doublings,
-)
-from rockeom.analysis.dynamics.orbits import StroboscopicMap
-from rockeom.analysis.dynamics.overturning import overturning_boundaries
+from rockeom.analysis import dynamics
+from rockeom.analysis.dynamics.branches import FLIPS
 from rockeom.analysis.formulas.restitution import energy_ratio_of_block
 from rockeom.motion import STANDARD_GRAVITY
 from rockeom.plots import style
@@ -171,12 +164,14 @@ START = 2.0
 """beta at which the motion of two mirrored halves is stable."""
 
 
-def stroboscope(beta: float, speed_ratio: float = SPEED_RATIO) -> StroboscopicMap:
+def stroboscope(beta: float, speed_ratio: float = SPEED_RATIO) -> dynamics.StroboscopicMap:
     """The block under beta cos(omega t), looked at every half period, each second time mirrored."""
     ground = rk.GroundMotion.harmonic(
         SQUAT.alpha * beta, period=PERIOD, phase=math.pi / 2, duration=2 * PERIOD
     )
-    return StroboscopicMap(SQUAT, ground, PERIOD, rk.VelocityRatio(speed_ratio), mirrored=True)
+    return dynamics.StroboscopicMap(
+        SQUAT, ground, PERIOD, rk.VelocityRatio(speed_ratio), mirrored=True
+    )
 
 
 @cache
@@ -186,15 +181,17 @@ def symmetric_state() -> np.ndarray:
 
 
 @cache
-def cascade() -> Cascade:
+def cascade() -> dynamics.Cascade:
     """Break of symmetry and the first five doublings."""
-    return period_doublings(stroboscope, (START, AMPLITUDES[-1]), symmetric_state(), number=5)
+    return dynamics.period_doublings(
+        stroboscope, (START, AMPLITUDES[-1]), symmetric_state(), number=5
+    )
 
 
 @cache
-def branches(doublings: int) -> tuple[OrbitBranch, ...]:
+def branches(doublings: int) -> tuple[dynamics.OrbitBranch, ...]:
     """The symmetric motions, the asymmetric ones, and those of so many doublings, to the end."""
-    followed = [orbit_branch(stroboscope, (START, AMPLITUDES[-1]), symmetric_state())]
+    followed = [dynamics.orbit_branch(stroboscope, (START, AMPLITUDES[-1]), symmetric_state())]
     for _ in range(doublings + 1):
         leaves = next(one for one in followed[-1].bifurcations if one.kind in FLIPS)
         followed.append(followed[-1].switched(leaves))
@@ -202,16 +199,16 @@ def branches(doublings: int) -> tuple[OrbitBranch, ...]:
 
 
 @cache
-def branches_by_energy() -> tuple[OrbitBranch, OrbitBranch]:
+def branches_by_energy() -> tuple[dynamics.OrbitBranch, dynamics.OrbitBranch]:
     """Symmetric and asymmetric motions where 0.5 is the ratio of energies, to the end.
 
     The first of them is reached from the ratio of speeds, which grows to sqrt(0.5).
     """
     ratio = math.sqrt(SPEED_RATIO)
-    grown = orbit_branch(
+    grown = dynamics.orbit_branch(
         lambda e: stroboscope(START, e), (SPEED_RATIO, ratio), symmetric_state(), step=0.1
     )  # fmt: skip
-    symmetric = orbit_branch(
+    symmetric = dynamics.orbit_branch(
         lambda beta: stroboscope(beta, ratio), (START, AMPLITUDES[-1]), grown.orbits[-1].state,
         step=0.05,
     )  # fmt: skip
@@ -223,7 +220,7 @@ STABLE: dict[str, Any] = {"color": style.LINES[0], "lw": 0.9}
 UNSTABLE: dict[str, Any] = {"color": style.LINES[1], "lw": 0.7, "ls": "--"}
 
 
-def draw_branch(ax: Axes, branch: OrbitBranch, states: np.ndarray) -> None:
+def draw_branch(ax: Axes, branch: dynamics.OrbitBranch, states: np.ndarray) -> None:
     """States (k, m) of the motions of a branch, full where these last, dashed where they do not."""
     stable = np.abs(branch.multipliers).max(axis=1) < 1 - 1e-6  # not where one is on the circle
     until = stable | np.append(False, stable[:-1]) | np.append(stable[1:], False)
@@ -352,7 +349,7 @@ def changes_of_fate(
 
     over = {name: np.linspace(first, last, cases)}
     sweep = rk.simulate_many(case, over)
-    return overturning_boundaries(case, sweep, accuracy=1e-9)
+    return dynamics.overturning_boundaries(case, sweep, accuracy=1e-9)
 
 
 def draw_fates(ax: Axes, boundaries: xr.Dataset, name: str, first: float, last: float) -> None:

@@ -1,9 +1,8 @@
-"""Options of commands: their forms, the words in them, and errors where none understands one."""
+"""Errors of words that no command understands, and those of the package in options."""
 
 import argparse
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 from rockeom.files import check_target
 from rockeom.motion import units
@@ -77,23 +76,6 @@ def in_options(error: InputError, args: argparse.Namespace) -> str:
         more = "... (rockeom records lists all, and searches them by words)"
         records = [*records[:_MOST_LISTED], more]
     return "\n  ".join([first, *records])
-
-
-def add_number(group: Any, flag: str, metavar: str, help: str, **others: Any) -> None:
-    """An option that takes a number."""
-    group.add_argument(flag, type=float, metavar=metavar, help=help, **others)
-
-
-def add_words(group: Any, flag: str, metavar: str | tuple[str, str], help: str) -> None:
-    """An option that takes words, one or more."""
-    group.add_argument(flag, nargs="+", metavar=metavar, help=help)
-
-
-def add_pairs(group: Any, flag: str, metavar: str, help: str, required: bool = False) -> None:
-    """An option that takes pairs of a name and a value, and that may be given several times."""
-    group.add_argument(
-        flag, nargs="+", action="extend", default=[], required=required, metavar=metavar, help=help
-    )
 
 
 def numbers(pairs: list[str], option: str, example: str) -> dict[str, float]:
