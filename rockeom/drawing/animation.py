@@ -26,7 +26,6 @@ from rockeom.files import check_path, check_target, write
 from rockeom.motion.ground_motion import GroundMotion
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputError, number, require
-from rockeom.simulation.events import Impacts
 from rockeom.simulation.response import Response
 from rockeom.structures.positions import places
 
@@ -237,20 +236,17 @@ class Animation:
         text = f"t = {self.times[i]:.{digits}f}{unit}"
         if self.speed != 1.0:
             text += f" ({self.speed:g} times real time)"
-        n = int(np.searchsorted(self._impacts.times, self.times[i], side="right"))
+        n = int(np.searchsorted(self.run.impacts.times, self.times[i], side="right"))
         return f"{text}, {n} impact{'s' * (n != 1)}"
-
-    @property
-    def _impacts(self) -> Impacts:
-        return self.run.impacts
 
     def _landing(self, i: int, sketch: Sketch) -> set[str]:
         """Feet that met the ground a moment ago."""
         before = self.times[i] - max(FLASH * self.speed, self._step)
-        which = (self._impacts.times > before) & (self._impacts.times <= self.times[i])
+        impacts = self.run.impacts
+        which = (impacts.times > before) & (impacts.times <= self.times[i])
         landed: set[str] = set()
         for k in np.flatnonzero(which).tolist():
-            impact = self._impacts[k]
+            impact = impacts[k]
             after = style.feet_of(impact.mode_after)
             named = impact.contact.split("+") if impact.contact else [after]
             landed |= {*named} & {*sketch.feet} or {*sketch.closed_feet}
@@ -270,12 +266,9 @@ class Animation:
     # -- all of them
 
     @cached_property
+    @style.styled
     def frames(self) -> tuple[bytes, ...]:
         """The frames as PNG, each drawn once."""
-        return self._drawn()
-
-    @style.styled
-    def _drawn(self) -> tuple[bytes, ...]:
         (left, right), (low, high) = self.limits
         tall = (_WIDTH - 0.2) * (high - low) / (right - left)
         tall = min(max(tall, _HEIGHTS[0]), _HEIGHTS[1])

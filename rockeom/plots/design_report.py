@@ -135,17 +135,9 @@ class DesignReport:
     def columns(self) -> Row:
         """Headings of the table."""
         return (
-            "record",
-            "peak [g]",
-            "displ. [mm]",
-            "fixed [mm]",
-            "uplift [mm]",
-            "theta/alpha",
-            f"shear [{_force_scale(self.structure)[1]}]",
-            "shear ratio",
-            "moment ratio",
-            "friction",
-        )
+            "record", "peak [g]", "displ. [mm]", "fixed [mm]", "uplift [mm]", "theta/alpha",
+            f"shear [{_force_scale(self.structure)[1]}]", "shear ratio", "moment ratio", "friction",
+        )  # fmt: skip
 
     @cached_property
     def facts(self) -> tuple[tuple[str, str], ...]:
@@ -245,7 +237,10 @@ class DesignReport:
                 f"{sum(map(len, gaining))} impacts, {digits(sum(map(sum, gaining)))} J in all."
             )
         if self._held is not None and self._held.rocking == self.structure:  # no tendon helps
-            pull = max(-_least_foot(one.fixed_run) for one in self.results if one.fixed_run)
+            pull = max(
+                -one.fixed_run.extremes(f"{foot}_reaction").minimum
+                for one in self.results if one.fixed_run for foot in ("left", "right")
+            )  # fmt: skip
             factor, unit = _force_scale(self.structure)
             said.append(
                 f"Fixed base: a foot has to be held down by up to {digits(factor * pull)} {unit}."
@@ -304,10 +299,7 @@ class DesignReport:
             figure.add_axes((0.58, top - 0.33, 0.36, 0.13)),
         )
         bottom = _draw_table(write_text, top - 0.395, self.columns, self.rows, len(self.results))
-        for heading, sentences in (
-            ("Results", self.findings),
-            (_ASSUMPTIONS, self.assumptions),
-        ):
+        for heading, sentences in (("Results", self.findings), (_ASSUMPTIONS, self.assumptions)):
             write_text(0.07, bottom, heading, fontsize=9, weight="bold", va="top")
             bottom -= 0.017
             for sentence in sentences:
@@ -553,11 +545,6 @@ def _angles(structure: Structure) -> list[tuple[str, str]]:
 def _force_scale(structure: Structure) -> tuple[float, str]:
     """Factor and unit of forces, which are those of one kilogram where no mass was given."""
     return (1.0, "N/kg") if default_masses(structure) else (1e-3, "kN")
-
-
-def _least_foot(run: Response) -> float:
-    """The least vertical force on a foot [N]."""
-    return min(run.extremes(f"{foot}_reaction").minimum for foot in ("left", "right"))
 
 
 def _short(name: str, most: int) -> str:

@@ -246,9 +246,8 @@ def _places(
 def _at_rest(structure: Structure) -> np.ndarray:
     """(m, 3) of places where all states are zero."""
     m = structure.module
-    y = np.zeros(m.N_STATES)
     out = np.empty(3 * len(m.POSITIONS))
-    m.positions(0, y, structure.vector, out)  # upright they are those of any mode
+    m.positions(0, np.zeros(m.N_STATES), structure.vector, out)  # upright alike in any mode
     return out.reshape(-1, 3)
 
 
@@ -351,6 +350,4 @@ def _middle(module: GeneratedModule, places: np.ndarray) -> Any:
         for i, (name, kind) in enumerate(zip(module.POSITIONS, module.POSITION_KINDS, strict=True))
         if kind == "foot" and f"{name}_slip" in module.KINEMATICS
     ]
-    if not feet:
-        return 0.0
-    return places[feet, 0].mean(axis=0)
+    return places[feet, 0].mean(axis=0) if feet else 0.0

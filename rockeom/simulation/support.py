@@ -131,7 +131,9 @@ class Support:
         across, up = gained = after - before
         # in the smallest impacts of a vibrating structure the difference is rounding
         counts = np.hypot(*gained) > 1e-9 * np.hypot(np.hypot(*before), np.hypot(*after))
-        return float(_ratios(across[counts], up[counts]).max(initial=0.0))
+        across, up = np.abs(across[counts]), up[counts]
+        ratios = np.divide(across, up, out=np.full(len(up), np.inf), where=up > 0.0)
+        return float(ratios.max(initial=0.0))
 
     @cached_property
     def friction_demands(self) -> dict[str, tuple[float, float]]:
@@ -300,11 +302,6 @@ def least_coefficient(
     if not math.isfinite(ratio.minimum):
         return math.nan
     return 1.0 / ratio.minimum if ratio.minimum > 1e-9 else math.inf
-
-
-def _ratios(across: np.ndarray, up: np.ndarray) -> np.ndarray:
-    """|across|/up of impulses, inf where the ground had to pull."""
-    return np.divide(np.abs(across), up, out=np.full(len(up), np.inf), where=up > 0.0)
 
 
 def demands_of_landings(

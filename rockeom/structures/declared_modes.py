@@ -195,10 +195,10 @@ def _is_open(module: GeneratedModule, p: np.ndarray, mode: int, y: np.ndarray) -
     before the gap opened.
     """
     m = module
-    for target, back in zip(m.TARGETS[mode], m.REVERSE[mode], strict=True):
-        if back >= 0 and m.PARTS[target][back] >= 0 and _margins(m, p, target, y)[back] > 0.0:
-            return True
-    return False
+    return any(
+        back >= 0 and m.PARTS[target][back] >= 0 and _margins(m, p, target, y)[back] > 0.0
+        for target, back in zip(m.TARGETS[mode], m.REVERSE[mode], strict=True)
+    )
 
 
 def _margins(module: GeneratedModule, p: np.ndarray, mode: int, y: np.ndarray) -> np.ndarray:

@@ -34,7 +34,7 @@ def test_without_ffmpeg_the_error_says_how_to_get_it_before_a_frame_is_drawn(
 ):
     monkeypatch.setattr(shutil, "which", lambda name: None)
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    monkeypatch.setattr("rockeom.drawing.animation.Animation._drawn", None)
+    monkeypatch.setattr("rockeom.drawing.animation.Animation.draw", None)
     with pytest.raises(FileNotFoundError, match=r"pip install imageio-ffmpeg.*\.gif or \.html"):
         run.animate(tmp_path / "block.mp4")
     assert not [*tmp_path.iterdir()]

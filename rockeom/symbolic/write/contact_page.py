@@ -186,12 +186,9 @@ def _mode(search: Search, mode: DerivedMode, notation: Notation) -> list[Block]:
         blocks += ["The closed contacts prescribe", Display(tuple(held))]
     if not _is_short(of):
         return [*blocks, *_ends(mode, notation)]
-    blocks.append(Heading(3, "Equations of motion"))
-    lines = _mode_lines(mode, notation)
-    if lines:
-        blocks.append(Display(tuple(lines)))
-    else:
-        blocks.append("No coordinate is free: the structure stands still.")
+    lines = tuple(_mode_lines(mode, notation))
+    motion = Display(lines) if lines else "No coordinate is free: the structure stands still."
+    blocks += [Heading(3, "Equations of motion"), motion]
     return [*blocks, *_mode_forces(search, mode, notation)]
 
 
