@@ -14,19 +14,22 @@ LONGEST = (
     "analysis/test_bayes.py",
     "analysis/test_unfinished_work.py",
     "thesis/test_statements.py",
-    "thesis/test_mutations.py",
     "soak/test_soak.py",
 )
 """Begun first, so that no worker is left with one of them at the end. Others may come in any
 order."""
 
+EQUATIONS, STATEMENTS = "tests/thesis/test_equations.py", "tests/thesis/test_statements.py"
 TOGETHER = {
-    "tests/thesis/test_checks_notice.py": "tests/thesis/test_equations.py",
+    EQUATIONS: EQUATIONS,
+    "tests/thesis/test_checks_notice.py": EQUATIONS,
+    "tests/thesis/test_mutations.py": EQUATIONS,
     "tests/codegen/test_generated_functions.py": "tests/symbolic/test_typeset.py",
     "tests/codegen/test_generated_text.py": "tests/symbolic/test_typeset.py",
     "tests/codegen/test_carried_functions.py": "tests/symbolic/test_typeset.py",
 }
-"""Files that go to the worker of another one, which has derived what both compare with."""
+"""Files that go to the worker of another one, which has derived what both compare with. Others of
+the thesis go to that of its statements, which has simulated what they draw."""
 
 
 # SymPy, imported later, remembers 1,000 results of each of its functions where nothing is said, and
@@ -60,7 +63,8 @@ def pytest_xdist_make_scheduler(config, log):
     class Scheduling(LoadFileScheduling):
         def _split_scope(self, nodeid: str) -> str:
             file = super()._split_scope(nodeid)
-            return TOGETHER.get(file, file)
+            of_thesis = file.startswith("tests/thesis/")
+            return TOGETHER.get(file, STATEMENTS if of_thesis else file)
 
     return Scheduling(config, log)
 
