@@ -215,10 +215,10 @@ def public_names(package: str) -> int:
 
 
 BOUNDS = {
-    "rockeom": 63_149, "tests": 46_031, "generated": 14_265, "/.": 298, "/analysis": 7_486,
-    "/assessment": 1_039, "/browser": 3_561, "/cli": 2_623, "/codegen": 2_105, "/compiler": 2_110,
+    "rockeom": 63_159, "tests": 46_035, "generated": 14_265, "/.": 298, "/analysis": 7_486,
+    "/assessment": 1_039, "/browser": 3_561, "/cli": 2_623, "/codegen": 2_105, "/compiler": 2_118,
     "/drawing": 1_384, "/exports": 1_741, "/generated": 56, "/integrator": 7_028,
-    "/modelling": 542, "/motion": 3_399, "/numbers": 927, "/plots": 1_170, "/simulation": 2_169,
+    "/modelling": 542, "/motion": 3_399, "/numbers": 929, "/plots": 1_170, "/simulation": 2_169,
     "/structures": 3_519, "/sweeps": 2_055, "/symbolic": 6_790, "/teaching": 39,
     "/thesis": 13_108,
 }  # fmt: skip

@@ -108,18 +108,29 @@ class Parsed(NamedTuple):
     """A text in parts: its functions, the module of each name that it imports, all else.
 
     constants : the lines of other names that it binds. rest : its statements, but for functions and
-    what is imported from texts.
+    what is imported from texts; code : the same compiled.
     """
 
     functions: dict[str, ast.FunctionDef]
     imported: dict[str, str]
     constants: dict[str, int]
-    rest: tuple[CodeType, ...]
+    rest: tuple[ast.stmt, ...]
+    code: CodeType
 
     def has(self, name: str, but: str | None) -> bool:
         """Whether it binds a name, or imports it from another module than `but`."""
         imported = self.imported.get(name, but) != but
         return imported or name in self.functions or name in self.constants
+
+    def bind(self, names: dict[str, Any]) -> None:
+        """Bind its constants; one that is made of an absent name is absent, too."""
+        codes = [self.code]
+        for code in codes:  # all at once, or where something is absent one by one
+            try:
+                exec(code, names)
+            except NameError:
+                if code is self.code:
+                    codes += [_compiled([node], names["__name__"]) for node in self.rest]
 
 
 def _imports_text(node: ast.stmt) -> bool:
@@ -149,7 +160,7 @@ def parsed(source: str, name: str) -> Parsed:
     functions: dict[str, ast.FunctionDef] = {}
     imported: dict[str, str] = {}
     constants: dict[str, int] = {}
-    rest: list[CodeType] = []
+    rest: list[ast.stmt] = []
     for node in tree.body:
         functions |= {function.name: function for function in _functions(node)}
         if isinstance(node, ast.FunctionDef):
@@ -160,9 +171,13 @@ def parsed(source: str, name: str) -> Parsed:
                     raise Refused(f"{name}, line {node.lineno}: {alias.name} has one name only")
                 imported[alias.name] = str(node.module)
         else:
-            rest.append(compile(ast.Module([node], []), name, "exec", _FUTURE))
+            rest.append(node)
             constants |= dict.fromkeys(_names_bound(node), node.lineno)
-    return Parsed(functions, imported, constants, tuple(rest))
+    return Parsed(functions, imported, constants, tuple(rest), _compiled(rest, name))
+
+
+def _compiled(statements: list[ast.stmt], name: str) -> CodeType:
+    return compile(ast.Module(statements, []), name, "exec", _FUTURE)
 
 
 def without(text: Text, name: str) -> Text:

@@ -6,7 +6,6 @@ import ast
 import operator
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Iterable, Mapping
-from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 from rockeom.compiler.modules import Modules, Refused, Text, parsed
@@ -114,9 +113,7 @@ class Texts(ABC):
                     is_function = name in self._parsed[home.name].functions
                     if not is_function and name in (constants := self.names_in(home)):
                         names[name] = constants[name]
-            for statement in self._parsed[text.name].rest:
-                with suppress(NameError):  # of what is absent: an error where it is used
-                    exec(statement, names)
+            self._parsed[text.name].bind(names)  # what is absent is an error where it is used
         return self._spaces[text.name]
 
     def _homes(self, name: str, text: Text) -> list[Text]:
