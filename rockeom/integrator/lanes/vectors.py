@@ -197,7 +197,10 @@ def judge_lanes(z: Floats, coarse: float):
 
 @inlined
 def state_at_nodes(b, h, states):
-    """The state at each node of a step, into `states`, by the quintics of its coordinates."""
+    """The state at each node of a step, into `states`, by the quintics of its coordinates.
+
+    The first and the last node are the ends of the step.
+    """
     for i in unrolled(range(N)):
         if MOVES[i]:
             states[0, i], states[0, N + i] = b[0, i], 5.0 * ((b[1, i] - b[0, i]) / h)
@@ -300,6 +303,7 @@ def accept_lanes(z: Floats):
         z[Z_LANDING + lane] = max(landing, 0.0) + 1.0 if repeated else kept
         z[Z_CLOSED + lane] = -1.0 if stands else z[Z_CLOSED + lane]
         z[Z_TAKEN + lane] = z[Z_TAKEN + lane] + 1.0
+        # both are read before one is chosen: a number that one case alone reads makes a branch
         for i in unrolled(range(N)):
             old, new = z[Z_Q + i * LANES + lane], z[Z_Q_NEW + i * LANES + lane]
             z[Z_Q + i * LANES + lane] = new if stands else old
