@@ -49,8 +49,7 @@ def pytest_configure(config: pytest.Config) -> None:
     the files with the most tests first, which are not those that take longest.
     """
     gc.set_threshold(70_000, 20, 20)
-    if hasattr(config.option, "loadscopereorder"):
-        config.option.loadscopereorder = False
+    config.option.loadscopereorder = False
 
 
 @pytest.hookimpl(optionalhook=True)
@@ -63,8 +62,7 @@ def pytest_xdist_make_scheduler(config, log):
     class Scheduling(LoadFileScheduling):
         def _split_scope(self, nodeid: str) -> str:
             file = super()._split_scope(nodeid)
-            of_thesis = file.startswith("tests/thesis/")
-            return TOGETHER.get(file, STATEMENTS if of_thesis else file)
+            return TOGETHER.get(file, STATEMENTS if file.startswith("tests/thesis/") else file)
 
     return Scheduling(config, log)
 

@@ -666,10 +666,10 @@ class Function:
         """A loop over constants, written out round by round."""
         numbers = self._maybe(of)
         leaves = any(isinstance(node, ast.Break | ast.Continue) for node in ast.walk(statement))
-        if numbers is None or leaves or not isinstance(statement.target, ast.Name):
-            self.refuse(
-                statement, "an unrolled loop has one name, and goes over all of its constants"
-            )
+        if numbers is None or leaves or statement.orelse:
+            self.refuse(statement, "an unrolled loop goes over all its constants, without `else`")
+        if not isinstance(statement.target, ast.Name) or statement.target.id in self.locals:
+            self.refuse(statement, "an unrolled loop has one name, and no variable has it")
         outside = self.names
         for number in numbers:
             self._know({**outside, statement.target.id: number})

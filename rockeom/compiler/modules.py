@@ -124,13 +124,9 @@ class Parsed(NamedTuple):
 
     def bind(self, names: dict[str, Any]) -> None:
         """Bind its constants; one that is made of an absent name is absent, too."""
-        codes = [self.code]
-        for code in codes:  # all at once, or where something is absent one by one
-            try:
-                exec(code, names)
-            except NameError:
-                if code is self.code:
-                    codes += [_compiled([node], names["__name__"]) for node in self.rest]
+        if not _is_bound(self.code, names):
+            for statement in self.rest:
+                _is_bound(_compiled([statement], names["__name__"]), names)
 
 
 def _imports_text(node: ast.stmt) -> bool:
@@ -163,17 +159,24 @@ def parsed(source: str, name: str) -> Parsed:
     rest: list[ast.stmt] = []
     for node in tree.body:
         functions |= {function.name: function for function in _functions(node)}
-        if isinstance(node, ast.FunctionDef):
-            continue
         if isinstance(node, ast.ImportFrom) and _imports_text(node):
             for alias in node.names:
                 if alias.asname is not None:
                     raise Refused(f"{name}, line {node.lineno}: {alias.name} has one name only")
                 imported[alias.name] = str(node.module)
-        else:
+        elif not isinstance(node, ast.FunctionDef):
             rest.append(node)
             constants |= dict.fromkeys(_names_bound(node), node.lineno)
     return Parsed(functions, imported, constants, tuple(rest), _compiled(rest, name))
+
+
+def _is_bound(code: CodeType, names: dict[str, Any]) -> bool:
+    """Run statements; whether all names are there that they are made of."""
+    try:
+        exec(code, names)
+    except NameError:
+        return False
+    return True
 
 
 def _compiled(statements: list[ast.stmt], name: str) -> CodeType:

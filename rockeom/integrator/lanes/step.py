@@ -38,6 +38,10 @@ def gap_sides(generated: GeneratedModule) -> tuple[float, ...]:
     )
 
 
+def _parameters(generated: GeneratedModule) -> int:
+    return len(generated.prepare(np.ones(len(generated.PARAMETERS))))
+
+
 def numbers_text(method: Tableau, generated: GeneratedModule) -> str:
     """Source of the numbers that the step of lanes and their loop have in common."""
     # stage j is shaken as place j - 1, the last two, at the end of the step, as one
@@ -53,7 +57,7 @@ def numbers_text(method: Tableau, generated: GeneratedModule) -> str:
     return f"""import numpy as np
 
 LANES = {LANES}
-N_PARAMETERS = {len(generated.prepare(np.ones(len(generated.PARAMETERS))))}
+N_PARAMETERS = {_parameters(generated)}
 PLACES = {places}  # of a step at which the ground is found at once
 STAGE_PLACES = np.array({_padded(times, places)!r})
 NODE_PLACES = np.array({_padded(NODES.tolist(), places)!r})
@@ -92,7 +96,6 @@ def _row(rows: str, i: int) -> str:
 def lanes_text(method: Tableau, generated: GeneratedModule) -> str:
     """Source of one step of `LANES` motions of a structure at once; `loop.py` says of what."""
     s, n = method.stages, generated.N_STATES // 2
-    parameters = len(generated.prepare(np.ones(len(generated.PARAMETERS))))
     stages = ""
     for j in range(1, s + 1):
         place = min(j, s - 1) - 1
@@ -113,7 +116,7 @@ def lanes_text(method: Tableau, generated: GeneratedModule) -> str:
 
 from rockeom.compiler.decorators import Floats, entry, inlined
 from rockeom.integrator.lanes.vectors import (
-    Z_AX, Z_AY, Z_ERROR, Z_H, Z_K, Z_K_NEW, Z_MODE, Z_P, Z_Q, Z_Q_NEW, Z_T,
+    Z_AX, Z_AY, Z_ERROR, Z_H, Z_K, Z_K_NEW, Z_MODE, Z_P, Z_Q, Z_Q_NEW,
 )
 from rockeom.integrator.provided import LANES, N_STATES, accelerations
 {_accelerations(n, len(generated.MODES), held)}
@@ -123,9 +126,8 @@ def step_lanes(z: Floats, rtol: float, tolerances: Floats):
     """One step of all lanes: the states and accelerations at its end, and its estimated error."""
     atol = ({", ".join(f"tolerances[{i}]" for i in range(2 * n))},)
     for lane in range(LANES):
-        mode = z[Z_MODE + lane]
-        t, h = z[Z_T + lane], z[Z_H + lane]
-        p = ({", ".join(_row("Z_P", i) for i in range(parameters))},)
+        mode, h = z[Z_MODE + lane], z[Z_H + lane]
+        p = ({", ".join(_row("Z_P", i) for i in range(_parameters(generated)))},)
         hh = h * h
 {starts}{stages}{ends}{indent(error_text(method, n, in_lanes=True), "    ")}\
         z[Z_ERROR + lane] = error

@@ -19,6 +19,8 @@ from rockeom.integrator.lanes.verdicts import (
     STANDS,
     TURNS,
     judge_gap,
+    quintic_of_scaled,
+    scaled,
     turns_within,
 )
 from rockeom.integrator.polynomials import Ends
@@ -266,11 +268,9 @@ def judge_held_lanes(z: Floats, coarse: float):
         for i in unrolled(range(N_PARAMETERS)):
             p[i] = z[Z_P + i * LANES + lane]
         for i in unrolled(range(N)):
-            ends = ends_of(z, i, lane)
-            b[0, i], b[5, i] = ends.q0, ends.q1
-            b[1, i], b[4, i] = ends.q0 + 0.2 * h * ends.v0, ends.q1 - 0.2 * h * ends.v1
-            b[2, i] = ends.q0 + 0.4 * h * ends.v0 + 0.05 * h * h * ends.a0
-            b[3, i] = ends.q1 - 0.4 * h * ends.v1 + 0.05 * h * h * ends.a1
+            quintic = quintic_of_scaled(scaled(1.0, h, ends_of(z, i, lane)))
+            for j in unrolled(range(6)):
+                b[j, i] = quintic[j]
         state_at_nodes(b, h, states)
         for m in unrolled(range(8)):
             for i in unrolled(range(N_STATES)):
