@@ -35,6 +35,9 @@ the thesis go to that of its statements, which has simulated what they draw."""
 # SymPy, imported later, remembers 1,000 results of each of its functions where nothing is said, and
 # forgets others that the next model asks for again.
 os.environ.setdefault("SYMPY_CACHE_SIZE", "20000")
+# NumPy, imported later as well (pyproject.toml leaves out plugins of pytest that would import it),
+# has small matrices here: other threads only wait for them, and as busily as if they worked.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 # How long an example takes by the clock is what else the machine does.
 settings.register_profile("any machine", deadline=None)
@@ -42,13 +45,13 @@ settings.load_profile("any machine")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Look for garbage in cycles a hundred times less often, and keep the order of files.
+    """Look for garbage in cycles a thousand times less often, and keep the order of files.
 
     SymPy makes and drops millions of small objects, nearly all without cycles; to look through
     them by Python's own measure takes a tenth of the time of many tests. Workers would be given
     the files with the most tests first, which are not those that take longest.
     """
-    gc.set_threshold(70_000, 20, 20)
+    gc.set_threshold(700_000, 20, 20)
     config.option.loadscopereorder = False
 
 

@@ -7,7 +7,7 @@ import math
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from types import FrameType
+from types import CodeType, FrameType
 from typing import Any
 
 
@@ -34,7 +34,11 @@ class Interrupting:
 
     def __init__(self, at: float = math.inf) -> None:
         self.at, self.calls = at, 0
-        self.called: set[tuple[str, str]] = set()
+        self._codes: set[CodeType] = set()
+
+    @property
+    def called(self) -> set[tuple[str, str]]:
+        return {(Path(code.co_filename).name, code.co_name) for code in self._codes}
 
     def __enter__(self) -> "Interrupting":
         sys.setprofile(self._look)
@@ -45,7 +49,7 @@ class Interrupting:
 
     def _look(self, frame: FrameType, event: str, _: object) -> None:
         if event == "call" and frame.f_globals.get("__name__", "").startswith("rockeom"):
-            self.called.add((Path(frame.f_code.co_filename).name, frame.f_code.co_name))
+            self._codes.add(frame.f_code)
             if frame.f_code.co_flags & inspect.CO_GENERATOR:
                 return
             self.calls += 1

@@ -51,6 +51,11 @@ class RandomParameters:
             rows[name] = column
         return rows
 
+    def each(self, u: np.ndarray) -> list[dict[str, float]]:
+        """Values by name, of each of the deviates u (n, k)."""
+        rows = np.transpose(self.columns(u)).tolist()
+        return [dict(zip(self.names, row, strict=True)) for row in rows]
+
     def values(self, u: np.ndarray) -> dict[str, float]:
         """Values by name, of deviates u (k,)."""
         values = (

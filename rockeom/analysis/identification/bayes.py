@@ -633,7 +633,7 @@ def _mode(density: _Density, seed: int) -> tuple[np.ndarray, bool]:
 
     k = len(density.space.names)
     places = ndtri(qmc.Sobol(k, seed=seed).random(2**TRIALS).clip(1e-6, 1 - 1e-6))
-    scored = [_scored(density, u) for u in (np.zeros(k), *places)]
+    scored = _scored(density, np.array([np.zeros(k), *places]))
     scored.sort(key=lambda pair: -pair[0])
     if scored[0][0] == -math.inf:
         raise ValueError(
@@ -655,13 +655,26 @@ def _mode(density: _Density, seed: int) -> tuple[np.ndarray, bool]:
     return best, off < SETTLED
 
 
-def _scored(density: _Density, u: np.ndarray) -> tuple[float, np.ndarray]:
-    """Log density of a place, its noises replaced by the misfits of the readings there."""
-    parameters = density.space.values(u)
-    density.counts["simulations"] += 1
-    predictions = density.predictions(parameters)
-    if predictions is None:
-        return -math.inf, u
+def _scored(density: _Density, places: np.ndarray) -> list[tuple[float, np.ndarray]]:
+    """Log densities at places (n, k), with noises replaced by the misfits of the readings there."""
+    density.counts["simulations"] += len(places)
+    predictions = [density.predictions(of) for of in density.space.each(places)]
+    moved = np.array(
+        [
+            u if of is None else _with_misfits(density, u, of)
+            for u, of in zip(places, predictions, strict=True)
+        ]
+    )
+    return [
+        (-math.inf if of is None else density.joined(u, parameters, of).value, u)
+        for u, parameters, of in zip(moved, density.space.each(moved), predictions, strict=True)
+    ]
+
+
+def _with_misfits(
+    density: _Density, u: np.ndarray, predictions: Sequence[PredictedReadings]
+) -> np.ndarray:
+    """A place u (k,), its noises replaced by the misfits of the readings there."""
     u = u.copy()
     for row, (name, marginal) in enumerate(
         zip(density.space.names, density.space.marginals, strict=True)
@@ -674,7 +687,7 @@ def _scored(density: _Density, u: np.ndarray) -> tuple[float, np.ndarray]:
         if misfits:
             rms = math.sqrt(float(np.mean(np.concatenate(misfits) ** 2)))
             u[row] = np.clip(_deviate(marginal, rms), -3.0, 3.0)
-    return density.joined(u, density.space.values(u), predictions).value, u
+    return u
 
 
 def _misfits(test: Observed, prediction: PredictedReadings, name: str) -> list[np.ndarray]:
