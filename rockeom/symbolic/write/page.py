@@ -8,6 +8,7 @@ import re
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import takewhile
 
 LINE = 70.0
 """Width of a line of mathematics on the page, in letters."""
@@ -88,7 +89,9 @@ def broken(tex: str, limit: float) -> list[str]:
     """`tex` in lines of at most that width, broken before signs, outside brackets if possible."""
     lines = []
     while width(tex) > limit:
-        cuts = [(d, -i) for d, i in _cuts(tex) if 0.4 * limit < width(tex[:i]) <= limit]
+        sized = ((width(tex[:i]), d, -i) for d, i in _cuts(tex))
+        fitting = takewhile(lambda cut: cut[0] <= limit, sized)
+        cuts = [(d, i) for size, d, i in fitting if 0.4 * limit < size]
         if not cuts:
             break
         cut = -min(cuts)[1]
