@@ -7,7 +7,7 @@ from math import comb, prod
 import numpy as np
 import sympy as sp
 
-from rockeom.symbolic.fractions import cancelled, over_one_denominator
+from rockeom.symbolic.fractions import cancelled, expanded, over_one_denominator
 
 SIDE = sp.Symbol("s", real=True)
 """s = sgn(theta): +1 when the structure turns about its right edge, -1 about its left one."""
@@ -25,16 +25,6 @@ def square_is(expr: sp.Expr, base: sp.Expr, square: sp.Expr) -> sp.Expr:
         if p.base == base and p.exp.is_Integer and p.exp > 1
     }
     return expr.xreplace(squares) if squares else expr
-
-
-_NO_ROOTS = {"basic": False, "power_base": False, "power_exp": False, "log": False}
-"""Rules of `sympy.expand` that change no polynomial, and take most of its time."""
-
-
-def expanded(expr: sp.Expr) -> sp.Expr:
-    """The same as `sympy.expand`."""
-    powers = all(p.exp.is_Integer for p in expr.atoms(sp.Pow))
-    return sp.expand(expr, **(_NO_ROOTS if powers and not expr.has(sp.exp, sp.log) else {}))
 
 
 def slopes(expr: sp.Expr, by: Iterable[sp.Symbol]) -> list[sp.Expr]:

@@ -14,7 +14,7 @@ from sympy.core.function import AppliedUndef
 from sympy.printing.latex import LatexPrinter
 
 from rockeom.symbolic.algebra import SIDE, square_is, tidy
-from rockeom.symbolic.fractions import over_one_denominator
+from rockeom.symbolic.fractions import expanded, over_one_denominator
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, Coordinate
@@ -121,7 +121,7 @@ class Notation(LatexPrinter):
         return self._collected[expr]
 
     def _terms(self, expr: sp.Expr) -> list[sp.Expr]:
-        expr = square_is(sp.expand(expr), SIDE, sp.Integer(1))
+        expr = square_is(expanded(expr), SIDE, sp.Integer(1))
         expr = _oriented(compound_angles(expr, self.coordinates), self.moving)
         leaders = [x for x in self.leaders if expr.has(x) and expr.is_polynomial(x)]
         if not leaders:
@@ -367,7 +367,7 @@ def _together(expr: sp.Expr) -> sp.Expr:
     if not any(p.exp.is_negative for p in expr.atoms(sp.Pow)):
         return expr
     above, below = sp.fraction(over_one_denominator(expr))
-    return sp.expand(above) / below
+    return expanded(above) / below
 
 
 def _oriented(expr: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
