@@ -318,7 +318,7 @@ names = {
 back = {in_engine[name]: symbol for symbol, name in names.items()}
 back |= {GROUND_X: a_g, GROUND_Y: 0}
 for side, mode in [(1, "right"), (-1, "left")]:
-    rows = model.equations(mode).residual(model.coordinates).subs(back)
+    rows = model.equations(mode).residual.subs(back)
     for row, ours in zip(rows, (equation_of_theta, equation_of_u), strict=True):
         assert sp.simplify(row - ours.subs(s, side)) == 0
 
@@ -385,7 +385,7 @@ assert sp.simplify(solved[u_after] - u_before - H_e * (before - solved[after])) 
 # %%
 of = {c_.name: c_ for c_ in model.coordinates}
 arriving = {of["theta"].velocity: before, of["u"].velocity: u_before}
-engine = model.impulse_map("right", "left").at_side(1).velocities().subs(back).subs(arriving)
+engine = model.impulse_map("right", "left").velocities().subs(back).subs(arriving)
 assert sp.simplify(engine[0] - solved[after]) == 0
 assert sp.simplify(engine[1] - solved[u_after]) == 0
 

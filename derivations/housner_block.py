@@ -265,7 +265,7 @@ to_polar = {of["half_width"]: R * sp.sin(alpha), of["height"]: R * sp.cos(alpha)
 to_polar |= {GROUND_X: a_g, GROUND_Y: 0}
 
 for side, name in [(1, "right"), (-1, "left")]:
-    (engine,) = model.equations(name).residual(model.coordinates)
+    (engine,) = model.equations(name).residual
     ours = both_sides.subs({s: side, I_O: I_G + m * R**2})
     assert sp.simplify(engine.subs(to_polar) - ours) == 0
 
@@ -653,7 +653,7 @@ assert sp.simplify(turning + 2 * R * sp.sin(alpha) * vertical - moments) == 0
 a_v = sp.Symbol("a_v", real=True)
 lifted = euler.subs({F: horizontal, N: m * (g + a_v + acceleration_y)})
 assert sp.simplify(lifted - moments.subs(g, g + a_v)) == 0
-(engine,) = model.equations("right").residual(model.coordinates)
+(engine,) = model.equations("right").residual
 heavier = about_right_edge.subs({g: g + a_v, I_O: I_G + m * R**2})
 assert sp.simplify(engine.subs(to_polar | {GROUND_Y: a_v}) - heavier) == 0
 

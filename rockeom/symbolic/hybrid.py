@@ -50,7 +50,7 @@ class Lowers(Protocol):
         """The model that is generated and simulated."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class HybridModel:
     """Structure: parameters, coordinates, modes and the transitions between them.
 
@@ -107,6 +107,10 @@ class HybridModel:
     def hybrid(self) -> HybridModel:
         """Itself; that of a declaration which lowers to it."""
         return self
+
+    def __repr__(self) -> str:
+        moving = ", ".join(c.name for c in self.coordinates)
+        return f"<{type(self).__name__} {self.name!r} of {moving}>"
 
     # -- names and states ----------------------------------------------------------------------
 
@@ -253,6 +257,33 @@ class HybridModel:
         -------
         ImpulseMap
             Velocities after as functions of the state before.
+
+        Raises
+        ------
+        KeyError
+            If there is no mode of one of the names.
+        """
+        return self.sided_impulse_map(source, target).at_side(self.mode(source).side_of(source))
+
+    def sided_impulse_map(self, source: str, target: str) -> ImpulseMap:
+        """Same as `impulse_map`, one form for both sides, with the side s of the mode before.
+
+        Parameters
+        ----------
+        source : str
+            Name of the mode before.
+        target : str
+            Name of the mode after.
+
+        Returns
+        -------
+        ImpulseMap
+            Velocities after as functions of the state before and of s.
+
+        Raises
+        ------
+        KeyError
+            If there is no mode of one of the names.
         """
         if (source, target) not in self._impulse_maps:
             before, after = (
@@ -300,7 +331,7 @@ class HybridModel:
             Ratio.
         """
         return rigid_velocity_ratio(
-            self.impulse_map(impact.source, impact.target),
+            self.sided_impulse_map(impact.source, impact.target),
             self.coordinates,
             self.rotation,
             self.mode(impact.source).side_of(impact.source),

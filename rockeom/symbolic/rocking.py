@@ -1,6 +1,6 @@
 """Structures that rock on declared modes: their class, and the two modes on pinned feet."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Self, TypedDict, Unpack
 
@@ -14,12 +14,26 @@ from rockeom.symbolic.checks.declaration import check
 from rockeom.symbolic.checks.derived import check_derived
 from rockeom.symbolic.checks.modes import check_turning
 from rockeom.symbolic.checks.values import check_values
+from rockeom.symbolic.comparison import Comparison, compared, compared_at_impact
 from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.evaluate import NumpyMode, numpy_functions
 from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.impulse import ImpulseMap
+from rockeom.symbolic.lagrange import Equations
+from rockeom.symbolic.linearization import Linearization, linearized
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import Body, Coordinate, Foot, Member, Parameter, Point, turned
-from rockeom.symbolic.write.typeset import latex_document, markdown_page, notebook_display
+from rockeom.symbolic.page import to_text
+from rockeom.symbolic.shown import TEXT_WIDTH
+from rockeom.symbolic.symbols import Symbols
+from rockeom.symbolic.write.typeset import (
+    content,
+    latex_document,
+    markdown_page,
+    notebook_display,
+    written,
+    written_map,
+)
 
 
 class Declared:
@@ -55,6 +69,17 @@ class Declared:
         """
         check_values(self.hybrid, values)
 
+    @property
+    def symbols(self) -> Symbols:
+        """Symbols by name and as attributes, such as `model.symbols.half_width`."""
+        return Symbols.of(self.hybrid)
+
+    def __str__(self) -> str:
+        return to_text(content(self.hybrid, "width"), TEXT_WIDTH)
+
+    def _repr_latex_(self) -> str:
+        return notebook_display(self.hybrid)
+
     def latex(self, form: str = "width") -> str:
         """LaTeX document of the whole model.
 
@@ -82,7 +107,7 @@ class Declared:
 
 
 @explained.record()
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class RockingModel(HybridModel, Declared):
     """Structure: parameters, coordinates, modes and the transitions between them.
 
@@ -134,6 +159,100 @@ class RockingModel(HybridModel, Declared):
         """Itself, as a `Model` on pinned feet has it."""
         return self
 
+    def equations(self, name: str) -> Equations:
+        return written(super().equations(name), self.mode(name), self)
+
+    def impulse_map(self, source: str, target: str) -> ImpulseMap:
+        return written_map(super().impulse_map(source, target), self.mode(target), self)
+
+    def linearize(
+        self, mode: str, op_point: Mapping[str | sp.Symbol, sp.Expr | float] | None = None
+    ) -> Linearization:
+        """Equations of a mode to first order about a state.
+
+        Parameters
+        ----------
+        mode : str
+            Name of the mode.
+        op_point : dict, optional
+            Values of coordinates, velocities and accelerations in the state, by name or symbol,
+            such as ``{"theta": 0.1}``: numbers or expressions of SymPy. Those not named are zero.
+
+        Returns
+        -------
+        Linearization
+            Matrices M, C, K, F and the constant vector f0; A and B of the state space.
+
+        Raises
+        ------
+        KeyError
+            If there is no mode of that name.
+        InputError
+            For names that are no coordinate, velocity or acceleration.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> about_the_right_foot = rk.derive("rigid_block").linearize("right")
+        >>> about_the_right_foot.K, about_the_right_foot.f0
+        (Matrix([[-H*g*m]]), Matrix([[B*g*m]]))
+        """
+        return linearized(self, mode, op_point)
+
+    def compare(
+        self,
+        equation: sp.Expr | sp.Eq,
+        mode: str | None = None,
+        impact: tuple[str, str] | None = None,
+        ground: Collection[str] = ("a_x", "a_y"),
+    ) -> Comparison:
+        """An equation typed by a reader, a paper's or a student's, against the derived ones.
+
+        Parameters
+        ----------
+        equation : sympy.Expr or sympy.Eq
+            Equation; an expression is zero. Symbols are matched by name whatever their
+            assumptions: letters such as B, names such as half_width, theta_dot and theta_ddot,
+            `dynamicsymbols` and their derivatives, theta_dot_after behind an impact, e and r for
+            the ratios of velocities and energies; alpha, R, I_o and p of a block, too.
+        mode : str, optional
+            Mode, to compare with its equations of motion.
+        impact : tuple of (str, str), optional
+            Modes before and after an impact, to compare with its momenta and ratios.
+        ground : collection of str, optional
+            Accelerations of the ground that act; () for free motion, ("a_x",) for an equation
+            without vertical ones.
+
+        Returns
+        -------
+        Comparison
+            Whether they are equal, up to a factor; and the difference by physical term.
+
+        Raises
+        ------
+        InputError
+            For symbols that the model has not, and an equation that always holds.
+        KeyError
+            If there is no mode of that name.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> from sympy import Eq, cos, sin, symbols
+        >>> p, alpha, theta, theta_ddot = symbols("p alpha theta theta_ddot")
+        >>> housner = Eq(theta_ddot, -p**2 * sin(alpha - theta))
+        >>> bool(rk.derive("rigid_block").compare(housner, mode="right", ground=()))
+        True
+        """
+        if (mode is None) == (impact is None):
+            raise InputError("mode", of="compare").says(
+                'give the mode of an equation of motion, mode="right", or the modes before and '
+                'after an impact, impact=("right", "left")'
+            )
+        if impact is not None:
+            return compared_at_impact(self, equation, *impact)
+        return compared(self, equation, str(mode), ground)
+
     def lambdify(self) -> dict[str, NumpyMode]:
         """Vectorised NumPy functions of every mode, see `numpy_functions`.
 
@@ -143,9 +262,6 @@ class RockingModel(HybridModel, Declared):
             Functions by the name of the mode.
         """
         return numpy_functions(self)
-
-    def _repr_latex_(self) -> str:
-        return notebook_display(self)
 
 
 class Description(TypedDict, total=False):

@@ -16,10 +16,10 @@ import rockeom as rk
 from rockeom import __version__
 from rockeom.cli import _parser, main
 from rockeom.cli.commands import HELP, OF_THESIS, command as command_of
-from rockeom.cli.text.plain import mathematics
 from rockeom.codegen.write import write_generated
 from rockeom.modelling.named import FAMILIES, SUPPORTS, parameters_of
 from rockeom.structures.classes import SHIPPED
+from rockeom.symbolic.plain import mathematics
 
 COMMANDS = [name for name in HELP if name != "thesis"] + [f"thesis {name}" for name in OF_THESIS]
 

@@ -15,14 +15,14 @@ import sympy as sp
 from hypothesis import given, strategies as st
 from sympy.core.function import AppliedUndef
 
-from rockeom.cli.text.plain import to_text
 from rockeom.symbolic import SHIPPED, derive
 from rockeom.symbolic.algebra import SIDE
+from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.page import LINE, Display, broken, to_latex, to_markdown, to_text, width
 from rockeom.symbolic.reactions import total_reaction
 from rockeom.symbolic.statics import pushover
-from rockeom.symbolic.write.notation import AFTER, BEFORE, Notation, at_impact
-from rockeom.symbolic.write.page import LINE, Display, broken, to_latex, to_markdown, width
+from rockeom.symbolic.write.notation import Notation
 from rockeom.symbolic.write.polar import has_polar_form, in_polar_form, polar_mode, polar_model
 from rockeom.symbolic.write.typeset import (
     content,
@@ -68,7 +68,7 @@ def values_of(mode, seed=0) -> dict[sp.Symbol, float]:
         used |= {x for e in (body.mass, body.inertia, *body.position) for x in e.free_symbols}
     used |= mode.stored_energy.free_symbols | mode.dissipation_function.free_symbols
     used |= mode.gravity.free_symbols | sp.Tuple(*mode.forces).free_symbols
-    residual = mode.equations.residual(mode.coordinates)
+    residual = mode.equations.residual
     for law in residual.atoms(AppliedUndef) | mode.stored_energy.atoms(AppliedUndef):
         used |= {law, law.diff(*law.args), law.diff(*law.args, 2)}
         used |= law.free_symbols
@@ -162,7 +162,7 @@ def test_reading_the_typeset_equations_gives_the_residual_of_the_derived_ones(na
             continue
         values = values_of(mode)
         exact = Values(values)
-        residual = [exact[e] for e in mode.equations.residual(mode.coordinates)]
+        residual = [exact[e] for e in mode.equations.residual]
         shown = polar_mode(mode) if form == "polar" else mode
         read = Reader(Notation(shown), values)
         for line, expected in zip(equation_lines(mode, form), residual, strict=True):

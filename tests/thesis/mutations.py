@@ -69,8 +69,8 @@ DERIVATIONS = {
         ("3-15", "y + GROUND_Y + mode.gravity", "y + GROUND_Y"),
     ),
     "symbolic/statics.py": (
-        ("5-24", "eq.gravity + eq.stiffness", "eq.gravity - eq.stiffness"),
-        ("5-26", "eq.gravity + eq.stiffness", "eq.stiffness"),
+        ("5-24", "eq.gravity_forces + eq.elastic_forces", "eq.gravity_forces - eq.elastic_forces"),
+        ("5-26", "eq.gravity_forces + eq.elastic_forces", "eq.elastic_forces"),
         ("5-31", "lacking - LOAD *", "lacking + LOAD *"),
         ("5-32", "return -turning.subs(LOAD, 0)", "return -2 * turning.subs(LOAD, 0)"),
     ),

@@ -9,12 +9,13 @@ from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.elements import switch_of
 from rockeom.symbolic.hybrid import HybridModel, Search
+from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.modes.balance import free_motion
 from rockeom.symbolic.modes.derived import DerivedMode
 from rockeom.symbolic.modes.kinematics import sign_of_slip
-from rockeom.symbolic.write.notation import AFTER, BEFORE, Notation, at_impact
-from rockeom.symbolic.write.page import Block, Display, Heading
+from rockeom.symbolic.page import Block, Display, Heading
+from rockeom.symbolic.write.notation import Notation
 from rockeom.symbolic.write.symbols import energies, listed
 
 

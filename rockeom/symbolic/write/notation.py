@@ -15,19 +15,14 @@ from sympy.printing.latex import LatexPrinter
 
 from rockeom.symbolic.algebra import SIDE, square_is, tidy
 from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.mode import Mode
-from rockeom.symbolic.model import GROUND_X, GROUND_Y, Coordinate
-from rockeom.symbolic.write.page import LINE, width
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.page import LINE, width
 from rockeom.symbolic.write.polar import compound_angles
 
 GROUND = {GROUND_X: r"\ddot x_g", GROUND_Y: r"\ddot y_g"}
 MASS, INERTIA, FIELD, STRENGTH, LENGTH, POSITION, RADIUS, BRACKET, ANGLE, DOTTED = range(1, 11)
-AFTER, BEFORE = "+", "-"
-
-
-def at_impact(coordinate: Coordinate, when: str) -> sp.Symbol:
-    """The velocity just AFTER or BEFORE an impact."""
-    return sp.Symbol(f"{coordinate.velocity}^{{{when}}}", real=True)
 
 
 class Notation(LatexPrinter):

@@ -1,20 +1,18 @@
 """Derived equations for people: LaTeX and Markdown, as one would write them in a paper."""
 
 from collections.abc import Iterable
+from dataclasses import dataclass, field, fields
 
 import sympy as sp
 
 from rockeom.numbers.checks import InputError
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.hybrid import HybridModel, Lowers
+from rockeom.symbolic.impulse import AFTER, BEFORE, ImpulseMap, at_impact
 from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import Coordinate
-from rockeom.symbolic.reactions import reactions, total_reaction
-from rockeom.symbolic.statics import holding_force, pushover
-from rockeom.symbolic.write.contact_page import contact_sections, signs_of_search
-from rockeom.symbolic.write.notation import AFTER, BEFORE, Notation, at_impact
-from rockeom.symbolic.write.page import (
+from rockeom.symbolic.page import (
     LINE,
     Block,
     Display,
@@ -24,8 +22,64 @@ from rockeom.symbolic.write.page import (
     to_markdown,
     width,
 )
+from rockeom.symbolic.reactions import reactions, total_reaction
+from rockeom.symbolic.statics import holding_force, pushover
+from rockeom.symbolic.write.contact_page import contact_sections, signs_of_search
+from rockeom.symbolic.write.notation import Notation
 from rockeom.symbolic.write.polar import has_polar_form, in_polar_form, polar_model
 from rockeom.symbolic.write.symbols import energies, listed, symbols_of
+
+
+@dataclass(frozen=True, repr=False)
+class WrittenEquations(Equations):
+    """Equations of a mode that are shown as one would write them in a paper.
+
+    Parameters
+    ----------
+    mode : Mode
+        Mode that they are the equations of.
+    model : HybridModel
+        Model of the mode.
+    """
+
+    mode: Mode = field(kw_only=True)
+    model: HybridModel = field(kw_only=True)
+
+    def equation_lines(self) -> list[str]:
+        """LaTeX of each equation, in the order of the coordinates."""
+        return _equation_lines(self, self.mode.coordinates, Notation(self.mode, self.model))
+
+
+@dataclass(frozen=True, repr=False)
+class WrittenImpulseMap(ImpulseMap):
+    """Impulse map into a mode that is shown as one would write it in a paper.
+
+    Parameters
+    ----------
+    mode : Mode
+        Mode after the change.
+    model : HybridModel
+        Model of the mode.
+    """
+
+    mode: Mode = field(kw_only=True)
+    model: HybridModel = field(kw_only=True)
+
+    def equation_lines(self) -> list[str]:
+        """LaTeX of each row; - is just before, + just after the change."""
+        return _momentum_lines(self, Notation(self.mode, self.model), self.model)
+
+
+def written_map(derived: ImpulseMap, mode: Mode, model: HybridModel) -> WrittenImpulseMap:
+    """The impulse map into a mode, shown as one would write it."""
+    parts = (derived.coordinates, derived.mass_matrix, derived.momentum)
+    return WrittenImpulseMap(*parts, mode=mode, model=model)
+
+
+def written(equations: Equations, mode: Mode, model: HybridModel) -> WrittenEquations:
+    """The equations of a mode, shown as one would write them."""
+    parts = {f.name: getattr(equations, f.name) for f in fields(Equations)}
+    return WrittenEquations(**parts, mode=mode, model=model)
 
 
 def equation_lines(mode: Mode, form: str = "width") -> list[str]:
@@ -77,14 +131,23 @@ def _equation_lines(
         accelerations = [
             equations.mass_matrix[i, j] * c.acceleration for j, c in enumerate(coordinates)
         ]
-        statics = [equations.gravity[i], equations.stiffness[i]]
+        statics = [equations.gravity_forces[i], equations.elastic_forces[i]]
         # one sum where weight and spring cancel in part, as about a settled position
         apart = [term for part in statics for term in notation.terms(part)]
         if len(notation.terms(sum(statics))) < len(apart):
             statics = [sum(statics)]
-        parts = [*accelerations, equations.velocity[i], equations.damping[i], *statics]
+        parts = [
+            *accelerations,
+            equations.velocity_forces[i],
+            equations.damping_forces[i],
+            *statics,
+        ]
         left = notation.sum([notation.write(part) for part in parts if part != 0])
-        given = [part for part in (equations.excitation[i], equations.force[i]) if part != 0]
+        given = [
+            part
+            for part in (equations.excitation_forces[i], equations.applied_forces[i])
+            if part != 0
+        ]
         lines.append(f"{left} = {notation.sum([notation.write(part) for part in given])}")
     return lines
 
@@ -278,12 +341,9 @@ def _impulse(model: HybridModel, source: str, target: str) -> list[Block]:
     after = model.mode(target)
     if not after.coordinates:
         return [f"In `{target}` all motion has stopped."]
-    notation, derived = Notation(after, model), model.impulse_map(source, target)
-    arriving = {c.velocity: at_impact(c, BEFORE) for c in model.coordinates}
-    new = sp.Matrix([at_impact(c, AFTER) for c in derived.coordinates])
-    momentum = derived.momentum.subs(arriving)
-    rows = zip(derived.mass_matrix * new, momentum, strict=True)
-    lines = [f"{notation.write(a)} = {notation.write(b)}" for a, b in rows]
+    notation, derived = Notation(after, model), model.sided_impulse_map(source, target)
+    new, arriving = _rates_at_impact(derived, model)
+    lines = _momentum_lines(derived, notation, model)
     if len(model.coordinates) > 1:
         solved = zip(new, derived.velocities().subs(arriving), strict=True)
         closed = [f"{notation.plain(x)} = {notation.quotient(v)}" for x, v in solved]
@@ -291,6 +351,23 @@ def _impulse(model: HybridModel, source: str, target: str) -> list[Block]:
     text = "Momentum in the directions that stay free is conserved; $-$ is just before, $+$ just "
     text += "after, and $s$ is the side before:" if after.has_side else "after:"
     return [text, Display(tuple(lines))]
+
+
+def _rates_at_impact(
+    derived: ImpulseMap, model: HybridModel
+) -> tuple[sp.Matrix, dict[sp.Symbol, sp.Symbol]]:
+    """Velocities just after an impact, and those just before it by their plain symbols."""
+    arriving = {c.velocity: at_impact(c, BEFORE) for c in model.coordinates}
+    return sp.Matrix([at_impact(c, AFTER) for c in derived.coordinates]), arriving
+
+
+def _momentum_lines(derived: ImpulseMap, notation: Notation, model: HybridModel) -> list[str]:
+    """Conservation of the momenta of the mode that follows."""
+    if not derived.coordinates:
+        return []
+    new, arriving = _rates_at_impact(derived, model)
+    rows = zip(derived.mass_matrix * new, derived.momentum.subs(arriving), strict=True)
+    return [f"{notation.write(a)} = {notation.write(b)}" for a, b in rows]
 
 
 def _pushover(model: HybridModel) -> list[Block]:

@@ -1,13 +1,16 @@
-"""Pages of text, tables and displayed equations, in LaTeX and in Markdown.
+"""Pages of text, tables and displayed equations, in LaTeX, in Markdown and for a terminal.
 
 Text holds mathematics between dollar signs and code between backquotes.
 """
 
 import html
 import re
+import textwrap
 import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
+
+from rockeom.symbolic.plain import greek_letter, mathematics
 
 LINE = 70.0
 """Width of a line of mathematics on the page, in letters."""
@@ -97,7 +100,7 @@ def broken(tex: str, limit: float) -> list[str]:
     return [*lines, tex]
 
 
-# --- the two kinds of page
+# --- the three kinds of page
 
 
 def _layout(lines: tuple[str, ...]) -> list[list[str]]:
@@ -207,15 +210,6 @@ def _latex_text(text: str) -> str:
     return "".join(parts)
 
 
-def greek_letter(name: str) -> str:
-    """The letter that TeX calls by a name, or the name itself where there is none."""
-    case = "SMALL" if name.islower() else "CAPITAL"
-    try:
-        return unicodedata.lookup(f"GREEK {case} LETTER {name.upper().replace('LAMBDA', 'LAMDA')}")
-    except KeyError:
-        return name
-
-
 def _greek(text: str) -> list[str]:
     """Declarations of the Greek letters in names and meanings, which LaTeX does not know."""
     found = []
@@ -232,3 +226,55 @@ tau upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi P
 
 def environment(name: str, lines: list[str]) -> str:
     return "\n".join([rf"\begin{{{name}}}", " \\\\\n".join(lines), rf"\end{{{name}}}"])
+
+
+def to_text(blocks: list[Block], width: int) -> str:
+    """Headings underlined, tables in columns, one equation a paragraph; lines up to `width`."""
+    parts = []
+    for block in blocks:
+        match block:
+            case Heading(level, text):
+                shown = _prose(text, quote="")
+                parts.append(f"{shown}\n{'=-.'[min(level, 3) - 1] * len(shown)}")
+            case Table(_, rows):
+                parts.append(_table(rows, width))
+            case Display(lines):
+                parts.append("\n".join(_equation(line, width) for line in lines))
+            case str(text):
+                parts.append(textwrap.fill(_prose(text), width))
+    return "\n\n".join(parts) + "\n"
+
+
+def _prose(text: str, quote: str = "'") -> str:
+    """Text with its mathematics between dollar signs and its code between backquotes."""
+    return re.sub(r"\$([^$]*)\$", lambda m: mathematics(m[1]), text).replace("`", quote)
+
+
+def _equation(tex: str, width: int) -> str:
+    """Lines that fit: the widths by which `broken` goes are estimates for another typeface."""
+    for limit in range(width, 20, -4):
+        first, *rest = (mathematics(line) for line in broken(tex, limit))
+        lines = [f"  {first}", *(f"      {line}" for line in rest)]
+        if max(map(_letters, lines)) <= width:
+            break
+    return "\n".join(lines)
+
+
+def _table(rows: tuple[tuple[str, ...], ...], width: int) -> str:
+    """The last column takes what the others leave."""
+    cells = [tuple(_prose(cell, quote="") for cell in row) for row in rows]
+    widths = [max(map(_letters, column)) for column in zip(*cells, strict=True)][:-1]
+    lines = []
+    for *short, last in cells:
+        start = "  " + "".join(
+            c + " " * (w + 2 - _letters(c)) for c, w in zip(short, widths, strict=True)
+        )
+        room = max(width - _letters(start), 20)
+        first, *rest = textwrap.wrap(last, room) or [""]
+        lines += [(start + first).rstrip(), *(" " * _letters(start) + line for line in rest)]
+    return "\n".join(lines)
+
+
+def _letters(text: str) -> int:
+    """Columns on a terminal: a dot above a letter takes none."""
+    return sum(not unicodedata.combining(c) for c in text)
