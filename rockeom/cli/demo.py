@@ -20,7 +20,7 @@ from rockeom.drawing.style import save_figure
 from rockeom.files import write
 from rockeom.plots import plot_comparison
 from rockeom.symbolic import derive
-from rockeom.symbolic.page import to_text
+from rockeom.symbolic.text.page import to_text
 from rockeom.symbolic.write.typeset import content
 
 COLUMN = {

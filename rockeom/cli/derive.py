@@ -11,7 +11,7 @@ from rockeom.codegen import module_text
 from rockeom.files import check_target, write
 from rockeom.modelling.named import class_named
 from rockeom.symbolic import derive
-from rockeom.symbolic.page import to_text
+from rockeom.symbolic.text.page import to_text
 from rockeom.symbolic.write.typeset import content
 
 DESCRIPTION = """\

@@ -25,7 +25,7 @@ from rockeom.symbolic.algebra import SIDE, at_side, determinant, tidy
 from rockeom.symbolic.lagrange import body_velocity
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import Coordinate
-from rockeom.symbolic.shown import Shown
+from rockeom.symbolic.text.shown import Shown
 
 AFTER, BEFORE = "+", "-"
 

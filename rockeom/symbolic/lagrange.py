@@ -16,7 +16,7 @@ import sympy as sp
 
 from rockeom.symbolic.algebra import at_side, tidy
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, Body, Coordinate
-from rockeom.symbolic.shown import Shown
+from rockeom.symbolic.text.shown import Shown
 
 TIME = sp.Symbol("t")
 """The time of SymPy's `dynamicsymbols`."""

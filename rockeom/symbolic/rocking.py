@@ -14,18 +14,18 @@ from rockeom.symbolic.checks.declaration import check
 from rockeom.symbolic.checks.derived import check_derived
 from rockeom.symbolic.checks.modes import check_turning
 from rockeom.symbolic.checks.values import check_values
-from rockeom.symbolic.comparison import Comparison, compared, compared_at_impact
 from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.evaluate import NumpyMode, numpy_functions
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.impulse import ImpulseMap
 from rockeom.symbolic.lagrange import Equations
-from rockeom.symbolic.linearization import Linearization, linearized
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import Body, Coordinate, Foot, Member, Parameter, Point, turned
-from rockeom.symbolic.page import to_text
-from rockeom.symbolic.shown import TEXT_WIDTH
-from rockeom.symbolic.symbols import Symbols
+from rockeom.symbolic.reading.comparison import Comparison, compared, compared_at_impact
+from rockeom.symbolic.reading.linearization import Linearization, linearized
+from rockeom.symbolic.reading.symbols import Symbols
+from rockeom.symbolic.text.page import to_text
+from rockeom.symbolic.text.shown import TEXT_WIDTH
 from rockeom.symbolic.write.typeset import (
     content,
     latex_document,

@@ -19,7 +19,7 @@ from rockeom.cli.commands import HELP, OF_THESIS, command as command_of
 from rockeom.codegen.write import write_generated
 from rockeom.modelling.named import FAMILIES, SUPPORTS, parameters_of
 from rockeom.structures.classes import SHIPPED
-from rockeom.symbolic.plain import mathematics
+from rockeom.symbolic.text.plain import mathematics
 
 COMMANDS = [name for name in HELP if name != "thesis"] + [f"thesis {name}" for name in OF_THESIS]
 

@@ -40,7 +40,7 @@ def test_lost_equation_says_that_it_is_not_legible(capsys):
 
 @pytest.mark.parametrize("number", EQUATIONS)
 def test_every_equation_can_be_read_in_a_terminal(number):
-    from rockeom.symbolic.plain import mathematics
+    from rockeom.symbolic.text.plain import mathematics
 
     for line in EQUATIONS[number].lines():
         text = mathematics(line)

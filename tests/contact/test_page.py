@@ -13,7 +13,7 @@ import pytest
 import rockeom as rk
 from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.symbolic.page import Display, Heading
+from rockeom.symbolic.text.page import Display, Heading
 from rockeom.symbolic.write.notation import Notation
 from rockeom.symbolic.write.typeset import content
 from tests.contact import kkt

@@ -19,9 +19,9 @@ from rockeom.symbolic import SHIPPED, derive
 from rockeom.symbolic.algebra import SIDE
 from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.symbolic.page import LINE, Display, broken, to_latex, to_markdown, to_text, width
 from rockeom.symbolic.reactions import total_reaction
 from rockeom.symbolic.statics import pushover
+from rockeom.symbolic.text.page import LINE, Display, broken, to_latex, to_markdown, to_text, width
 from rockeom.symbolic.write.notation import Notation
 from rockeom.symbolic.write.polar import has_polar_form, in_polar_form, polar_mode, polar_model
 from rockeom.symbolic.write.typeset import (

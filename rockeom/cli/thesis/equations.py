@@ -8,7 +8,7 @@ from rockeom.cli.errors import UsageError
 from rockeom.cli.text.terminal import listing, width
 from rockeom.modelling.named import FAMILIES
 from rockeom.structures.classes import SHIPPED
-from rockeom.symbolic.page import Block, Display, Heading, Table, to_text
+from rockeom.symbolic.text.page import Block, Display, Heading, Table, to_text
 from rockeom.thesis.typeset import written
 
 DESCRIPTION = """\

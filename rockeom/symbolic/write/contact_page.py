@@ -14,7 +14,7 @@ from rockeom.symbolic.model import GROUND_X, GROUND_Y
 from rockeom.symbolic.modes.balance import free_motion
 from rockeom.symbolic.modes.derived import DerivedMode
 from rockeom.symbolic.modes.kinematics import sign_of_slip
-from rockeom.symbolic.page import Block, Display, Heading
+from rockeom.symbolic.text.page import Block, Display, Heading
 from rockeom.symbolic.write.notation import Notation
 from rockeom.symbolic.write.symbols import energies, listed
 

@@ -18,7 +18,7 @@ from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.symbolic.page import LINE, width
+from rockeom.symbolic.text.page import LINE, width
 from rockeom.symbolic.write.polar import compound_angles
 
 GROUND = {GROUND_X: r"\ddot x_g", GROUND_Y: r"\ddot y_g"}

@@ -12,7 +12,9 @@ from rockeom.symbolic.impulse import AFTER, BEFORE, ImpulseMap, at_impact
 from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import Coordinate
-from rockeom.symbolic.page import (
+from rockeom.symbolic.reactions import reactions, total_reaction
+from rockeom.symbolic.statics import holding_force, pushover
+from rockeom.symbolic.text.page import (
     LINE,
     Block,
     Display,
@@ -22,8 +24,6 @@ from rockeom.symbolic.page import (
     to_markdown,
     width,
 )
-from rockeom.symbolic.reactions import reactions, total_reaction
-from rockeom.symbolic.statics import holding_force, pushover
 from rockeom.symbolic.write.contact_page import contact_sections, signs_of_search
 from rockeom.symbolic.write.notation import Notation
 from rockeom.symbolic.write.polar import has_polar_form, in_polar_form, polar_model

@@ -11,8 +11,8 @@ from rockeom.numbers.checks import InputError, near
 from rockeom.symbolic.algebra import tidy
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.symbolic.shown import Shown
-from rockeom.symbolic.symbols import Symbols
+from rockeom.symbolic.reading.symbols import Symbols
+from rockeom.symbolic.text.shown import Shown
 
 
 @dataclass(frozen=True, repr=False)

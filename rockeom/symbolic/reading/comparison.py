@@ -18,10 +18,10 @@ from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.impulse import AFTER, at_impact
 from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.symbolic.page import Display, to_markdown, to_text
-from rockeom.symbolic.plain import mathematics
-from rockeom.symbolic.shown import TEXT_WIDTH
-from rockeom.symbolic.symbols import Symbols
+from rockeom.symbolic.reading.symbols import Symbols
+from rockeom.symbolic.text.page import Display, to_markdown, to_text
+from rockeom.symbolic.text.plain import mathematics
+from rockeom.symbolic.text.shown import TEXT_WIDTH
 from rockeom.symbolic.write.polar import polar_parameters
 
 DIGITS = 40

@@ -1,6 +1,6 @@
 """Objects of a derivation as notebooks and terminals show them."""
 
-from rockeom.symbolic.page import Display, to_markdown, to_text
+from rockeom.symbolic.text.page import Display, to_markdown, to_text
 
 TEXT_WIDTH = 100
 """Columns of `str`, which goes to terminals, files and cells alike."""

@@ -10,7 +10,7 @@ import unicodedata
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rockeom.symbolic.plain import greek_letter, mathematics
+from rockeom.symbolic.text.plain import greek_letter, mathematics
 
 LINE = 70.0
 """Width of a line of mathematics on the page, in letters."""

@@ -1,0 +1,1 @@
+"""What a reader does with derived equations: finds symbols, linearises, compares."""

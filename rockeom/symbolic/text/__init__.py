@@ -1,0 +1,1 @@
+"""Derived equations as text: pages, LaTeX read into plain letters, and what a notebook shows."""
