@@ -25,7 +25,7 @@ from rockeom.symbolic.text.shown import TEXT_WIDTH
 from rockeom.symbolic.write.polar import polar_parameters
 
 DIGITS = 40
-"""Of the evaluation; of two expressions that are the same, more than thirty agree."""
+"""Digits of the evaluation; of two expressions that are the same, more than thirty agree."""
 SAME = mpmath.mpf("1e-25")
 """Relative difference of numbers that are the same."""
 SAME_AS_TYPED = mpmath.mpf("1e-12")
@@ -39,7 +39,7 @@ _GROUND = {"horizontal excitation": GROUND_X, "vertical excitation": GROUND_Y}
 
 @dataclass(frozen=True)
 class Comparison:
-    """What a comparison with derived equations gave; true where the equation holds.
+    """Result of a comparison with derived equations; true where the typed equation holds.
 
     Parameters
     ----------
@@ -169,7 +169,7 @@ def _plain(name: str) -> str:
 
 
 def _names(model: HybridModel) -> dict[str, sp.Expr]:
-    """What symbols of a reader stand for: by letter and by name, in parameters of the model."""
+    """Meanings of a reader's symbols, by letter and by name, in parameters of the model."""
     names: dict[str, sp.Expr] = {}
     for name, symbol in Symbols.of(model).items():
         names |= {_plain(str(symbol)): symbol, name: symbol}
