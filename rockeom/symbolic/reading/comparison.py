@@ -37,7 +37,7 @@ RATIO_OF_VELOCITIES, RATIO_OF_ENERGIES = sp.symbols("e r", real=True)
 _GROUND = {"horizontal excitation": GROUND_X, "vertical excitation": GROUND_Y}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Comparison:
     """Result of a comparison with derived equations; true where the typed equation holds.
 
@@ -64,6 +64,9 @@ class Comparison:
 
     def __bool__(self) -> bool:
         return self.follows
+
+    def __repr__(self) -> str:
+        return f"<Comparison: {str(self).partition(chr(10))[0]}>"
 
     def __str__(self) -> str:
         what = f"the derived equation of {self.row}"
@@ -123,7 +126,7 @@ def compared(
     derived = _Derived(
         dict(zip(names, equations.residual.subs(absent), strict=True)),
         {x: e.subs(absent) for x, e in solution},
-        (*equations.accelerations, *({GROUND_X, GROUND_Y} - absent.keys()), *gravity),
+        (*equations.accelerations, *(x for x in _GROUND.values() if x not in absent), *gravity),
         tuple(x for c in model.coordinates for x in (c.position, c.velocity)),
         model.rotation.position,
         _side(model, mode),
@@ -229,7 +232,10 @@ def _typed(equation: sp.Expr | sp.Eq, names: Mapping[str, sp.Expr], derived: _De
     put |= {x: put[SIDE] for x in expr.atoms(sp.Symbol) if x.name == "s" and "s" not in put}
     expr = expr.xreplace({x: put[x] for x in sorted(put, key=sp.count_ops, reverse=True)})
     q = derived.rotation
-    return expr.subs({sp.sign(q): derived.side, sp.Abs(q): derived.side * q})
+    expr = expr.subs({sp.sign(q): derived.side, sp.Abs(q): derived.side * q})
+    if expr.has(sp.nan, sp.zoo, sp.oo):
+        raise InputError("equation", of="compare").so("it is not finite in this mode")
+    return expr
 
 
 def _in_time(item: sp.Basic) -> bool:
@@ -286,7 +292,8 @@ def _short(factor: sp.Expr) -> sp.Expr:
 
 def _factors(typed: sp.Expr, row: sp.Expr, derived: _Derived) -> Iterator[sp.Expr]:
     """1, and what else a typed equation may be times a derived one, by coefficients of pivots."""
-    still = dict.fromkeys((*derived.moving, *derived.solution), sp.S.Zero)
+    moving = (*derived.moving, *derived.solution, GROUND_X, GROUND_Y)
+    still = dict.fromkeys(moving, sp.S.Zero)
     yield sp.S.One
     for x in derived.pivots:
         over, under = (sp.diff(e, x).subs(still) for e in (typed, row))
