@@ -24,7 +24,13 @@ from rockeom.symbolic.rocking import Declared, RockingModel
 _LISTS = ("parameters", "coordinates", "bodies", "contacts", "elements", "forces", "members")
 
 
-@explained.record()
+@explained.attributes(
+    equations='mode("NAME").mass_matrix and .forcing',
+    impulse_map='mode("NAME").impact',
+    mass_matrix='mode("NAME").mass_matrix',
+    forcing='mode("NAME").forcing',
+)
+@explained.calls()
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Model(Declared, ContactDeclaration):
     """Structure that is free to move but for its contacts and elements.

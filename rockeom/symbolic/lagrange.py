@@ -14,6 +14,7 @@ from typing import Protocol
 
 import sympy as sp
 
+from rockeom.numbers import explained
 from rockeom.symbolic.algebra import at_side, tidy
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, Body, Coordinate
 from rockeom.symbolic.text.shown import Shown
@@ -40,6 +41,13 @@ class Moving(Protocol):
     def approximated(self, expr: sp.Expr) -> sp.Expr: ...
 
 
+@explained.attributes(
+    M="mass_matrix", f="forcing", eom="residual", velocity="velocity_forces",
+    gravity="gravity_forces", stiffness="elastic_forces", damping="damping_forces",
+    excitation="excitation_forces", force="applied_forces", forces="forcing",
+    K='K of model.linearize("both")', C='C of model.linearize("both")', coordinates="q",
+    potential_energy="gravitational_energy", qdd="accelerations",
+)  # fmt: skip
 @dataclass(frozen=True, repr=False)
 class Equations(Shown):
     """Equations of motion, forces that resist on the left and forces that act on the right.

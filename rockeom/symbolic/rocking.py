@@ -22,6 +22,7 @@ from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import Body, Coordinate, Foot, Member, Parameter, Point, turned
 from rockeom.symbolic.reading.comparison import Comparison, compared, compared_at_impact
+from rockeom.symbolic.reading.forms import in_form
 from rockeom.symbolic.reading.linearization import Linearization, linearized
 from rockeom.symbolic.reading.symbols import Symbols
 from rockeom.symbolic.text.page import to_text
@@ -34,6 +35,41 @@ from rockeom.symbolic.write.typeset import (
     written,
     written_map,
 )
+
+_MEANT = {
+    "restitution": "velocity_ratio, its square for energies",
+    "coefficient_of_restitution": "velocity_ratio",
+    "e": "velocity_ratio",
+    "r": "velocity_ratio**2",
+    "impact_map": 'impulse_map("right", "left")',
+    "impact": 'impulse_map("right", "left")',
+    "linearise": "linearize",
+    "parameters_by_name": "symbols",
+} | {
+    name: f'equations("right").{meant}'
+    for name, meant in {
+        "mass_matrix": "mass_matrix",
+        "M": "mass_matrix",
+        "forcing": "forcing",
+        "f": "forcing",
+        "rhs": "rhs()",
+        "eom": "residual",
+        "equations_of_motion": "residual",
+        "kinetic_energy": "kinetic_energy",
+        "potential_energy": "gravitational_energy",
+        "forces": "forcing",
+        "mass_matrix_full": "mass_matrix_full",
+        "forcing_full": "forcing_full",
+        "q": "q",
+        "u": "u",
+    }.items()
+} | {
+    name: f'linearize("both").{letter}'
+    for name, letter in {
+        "stiffness_matrix": "K", "K": "K", "damping_matrix": "C", "C": "C", "A": "A", "B": "B",
+    }.items()
+}  # fmt: skip
+"""Attributes that people try on a model, and where they find it."""
 
 
 class Declared:
@@ -75,7 +111,7 @@ class Declared:
         return Symbols.of(self.hybrid)
 
     def __str__(self) -> str:
-        return to_text(content(self.hybrid, "width"), TEXT_WIDTH)
+        return to_text(content(self.hybrid, "width"), TEXT_WIDTH).rstrip("\n")
 
     def _repr_latex_(self) -> str:
         return notebook_display(self.hybrid)
@@ -106,7 +142,8 @@ class Declared:
         return markdown_page(self.hybrid)
 
 
-@explained.record()
+@explained.attributes(**_MEANT)
+@explained.calls()
 @dataclass(frozen=True, repr=False)
 class RockingModel(HybridModel, Declared):
     """Structure: parameters, coordinates, modes and the transitions between them.
@@ -162,8 +199,35 @@ class RockingModel(HybridModel, Declared):
         """Itself, as a `Model` on pinned feet has it."""
         return self
 
-    def equations(self, name: str) -> Equations:
-        return written(super().equations(name), self.mode(name), self)
+    def equations(self, name: str, form: str = "width") -> Equations:
+        """Equations of motion of a mode, its side and its switches put in as numbers.
+
+        Parameters
+        ----------
+        name : str
+            Name of the mode.
+        form : str, optional
+            "width", in half-widths and heights; "polar", in R and alpha; "small", of first order in
+            coordinates and velocities; "slender", of first order in alpha and the horizontal
+            acceleration of the ground as well; "nondimensional", of a block, in x = theta/alpha and
+            time p t, the ground's acceleration in units of g (thesis 2-13).
+
+        Returns
+        -------
+        Equations
+            Mass matrix, forces and other parts of the equations.
+
+        Raises
+        ------
+        KeyError
+            If there is no mode of that name.
+        ValueError
+            For another form, and where a model has not this one.
+        """
+        derived = super().equations(name) if form == "width" else in_form(self, name, form)
+        if form == "nondimensional":
+            return derived
+        return written(derived, self.mode(name), self)
 
     def impulse_map(self, source: str, target: str) -> ImpulseMap:
         return written_map(super().impulse_map(source, target), self.mode(target), self)

@@ -68,7 +68,8 @@ def test_equation_without_ground_motion_is_equal_where_the_ground_rests():
 
 def test_combination_of_equations_holds_and_is_no_multiple_of_one():
     first, second = PIER.equations("right").residual
-    for equation in (first + 2 * second, first * sp.cos(PIER.symbols.theta)):
+    s = PIER.symbols
+    for equation in (first + 2 * second, first * sp.cos(s.theta), first * s.a_x, second * s.u_dot):
         comparison = PIER.compare(equation, mode="right")
         assert comparison
         assert not comparison.equal
@@ -103,6 +104,7 @@ def test_decimal_fractions_are_compared_to_their_rounding():
         (S.theta, {}, 'give the mode of an equation of motion, mode="right"'),
         (S.theta, {"mode": "right", "impact": ("right", "left")}, "give the mode"),
         (S.theta, {"mode": "right", "ground": ("a_z",)}, "a_z"),
+        (S.theta / (S.s - 1), {"mode": "right"}, "is not finite"),
         ("theta_ddot", {"mode": "right"}, "equation"),
         (sp.true, {"mode": "right"}, "equation"),
     ],

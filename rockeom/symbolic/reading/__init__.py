@@ -1,1 +1,1 @@
-"""What a reader does with derived equations: finds symbols, linearises, compares."""
+"""Tools of a reader of derived equations: symbols by name, forms, linearisation, comparison."""

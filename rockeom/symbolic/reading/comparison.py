@@ -25,7 +25,7 @@ from rockeom.symbolic.text.shown import TEXT_WIDTH
 from rockeom.symbolic.write.polar import polar_parameters
 
 DIGITS = 40
-"""Of the evaluation; of two expressions that are the same, more than thirty agree."""
+"""Digits of the evaluation; of two expressions that are the same, more than thirty agree."""
 SAME = mpmath.mpf("1e-25")
 """Relative difference of numbers that are the same."""
 SAME_AS_TYPED = mpmath.mpf("1e-12")
@@ -37,9 +37,9 @@ RATIO_OF_VELOCITIES, RATIO_OF_ENERGIES = sp.symbols("e r", real=True)
 _GROUND = {"horizontal excitation": GROUND_X, "vertical excitation": GROUND_Y}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Comparison:
-    """What a comparison with derived equations gave; true where the equation holds.
+    """Result of a comparison with derived equations; true where the typed equation holds.
 
     Parameters
     ----------
@@ -64,6 +64,9 @@ class Comparison:
 
     def __bool__(self) -> bool:
         return self.follows
+
+    def __repr__(self) -> str:
+        return f"<Comparison: {str(self).partition(chr(10))[0]}>"
 
     def __str__(self) -> str:
         what = f"the derived equation of {self.row}"
@@ -121,7 +124,7 @@ def compared(
     derived = _Derived(
         dict(zip(names, equations.residual.subs(absent), strict=True)),
         {x: e.subs(absent) for x, e in solution},
-        (*equations.accelerations, *({GROUND_X, GROUND_Y} - absent.keys()), *gravity),
+        (*equations.accelerations, *(x for x in _GROUND.values() if x not in absent), *gravity),
         tuple(x for c in model.coordinates for x in (c.position, c.velocity)),
         model.rotation.position,
         model.mode(mode).side_of(mode),
@@ -169,7 +172,7 @@ def _plain(name: str) -> str:
 
 
 def _names(model: HybridModel) -> dict[str, sp.Expr]:
-    """What symbols of a reader stand for: by letter and by name, in parameters of the model."""
+    """Meanings of a reader's symbols, by letter and by name, in parameters of the model."""
     names: dict[str, sp.Expr] = {}
     for name, symbol in Symbols.of(model).items():
         names |= {_plain(str(symbol)): symbol, name: symbol}
@@ -222,7 +225,10 @@ def _typed(equation: sp.Expr | sp.Eq, names: Mapping[str, sp.Expr], derived: _De
     put |= {x: put[SIDE] for x in expr.atoms(sp.Symbol) if x.name == "s" and "s" not in put}
     expr = expr.xreplace({x: put[x] for x in sorted(put, key=sp.count_ops, reverse=True)})
     q = derived.rotation
-    return expr.subs({sp.sign(q): derived.side, sp.Abs(q): derived.side * q})
+    expr = expr.subs({sp.sign(q): derived.side, sp.Abs(q): derived.side * q})
+    if expr.has(sp.nan, sp.zoo, sp.oo):
+        raise InputError("equation", of="compare").so("it is not finite in this mode")
+    return expr
 
 
 def _in_time(item: sp.Basic) -> bool:
@@ -279,7 +285,8 @@ def _short(factor: sp.Expr) -> sp.Expr:
 
 def _factors(typed: sp.Expr, row: sp.Expr, derived: _Derived) -> Iterator[sp.Expr]:
     """1, and what else a typed equation may be times a derived one, by coefficients of pivots."""
-    still = dict.fromkeys((*derived.moving, *derived.solution), sp.S.Zero)
+    moving = (*derived.moving, *derived.solution, GROUND_X, GROUND_Y)
+    still = dict.fromkeys(moving, sp.S.Zero)
     yield sp.S.One
     for x in derived.pivots:
         over, under = (sp.diff(e, x).subs(still) for e in (typed, row))

@@ -1,1 +1,1 @@
-"""Derived equations as text: pages, LaTeX read into plain letters, and what a notebook shows."""
+"""Derived equations as text: pages, plain letters for LaTeX, and the display in notebooks."""
