@@ -26,7 +26,9 @@ DERIVATIONS = {
         )
         for n in (3, 10, 20)
     },
-    "two blocks with friction, 100 modes, derived": "module_of('stacked_blocks', support='sliding')",
+    "two blocks with friction, 100 modes, derived": (
+        "module_of('stacked_blocks', support='sliding')"
+    ),
     "the same, compiled too": _COMPILED.format("'stacked_blocks', support='sliding'"),
     "block on two feet, its page": "rk.derive('sliding_block').markdown()",
     "block on feet at two heights, its page": "declared.on_a_step().markdown()",

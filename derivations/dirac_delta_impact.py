@@ -442,7 +442,7 @@ sp.Eq(sp.Symbol("F_delta"), leading)
 # %%
 model = rk.derive("dirac_delta_block")
 (alpha,) = (p.symbol for p in model.parameters if p.name == "alpha")
-(row,) = model.equations("right_core").residual(model.coordinates)
+(row,) = model.equations("right_core").residual
 engine = sp.expand(row.subs({GROUND_X: 0, GROUND_Y: 0}) / alpha**2)
 assert sp.simplify(sp.expand_log(engine - smooth_block)) == 0
 sp.Eq(engine, 0)

@@ -87,7 +87,7 @@ by_hand += m * a_g * R * sp.cos(alpha - theta)
 
 model = rk.derive("rigid_block")
 of = {parameter.name: parameter.symbol for parameter in model.parameters}
-(engine,) = model.equations("right").residual(model.coordinates)
+(engine,) = model.equations("right").residual
 polar = {of["half_width"]: R * sp.sin(alpha), of["height"]: R * sp.cos(alpha)}
 quiet = {symbol: 0 for symbol in engine.free_symbols if symbol.name == "a_y"}
 engine = engine.subs(polar).subs(quiet).subs(sp.Symbol("a_x", real=True), a_g)

@@ -274,7 +274,7 @@ levers = {
 radii = {R_e: sp.sqrt(B**2 + H_e**2), R_b: sp.sqrt(B**2 + H_b**2)}
 
 for mode, residual in [("right", about_O), ("left", about_O_dash)]:
-    (engine,) = model.equations(mode).residual(model.coordinates)
+    (engine,) = model.equations(mode).residual
     ours = sp.expand_trig(-residual).subs(levers).subs(radii)
     assert sp.simplify(engine.subs(back) - ours) == 0
 

@@ -162,7 +162,7 @@ model = rk.derive("nondimensional_block")
 rho = next(q.symbol for q in model.parameters if q.name == "radius_ratio")
 harmonic = {GROUND_X: alpha * beta * sp.cos(omega * t), GROUND_Y: 0}
 for side, name in [(1, "right"), (-1, "left")]:
-    (engine,) = model.equations(name).residual(model.coordinates)
+    (engine,) = model.equations(name).residual
     assert sp.simplify(engine.subs(harmonic) - alpha * rho * ours.subs(s, side)) == 0
 
 # %% [markdown]
@@ -690,7 +690,7 @@ for chosen, groups in [
     assert len(chosen) - rank == groups
 
 upwards = sp.Symbol("a_v", real=True)  # over g
-(engine,) = model.equations("right").residual(model.coordinates)
+(engine,) = model.equations("right").residual
 more = ours + s * upwards * sp.sin(alpha * (1 - s * x))
 difference = engine.subs(harmonic | {GROUND_Y: upwards}) - alpha * rho * more.subs(s, 1)
 assert sp.simplify(difference) == 0

@@ -101,7 +101,7 @@ I_G = next(q.symbol for q in model.parameters if q.name == "inertia")
 still = {GROUND_X: -a, GROUND_Y: 0}  # ground to the left is a push to the right
 (turn,) = model.coordinates
 still |= {turn.acceleration: 0, turn.velocity: 0, turn.position: 0}
-(moments,) = model.equations("right").residual(model.coordinates)
+(moments,) = model.equations("right").residual
 (lifts_at,) = sp.solve(moments.subs(still), a)
 assert sp.simplify(lifts_at - g * B / H) == 0
 west = equation("2-1").right[0].rhs

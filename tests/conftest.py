@@ -27,6 +27,8 @@ TOGETHER = {
     "tests/codegen/test_generated_functions.py": "tests/symbolic/test_typeset.py",
     "tests/codegen/test_generated_text.py": "tests/symbolic/test_typeset.py",
     "tests/codegen/test_carried_functions.py": "tests/symbolic/test_typeset.py",
+    "tests/symbolic/test_compare.py": "tests/symbolic/test_typeset.py",
+    "tests/symbolic/test_reading.py": "tests/symbolic/test_typeset.py",
 }
 """Files that go to the worker of another one, which has derived what both compare with. Others of
 the thesis go to that of its statements, which has simulated what they draw."""

@@ -15,12 +15,12 @@ from typing import Any
 
 import rockeom as rk
 from rockeom.cli import output
-from rockeom.cli.text.plain import to_text
 from rockeom.codegen import write as generated
 from rockeom.drawing.style import save_figure
 from rockeom.files import write
 from rockeom.plots import plot_comparison
 from rockeom.symbolic import derive
+from rockeom.symbolic.text.page import to_text
 from rockeom.symbolic.write.typeset import content
 
 COLUMN = {

@@ -6,12 +6,12 @@ from pathlib import Path
 
 from rockeom.cli.errors import UsageError
 from rockeom.cli.models import add_details, details
-from rockeom.cli.text.plain import to_text
 from rockeom.cli.text.terminal import width
 from rockeom.codegen import module_text
 from rockeom.files import check_target, write
 from rockeom.modelling.named import class_named
 from rockeom.symbolic import derive
+from rockeom.symbolic.text.page import to_text
 from rockeom.symbolic.write.typeset import content
 
 DESCRIPTION = """\

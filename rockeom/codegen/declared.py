@@ -369,7 +369,7 @@ def _impulses(text: Text) -> ImpulseNames:
 
 def _impulse(text: Text, t: Transition, target: str, maps: dict[str, ImpulseMap]) -> str:
     """Name of the function of the map from the source of `t` to `target`: one of `maps`, or new."""
-    impact = text.model.impulse_map(t.source, target)
+    impact = text.model.sided_impulse_map(t.source, target)
     side = text.model.mode(t.source).side_of(t.source)
     for name, other in maps.items():
         if other.at_side(side).equals(impact.at_side(side)):

@@ -20,9 +20,16 @@ from rockeom.structures.parameters import check_contact_law, check_values
 from rockeom.structures.supports import Support, SupportedStructure
 
 
+class _Derived(Support):
+    """A support that is a part of the derivation."""
+
+    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
+        return module_of(superstructure, **arguments, **self.derivation)
+
+
 @explained.record()
 @dataclass(frozen=True)
-class Pinned(Support):
+class Pinned(_Derived):
     """Feet that may lift, and neither slide nor bounce: the default support.
 
     Examples
@@ -32,9 +39,6 @@ class Pinned(Support):
     """
 
     kind: ClassVar[str] = "pinned"
-
-    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
-        return module_of(superstructure, **arguments)
 
 
 def _turns(what: str, inertia: float) -> None:
@@ -47,7 +51,7 @@ def _turns(what: str, inertia: float) -> None:
 
 
 @dataclass(frozen=True, kw_only=True)
-class _Springs(Support):
+class _Springs(_Derived):
     """Supports on springs and dampers: stiffness [N/m] and damping [N s/m] of each."""
 
     called: ClassVar[Mapping[str, str]] = {
@@ -184,8 +188,9 @@ class TwoSprings(_Springs):
         if self.guided not in ("centre", "foot"):
             raise InputError("guided", self.guided, "TwoSprings").give('"centre" or "foot"')
 
-    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
-        return module_of(superstructure, **arguments, support="two_springs", guided=self.guided)
+    @property
+    def derivation(self) -> dict[str, Any]:
+        return {"support": self.kind, "guided": self.guided}
 
 
 @explained.record(k="stiffness=", c="damping=")
@@ -286,13 +291,14 @@ class Winkler(_Springs):
             )
         object.__setattr__(self, "springs", n)
 
-    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
-        return module_of(superstructure, **arguments, support="winkler", springs=self.springs)
+    @property
+    def derivation(self) -> dict[str, Any]:
+        return {"support": self.kind, "springs": self.springs}
 
 
 @explained.record(mu="friction=", e="restitution=")
 @dataclass(frozen=True, kw_only=True)
-class Sliding(Support):
+class Sliding(_Derived):
     """Feet that open, stick, slip and bounce on rigid ground.
 
     The states `x` and `y` [m] are the place and the height of the base's centre.
@@ -332,9 +338,9 @@ class Sliding(Support):
             raise InputError("base_mass", mass, what).so("a base that slides has a mass of its own")
         _turns(what, inertia)
 
-    def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
-        law = {} if self.law == "newton" else {"law": self.law}
-        return module_of(superstructure, **arguments, support="sliding", **law)
+    @property
+    def derivation(self) -> dict[str, Any]:
+        return {"support": self.kind} | ({} if self.law == "newton" else {"law": self.law})
 
 
 class ShearFrame(SupportedStructure):
@@ -444,10 +450,14 @@ class ShearFrame(SupportedStructure):
         )
         return self.base_mass, inertia
 
+    @property
+    def derivation(self) -> dict[str, Any]:
+        return super().derivation | {"storeys": len(self.masses)}
+
     @functools.cached_property
     def module(self) -> GeneratedModule:
         """The generated module of so many storeys on this support."""
-        return (self.support or Pinned()).module(self.model, storeys=len(self.masses))
+        return module_of(self.model, **self.derivation)
 
     def damped(self, ratio: float, mode: int = 1) -> ShearFrame:
         """Frame with dampings in proportion to its stiffnesses, by the ratio of one mode.

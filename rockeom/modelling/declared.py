@@ -38,6 +38,7 @@ def class_of_model(model: RockingModel) -> type[DeclaredStructure]:
         from rockeom.codegen import declaration_digest
 
         made = class_of(_kept_module(model.name, declaration_digest(model), lambda: model))
+        made.declaration = model
         copyreg.pickle(made, partial(_reduced, cache(partial(pickle.dumps, model))))
         _CLASSES[id(model)] = model, made  # the model is kept, since its id is used
     return _CLASSES[id(model)][1]

@@ -22,7 +22,7 @@ from rockeom.numbers.pictures import picture
 from rockeom.structures import declared_modes, evaluation, linearised, modal, plausible, statics
 from rockeom.structures.impact_laws import ImpactLaw, TabulatedLaw, check_law, default_law
 from rockeom.structures.modes import modes_of
-from rockeom.structures.parameters import SYNONYMS, named_states
+from rockeom.structures.parameters import OF_DERIVATION, SYNONYMS, named_states
 from rockeom.structures.pickled import made_of
 from rockeom.structures.positions import Shapes, places, positions_of, rotations_of, shapes
 
@@ -70,6 +70,11 @@ class Structure(metaclass=explained.Constructors):
             Defaults by name; ``dataclasses.MISSING`` for none.
         """
         return {f.name: f.default for f in dataclasses.fields(cls)}  # type: ignore[arg-type]
+
+    @property
+    def derivation(self) -> dict[str, Any]:
+        """Arguments of `rockeom.derive` besides the name of the model, such as its storeys."""
+        return {}
 
     def parameter_at(self, path: tuple[Any, ...]) -> str:
         """Parameter of the equations that a number of the structure is.
@@ -898,7 +903,8 @@ def missing(structure: Structure, name: str) -> Any:
 def _synonyms(structure: Structure) -> dict[str, str]:
     """Synonyms that lead to an attribute of this structure."""
     attributes = {*dir(structure)}
-    return {name: meant for name, meant in SYNONYMS.items() if meant.split(" ")[-1] in attributes}
+    own = {name: meant for name, meant in SYNONYMS.items() if meant.split(" ")[-1] in attributes}
+    return OF_DERIVATION | own
 
 
 class _States(NamedTuple):
@@ -968,6 +974,11 @@ class FixedBase(Structure):
             Values by name.
         """
         return self.rocking.parameters()
+
+    @property
+    def derivation(self) -> dict[str, Any]:
+        """Arguments of `rockeom.derive` besides the name of the model, such as its storeys."""
+        return {}
 
     def parameter_at(self, path: tuple[Any, ...]) -> str:
         return self.rocking.parameter_at(path[1:])

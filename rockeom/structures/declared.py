@@ -170,6 +170,7 @@ class DeclaredStructure(Structure):
     """
 
     module: GeneratedModule  # of the class
+    declaration: Any = None  # of the class, where it was declared in this process
     slenderness = None  # a parameter `alpha` may be anything
 
     def __init__(self, /, *unnamed: Any, **given: Any) -> None:

@@ -48,6 +48,23 @@ SYNONYMS = {
 }
 """Symbols and names that people try first, and the attributes that they mean."""
 
+OF_DERIVATION = {
+    name: f"rockeom.derive(it).{meant}"
+    for name, meant in {
+        "equations": 'equations("right")',
+        "eom": 'equations("right")',
+        "mass_matrix": 'equations("right").mass_matrix',
+        "forcing": 'equations("right").forcing',
+        "impulse_map": 'impulse_map("right", "left")',
+        "impact_map": 'impulse_map("right", "left")',
+        "linearize": 'linearize("right")',
+        "lambdify": "lambdify()",
+        "latex": "latex()",
+        "symbols": "symbols",
+    }.items()
+}
+"""Names that people try on a structure, and what has them: the derivation."""
+
 _AS_ARGUMENTS = SYNONYMS | {
     "friction": "support = rk.Sliding(friction=..., ...)",
     "e": "restitution",

@@ -28,6 +28,11 @@ class Support:
         """
         return {}
 
+    @property
+    def derivation(self) -> dict[str, Any]:
+        """Arguments of `rockeom.derive` that stand for the support."""
+        return {}
+
     def module(self, superstructure: str, **arguments: int) -> GeneratedModule:
         """Generated module of a superstructure that stands on the support.
 
@@ -98,6 +103,10 @@ class SupportedStructure(StructureWithFields):
             Moment of inertia about the middle of the sole [kg m2].
         """
         raise NotImplementedError
+
+    @property
+    def derivation(self) -> dict[str, Any]:
+        return dict(self.support.derivation) if self.support else {}
 
     @functools.cached_property
     def module(self) -> GeneratedModule:

@@ -24,8 +24,14 @@ from rockeom.symbolic.rocking import Declared, RockingModel
 _LISTS = ("parameters", "coordinates", "bodies", "contacts", "elements", "forces", "members")
 
 
-@explained.record()
-@dataclass(frozen=True, kw_only=True)
+@explained.attributes(
+    equations='mode("NAME").mass_matrix and .forcing',
+    impulse_map='mode("NAME").impact',
+    mass_matrix='mode("NAME").mass_matrix',
+    forcing='mode("NAME").forcing',
+)
+@explained.calls()
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Model(Declared, ContactDeclaration):
     """Structure that is free to move but for its contacts and elements.
 
@@ -158,6 +164,9 @@ class Model(Declared, ContactDeclaration):
             writer = mechanics.Writer(name, coordinates, frame, origin)
             items = writer.declaration(bodies, parameters, contacts, outlines or {}, declared)
         return cls(**items)
+
+    def __repr__(self) -> str:
+        return f"<Model {self.name!r} of {', '.join(c.name for c in self.coordinates)}>"
 
     def __post_init__(self) -> None:
         for name in _LISTS:

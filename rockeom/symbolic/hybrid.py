@@ -23,6 +23,9 @@ from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.modes.every import Modes, derive_modes
 
+SOURCED = ("energy_ratio", "impact", "horizontal_reaction", "vertical_reaction")
+"""Equations besides those of motion that may have a source of their own."""
+
 
 @dataclass(frozen=True)
 class Search:
@@ -51,7 +54,7 @@ class Lowers(Protocol):
         """The model that is generated and simulated."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class HybridModel:
     """Structure: parameters, coordinates, modes and the transitions between them.
 
@@ -79,6 +82,9 @@ class HybridModel:
         Ratio of the angular velocities at an impact of the rigid structure; derived if not given.
     reference : str, optional
         Source of the equations.
+    sources : dict of str to str, optional
+        Sources of single equations, such as "thesis 2-9": of an equation of motion under the name
+        of its coordinate, of others under "energy_ratio", "impact" and the names of reactions.
     functions : tuple of NamedFunction, optional
         Named functions in the equations.
     members : tuple of Member, optional
@@ -102,12 +108,17 @@ class HybridModel:
     functions: tuple[model.NamedFunction, ...] = ()
     members: tuple[model.Member, ...] = ()
     falls: Mapping[model.Coordinate, sp.Expr] = field(default_factory=dict, hash=False)
+    sources: Mapping[str, str] = field(default_factory=dict, hash=False)
     search: Search | None = None
 
     @property
     def hybrid(self) -> HybridModel:
         """Itself; that of a declaration which lowers to it."""
         return self
+
+    def __repr__(self) -> str:
+        moving = ", ".join(c.name for c in self.coordinates)
+        return f"<{type(self).__name__} {self.name!r} of {moving}>"
 
     # -- names and states ----------------------------------------------------------------------
 
@@ -254,6 +265,33 @@ class HybridModel:
         -------
         ImpulseMap
             Velocities after as functions of the state before.
+
+        Raises
+        ------
+        KeyError
+            If there is no mode of one of the names.
+        """
+        return self.sided_impulse_map(source, target).at_side(self.mode(source).side_of(source))
+
+    def sided_impulse_map(self, source: str, target: str) -> ImpulseMap:
+        """Same as `impulse_map`, one form for both sides, with the side s of the mode before.
+
+        Parameters
+        ----------
+        source : str
+            Name of the mode before.
+        target : str
+            Name of the mode after.
+
+        Returns
+        -------
+        ImpulseMap
+            Velocities after as functions of the state before and of s.
+
+        Raises
+        ------
+        KeyError
+            If there is no mode of one of the names.
         """
         if (source, target) not in self._impulse_maps:
             before, after = (
@@ -301,7 +339,7 @@ class HybridModel:
             Ratio.
         """
         return rigid_velocity_ratio(
-            self.impulse_map(impact.source, impact.target),
+            self.sided_impulse_map(impact.source, impact.target),
             self.coordinates,
             self.rotation,
             self.mode(impact.source).side_of(impact.source),

@@ -26,6 +26,14 @@ from rockeom.symbolic.fractions import cancelled
 from rockeom.symbolic.lagrange import body_velocity
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import Coordinate
+from rockeom.symbolic.text.shown import Shown
+
+AFTER, BEFORE = "+", "-"
+
+
+def at_impact(coordinate: Coordinate, when: str) -> sp.Symbol:
+    """The velocity just AFTER or BEFORE an impact."""
+    return sp.Symbol(f"{coordinate.velocity}^{{{when}}}", real=True)
 
 
 class OnSide(NamedTuple):
@@ -35,11 +43,11 @@ class OnSide(NamedTuple):
     side: int
 
 
-@dataclass(frozen=True)
-class ImpulseMap:
+@dataclass(frozen=True, repr=False)
+class ImpulseMap(Shown):
     """Impulse map M+ q'+ = momentum(q, q'-), for the coordinates free after the change.
 
-    The side s is that of the mode before the change.
+    The side s, where there is one, is that of the mode before the change.
 
     Parameters
     ----------
@@ -97,6 +105,15 @@ class ImpulseMap:
             return m.subs(SIDE, side)
 
         return ImpulseMap(self.coordinates, put(self.mass_matrix), put(self.momentum))
+
+    def equation_lines(self) -> list[str]:
+        """LaTeX of each row; velocities with a plus are those just after the change."""
+        after = sp.Matrix([at_impact(c, AFTER) for c in self.coordinates])
+        rows = zip((self.mass_matrix * after) if after else after, self.momentum, strict=True)
+        return [f"{sp.latex(a)} = {sp.latex(b)}" for a, b in rows]
+
+    def __repr__(self) -> str:
+        return f"<ImpulseMap to {', '.join(str(c.velocity) for c in self.coordinates) or 'rest'}>"
 
     def equals(self, other: ImpulseMap) -> bool:
         """Whether both are the same for the same coordinates, term by term.

@@ -30,7 +30,7 @@ class Switch(NamedTuple):
     on: tuple[str, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Mode:
     """Bodies, springs and dampers while the same contacts stay closed.
 
@@ -103,6 +103,10 @@ class Mode:
         )  # fmt: skip
         if self.load_point is not None:
             valid.points(what, load_point=self.load_point)
+
+    def __repr__(self) -> str:
+        moving = ", ".join(c.name for c in self.coordinates) or "nothing"
+        return f"<Mode {', '.join(self.sides)}: {moving} moves>"
 
     @cached_property
     def equations(self) -> Equations:

@@ -180,7 +180,11 @@ def powers(model: HybridModel, mode: Mode) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     velocity = sp.Matrix([c.velocity for c in coordinates]).reshape(len(coordinates), 1)
     ground, damping, force = (
         (term.T * velocity)[0] if velocity else sp.S.Zero
-        for term in (equations.excitation, equations.damping, equations.force)
+        for term in (
+            equations.excitation_forces,
+            equations.damping_forces,
+            equations.applied_forces,
+        )
     )
     # declared modes have yielding as a force
     viscous = 2 * sum((e.dissipation(coordinates) for e in mode.elements), sp.S.Zero)

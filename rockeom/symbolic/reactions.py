@@ -56,6 +56,6 @@ def _force_of_held_foot(model: HybridModel, foot: str, pivot: str) -> sp.Expr:
     theta = model.rotation
     held = {theta.position: 0, theta.velocity: 0, theta.acceleration: 0}
     row = [c.name for c in turning.coordinates].index(theta.name)
-    lacking = model.written_out(turning.equations.residual(turning.coordinates)[row])
+    lacking = model.written_out(turning.equations.residual[row])
     lift = sp.diff(turning.approximated(turning.feet[foot].position[1]), theta.position)
     return cancelled((lacking / lift).subs(SIDE, side).subs(held))

@@ -8,7 +8,7 @@ from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache, partial
 from inspect import signature
-from typing import Any
+from typing import Any, cast
 
 from rockeom.numbers import explained
 from rockeom.numbers.checks import InputTypeError, near
@@ -93,13 +93,14 @@ def models() -> tuple[str, ...]:
 
 
 @explained.calls()
-def derive(name: str, **arguments: str | int) -> RockingModel:
-    """Shipped structure by its name, derived once in a session.
+def derive(structure: Any, **arguments: str | int) -> RockingModel:
+    """Equations of a structure, derived once in a session.
 
     Parameters
     ----------
-    name : str
-        Name of a shipped structure or of a family.
+    structure : str, type or Structure
+        Name of a shipped structure or of a family, its class, or a structure, whose support and
+        storeys are then those of the equations.
     **arguments : str or int
         Arguments of a family, such as ``derive("shear_frame", storeys=3)``.
 
@@ -113,22 +114,30 @@ def derive(name: str, **arguments: str | int) -> RockingModel:
     KeyError
         If there is none of that name; the message names all of them.
     InputTypeError
-        For arguments that it does not take.
+        For arguments that it does not take, and for what is no structure.
 
     Examples
     --------
     >>> import rockeom as rk
-    >>> model = rk.derive("rigid_block")
+    >>> model = rk.derive(rk.RigidBlock)
     >>> [c.name for c in model.coordinates]
     ['theta']
     >>> mass_matrix = model.equations("right").mass_matrix  # SymPy
     """
+    declaration = getattr(structure, "declaration", None) or structure
+    if hasattr(declaration, "reduced"):
+        return cast(RockingModel, declaration.reduced)
     every = SHIPPED | FAMILIES
+    name = structure if isinstance(structure, str) else getattr(structure, "model", None)
     if not isinstance(name, str):
-        raise InputTypeError("name", name).give("the name of a shipped structure")
+        raise InputTypeError("structure", structure).give(
+            "a name such as 'rigid_block', a class such as rk.RigidBlock, or a structure"
+        )
     if name not in every:
         hint = near(re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name), every)  # of a class, too
         raise KeyError(f"no structure named {name!r}{hint}; shipped are {', '.join(every)}")
+    if not isinstance(structure, str | type):
+        arguments = {**structure.derivation, **arguments}
     try:
         signature(every[name]).bind(**arguments)
     except TypeError:

@@ -1,6 +1,6 @@
 """Structures that rock on declared modes: their class, and the two modes on pinned feet."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Self, TypedDict, Unpack
 
@@ -17,9 +17,59 @@ from rockeom.symbolic.checks.values import check_values
 from rockeom.symbolic.elements import Spring
 from rockeom.symbolic.evaluate import NumpyMode, numpy_functions
 from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.impulse import ImpulseMap
+from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import Body, Coordinate, Foot, Member, Parameter, Point, turned
-from rockeom.symbolic.write.typeset import latex_document, markdown_page, notebook_display
+from rockeom.symbolic.reading.comparison import Comparison, compared, compared_at_impact
+from rockeom.symbolic.reading.forms import in_form
+from rockeom.symbolic.reading.linearization import Linearization, linearized
+from rockeom.symbolic.reading.symbols import Symbols
+from rockeom.symbolic.text.page import to_text
+from rockeom.symbolic.text.shown import TEXT_WIDTH
+from rockeom.symbolic.write.typeset import (
+    content,
+    latex_document,
+    markdown_page,
+    notebook_display,
+    written,
+    written_map,
+)
+
+_MEANT = {
+    "restitution": "velocity_ratio, its square for energies",
+    "coefficient_of_restitution": "velocity_ratio",
+    "e": "velocity_ratio",
+    "r": "velocity_ratio**2",
+    "impact_map": 'impulse_map("right", "left")',
+    "impact": 'impulse_map("right", "left")',
+    "linearise": "linearize",
+    "parameters_by_name": "symbols",
+} | {
+    name: f'equations("right").{meant}'
+    for name, meant in {
+        "mass_matrix": "mass_matrix",
+        "M": "mass_matrix",
+        "forcing": "forcing",
+        "f": "forcing",
+        "rhs": "rhs()",
+        "eom": "residual",
+        "equations_of_motion": "residual",
+        "kinetic_energy": "kinetic_energy",
+        "potential_energy": "gravitational_energy",
+        "forces": "forcing",
+        "mass_matrix_full": "mass_matrix_full",
+        "forcing_full": "forcing_full",
+        "q": "q",
+        "u": "u",
+    }.items()
+} | {
+    name: f'linearize("both").{letter}'
+    for name, letter in {
+        "stiffness_matrix": "K", "K": "K", "damping_matrix": "C", "C": "C", "A": "A", "B": "B",
+    }.items()
+}  # fmt: skip
+"""Attributes that people try on a model, and where they find it."""
 
 
 class Declared:
@@ -55,6 +105,17 @@ class Declared:
         """
         check_values(self.hybrid, values)
 
+    @property
+    def symbols(self) -> Symbols:
+        """Symbols by name and as attributes, such as `model.symbols.half_width`."""
+        return Symbols.of(self.hybrid)
+
+    def __str__(self) -> str:
+        return to_text(content(self.hybrid, "width"), TEXT_WIDTH).rstrip("\n")
+
+    def _repr_latex_(self) -> str:
+        return notebook_display(self.hybrid)
+
     def latex(self, form: str = "width") -> str:
         """LaTeX document of the whole model.
 
@@ -81,8 +142,9 @@ class Declared:
         return markdown_page(self.hybrid)
 
 
-@explained.record()
-@dataclass(frozen=True)
+@explained.attributes(**_MEANT)
+@explained.calls()
+@dataclass(frozen=True, repr=False)
 class RockingModel(HybridModel, Declared):
     """Structure: parameters, coordinates, modes and the transitions between them.
 
@@ -110,6 +172,9 @@ class RockingModel(HybridModel, Declared):
         Ratio of the angular velocities at an impact of the rigid structure; derived if not given.
     reference : str, optional
         Source of the equations.
+    sources : dict of str to str, optional
+        Sources of single equations, such as "thesis 2-9": of an equation of motion under the name
+        of its coordinate, of others under "energy_ratio", "impact" and the names of reactions.
     functions : tuple of NamedFunction, optional
         Named functions in the equations.
     members : tuple of Member, optional
@@ -134,18 +199,149 @@ class RockingModel(HybridModel, Declared):
         """Itself, as a `Model` on pinned feet has it."""
         return self
 
+    def equations(self, name: str, form: str = "width") -> Equations:
+        """Equations of motion of a mode, its side and its switches put in as numbers.
+
+        Parameters
+        ----------
+        name : str
+            Name of the mode.
+        form : str, optional
+            "width", in half-widths and heights; "polar", in R and alpha; "small", of first order in
+            coordinates and velocities; "slender", of first order in alpha and the horizontal
+            acceleration of the ground as well; "nondimensional", of a block, in x = theta/alpha and
+            time p t, the ground's acceleration in units of g (thesis 2-13).
+
+        Returns
+        -------
+        Equations
+            Mass matrix, forces and other parts of the equations.
+
+        Raises
+        ------
+        KeyError
+            If there is no mode of that name.
+        ValueError
+            For another form, and where a model has not this one.
+        """
+        derived = super().equations(name) if form == "width" else in_form(self, name, form)
+        if form == "nondimensional":
+            return derived
+        return written(derived, self.mode(name), self)
+
+    def impulse_map(self, source: str, target: str) -> ImpulseMap:
+        return written_map(super().impulse_map(source, target), self.mode(target), self)
+
+    def linearize(
+        self, mode: str, op_point: Mapping[str | sp.Symbol, sp.Expr | float] | None = None
+    ) -> Linearization:
+        """Equations of a mode to first order about a state.
+
+        Parameters
+        ----------
+        mode : str
+            Name of the mode.
+        op_point : dict, optional
+            Values of coordinates, velocities and accelerations in the state, by name or symbol,
+            such as ``{"theta": 0.1}``: numbers or expressions of SymPy. Those not named are zero.
+
+        Returns
+        -------
+        Linearization
+            Matrices M, C, K, F and the constant vector f0; A and B of the state space.
+
+        Raises
+        ------
+        KeyError
+            If there is no mode of that name.
+        InputError
+            For names that are no coordinate, velocity or acceleration.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> about_the_right_foot = rk.derive("rigid_block").linearize("right")
+        >>> about_the_right_foot.K, about_the_right_foot.f0
+        (Matrix([[-H*g*m]]), Matrix([[B*g*m]]))
+        """
+        return linearized(self, mode, op_point)
+
+    def compare(
+        self,
+        equation: sp.Expr | sp.Eq,
+        mode: str | None = None,
+        impact: tuple[str, str] | None = None,
+        ground: Collection[str] = ("a_x", "a_y"),
+    ) -> Comparison:
+        """An equation typed by a reader, a paper's or a student's, against the derived ones.
+
+        Parameters
+        ----------
+        equation : sympy.Expr or sympy.Eq
+            Equation; an expression is zero. Symbols are matched by name whatever their
+            assumptions: letters such as B, names such as half_width, theta_dot and theta_ddot,
+            `dynamicsymbols` and their derivatives, theta_dot_after behind an impact, e and r for
+            the ratios of velocities and energies; alpha, R, I_o and p of a block, too.
+        mode : str, optional
+            Mode, to compare with its equations of motion.
+        impact : tuple of (str, str), optional
+            Modes before and after an impact, to compare with its momenta and ratios.
+        ground : collection of str, optional
+            Accelerations of the ground that act; () for free motion, ("a_x",) for an equation
+            without vertical ones.
+
+        Returns
+        -------
+        Comparison
+            Whether they are equal, up to a factor; and the difference by physical term.
+
+        Raises
+        ------
+        InputError
+            For symbols that the model has not, and an equation that always holds.
+        KeyError
+            If there is no mode of that name.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> from sympy import Eq, cos, sin, symbols
+        >>> p, alpha, theta, theta_ddot = symbols("p alpha theta theta_ddot")
+        >>> housner = Eq(theta_ddot, -p**2 * sin(alpha - theta))
+        >>> bool(rk.derive("rigid_block").compare(housner, mode="right", ground=()))
+        True
+        """
+        if (mode is None) == (impact is None):
+            raise InputError("mode", of="compare").says(
+                'give the mode of an equation of motion, mode="right", or the modes before and '
+                'after an impact, impact=("right", "left")'
+            )
+        if impact is not None:
+            return compared_at_impact(self, equation, *impact)
+        return compared(self, equation, str(mode), ground)
+
     def lambdify(self) -> dict[str, NumpyMode]:
-        """Vectorised NumPy functions of every mode, see `numpy_functions`.
+        """NumPy functions of arrays for every mode, for notebooks and checks of other programs.
 
         Returns
         -------
         dict of str to NumpyMode
             Functions by the name of the mode.
+
+        Notes
+        -----
+        A simulation never calls them: its machine code comes from the text that `rockeom generate`
+        prints. Tests hold both, and numba's compilation of the text, equal at random states.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+        >>> right = rk.derive(block).lambdify()["right"]
+        >>> right.accelerations([0.05, 0.0], block.parameters(), ax=1.0).round(3)  # rad/s2
+        array([-5.242])
         """
         return numpy_functions(self)
-
-    def _repr_latex_(self) -> str:
-        return notebook_display(self)
 
 
 class Description(TypedDict, total=False):
@@ -153,6 +349,7 @@ class Description(TypedDict, total=False):
 
     overturning: sp.Expr
     reference: str
+    sources: Mapping[str, str]
     members: Iterable[Member]
     falls: Mapping[Coordinate, sp.Expr]
 
@@ -206,8 +403,8 @@ def rocking_structure(
         Name of the body that carries the load of a pushover.
     **declared : object
         `elastic_energy`, `dissipation`, `beside_feet`, `small` and `elements` as in `Mode`,
-        `elements` also a function of the pivot, as `bodies`; `overturning`, `reference`, `members`
-        and `falls` as in `RockingModel`.
+        `elements` also a function of the pivot, as `bodies`; `overturning`, `reference`,
+        `sources`, `members` and `falls` as in `RockingModel`.
 
     Returns
     -------

@@ -21,7 +21,7 @@ def equilibrium(mode: Mode) -> sp.Matrix:
     """
     eq = mode.equations
     at_rest = {c.velocity: 0 for c in mode.coordinates}
-    lacking = eq.gravity + eq.stiffness - eq.force.subs(at_rest)
+    lacking = eq.gravity_forces + eq.elastic_forces - eq.applied_forces.subs(at_rest)
     if mode.load_point is None:
         return lacking
     x = mode.approximated(mode.load_point[0])

@@ -29,7 +29,7 @@ def test_right_equation_is_shown_once(capsys):
     text = output(capsys, "thesis", "equations", "2-6")
     assert "As it should be" not in text
     assert "right as printed" in text
-    assert "r = [1 - m R² [1 - cos (2 α)]/I_o]²" in text
+    assert "r = [1 - m R² [1 - cos(2 α)]/I_o]²" in text
 
 
 def test_lost_equation_says_that_it_is_not_legible(capsys):
@@ -40,7 +40,7 @@ def test_lost_equation_says_that_it_is_not_legible(capsys):
 
 @pytest.mark.parametrize("number", EQUATIONS)
 def test_every_equation_can_be_read_in_a_terminal(number):
-    from rockeom.cli.text.plain import mathematics
+    from rockeom.symbolic.text.plain import mathematics
 
     for line in EQUATIONS[number].lines():
         text = mathematics(line)

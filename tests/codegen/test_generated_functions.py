@@ -422,7 +422,7 @@ def test_jump(name, law):
             for target in (t.target, t.fallback):
                 followed[target] = sample.y.copy()
                 followed[target][[rotation, rate]] = 0.0
-                impulse = model(name).impulse_map(t.source, target).at_side(sample.side)
+                impulse = model(name).impulse_map(t.source, target)
                 after = sample.values(*impulse.velocities())
                 for c, values in zip(impulse.coordinates, after, strict=True):
                     followed[target][model(name).states.index(f"{c.name}_dot")] = values

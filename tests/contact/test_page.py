@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 
 import rockeom as rk
+from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.symbolic.write.notation import AFTER, BEFORE, Notation, at_impact
-from rockeom.symbolic.write.page import Display, Heading
+from rockeom.symbolic.text.page import Display, Heading
+from rockeom.symbolic.write.notation import Notation
 from rockeom.symbolic.write.typeset import content
 from tests.contact import kkt
 from tests.symbolic.test_typeset import Reader

@@ -32,7 +32,7 @@ def test_a_spring_is_the_energies_that_it_stands_for():
     by_name, by_energies, shipped = named_column().reduced, column().reduced, COLUMN
     for mode in shipped.mode_names:
         one, other = by_name.equations(mode), by_energies.equations(mode)
-        for what in ("stiffness", "damping", "mass_matrix"):
+        for what in ("elastic_forces", "damping_forces", "mass_matrix"):
             assert all(tidy(e) == 0 for e in getattr(one, what) - getattr(other, what)), what
         assert one.elastic_energy == other.elastic_energy
     assert [e.name for e in by_name.modes[0].elements] == ["column"]

@@ -121,8 +121,8 @@ def _power(model: RockingModel, mode: str) -> list[sp.Expr]:
     equations, declared = model.equations(mode), model.mode(mode)
     rates = [c.velocity for c in declared.coordinates]
     total = equations.kinetic_energy + equations.gravitational_energy + equations.elastic_energy
-    ground = sp.Add(*(v * e for v, e in zip(rates, equations.excitation, strict=True)))
-    given = equations.force - equations.damping
+    ground = sp.Add(*(v * e for v, e in zip(rates, equations.excitation_forces, strict=True)))
+    given = equations.applied_forces - equations.damping_forces
     other = sp.Add(*(v * e for v, e in zip(rates, given, strict=True)))
     ground, other = (model.in_mode(e, mode) for e in (ground, other))
     if total.free_symbols & {law.symbol for law in model.functions}:

@@ -139,7 +139,7 @@ def test_landing_out_of_the_derived_impact(storeys):
     about = sum(mi * (b + ui) ** 2 for mi, ui in zip(m, u, strict=True))
     ratio = (whole + m_b * (h_b**2 - b**2) - lost) / (whole + m_b * (h_b**2 + b**2) + about)
 
-    law = model.impulse_map("right", "left").at_side(1)
+    law = model.impulse_map("right", "left")
     rate = c["theta"].velocity
     after = {"theta": ratio * rate}
     for i, hi in zip(floors, h, strict=True):

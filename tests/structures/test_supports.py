@@ -13,7 +13,7 @@ from rockeom.cli import models as command_line
 from rockeom.cli.errors import UsageError
 from rockeom.symbolic.algebra import at_side, tidy
 from rockeom.symbolic.modes.balance import free_motion
-from rockeom.symbolic.write.page import to_latex, to_markdown
+from rockeom.symbolic.text.page import to_latex, to_markdown
 from rockeom.symbolic.write.typeset import content
 from tests.typical import FOUNDATION_STIFFNESS, S1, STIFFNESS, TOTAL_MASS, column, on_springs
 

@@ -65,7 +65,7 @@ def squares_of_frequencies(following: bool, load: float) -> np.ndarray:
     q = [LOWER.position, UPPER.position]
     at = {x: 0 for c in (LOWER, UPPER) for x in (c.position, c.velocity)}
     values = {m: 1, length: 1, k: 1, force: load}
-    restoring = equations.gravity + equations.stiffness - equations.force
+    restoring = equations.gravity_forces + equations.elastic_forces - equations.applied_forces
     stiffness = restoring.jacobian(q).subs(at).subs(values)
     mass = equations.mass_matrix.subs(at).subs(values)
     return np.linalg.eigvals(np.array(mass.inv() * stiffness, dtype=float))

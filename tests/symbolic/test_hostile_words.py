@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from rockeom.symbolic import Definition, InternalVariable, NamedFunction, coordinate, parameter
-from rockeom.symbolic.write.page import Display, Heading, Table, to_markdown
+from rockeom.symbolic.text.page import Display, Heading, Table, to_markdown
 from tests.refusals import told
 from tests.symbolic.test_declarations import tower
 

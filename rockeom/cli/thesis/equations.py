@@ -5,11 +5,10 @@ import textwrap
 
 from rockeom import thesis
 from rockeom.cli.errors import UsageError
-from rockeom.cli.text.plain import to_text
 from rockeom.cli.text.terminal import listing, width
 from rockeom.modelling.named import FAMILIES
 from rockeom.structures.classes import SHIPPED
-from rockeom.symbolic.write.page import Block, Display, Heading, Table
+from rockeom.symbolic.text.page import Block, Display, Heading, Table, to_text
 from rockeom.thesis.typeset import written
 
 DESCRIPTION = """\

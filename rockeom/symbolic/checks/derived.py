@@ -164,7 +164,11 @@ def _rests(model: HybridModel, sample: _Sample) -> None:
         others = [c for c in mode.coordinates if c != model.rotation]
         if not others or not any(t.kind != "switch" for t in model.transitions):
             continue
-        parts = sample(first_name(mode), (*eq.stiffness, *eq.gravity, *eq.force), _at_rest(model))
+        parts = sample(
+            first_name(mode),
+            (*eq.elastic_forces, *eq.gravity_forces, *eq.applied_forces),
+            _at_rest(model),
+        )
         elastic, weight, force = parts.reshape(3, n, -1)
         bound = _NEGLIGIBLE * (np.abs(elastic) + np.abs(weight) + np.abs(force))
         wrong = (np.abs(elastic) > bound) & (np.abs(elastic + weight - force) > bound)
@@ -189,7 +193,7 @@ def _energies_are_even(model: HybridModel, sample: _Sample) -> None:
         if side_of(model, one) > 0:
             continue
         mode = model.mode(one)
-        energy, slopes = mode.equations.elastic_energy, mode.equations.stiffness
+        energy, slopes = mode.equations.elastic_energy, mode.equations.elastic_forces
         for c, slope in zip(mode.coordinates, slopes, strict=True):
             if not model.written_out(energy).has(c.position):
                 continue

@@ -38,13 +38,16 @@ class Pattern:
     shared: tuple[int, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Modes:
     """All modes of a model, their patterns and equations."""
 
     states: tuple[ContactMode, ...]
     patterns: tuple[Pattern, ...]
     derived: tuple[DerivedMode, ...]
+
+    def __repr__(self) -> str:
+        return f"<Modes: {len(self.states)} by {len(self.derived)} sets of equations>"
 
     @property
     def standing(self) -> dict[sp.Symbol, sp.Expr]:

@@ -9,8 +9,8 @@ from rockeom.symbolic.algebra import SIDE, angles_in
 from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import GROUND_X, GROUND_Y, NamedFunction
+from rockeom.symbolic.text.page import Block, Display, Heading, Table
 from rockeom.symbolic.write.notation import Notation
-from rockeom.symbolic.write.page import Block, Display, Heading, Table
 from rockeom.symbolic.write.polar import polar_parameters
 
 

@@ -1,31 +1,86 @@
 """Derived equations for people: LaTeX and Markdown, as one would write them in a paper."""
 
 from collections.abc import Iterable
+from dataclasses import dataclass, field, fields, replace
 
 import sympy as sp
 
 from rockeom.numbers.checks import InputError
 from rockeom.symbolic.algebra import SIDE, tidy
 from rockeom.symbolic.hybrid import HybridModel, Lowers
+from rockeom.symbolic.impulse import AFTER, BEFORE, ImpulseMap, at_impact
 from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.model import Coordinate
 from rockeom.symbolic.reactions import reactions, total_reaction
 from rockeom.symbolic.statics import holding_force, pushover
-from rockeom.symbolic.write.contact_page import contact_sections, signs_of_search
-from rockeom.symbolic.write.notation import AFTER, BEFORE, Notation, at_impact
-from rockeom.symbolic.write.page import (
+from rockeom.symbolic.text.page import (
     LINE,
     Block,
     Display,
     Heading,
+    Part,
     environment,
     to_latex,
     to_markdown,
     width,
 )
+from rockeom.symbolic.write.contact_page import contact_sections, signs_of_search
+from rockeom.symbolic.write.notation import Notation
 from rockeom.symbolic.write.polar import has_polar_form, in_polar_form, polar_model
 from rockeom.symbolic.write.symbols import energies, listed, symbols_of
+
+
+@dataclass(frozen=True, repr=False)
+class WrittenEquations(Equations):
+    """Equations of a mode that are shown as one would write them in a paper.
+
+    Parameters
+    ----------
+    mode : Mode
+        Mode that they are the equations of.
+    model : HybridModel
+        Model of the mode.
+    """
+
+    mode: Mode = field(kw_only=True)
+    model: HybridModel = field(kw_only=True)
+
+    def equation_lines(self) -> list[str]:
+        """LaTeX of each equation, in the order of the coordinates."""
+        return _lines(self, self.mode.coordinates, Notation(self.mode, self.model))
+
+
+@dataclass(frozen=True, repr=False)
+class WrittenImpulseMap(ImpulseMap):
+    """Impulse map into a mode that is shown as one would write it in a paper.
+
+    Parameters
+    ----------
+    mode : Mode
+        Mode after the change.
+    model : HybridModel
+        Model of the mode.
+    """
+
+    mode: Mode = field(kw_only=True)
+    model: HybridModel = field(kw_only=True)
+
+    def equation_lines(self) -> list[str]:
+        """LaTeX of each row; - is just before, + just after the change."""
+        return _momentum_lines(self, Notation(self.mode, self.model), self.model)
+
+
+def written_map(derived: ImpulseMap, mode: Mode, model: HybridModel) -> WrittenImpulseMap:
+    """The impulse map into a mode, shown as one would write it."""
+    parts = (derived.coordinates, derived.mass_matrix, derived.momentum)
+    return WrittenImpulseMap(*parts, mode=mode, model=model)
+
+
+def written(equations: Equations, mode: Mode, model: HybridModel) -> WrittenEquations:
+    """The equations of a mode, shown as one would write them."""
+    parts = {f.name: getattr(equations, f.name) for f in fields(Equations)}
+    return WrittenEquations(**parts, mode=mode, model=model)
 
 
 def equation_lines(mode: Mode, form: str = "width") -> list[str]:
@@ -37,7 +92,7 @@ def equation_lines(mode: Mode, form: str = "width") -> list[str]:
     """
     _check(form)
     equations = in_polar_form(mode) if form == "polar" else mode.equations
-    return _equation_lines(equations, mode.coordinates, Notation(mode))
+    return _lines(equations, mode.coordinates, Notation(mode))
 
 
 def equations_latex(mode: Mode, form: str = "width") -> str:
@@ -56,7 +111,7 @@ def latex_document(model: HybridModel, form: str = "width") -> str:
 
 def markdown_page(model: HybridModel) -> str:
     """The same in Markdown, with mathematics between dollar signs."""
-    return to_markdown(content(model, "width"))
+    return to_markdown(content(model, "width"), numbered=True)
 
 
 def notebook_display(model: HybridModel) -> str:
@@ -69,24 +124,38 @@ def _check(form: str) -> None:
         raise InputError("form", form).give('"width" (B, H) or "polar" (R, alpha)')
 
 
-def _equation_lines(
+def _equations(
+    equations: Equations, coordinates: tuple[Coordinate, ...], notation: Notation
+) -> list[list[Part]]:
+    """Each equation in its physical parts."""
+    found = []
+    for i in range(len(coordinates)):
+        row = {c.acceleration: equations.mass_matrix[i, j] for j, c in enumerate(coordinates)}
+        statics = {
+            "gravity": equations.gravity_forces[i],
+            "elastic forces": equations.elastic_forces[i],
+        }
+        # one sum where weight and spring cancel in part, as about a settled position
+        apart = [term for part in statics.values() for term in notation.terms(part)]
+        if len(notation.terms(sum(statics.values()))) < len(apart):
+            statics = {"gravity and elastic forces": sum(statics.values())}
+        resisting = {
+            "velocity terms": equations.velocity_forces[i],
+            "damping": equations.damping_forces[i],
+            **statics,
+        }
+        acting = {
+            "excitation": equations.excitation_forces[i],
+            "applied forces": equations.applied_forces[i],
+        }
+        found.append(notation.equation(row, resisting, acting))
+    return found
+
+
+def _lines(
     equations: Equations, coordinates: tuple[Coordinate, ...], notation: Notation
 ) -> list[str]:
-    lines = []
-    for i in range(len(coordinates)):
-        accelerations = [
-            equations.mass_matrix[i, j] * c.acceleration for j, c in enumerate(coordinates)
-        ]
-        statics = [equations.gravity[i], equations.stiffness[i]]
-        # one sum where weight and spring cancel in part, as about a settled position
-        apart = [term for part in statics for term in notation.terms(part)]
-        if len(notation.terms(sum(statics))) < len(apart):
-            statics = [sum(statics)]
-        parts = [*accelerations, equations.velocity[i], equations.damping[i], *statics]
-        left = notation.sum([notation.write(part) for part in parts if part != 0])
-        given = [part for part in (equations.excitation[i], equations.force[i]) if part != 0]
-        lines.append(f"{left} = {notation.sum([notation.write(part) for part in given])}")
-    return lines
+    return list(Display.of_parts(_equations(equations, coordinates, notation)).lines)
 
 
 # --- the content of a document
@@ -100,6 +169,7 @@ def content(declaration: Lowers, form: str) -> list[Block]:
     signs = signs_of_modes(model) if model.search is None else signs_of_search(model.search)
     blocks: list[Block] = [Heading(1, model.title)]
     blocks += [f"Reference: {model.reference}."] if model.reference else []
+    blocks += [_OF_SOURCES] if model.sources else []
     blocks += symbols_of(model, polar, signs)
     if model.search is not None:
         return [*blocks, *contact_sections(model, model.search)]
@@ -108,6 +178,12 @@ def content(declaration: Lowers, form: str) -> list[Block]:
         # where no body is placed by R and alpha, the geometry left is that of B and H
         blocks += _mode(model, mode if has_polar_form(mode) else original)
     return [*blocks, *_transitions(shown), *_pushover(shown)]
+
+
+_OF_SOURCES = """\
+The number of an equation is followed by the source's number where the source has it: in its right
+form where it is misprinted, and without what the source leaves out, such as the ground's vertical
+acceleration.""".replace("\n", " ")
 
 
 def signs_of_modes(model: HybridModel) -> list[tuple[sp.Symbol, str]]:
@@ -132,6 +208,7 @@ def _mode(model: HybridModel, mode: Mode) -> list[Block]:
     notation, equations = Notation(mode, model), mode.equations
     of_sides = {side: name for name, side in reversed(mode.sides.items())}  # the first of each
     named = sorted(of_sides.values()) if mode.switches else mode.sides
+    first = mode.sides == model.modes[0].sides
     blocks: list[Block] = [Heading(2, f"Contact {listed(named)}")]
     blocks += [f"One form for {_served(mode)}."] if mode.has_side or mode.switches else []
     if mode.small:
@@ -139,8 +216,9 @@ def _mode(model: HybridModel, mode: Mode) -> list[Block]:
         blocks.append(f"Energies are expanded to second order in the small quantities {small}.")
     blocks.append(Heading(3, "Equations of motion"))
     if mode.coordinates:
-        lines = _equation_lines(equations, mode.coordinates, notation)
-        blocks.append(Display(tuple(lines)))
+        motion = Display.of_parts(_equations(equations, mode.coordinates, notation))
+        of = [c.name for c in mode.coordinates] if first else []
+        blocks.append(replace(motion, sources=_sources(model, motion.lines, *of)))
     else:
         blocks.append("No coordinate is free: the structure stands still on the ground.")
     return [
@@ -152,6 +230,12 @@ def _mode(model: HybridModel, mode: Mode) -> list[Block]:
         Heading(3, "Support reactions"),
         *_reactions(model, mode, notation),
     ]
+
+
+def _sources(model: HybridModel, lines: Iterable[str], *of: str) -> dict[str, str]:
+    """The lines that have sources, by what each is of."""
+    named = zip(lines, of, strict=False)
+    return {line: model.sources[name] for line, name in named if name in model.sources}
 
 
 def _reactions(model: HybridModel, mode: Mode, notation: Notation) -> list[Block]:
@@ -168,7 +252,9 @@ def _reactions(model: HybridModel, mode: Mode, notation: Notation) -> list[Block
             force = (notation.plain if given else notation.write)(forces[f"{foot}_reaction"])
             lines.append(rf"N_{{\mathrm{{{foot}}}}} = {force}")
         text += " (sum over both feet), vertical $N$ at each foot."
-    return [text if text.endswith(".") else text + ".", Display(tuple(lines))]
+    of = ("horizontal_reaction", "vertical_reaction") if mode.feet and mode.has_side else ()
+    sources = _sources(model, lines, *of)
+    return [text if text.endswith(".") else text + ".", Display(tuple(lines), sources=sources)]
 
 
 # --- transitions and statics
@@ -190,10 +276,12 @@ def _transitions(model: HybridModel) -> list[Block]:
     if ratio not in (None, sp.nan):
         dot = Notation(model.modes[0], model).plain(model.rotation.velocity)
         e = Notation(model.modes[0], model).quotient(ratio)
+        lines = (rf"e = \frac{{{dot}^+}}{{{dot}^-}} = {e}", r"r = \frac{T^+}{T^-} = e^2")
         blocks += [
-            Heading(3, "Velocity ratio of the rigid structure"),
-            "After and before an impact, all other coordinates held at zero:",
-            Display((rf"e = \frac{{{dot}^+}}{{{dot}^-}} = {e}",)),
+            Heading(3, "Restitution of the rigid structure"),
+            "Ratios of velocities $e$ and of kinetic energies $r$ after and before an impact, all "
+            "other coordinates held at zero:",
+            Display(lines, sources=_sources(model, lines[1:], "energy_ratio")),
         ]
     return blocks
 
@@ -278,19 +366,33 @@ def _impulse(model: HybridModel, source: str, target: str) -> list[Block]:
     after = model.mode(target)
     if not after.coordinates:
         return [f"In `{target}` all motion has stopped."]
-    notation, derived = Notation(after, model), model.impulse_map(source, target)
-    arriving = {c.velocity: at_impact(c, BEFORE) for c in model.coordinates}
-    new = sp.Matrix([at_impact(c, AFTER) for c in derived.coordinates])
-    momentum = derived.momentum.subs(arriving)
-    rows = zip(derived.mass_matrix * new, momentum, strict=True)
-    lines = [f"{notation.write(a)} = {notation.write(b)}" for a, b in rows]
+    notation, derived = Notation(after, model), model.sided_impulse_map(source, target)
+    new, arriving = _rates_at_impact(derived, model)
+    lines = _momentum_lines(derived, notation, model)
     if len(model.coordinates) > 1:
         solved = zip(new, derived.velocities().subs(arriving), strict=True)
         closed = [f"{notation.plain(x)} = {notation.quotient(v)}" for x, v in solved]
         lines += [line for line in closed if width(line) < LINE and line not in lines]
     text = "Momentum in the directions that stay free is conserved; $-$ is just before, $+$ just "
     text += "after, and $s$ is the side before:" if after.has_side else "after:"
-    return [text, Display(tuple(lines))]
+    return [text, Display(tuple(lines), sources=_sources(model, lines, "impact"))]
+
+
+def _rates_at_impact(
+    derived: ImpulseMap, model: HybridModel
+) -> tuple[sp.Matrix, dict[sp.Symbol, sp.Symbol]]:
+    """Velocities just after an impact, and those just before it by their plain symbols."""
+    arriving = {c.velocity: at_impact(c, BEFORE) for c in model.coordinates}
+    return sp.Matrix([at_impact(c, AFTER) for c in derived.coordinates]), arriving
+
+
+def _momentum_lines(derived: ImpulseMap, notation: Notation, model: HybridModel) -> list[str]:
+    """Conservation of the momenta of the mode that follows."""
+    if not derived.coordinates:
+        return []
+    new, arriving = _rates_at_impact(derived, model)
+    rows = zip(derived.mass_matrix * new, derived.momentum.subs(arriving), strict=True)
+    return [f"{notation.write(a)} = {notation.write(b)}" for a, b in rows]
 
 
 def _pushover(model: HybridModel) -> list[Block]:

@@ -260,14 +260,14 @@ def _cart(equation: Equation, relation: sp.Eq) -> Findings:
     equations = shipped("two_spring_structure").mode("both").equations
     heave = next(c for c in shipped("two_spring_structure").coordinates if c.name == "heave")
     upright = {THETA: 0, GROUND_Y: 0}
-    turning = equations.gravity[0] + equations.stiffness[0]
+    turning = equations.gravity_forces[0] + equations.elastic_forces[0]
     stiffness = sp.diff(turning, THETA).subs(upright).subs(heave.position, 0) / height**2
     (linear,) = EQUATIONS["5-25"].right
     rest = stiffness - sp.diff(in_engine_notation(linear.rhs, 1), PIER["u"])
     yield vanishes("stiffness of the structure minus that of k(u), 5-25", rest, normal_form)
 
     inertia = equations.mass_matrix[0, 0].subs(upright) / height**2
-    load = equations.excitation[0].subs(upright) / height
+    load = equations.excitation_forces[0].subs(upright) / height
     mass = in_engine_notation(sp.diff(relation.lhs, th.u_dd), 1)
     numbers = {PIER[name]: value for name, value in COLUMN.items()}
     excess = float((-mass * GROUND_X / load).subs(numbers)) - 1

@@ -80,9 +80,7 @@ def compared(number: str, relations, side: int, model: RockingModel | None = Non
 
 def residual(model: RockingModel, side: int, row: int = 0) -> sp.Expr:
     """Left minus right side of an equation of motion; the thesis has no vertical shaking."""
-    mode = MODE[side]
-    coordinates = model.mode(mode).coordinates
-    return model.equations(mode).residual(coordinates)[row].subs(GROUND_Y, 0)
+    return model.equations(MODE[side]).residual[row].subs(GROUND_Y, 0)
 
 
 def acceleration(model: RockingModel, side: int) -> sp.Expr:
@@ -155,7 +153,7 @@ def resting_force(model: RockingModel, side: int, axis: int) -> sp.Expr:
 
 
 def impulse(model: RockingModel, side: int):
-    return model.impulse_map(MODE[side], MODE[-side]).at_side(side)
+    return model.impulse_map(MODE[side], MODE[-side])
 
 
 def momentum_before(model: RockingModel, side: int) -> sp.Expr:
@@ -215,7 +213,7 @@ def first_stiffness(model: RockingModel) -> sp.Expr:
 
 
 def weight(model: RockingModel, side: int) -> sp.Expr:
-    return sp.expand(model.mode("flight").equations.gravity[1])
+    return sp.expand(model.mode("flight").equations.gravity_forces[1])
 
 
 def linear_lift_off_force(model: RockingModel, side: int) -> sp.Expr:
@@ -245,13 +243,13 @@ def falling_branch(model: RockingModel, side: int) -> list[sp.Expr]:
         lambda e: e.is_Pow and abs(e.exp) == sp.Rational(1, 2),
         lambda e: (th.R_c / comparison.TO_ENGINE[th.H_c]) ** (2 * e.exp),
     )
-    return [top, cart.equations("right").stiffness[0]]
+    return [top, cart.equations("right").elastic_forces[0]]
 
 
 def cart_forces(model: RockingModel, side: int) -> dict:
     mass = sum(b.mass for b in model.mode(MODE[side]).bodies)
     return {
-        th.k_u: model.equations(MODE[side]).stiffness[0],
+        th.k_u: model.equations(MODE[side]).elastic_forces[0],
         th.P_t: -mass * GROUND_X,
     }
 
@@ -294,7 +292,7 @@ def energies(model: RockingModel, side: int) -> dict:
 
 
 def excitation(model: RockingModel, side: int) -> sp.Matrix:
-    return model.equations(MODE[side]).excitation.subs(GROUND_Y, 0)
+    return model.equations(MODE[side]).excitation_forces.subs(GROUND_Y, 0)
 
 
 def moved(model: RockingModel, side: int) -> sp.Matrix:

@@ -303,7 +303,7 @@ def _engine_motion() -> sp.Expr:
     model = shipped("dirac_delta_block")
     (rotation,) = model.coordinates
     by_name = {p.name: p.symbol for p in model.parameters}
-    motion = model.equations("right_core").residual(model.coordinates)[0]
+    motion = model.equations("right_core").residual[0]
     motion = (motion / model.parameters[0].symbol ** 2).subs({GROUND_X: 0, GROUND_Y: 0})
     put = {rotation.position: th.x, rotation.velocity: th.x_d, rotation.acceleration: th.x_dd}
     put |= {by_name["regularisation"]: th.n, by_name["energy_ratio"]: th.r}

@@ -1,10 +1,7 @@
-"""A page of derived equations as text for a terminal."""
+r"""LaTeX of derived equations as text for a terminal: θ̈ for \ddot{\theta}."""
 
 import re
-import textwrap
 import unicodedata
-
-from rockeom.symbolic.write.page import Block, Display, Heading, Table, broken, greek_letter
 
 _COMBINING = {"dot": "\u0307", "ddot": "\u0308"}
 _RAISED = str.maketrans("0123456789+-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻")
@@ -17,62 +14,21 @@ _SIGNS = {
 _TOKEN = re.compile(r"\\[a-zA-Z]+|\\.|[{}^_]|\s+|.")
 
 
-def to_text(blocks: list[Block], width: int) -> str:
-    """Headings underlined, tables in columns, one equation a paragraph; lines up to `width`."""
-    parts = []
-    for block in blocks:
-        match block:
-            case Heading(level, text):
-                shown = _prose(text, quote="")
-                parts.append(f"{shown}\n{'=-.'[min(level, 3) - 1] * len(shown)}")
-            case Table(_, rows):
-                parts.append(_table(rows, width))
-            case Display(lines):
-                parts.append("\n".join(_equation(line, width) for line in lines))
-            case str(text):
-                parts.append(textwrap.fill(_prose(text), width))
-    return "\n\n".join(parts) + "\n"
-
-
 def mathematics(tex: str) -> str:
     """The mathematics of a page, LaTeX of few commands, in one line of plain text."""
     text = " ".join(_Reader(tex).until_end().split())
+    text = re.sub(rf"\b({'|'.join(_FUNCTIONS)}) \(", r"\1(", text)  # as SymPy brackets arguments
+    text = re.sub(r" +\)", ")", text)
     return unicodedata.normalize("NFC", text)  # ü in one letter where there is one
 
 
-def _prose(text: str, quote: str = "'") -> str:
-    """Text with its mathematics between dollar signs and its code between backquotes."""
-    return re.sub(r"\$([^$]*)\$", lambda m: mathematics(m[1]), text).replace("`", quote)
-
-
-def _equation(tex: str, width: int) -> str:
-    """Lines that fit: the widths by which `broken` goes are estimates for another typeface."""
-    for limit in range(width, 20, -4):
-        first, *rest = (mathematics(line) for line in broken(tex, limit))
-        lines = [f"  {first}", *(f"      {line}" for line in rest)]
-        if max(map(_letters, lines)) <= width:
-            break
-    return "\n".join(lines)
-
-
-def _table(rows: tuple[tuple[str, ...], ...], width: int) -> str:
-    """The last column takes what the others leave."""
-    cells = [tuple(_prose(cell, quote="") for cell in row) for row in rows]
-    widths = [max(map(_letters, column)) for column in zip(*cells, strict=True)][:-1]
-    lines = []
-    for *short, last in cells:
-        start = "  " + "".join(
-            c + " " * (w + 2 - _letters(c)) for c, w in zip(short, widths, strict=True)
-        )
-        room = max(width - _letters(start), 20)
-        first, *rest = textwrap.wrap(last, room) or [""]
-        lines += [(start + first).rstrip(), *(" " * _letters(start) + line for line in rest)]
-    return "\n".join(lines)
-
-
-def _letters(text: str) -> int:
-    """Columns on a terminal: a dot above a letter takes none."""
-    return sum(not unicodedata.combining(c) for c in text)
+def greek_letter(name: str) -> str:
+    """The letter that TeX calls by a name, or the name itself where there is none."""
+    case = "SMALL" if name.islower() else "CAPITAL"
+    try:
+        return unicodedata.lookup(f"GREEK {case} LETTER {name.upper().replace('LAMBDA', 'LAMDA')}")
+    except KeyError:
+        return name
 
 
 class _Reader:

@@ -1,0 +1,1 @@
+"""Tools of a reader of derived equations: symbols by name, forms, linearisation, comparison."""

@@ -1,0 +1,402 @@
+"""An equation typed by a reader against the derived ones: equal, up to a factor, or where not.
+
+Both are evaluated at random states with many digits. A factor may hold parameters alone: an
+equation times cos(theta) has solutions that the derived one lacks.
+"""
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+import mpmath  # type: ignore[import-untyped]
+import numpy as np
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from rockeom.numbers.checks import InputError, InputTypeError, near, require_word
+from rockeom.symbolic.algebra import SIDE, tidy
+from rockeom.symbolic.hybrid import HybridModel
+from rockeom.symbolic.impulse import AFTER, at_impact
+from rockeom.symbolic.lagrange import Equations
+from rockeom.symbolic.model import GROUND_X, GROUND_Y
+from rockeom.symbolic.reading.symbols import Symbols
+from rockeom.symbolic.text.page import Display, to_markdown, to_text
+from rockeom.symbolic.text.plain import mathematics
+from rockeom.symbolic.text.shown import TEXT_WIDTH
+from rockeom.symbolic.write.polar import polar_parameters
+
+DIGITS = 40
+"""Digits of the evaluation; of two expressions that are the same, more than thirty agree."""
+SAME = mpmath.mpf("1e-25")
+"""Relative difference of numbers that are the same."""
+SAME_AS_TYPED = mpmath.mpf("1e-12")
+"""The same where the equation holds decimal fractions, which are rounded."""
+SAMPLES = 6
+"""Random states, each with parameters of its own."""
+RATIO_OF_VELOCITIES, RATIO_OF_ENERGIES = sp.symbols("e r", real=True)
+
+_GROUND = {"horizontal excitation": GROUND_X, "vertical excitation": GROUND_Y}
+
+
+@dataclass(frozen=True, repr=False)
+class Comparison:
+    """Result of a comparison with derived equations; true where the typed equation holds.
+
+    Parameters
+    ----------
+    row : str
+        Name of the derived equation that is most alike: the coordinate of an equation of motion or
+        of a momentum, or "r" or "e" for the ratio of energies or velocities at an impact.
+    equal : bool
+        Whether it is that equation, or a multiple of it.
+    factor : sympy.Expr
+        Typed equation over the derived one, left minus right-hand side of both; parameters alone.
+    follows : bool
+        Whether the equation holds in every motion, such as a combination of several derived ones.
+    difference : dict of str to sympy.Expr
+        Typed less `factor` times derived, by physical term, where they are not equal.
+    """
+
+    row: str
+    equal: bool
+    factor: sp.Expr
+    follows: bool
+    difference: Mapping[str, sp.Expr] = field(default_factory=dict)
+
+    def __bool__(self) -> bool:
+        return self.follows
+
+    def __repr__(self) -> str:
+        return f"<Comparison: {str(self).partition(chr(10))[0]}>"
+
+    def __str__(self) -> str:
+        what = f"the derived equation of {self.row}"
+        if self.equal and self.factor == 1:
+            return f"Equal to {what}."
+        if self.equal:
+            return f"Equal to {what} times {mathematics(sp.latex(self.factor))}."
+        if self.follows:
+            return (
+                "It holds in every motion, and is no derived equation times a factor of parameters "
+                f"alone; the most alike is {what}."
+            )
+        times = "" if self.factor == 1 else f" times {mathematics(sp.latex(self.factor))}"
+        rows = (rf"\text{{{name}}}: {sp.latex(x)}" for name, x in self.difference.items())
+        shown = to_text([Display(tuple(rows))], TEXT_WIDTH)
+        if {*self.difference} <= {*_GROUND}:
+            shown += "Without these terms: ground=() for free motion, ground=('a_x',) for no a_y."
+        return f"Unequal to {what}{times}. Typed less derived:\n{shown}".rstrip()
+
+    def _repr_latex_(self) -> str:
+        rows = (rf"\text{{{name}: }} {sp.latex(x)} = 0" for name, x in self.difference.items())
+        shown = to_markdown([Display(tuple(rows))]) if self.difference else ""
+        return f"{str(self).partition(chr(10))[0]}\n\n{shown}".strip()
+
+
+@dataclass(frozen=True)
+class _Derived:
+    """Derived equations, row = 0 each, with what a typed one is compared by.
+
+    solution : unknowns of the rows, accelerations or velocities after an impact, by their values.
+    pivots : symbols in which all is linear, by whose coefficients a factor shows. side : -1 or 1,
+    0 where the rotation is held at zero, and its sign where it is free. constants : by parameters.
+    terms : splits an equation into physical terms.
+    """
+
+    rows: Mapping[str, sp.Expr]
+    solution: Mapping[sp.Symbol, sp.Expr]
+    pivots: tuple[sp.Symbol, ...]
+    moving: tuple[sp.Symbol, ...]
+    rotation: sp.Symbol
+    side: sp.Expr
+    constants: Mapping[sp.Symbol, sp.Expr]
+    terms: Callable[[sp.Expr], dict[str, sp.Expr]]
+
+
+def compared(
+    model: HybridModel, equation: sp.Expr | sp.Eq, mode: str, ground: Collection[str]
+) -> Comparison:
+    """An equation against the equations of motion of a mode; see `RockingModel.compare`."""
+    equations = model.equations(mode).map(lambda e: model.in_mode(e, mode))
+    names = [c.name for c in model.mode(mode).coordinates]
+    for name in ground:
+        require_word("ground", name, ("a_x", "a_y"), "compare")
+    absent = {x: 0 for x in (GROUND_X, GROUND_Y) if str(x) not in ground}
+    solution = zip(equations.accelerations, equations.rhs()[len(names) :], strict=True)
+    gravity = sorted(model.mode(mode).gravity.free_symbols, key=str)
+    derived = _Derived(
+        dict(zip(names, equations.residual.subs(absent), strict=True)),
+        {x: e.subs(absent) for x, e in solution},
+        (*equations.accelerations, *(x for x in _GROUND.values() if x not in absent), *gravity),
+        tuple(x for c in model.coordinates for x in (c.position, c.velocity)),
+        model.rotation.position,
+        _side(model, mode),
+        model.constants,
+        lambda e: _terms_of_motion(e, equations, gravity),
+    )
+    return _judged(derived, _typed(equation, _names(model), derived).subs(absent))
+
+
+def compared_at_impact(
+    model: HybridModel, equation: sp.Expr | sp.Eq, source: str, target: str
+) -> Comparison:
+    """An equation against an impulse map, and the ratios of the structure held rigid."""
+    impulse = model.impulse_map(source, target)
+    after = [at_impact(c, AFTER) for c in impulse.coordinates]
+    momenta = impulse.mass_matrix * sp.Matrix(after) - impulse.momentum
+    ratio = model.velocity_ratio
+    ratios: dict[sp.Symbol, sp.Expr] = {}
+    if ratio is not None and ratio is not sp.nan:
+        ratios = {RATIO_OF_VELOCITIES: ratio, RATIO_OF_ENERGIES: ratio**2}
+    names = {str(x): x for x in ratios} | _names(model)
+    for c, x in zip(impulse.coordinates, after, strict=True):
+        names |= {_plain(f"{c.name}_dot_after"): x, _plain(str(x)): x}
+    unknowns = (*after, *ratios)
+    rates = tuple(c.velocity for c in model.coordinates)
+    derived = _Derived(
+        {c.name: row for c, row in zip(impulse.coordinates, momenta, strict=True)}
+        | {str(x): x - value for x, value in ratios.items()},
+        dict(zip(after, impulse.velocities(), strict=True)) | ratios,
+        unknowns,
+        (*(c.position for c in model.coordinates), *rates),
+        model.rotation.position,
+        _side(model, source),
+        model.constants,
+        lambda e: _linear_terms(e, {str(x): x for x in (*unknowns, *rates)}),
+    )
+    typed = _typed(equation, names, derived).subs(model.rotation.position, 0)
+    return _judged(derived, typed)
+
+
+def _side(model: HybridModel, name: str) -> sp.Expr:
+    mode, q = model.mode(name), model.rotation
+    free = q in mode.coordinates and not mode.side_of(name)
+    return sp.sign(q.position) if free else sp.Integer(mode.side_of(name))
+
+
+# --- what was typed
+
+
+def _plain(name: str) -> str:
+    """A name of a symbol without the marks of LaTeX."""
+    return name.translate(dict.fromkeys(map(ord, "\\{}, ")))
+
+
+def _names(model: HybridModel) -> dict[str, sp.Expr]:
+    """Meanings of a reader's symbols, by letter and by name, in parameters of the model."""
+    names: dict[str, sp.Expr] = {}
+    for name, symbol in Symbols.of(model).items():
+        names |= {_plain(str(symbol)): symbol, name: symbol}
+    for c in model.coordinates:
+        letter = _plain(str(c.position))
+        names |= {f"{letter}_dot": c.velocity, f"{letter}_ddot": c.acceleration}
+    shapes = {str(p.symbol): value for p, value in polar_parameters(model)}
+    return shapes | _of_the_pivot(model, shapes) | names
+
+
+def _of_the_pivot(model: HybridModel, shapes: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
+    """I_o, the moment of inertia about the pivot, and p of a block, where they are constants."""
+    mode = next((mode for mode in model.modes if model.rotation in mode.coordinates), None)
+    if mode is None:
+        return {}
+    row = mode.coordinates.index(model.rotation)
+    inertia = tidy(model.written_out(mode.equations.mass_matrix[row, row]))
+    if inertia.free_symbols & {SIDE, *(c.position for c in model.coordinates)}:
+        return {}
+    if "R" not in shapes:
+        return {"I_o": inertia}
+    (body,) = mode.bodies
+    return {"I_o": inertia, "p": sp.sqrt(body.mass * mode.gravity * shapes["R"] / inertia)}
+
+
+def _typed(equation: sp.Expr | sp.Eq, names: Mapping[str, sp.Expr], derived: _Derived) -> sp.Expr:
+    """Left minus right-hand side of an equation, in symbols of the model."""
+    if not isinstance(equation, sp.Expr | sp.Equality):
+        raise InputTypeError("equation", equation, "compare").give(
+            "an expression of SymPy, which is then zero, or an sympy.Eq"
+        )
+    equality = isinstance(equation, sp.Equality)
+    expr = equation.lhs - equation.rhs if equality else equation
+    for rate in expr.atoms(sp.Derivative):
+        if not rate.atoms(AppliedUndef):
+            raise InputError("equation", of="compare").says(
+                f"{rate} is a rate of plain symbols: write it out, with theta_ddot, or take "
+                "dynamicsymbols"
+            )
+    expr = expr.doit()
+    put: dict[sp.Expr, sp.Expr] = {SIDE: derived.side}
+    for item in expr.atoms(sp.Derivative, AppliedUndef, sp.Symbol):
+        if _in_time(item):
+            put[item] = _meant(_name_in_time(item), names)
+        elif item.is_Symbol and item.name != "s" and not _is_time(item, expr):
+            put[item] = _meant(item.name, names)
+    put |= {x: put[SIDE] for x in expr.atoms(sp.Symbol) if x.name == "s" and "s" not in put}
+    expr = expr.xreplace({x: put[x] for x in sorted(put, key=sp.count_ops, reverse=True)})
+    q = derived.rotation
+    expr = expr.subs({sp.sign(q): derived.side, sp.Abs(q): derived.side * q})
+    if expr.has(sp.nan, sp.zoo, sp.oo):
+        raise InputError("equation", of="compare").so("it is not finite in this mode")
+    return expr
+
+
+def _in_time(item: sp.Basic) -> bool:
+    function = item.expr if isinstance(item, sp.Derivative) else item
+    return isinstance(function, AppliedUndef)
+
+
+def _is_time(symbol: sp.Symbol, expr: sp.Expr) -> bool:
+    return any(symbol in f.args for f in expr.atoms(AppliedUndef))
+
+
+def _name_in_time(item: sp.Basic) -> str:
+    """The name of a function of time, or of its first or second derivative."""
+    if not isinstance(item, sp.Derivative):
+        return str(item.func)
+    return f"{item.expr.func}_{'d' * item.derivative_count}ot"
+
+
+def _meant(name: str, names: Mapping[str, sp.Expr]) -> sp.Expr:
+    if _plain(name) not in names:
+        raise InputError("equation", of="compare").says(
+            f"the model has no symbol {name!r}{near(name, names)}: there are {', '.join(names)}"
+        )
+    return names[_plain(name)]
+
+
+# --- the comparison
+
+
+def _judged(derived: _Derived, typed: sp.Expr) -> Comparison:
+    numbers = _Numbers(derived, typed)
+    unknowns = typed.free_symbols & derived.solution.keys()
+    rows = {n: e for n, e in derived.rows.items() if e.free_symbols & unknowns} or derived.rows
+    tried = []
+    for name, row in rows.items():
+        for factor in _factors(typed, row, derived):
+            if numbers.same(typed, factor, row):
+                return Comparison(name, True, _short(factor), True)
+            tried.append((name, row, factor))
+    if numbers.solved_by_every_motion(typed):
+        return Comparison(tried[0][0], False, _short(tried[0][2]), True)
+    terms = {row: derived.terms(row) for _, row, _ in tried}
+    mine = derived.terms(typed)
+    name, row, factor = min(tried, key=lambda of: len(numbers.unlike(mine, of[2], terms[of[1]])))
+    factor = _short(factor)
+    difference = numbers.unlike(mine, factor, terms[row])
+    short = {term: min((e, tidy(e)), key=sp.count_ops) for term, e in difference.items()}
+    return Comparison(name, False, factor, False, short)
+
+
+def _short(factor: sp.Expr) -> sp.Expr:
+    return sp.factor(sp.simplify(factor))
+
+
+def _factors(typed: sp.Expr, row: sp.Expr, derived: _Derived) -> Iterator[sp.Expr]:
+    """1, and what else a typed equation may be times a derived one, by coefficients of pivots."""
+    moving = (*derived.moving, *derived.solution, GROUND_X, GROUND_Y)
+    still = dict.fromkeys(moving, sp.S.Zero)
+    yield sp.S.One
+    for x in derived.pivots:
+        over, under = (sp.diff(e, x).subs(still) for e in (typed, row))
+        if over != 0 and under != 0 and over != under and not over.has(sp.nan, sp.zoo, sp.oo):
+            yield over / under
+
+
+class _Numbers:
+    """Values of expressions at random states, those of all parameters positive."""
+
+    def __init__(self, derived: _Derived, typed: sp.Expr) -> None:
+        self.derived, self.typed = derived, typed
+        self.bound = SAME_AS_TYPED if typed.has(sp.Float) else SAME
+        every = [typed, *derived.rows.values(), *derived.solution.values()]
+        every += derived.constants.values()
+        symbols = set().union(*(e.free_symbols for e in every)) | {*derived.solution}
+        self.symbols = sorted(symbols, key=str)
+        rng = np.random.default_rng(5)
+        self._values: dict[sp.Expr, list[mpmath.mpf]] = {}
+        self.samples = [self._sample(rng) for _ in range(SAMPLES)]
+
+    def _sample(self, rng: np.random.Generator) -> dict[sp.Symbol, mpmath.mpf]:
+        values = {x: mpmath.mpf(rng.uniform(0.2, 0.9)) for x in self.symbols}
+        signed = {*self.derived.moving, *self.derived.solution, GROUND_X, GROUND_Y}
+        values |= {x: values[x] * int(rng.choice([-1, 1])) for x in self.symbols if x in signed}
+        q, side = self.derived.rotation, self.derived.side
+        lean = {q: abs(values[q]) * int(side)} if q in values and side.is_Integer else {}
+        return values | lean
+
+    def of(self, expr: sp.Expr) -> list[mpmath.mpf]:
+        """Values of an expression in the samples."""
+        if expr not in self._values:
+            self._values[expr] = self.at(expr, self.samples)
+        return self._values[expr]
+
+    def at(self, expr: sp.Expr, samples: Iterable[Mapping[sp.Symbol, mpmath.mpf]]) -> list:
+        names = {x: sp.Symbol(f"x{i}") for i, x in enumerate(self.symbols)}
+        numbered = expr.xreplace(self.derived.constants).xreplace(names)
+        function = sp.lambdify([*names.values()], numbered, modules="mpmath")
+        with mpmath.workdps(DIGITS):
+            return [function(*(sample[x] for x in self.symbols)) for sample in samples]
+
+    def same(self, one: sp.Expr, factor: sp.Expr, other: sp.Expr) -> bool:
+        """Whether an expression is a factor times another one, whatever their symbols are.
+
+        To rounding of the typed equation, in which both are a term or all of it.
+        """
+        values = zip(*map(self.of, (one, factor, other, self.typed)), strict=True)
+        with mpmath.workdps(DIGITS):
+            return all(abs(a - f * b) <= self.bound * abs(size) for a, f, b, size in values)
+
+    def unlike(
+        self, mine: Mapping[str, sp.Expr], factor: sp.Expr, theirs: Mapping[str, sp.Expr]
+    ) -> dict[str, sp.Expr]:
+        """Terms that differ from those of a derived equation times a factor, and by what."""
+        difference = {}
+        for term in {**mine, **theirs}:
+            a, b = (terms.get(term, sp.S.Zero) for terms in (mine, theirs))
+            if not self.same(a, factor, b):
+                difference[term] = a - factor * b
+        return difference
+
+    def solved_by_every_motion(self, typed: sp.Expr) -> bool:
+        """Whether an equation holds where the derived ones do.
+
+        Raises InputError for one that holds whatever its symbols are.
+        """
+        sizes = [abs(x) for x in self.of(typed)]
+        if max(sizes) < self.bound:
+            raise InputError("equation", of="compare").so("it is an identity: 0 = 0")
+        solved = [dict(sample) for sample in self.samples]
+        for x, value in self.derived.solution.items():
+            for sample, number in zip(solved, self.of(value), strict=True):
+                sample[x] = number
+        values = self.at(typed, solved)
+        return all(abs(x) <= self.bound * size for x, size in zip(values, sizes, strict=True))
+
+
+# --- physical terms
+
+
+def _linear_terms(expr: sp.Expr, by: Mapping[str, sp.Symbol]) -> dict[str, sp.Expr]:
+    """Terms of an expression that is linear in some symbols, and the rest."""
+    terms = {name: x * sp.diff(expr, x) for name, x in by.items() if expr.has(x)}
+    rest = expr - sum(terms.values(), sp.S.Zero)
+    return terms | ({"rest": rest} if rest != 0 else {})
+
+
+def _terms_of_motion(
+    expr: sp.Expr, equations: Equations, gravity: list[sp.Symbol]
+) -> dict[str, sp.Expr]:
+    pairs = zip(equations.q, equations.accelerations, strict=True)
+    inertial = {f"inertia of {q}": x for q, x in pairs}
+    terms = _linear_terms(expr, inertial | _GROUND)
+    still = dict.fromkeys((*equations.accelerations, GROUND_X, GROUND_Y), sp.S.Zero)
+    rest = expr.subs(still)
+    weightless = rest.subs(dict.fromkeys(gravity, sp.S.Zero))
+    resting = weightless.subs(dict.fromkeys(equations.u, sp.S.Zero))
+    back = weightless.subs({x: -x for x in equations.u}, simultaneous=True)
+    terms.pop("rest", None)
+    return terms | {
+        "gravity": rest - weightless,
+        "springs and forces": resting,
+        "damping": (weightless - back) / 2,
+        "velocities squared": (weightless + back) / 2 - resting,
+    }
