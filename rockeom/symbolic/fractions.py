@@ -51,16 +51,19 @@ MOST_GENERATORS = 40
 
 
 def expanded(expr: sp.Expr) -> sp.Expr:
-    """The same as `sympy.expand`, which multiplies two sums in a denominator, too."""
+    """The same as `sympy.expand`, which multiplies out a product in a denominator, too."""
     generators = _leaves(expr, _is_product)
     plain = len(generators) <= MOST_GENERATORS and all(map(_stays, generators))
     if not plain or not generators:
         return sp.expand(expr)
     ring = _ring(frozenset(generators))
     found = _Values(ring, sum).of(expr)
-    sums = [i for i, x in enumerate(ring.symbols) if x.is_Pow and x.base.is_Add]
-    if any(sum(monomial[i] for i in sums) > 1 for monomial in found):
-        return sp.expand(expr)
+    below = [i for i, x in enumerate(ring.symbols) if x.is_Pow]
+    sums = [i for i in below if ring.symbols[i].base.is_Add]
+    for monomial, number in found.iterterms() if sums else ():
+        product = number.denominator != 1 or sum(monomial[i] for i in below) > 1
+        if product and any(monomial[i] for i in sums):
+            return sp.expand(expr)
     return found.as_expr()
 
 
