@@ -65,7 +65,7 @@ def expanded(expr: sp.Expr) -> sp.Expr:
 
 
 def _expanded_above(expr: sp.Expr, generators: set[sp.Expr]) -> sp.Expr:
-    """What SymPy makes of it, which multiplies out a product in a denominator, too."""
+    """Expansion of an expression by SymPy's rule that a product in a denominator is multiplied out."""
     if not 0 < len(generators) <= MOST_GENERATORS:
         return sp.expand(expr)
     ring = _ring(frozenset(generators))
@@ -165,7 +165,7 @@ class _Values:
 
 
 def _sum_of_fractions(fractions: Iterable[Any]) -> Any:
-    """Those of one denominator first: most have one of few, and a common divisor is costly."""
+    """Sum with equal denominators first: they are few, and a common divisor is costly."""
     above: dict[Any, Any] = {}
     for x in fractions:
         above[x.denom] = above.get(x.denom, 0) + x.numer
