@@ -321,12 +321,25 @@ class RockingModel(HybridModel, Declared):
         return compared(self, equation, str(mode), ground)
 
     def lambdify(self) -> dict[str, NumpyMode]:
-        """Vectorised NumPy functions of every mode, see `numpy_functions`.
+        """NumPy functions of arrays for every mode, for notebooks and checks of other programs.
 
         Returns
         -------
         dict of str to NumpyMode
             Functions by the name of the mode.
+
+        Notes
+        -----
+        A simulation never calls them: its machine code comes from the text that `rockeom generate`
+        prints. Tests hold both, and numba's compilation of the text, equal at random states.
+
+        Examples
+        --------
+        >>> import rockeom as rk
+        >>> block = rk.RigidBlock(half_width=0.1, half_height=0.4)  # m
+        >>> right = rk.derive(block).lambdify()["right"]
+        >>> right.accelerations([0.05, 0.0], block.parameters(), ax=1.0).round(3)  # rad/s2
+        array([-5.242])
         """
         return numpy_functions(self)
 

@@ -97,8 +97,9 @@ class _Derived:
     """Derived equations, row = 0 each, with what a typed one is compared by.
 
     solution : unknowns of the rows, accelerations or velocities after an impact, by their values.
-    pivots : symbols in which all is linear, by whose coefficients a factor shows. side : -1, 0
-    or 1. terms : splits an equation into physical terms.
+    pivots : symbols in which all is linear, by whose coefficients a factor shows. side : -1 or 1,
+    0 where the rotation is held at zero, and its sign where it is free. constants : by parameters.
+    terms : splits an equation into physical terms.
     """
 
     rows: Mapping[str, sp.Expr]
@@ -106,7 +107,8 @@ class _Derived:
     pivots: tuple[sp.Symbol, ...]
     moving: tuple[sp.Symbol, ...]
     rotation: sp.Symbol
-    side: int
+    side: sp.Expr
+    constants: Mapping[sp.Symbol, sp.Expr]
     terms: Callable[[sp.Expr], dict[str, sp.Expr]]
 
 
@@ -127,7 +129,8 @@ def compared(
         (*equations.accelerations, *(x for x in _GROUND.values() if x not in absent), *gravity),
         tuple(x for c in model.coordinates for x in (c.position, c.velocity)),
         model.rotation.position,
-        model.mode(mode).side_of(mode),
+        _side(model, mode),
+        model.constants,
         lambda e: _terms_of_motion(e, equations, gravity),
     )
     return _judged(derived, _typed(equation, _names(model), derived).subs(absent))
@@ -156,11 +159,18 @@ def compared_at_impact(
         unknowns,
         (*(c.position for c in model.coordinates), *rates),
         model.rotation.position,
-        model.mode(source).side_of(source),
+        _side(model, source),
+        model.constants,
         lambda e: _linear_terms(e, {str(x): x for x in (*unknowns, *rates)}),
     )
     typed = _typed(equation, names, derived).subs(model.rotation.position, 0)
     return _judged(derived, typed)
+
+
+def _side(model: HybridModel, name: str) -> sp.Expr:
+    mode, q = model.mode(name), model.rotation
+    free = q in mode.coordinates and not mode.side_of(name)
+    return sp.sign(q.position) if free else sp.Integer(mode.side_of(name))
 
 
 # --- what was typed
@@ -168,7 +178,7 @@ def compared_at_impact(
 
 def _plain(name: str) -> str:
     """A name of a symbol without the marks of LaTeX."""
-    return name.translate(dict.fromkeys(map(ord, "\\{} ")))
+    return name.translate(dict.fromkeys(map(ord, "\\{}, ")))
 
 
 def _names(model: HybridModel) -> dict[str, sp.Expr]:
@@ -179,11 +189,8 @@ def _names(model: HybridModel) -> dict[str, sp.Expr]:
     for c in model.coordinates:
         letter = _plain(str(c.position))
         names |= {f"{letter}_dot": c.velocity, f"{letter}_ddot": c.acceleration}
-    derived = {d.name: d.value for d in model.definitions} | {
-        _plain(str(x)): value for x, value in model.constants.items()
-    }
     shapes = {str(p.symbol): value for p, value in polar_parameters(model)}
-    return shapes | _of_the_pivot(model, shapes) | names | derived
+    return shapes | _of_the_pivot(model, shapes) | names
 
 
 def _of_the_pivot(model: HybridModel, shapes: Mapping[str, sp.Expr]) -> dict[str, sp.Expr]:
@@ -216,7 +223,7 @@ def _typed(equation: sp.Expr | sp.Eq, names: Mapping[str, sp.Expr], derived: _De
                 "dynamicsymbols"
             )
     expr = expr.doit()
-    put: dict[sp.Expr, sp.Expr] = {SIDE: sp.Integer(derived.side)}
+    put: dict[sp.Expr, sp.Expr] = {SIDE: derived.side}
     for item in expr.atoms(sp.Derivative, AppliedUndef, sp.Symbol):
         if _in_time(item):
             put[item] = _meant(_name_in_time(item), names)
@@ -301,6 +308,7 @@ class _Numbers:
         self.derived, self.typed = derived, typed
         self.bound = SAME_AS_TYPED if typed.has(sp.Float) else SAME
         every = [typed, *derived.rows.values(), *derived.solution.values()]
+        every += derived.constants.values()
         symbols = set().union(*(e.free_symbols for e in every)) | {*derived.solution}
         self.symbols = sorted(symbols, key=str)
         rng = np.random.default_rng(5)
@@ -311,8 +319,9 @@ class _Numbers:
         values = {x: mpmath.mpf(rng.uniform(0.2, 0.9)) for x in self.symbols}
         signed = {*self.derived.moving, *self.derived.solution, GROUND_X, GROUND_Y}
         values |= {x: values[x] * int(rng.choice([-1, 1])) for x in self.symbols if x in signed}
-        q = self.derived.rotation
-        return values | {q: abs(values[q]) * self.derived.side} if q in values else values
+        q, side = self.derived.rotation, self.derived.side
+        lean = {q: abs(values[q]) * int(side)} if q in values and side.is_Integer else {}
+        return values | lean
 
     def of(self, expr: sp.Expr) -> list[mpmath.mpf]:
         """Values of an expression in the samples."""
@@ -322,7 +331,8 @@ class _Numbers:
 
     def at(self, expr: sp.Expr, samples: Iterable[Mapping[sp.Symbol, mpmath.mpf]]) -> list:
         names = {x: sp.Symbol(f"x{i}") for i, x in enumerate(self.symbols)}
-        function = sp.lambdify([*names.values()], expr.xreplace(names), modules="mpmath")
+        numbered = expr.xreplace(self.derived.constants).xreplace(names)
+        function = sp.lambdify([*names.values()], numbered, modules="mpmath")
         with mpmath.workdps(DIGITS):
             return [function(*(sample[x] for x in self.symbols)) for sample in samples]
 
