@@ -18,7 +18,8 @@ KINDS = {
 
 def operations(model: HybridModel, module: str) -> list[Block]:
     """A table of the operations that the accelerations of each mode take."""
-    rows, declared = [], [] if model.search else each_mode(model)
+    declared = [] if model.search else each_mode(model)
+    rows: list[tuple[str, ...]] = []
     for function in ast.parse(module).body:
         if isinstance(function, ast.FunctionDef) and _of_one_mode(function):
             counts = Counter(_kinds(ast.Module(function.body, [])))

@@ -31,12 +31,7 @@ def test_a_check_of_the_catalogue_decides_the_equation_from_that_structure(name,
     assert claim(equation).passes
     routes = [check.route for check in (checks if isinstance(checks, tuple) else (checks,))]
     assert any(re.search(rf"\b{name}\b", route) for route in routes)
-
-
-@pytest.mark.parametrize(("row", "of"), [(0, "theta"), (1, "u")])
-def test_numbers_of_the_flexible_structure_stand_beside_their_coordinates(row, of):
-    model = derive(MODEL_C)
-    numbers = [n for name, at, n in NUMBERED if (name, at) == (MODEL_C, of)]
-    assert len(numbers) == 2
-    for number in numbers:
-        assert sp.expand(DERIVED[number].value(model, 1) - residual(model, 1, row)) == 0
+    if name == MODEL_C:  # whose equations are two
+        row = [c.name for c in derive(name).coordinates].index(of)
+        stated = DERIVED[number].value(derive(name), 1)
+        assert sp.expand(stated - residual(derive(name), 1, row)) == 0
