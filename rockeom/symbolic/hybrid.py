@@ -22,6 +22,9 @@ from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.mode import Mode, Transition
 from rockeom.symbolic.modes.every import Modes, derive_modes
 
+SOURCED = ("energy_ratio", "impact", "horizontal_reaction", "vertical_reaction")
+"""Equations besides those of motion that may have a source of their own."""
+
 
 @dataclass(frozen=True)
 class Search:
@@ -78,6 +81,9 @@ class HybridModel:
         Ratio of the angular velocities at an impact of the rigid structure; derived if not given.
     reference : str, optional
         Source of the equations.
+    sources : dict of str to str, optional
+        Sources of single equations, such as "thesis 2-9": of an equation of motion under the name
+        of its coordinate, of others under "energy_ratio", "impact" and the names of reactions.
     functions : tuple of NamedFunction, optional
         Named functions in the equations.
     members : tuple of Member, optional
@@ -101,6 +107,7 @@ class HybridModel:
     functions: tuple[model.NamedFunction, ...] = ()
     members: tuple[model.Member, ...] = ()
     falls: Mapping[model.Coordinate, sp.Expr] = field(default_factory=dict, hash=False)
+    sources: Mapping[str, str] = field(default_factory=dict, hash=False)
     search: Search | None = None
 
     @property

@@ -172,6 +172,9 @@ class RockingModel(HybridModel, Declared):
         Ratio of the angular velocities at an impact of the rigid structure; derived if not given.
     reference : str, optional
         Source of the equations.
+    sources : dict of str to str, optional
+        Sources of single equations, such as "thesis 2-9": of an equation of motion under the name
+        of its coordinate, of others under "energy_ratio", "impact" and the names of reactions.
     functions : tuple of NamedFunction, optional
         Named functions in the equations.
     members : tuple of Member, optional
@@ -346,6 +349,7 @@ class Description(TypedDict, total=False):
 
     overturning: sp.Expr
     reference: str
+    sources: Mapping[str, str]
     members: Iterable[Member]
     falls: Mapping[Coordinate, sp.Expr]
 
@@ -399,8 +403,8 @@ def rocking_structure(
         Name of the body that carries the load of a pushover.
     **declared : object
         `elastic_energy`, `dissipation`, `beside_feet`, `small` and `elements` as in `Mode`,
-        `elements` also a function of the pivot, as `bodies`; `overturning`, `reference`, `members`
-        and `falls` as in `RockingModel`.
+        `elements` also a function of the pivot, as `bodies`; `overturning`, `reference`,
+        `sources`, `members` and `falls` as in `RockingModel`.
 
     Returns
     -------

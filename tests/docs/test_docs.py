@@ -8,12 +8,13 @@ from importlib.util import find_spec
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 import rockeom
 from tests.pages import ROOT, cells, names_of, text_of
 
 DOCS = ROOT / "docs"
-PAGES = [p for p in DOCS.rglob("*.md") if not {"_build", "derivations"} & set(p.parts)]
+PAGES = [p for p in DOCS.rglob("*.md") if not {"_build", "derivations", "derived"} & set(p.parts)]
 GROUPS = tuple(
     f"analysis.{group}"
     for group in ["design", "dynamics", "formulas", "identification", "risk", "validation"]
@@ -257,6 +258,38 @@ def test_every_shipped_structure_has_an_example_that_makes_it(gallery):
         assert structure.model == name
         structure.positions(example.state)  # which names coordinates that it has
         assert example.run.startswith("run = rk.simulate(structure, ")
+
+
+def test_a_page_of_generated_leads_to_its_drawing_its_class_and_the_catalogue():
+    derived = _module("derived")
+    for name in rockeom.models():
+        page = derived.page(name)
+        for target in LINK.findall(page):
+            path, _, anchor = target.partition("#")
+            if path:
+                assert (DOCS / "derived" / path).resolve().exists() or (DOCS / path[3:]).exists()
+            else:
+                assert anchor in documented()
+        assert name in derived.cards()
+    assert "[2-6](../equations/chapter-2.md#equation-2-6)" in derived.page("rigid_block")
+    assert "[D-25](../equations/appendix-d.md#equation-d-25)" in derived.page("flexible_structure")
+
+
+@pytest.mark.parametrize(
+    ("name", "labels"),
+    [
+        ("rigid_block", r"B|H|N|F|\theta|m g|m \ddot x_g"),
+        (
+            "flexible_structure",
+            r"B|H_e|H_b|N|F|u|\theta|m_e g|m_b g|m_e \ddot x_g|m_b \ddot x_g",
+        ),
+    ],
+)
+def test_free_body_diagram_has_the_symbols_of_the_equations(name, labels, monkeypatch):
+    monkeypatch.syspath_prepend(str(DOCS))
+    drawing = _module("diagrams").Diagram(name)
+    drawing.draw(Figure().add_subplot())
+    assert drawing.labels == set(labels.split("|"))
 
 
 def test_a_figure_of_the_thesis_is_on_a_card(gallery, tmp_path, monkeypatch):

@@ -6,7 +6,7 @@ accelerations, velocities, ground acceleration and gravity; within each, mass by
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 
 import sympy as sp
@@ -18,7 +18,7 @@ from rockeom.symbolic.hybrid import HybridModel
 from rockeom.symbolic.impulse import AFTER, BEFORE, at_impact
 from rockeom.symbolic.mode import Mode
 from rockeom.symbolic.model import GROUND_X, GROUND_Y
-from rockeom.symbolic.text.page import LINE, width
+from rockeom.symbolic.text.page import LINE, Part, width
 from rockeom.symbolic.write.polar import compound_angles
 
 GROUND = {GROUND_X: r"\ddot x_g", GROUND_Y: r"\ddot y_g"}
@@ -210,8 +210,31 @@ class Notation(LatexPrinter):
         """Terms joined by their signs; 0 if there are none."""
         text = terms[0] if terms else "0"
         for term in terms[1:]:
-            text += f" - {term[1:]}" if term.startswith("-") else f" + {term}"
+            text += f" {_signed(term)}"
         return text
+
+    def equation(
+        self,
+        row: Mapping[sp.Symbol, sp.Expr],
+        resisting: Mapping[str, sp.Expr],
+        acting: Mapping[str, sp.Expr],
+        pushes: Iterable[str] = (),
+    ) -> list[Part]:
+        """An equation of motion in its physical parts, those that are zero left out.
+
+        row : of the mass matrix, by accelerations. resisting, acting : forces on the left and on
+        the right, by what they are. pushes : LaTeX of forces of contact, on the right.
+        """
+        inertia = self.sum([self.write(m * a) for a, m in row.items() if m != 0])
+        left = [(inertia, "inertia"), *((self.write(e), x) for x, e in resisting.items() if e != 0)]
+        right = [(self.write(e), x) for x, e in acting.items() if e != 0]
+        right += [(self.sum(list(pushes)), "contact forces")] if pushes else []
+        left = left[1:] if inertia == "0" and left[1:] else left
+        parts = [Part(_signed(tex) if i else tex, what) for i, (tex, what) in enumerate(left)]
+        if not right:
+            return [*parts[:-1], Part(f"{parts[-1].tex} = 0", parts[-1].what)]
+        signed = [Part(_signed(tex) if i else f"= {tex}", x) for i, (tex, x) in enumerate(right)]
+        return [*parts, *signed]
 
     def _print_Add(self, expr: sp.Expr, order=None) -> str:
         return self._positive_first(self.sorted_terms(expr))
@@ -293,6 +316,11 @@ class Notation(LatexPrinter):
         arguments = sorted(expr.args, key=sp.default_sort_key)
         power = f"^{exp}" if exp else ""
         return rf"\max({', '.join(self._print(a) for a in arguments)}){power}"
+
+
+def _signed(tex: str) -> str:
+    """A term behind others."""
+    return f"- {tex[1:]}" if tex.startswith("-") else f"+ {tex}"
 
 
 def _symbols(expressions) -> list[sp.Symbol]:
