@@ -17,6 +17,7 @@ import sympy as sp
 from rockeom.symbolic import model
 from rockeom.symbolic.contacts import ContactDeclaration
 from rockeom.symbolic.elements import switch_of
+from rockeom.symbolic.fractions import cancelled
 from rockeom.symbolic.impulse import ImpulseMap, OnSide, derive_impulse_map, rigid_velocity_ratio
 from rockeom.symbolic.lagrange import Equations
 from rockeom.symbolic.mode import Mode, Transition
@@ -322,7 +323,7 @@ class HybridModel:
         if len(self.coordinates) > 1:  # checks refuse different ratios
             return ratio
         others = (self.velocity_ratio_at(t) for t in impacts[1:])
-        return ratio if all(sp.cancel(other - ratio) == 0 for other in others) else sp.nan
+        return ratio if all(cancelled(other - ratio) == 0 for other in others) else sp.nan
 
     def velocity_ratio_at(self, impact: Transition) -> sp.Expr:
         """Ratio of angular velocities, derived for one impact.

@@ -60,7 +60,14 @@ def test_damping_coriolis_and_springs_are_told_apart():
 
 
 @pytest.mark.parametrize(
-    "name", ["two_spring_structure", "two_spring_cart", "dirac_delta_block", "uplifting_oscillator"]
+    "name",
+    [
+        "two_spring_structure",
+        "two_spring_cart",
+        "dirac_delta_block",
+        "uplifting_oscillator",
+        "substitute_gravity_wall",  # with named functions
+    ],
 )
 def test_modes_whose_rotation_is_free_or_held_read_their_own_equation_and_no_other(name):
     """On both springs and in flight the rotation is free, and has no side."""

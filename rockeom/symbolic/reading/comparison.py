@@ -133,7 +133,7 @@ def compared(
         model.constants,
         lambda e: _terms_of_motion(e, equations, gravity),
     )
-    return _judged(derived, _typed(equation, _names(model), derived).subs(absent))
+    return _judged(derived, _typed(equation, model, _names(model), derived).subs(absent))
 
 
 def compared_at_impact(
@@ -163,7 +163,7 @@ def compared_at_impact(
         model.constants,
         lambda e: _linear_terms(e, {str(x): x for x in (*unknowns, *rates)}),
     )
-    typed = _typed(equation, names, derived).subs(model.rotation.position, 0)
+    typed = _typed(equation, model, names, derived).subs(model.rotation.position, 0)
     return _judged(derived, typed)
 
 
@@ -208,14 +208,19 @@ def _of_the_pivot(model: HybridModel, shapes: Mapping[str, sp.Expr]) -> dict[str
     return {"I_o": inertia, "p": sp.sqrt(body.mass * mode.gravity * shapes["R"] / inertia)}
 
 
-def _typed(equation: sp.Expr | sp.Eq, names: Mapping[str, sp.Expr], derived: _Derived) -> sp.Expr:
+def _typed(
+    equation: sp.Expr | sp.Eq,
+    model: HybridModel,
+    names: Mapping[str, sp.Expr],
+    derived: _Derived,
+) -> sp.Expr:
     """Left minus right-hand side of an equation, in symbols of the model."""
     if not isinstance(equation, sp.Expr | sp.Equality):
         raise InputTypeError("equation", equation, "compare").give(
             "an expression of SymPy, which is then zero, or an sympy.Eq"
         )
     equality = isinstance(equation, sp.Equality)
-    expr = equation.lhs - equation.rhs if equality else equation
+    expr = model.written_out(equation.lhs - equation.rhs if equality else equation)
     for rate in expr.atoms(sp.Derivative):
         if not rate.atoms(AppliedUndef):
             raise InputError("equation", of="compare").says(
