@@ -100,6 +100,16 @@ def test_ground_and_rates_go_by_the_names_of_the_literature():
     assert BLOCK.compare(sp.Eq(after, sp.Symbol("e") * before), impact=("right", "left"))
 
 
+@pytest.mark.parametrize(
+    ("name", "mode"), [("dirac_delta_block", "right_tail"), ("two_spring_structure", "both")]
+)
+def test_rotation_that_is_free_on_both_sides_is_not_taken_for_zero(name, mode):
+    model = rk.derive(name)
+    row = model.equations(mode).residual[0]
+    assert model.compare(row, mode=mode).equal
+    assert not model.compare(row + model.rotation.position, mode=mode)
+
+
 def test_coordinate_that_is_held_has_no_rates():
     assert PIER.compare(PIER.equations("right").residual[1], mode="both").equal
 

@@ -100,8 +100,8 @@ class _Derived:
     """Derived equations, row = 0 each, with what a typed one is compared by.
 
     solution : unknowns of the rows, accelerations or velocities after an impact, by their values.
-    pivots : symbols in which all is linear, by whose coefficients a factor shows. side : -1, 0
-    or 1. terms : splits an equation into physical terms.
+    pivots : symbols in which all is linear, by whose coefficients a factor shows. side : see
+    `_side`. terms : splits an equation into physical terms.
     """
 
     rows: Mapping[str, sp.Expr]
@@ -109,7 +109,7 @@ class _Derived:
     pivots: tuple[sp.Symbol, ...]
     moving: tuple[sp.Symbol, ...]
     rotation: sp.Symbol
-    side: int
+    side: int | None
     terms: Callable[[sp.Expr], dict[str, sp.Expr]]
 
 
@@ -135,7 +135,7 @@ def compared(
         (*equations.accelerations, *(x for x in _GROUND.values() if x not in absent), *gravity),
         tuple(x for c in model.coordinates for x in (c.position, c.velocity)),
         model.rotation.position,
-        model.mode(mode).side_of(mode),
+        _side(model, mode),
         lambda e: _terms_of_motion(e, equations, gravity),
     )
     return _judged(derived, _typed(equation, _names(model), model, mode).subs(absent))
@@ -166,7 +166,7 @@ def compared_at_impact(
         unknowns,
         (*(c.position for c in model.coordinates), *rates),
         model.rotation.position,
-        model.mode(source).side_of(source),
+        _side(model, source),
         lambda e: _linear_terms(e, {str(x): x for x in (*unknowns, *rates)}),
     )
     typed = _typed(equation, names, model, source).subs(model.rotation.position, 0)
@@ -179,6 +179,12 @@ def _written_out(model: HybridModel, expr: sp.Expr, mode: str) -> sp.Expr:
     for symbol, value in reversed(model.constants.items()):
         expr = expr.xreplace({symbol: value})
     return expr
+
+
+def _side(model: HybridModel, mode: str) -> int | None:
+    """The sign of the rotation in a mode, 0 where it is held; None where it may have either."""
+    of = model.mode(mode)
+    return of.side_of(mode) or (None if model.rotation in of.coordinates else 0)
 
 
 # --- what was typed
@@ -246,8 +252,8 @@ def _typed(
         raise InputError("equation", of="compare").says(
             f"its functions are of {', '.join(times)}: write all of them at one time t"
         )
-    side = model.mode(mode).side_of(mode)
-    put: dict[sp.Expr, sp.Expr] = {SIDE: sp.Integer(side)}
+    side = _side(model, mode)
+    put: dict[sp.Expr, sp.Expr] = {SIDE: sp.Integer(side or 0)}
     rates = {rate: sp.Dummy() for rate in expr.atoms(sp.Derivative)}
     others = expr.xreplace(rates).atoms(AppliedUndef, sp.Symbol) - {*rates.values()}
     for item in sorted(others | rates.keys(), key=str):
@@ -258,7 +264,9 @@ def _typed(
     put |= {x: put[SIDE] for x in expr.atoms(sp.Symbol) if x.name == "s" and "s" not in put}
     expr = expr.xreplace({x: put[x] for x in sorted(put, key=sp.count_ops, reverse=True)})
     q = model.rotation.position
-    expr = _written_out(model, expr, mode).subs({sp.sign(q): side, sp.Abs(q): side * q})
+    expr = _written_out(model, expr, mode)
+    if side is not None:
+        expr = expr.subs({sp.sign(q): side, sp.Abs(q): side * q})
     if not _is_finite(expr):
         raise _not_finite()
     return expr
@@ -366,7 +374,9 @@ class _Numbers:
         signed = {*self.derived.moving, *self.derived.solution, GROUND_X, GROUND_Y}
         values |= {x: values[x] * int(rng.choice([-1, 1])) for x in self.symbols if x in signed}
         q = self.derived.rotation
-        return values | {q: abs(values[q]) * self.derived.side} if q in values else values
+        if q in values and self.derived.side is not None:
+            values[q] = abs(values[q]) * self.derived.side
+        return values
 
     def of(self, expr: sp.Expr) -> list[mpmath.mpf]:
         """Values of an expression in the samples."""
