@@ -311,7 +311,7 @@ class RockingModel(HybridModel, Declared):
         >>> bool(rk.derive("rigid_block").compare(housner, mode="right", ground=()))
         True
         """
-        if (mode is None) == (impact is None):
+        if (mode is None) == (impact is None) or not isinstance(impact, tuple | list | None):
             raise InputError("mode", of="compare").says(
                 'give the mode of an equation of motion, mode="right", or the modes before and '
                 'after an impact, impact=("right", "left")'
